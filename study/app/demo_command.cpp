@@ -8,7 +8,6 @@
 
 #include "haptics/recordings/recording.h"
 #include "protocols/load_protocol.h"
-#include "protocols/model/library.h"
 #include "study/app/commands.h"
 #include "study/app/write_report.h"
 #include "study/cohort/simulated_participant.h"

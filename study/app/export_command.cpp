@@ -76,6 +76,7 @@ int exportAs(const ExportArguments& options) {
   auto study = openForExport(options.folder, clock, how);
   unlockIfAsked(study);
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
+    unlockNamesIfAsked(study, true);
     fmt::print("{}", identifiabilityInWords(study, how));
   }
   if (options.forPublic) fmt::print("{}", describe(publicRelease(study, how)));

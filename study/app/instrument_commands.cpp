@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
 #include "questionnaires/reading/instrument_reader.h"
 #include "questionnaires/reading/wording.h"

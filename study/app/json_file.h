@@ -9,7 +9,7 @@
 #include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/trace.h"
-#include "protocols/model/blanks.h"
+#include "protocols/model/loaded_protocol.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"

@@ -133,6 +133,7 @@ int main(int argc, char** argv) {
   study::SystemClock clock;
   int status = 1;
   study::gui::askForKeyOf(folder.toStdString(), nullptr);
+  study::gui::askForNamesOf(folder.toStdString(), nullptr);
   study::gui::attempt(nullptr, [&] {
     auto study = study::Study::open(folder.toStdString(), clock);
     study::gui::OperatorWindow window(study, devices);

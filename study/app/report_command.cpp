@@ -27,6 +27,7 @@ struct ReportArguments {
   double figureFont = report::FigureFormat::kUsualFont;
   std::string language = "en";
   std::string paper = "a4";
+  std::string wording = "apa";
   bool hasQuotes = true;
   std::string runMode;
   std::string reason;
@@ -75,6 +76,7 @@ int report(const ReportArguments& options) {
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
     sections.back().hasQuotes = options.hasQuotes;
+    sections.back().wording = wordingNamed(options.wording);
   }
   writeReport(
       sections, options.out, options.paper == "letter" ? report::Paper::Letter : report::Paper::A4);
@@ -118,6 +120,15 @@ void addReportCommand(CLI::App& program, Action& action) {
   command->add_option("--paper", options->paper, "Size of the pages of a PDF: a4, letter")
       ->capture_default_str()
       ->check(CLI::IsMember({"a4", "letter"}));
+  command
+      ->add_option(
+          "--wording",
+          options->wording,
+          "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
+          "to "
+          "2.42'")
+      ->check(CLI::IsMember({"apa", "vancouver"}))
+      ->capture_default_str();
   command->add_flag(
       "!--no-quotes",
       options->hasQuotes,

@@ -41,6 +41,7 @@ struct StudyArguments {
   int participants = 0;
   std::uint64_t seed = 0;
   bool hasSeed = false;
+  bool hasNamesPassphrase = false;
   bool verbose = false;
   bool json = false;
 };
@@ -93,7 +94,12 @@ std::string placeOf(const Study& study) {
 int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
+  std::string passphrase;
+  if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kNewPassphraseOfNames);
   auto study = Study::create(options.folder, protocol, clock, seedOf(options));
+  if (options.hasNamesPassphrase) {
+    setPassphraseOfNames(study, passphrase, "when the study was made");
+  }
   fmt::print(
       "{} is ready: \"{}\", seed {}.\n{}{}Next: palpate-studio {}, or try it first: palpate study "
       "simulate "
@@ -183,6 +189,7 @@ int run(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
   unlockIfAsked(study);
+  unlockNamesIfAsked(study);
   return runInTerminal(
       study,
       {.cohort = options.cohort,
@@ -281,6 +288,11 @@ void addStudyCommands(CLI::App& program, Action& action) {
           "--protocol", options->protocol, "A protocol file, or one of the library by name")
       ->required();
   addSeed(*create, options, "Seed of all random choices (default: the protocol's, or drawn now)");
+
+  create->add_flag(
+      "--names-passphrase",
+      options->hasNamesPassphrase,
+      "Ask for a passphrase that is needed to read or add names; lost passphrase, lost names");
 
   auto* run = addVerb(
       *noun,

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "protocols/load_protocol.h"
-#include "protocols/model/blanks.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
 #include "study/model/new_file.h"

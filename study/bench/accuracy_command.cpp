@@ -12,7 +12,7 @@
 
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/refresh_rate.h"
-#include "study/bench/commands.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 #include "study/model/user_error.h"
 
@@ -183,11 +183,6 @@ Chart chartOf(const Measured& all, const Family& family, const Figure& figure) {
   return chart;
 }
 
-Cell numberOrNothing(const std::optional<double>& value) {
-  if (value && !std::isfinite(*value)) return std::string("no number");
-  return cellOf(value);
-}
-
 DataTable tableOf(const Measured& all, const Family& family) {
   DataTable table{
       .name = family.option,
@@ -206,7 +201,7 @@ DataTable tableOf(const Measured& all, const Family& family) {
     const auto& m = r.measurement;
     if (m.family != family.name) continue;
     std::vector<Cell> row{
-        m.setting, m.method, m.parameter, numberOrNothing(m.error), numberOrNothing(m.bound)};
+        m.setting, m.method, m.parameter, numberCell(m.error), numberCell(m.bound)};
     if (m.time) row.insert(row.end(), {m.time->median, m.time->p99, r.fastest, r.slowest});
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));

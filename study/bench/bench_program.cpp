@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "study/bench/commands.h"
 #include "study/session/study.h"
 
 namespace study::bench {

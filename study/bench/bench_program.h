@@ -6,6 +6,17 @@
 
 namespace study::bench {
 
+using app::Action;
+
+// Each function adds its command to palpate-bench. The command that is called sets the action,
+// which returns the exit status: 1 if an error or a count exceeds its bound.
+void addAccuracyCommand(CLI::App& program, Action& action);
+void addStabilityCommand(CLI::App& program, Action& action);
+void addServoCommand(CLI::App& program, Action& action);
+void addDevicesCommand(CLI::App& program, Action& action);
+void addStatsCommand(CLI::App& program, Action& action);
+void addWindowsCommand(CLI::App& program, Action& action);  // in builds with windows
+
 /// The command line of palpate-bench. Parsing it sets the action of the command that was called.
 /// @param action  must outlive the program.
 std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action);

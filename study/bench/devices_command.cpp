@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "study/app/finite_range.h"
-#include "study/bench/commands.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/devices.h"
 #include "study/bench/result.h"
 
@@ -260,7 +260,7 @@ struct DevicesOptions {
   DeviceBenchOptions bench;
 };
 
-int devices(const DevicesOptions& options) {
+int benchDevices(const DevicesOptions& options) {
   const auto measured = measureDevices(options.bench);
   present(options.out, "devices", reportOf(measured));
   if (!measured.isExact()) fmt::print("FAIL  not every fault was found, or too many were.\n");
@@ -284,7 +284,7 @@ void addDevicesCommand(CLI::App& program, Action& action) {
   const std::vector<std::string> parts(kDeviceBenchParts.begin(), kDeviceBenchParts.end());
   command->add_option("--part", options->bench.parts, "Only these parts (default: all)")
       ->check(CLI::IsMember(parts));
-  command->callback([&action, options] { action = [options] { return devices(*options); }; });
+  command->callback([&action, options] { action = [options] { return benchDevices(*options); }; });
 }
 
 }  // namespace study::bench

@@ -13,6 +13,8 @@
 
 #include "haptics/engine/realtime_loop.h"
 #include "haptics/engine/sample_ring.h"
+#include "haptics/timing/stopwatch.h"
+#include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/trace_store.h"
@@ -24,30 +26,6 @@ using Clock = std::chrono::steady_clock;
 using storage::TraceSample;
 
 constexpr std::size_t kChunk = 1000;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// A folder inside another one; the destructor removes it.
-class ScratchFolder {
- public:
-  explicit ScratchFolder(const std::string& folder)
-      : path_(std::filesystem::path(folder) / (".palpate-bench-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::string operator/(const char* name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::vector<TraceSample> chunkOfACut() {
   std::vector<TraceSample> chunk(kChunk);
@@ -89,9 +67,9 @@ class RawFile {
 }  // namespace
 
 std::vector<RecorderRun> compareRecorders(const std::string& folder, double seconds) {
-  const ScratchFolder scratch(folder);
-  const std::string traces = scratch / "chunks.db";
-  const std::string raw = scratch / "raw";
+  const TemporaryFolder scratch(folder);
+  const std::string traces = (scratch / "chunks.db").string();
+  const std::string raw = (scratch / "raw").string();
   storage::TraceStore store(storage::Database::create(traces, storage::traceSchema()));
   RawFile file(raw);
   struct Way {
@@ -108,11 +86,11 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
       {{.way = "raw file, fdatasync a chunk"}, [&](const auto& chunk) { file.keep(chunk); }}};
   const auto chunk = chunkOfACut();
   double chunks = 0.0;
-  for (const auto start = Clock::now(); secondsSince(start) < seconds; ++chunks) {
+  for (const auto start = Clock::now(); haptics::timing::secondsSince(start) < seconds; ++chunks) {
     for (auto& way : ways) {
       const auto before = Clock::now();
       way.keep(chunk);
-      const double took = secondsSince(before);
+      const double took = haptics::timing::secondsSince(before);
       way.seconds += took;
       way.run.worstCall = std::max(way.run.worstCall, 1e3 * took);
     }
@@ -131,8 +109,9 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
 
 RecorderLoop recordInLoop(const std::string& folder, double rate, double seconds) {
   using Ring = haptics::engine::SampleRing<TraceSample, 65'536>;
-  const ScratchFolder scratch(folder);
-  storage::TraceStore store(storage::Database::create(scratch / "loop.db", storage::traceSchema()));
+  const TemporaryFolder scratch(folder);
+  storage::TraceStore store(
+      storage::Database::create((scratch / "loop.db").string(), storage::traceSchema()));
   auto ring = std::make_unique<Ring>();
   RecorderLoop result;
   std::jthread recorder([&](const std::stop_token& stop) {
@@ -163,7 +142,7 @@ RecorderLoop recordInLoop(const std::string& folder, double rate, double seconds
     haptics::engine::RealtimeLoop loop({.rate = rate}, [&](double, double) {
       const auto before = Clock::now();
       ring->push(one);
-      result.push.add(1e6 * secondsSince(before));
+      result.push.add(1e6 * haptics::timing::secondsSince(before));
     });
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     const auto& report = loop.finish();

@@ -1,6 +1,7 @@
 #include "study/bench/result.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -36,6 +37,11 @@ DataTable machineTable() {
 }
 
 }  // namespace
+
+Cell numberCell(const std::optional<double>& value) {
+  if (value && !std::isfinite(*value)) return std::string("no number");
+  return cellOf(value);
+}
 
 std::string asPlainText(const DataTable& table) {
   std::vector<std::vector<std::string>> lines(1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "study/model/data_table.h"
@@ -12,6 +13,9 @@ namespace study::bench {
 /// the computer.
 /// @throws storage::StorageError  if a file exists already or cannot be written.
 void present(const std::string& folder, const std::string& name, report::Document document);
+
+/// A measured number: empty if there is none, "no number" if it is infinite or undefined.
+Cell numberCell(const std::optional<double>& value);
 
 /// Columns aligned, numbers to four digits. Ends with a line feed.
 std::string asPlainText(const DataTable& table);

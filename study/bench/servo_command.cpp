@@ -10,7 +10,7 @@
 #include "haptics/bench/servo.h"
 #include "haptics/engine/passivity.h"
 #include "study/app/finite_range.h"
-#include "study/bench/commands.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/recorder.h"
 #include "study/bench/result.h"
 

@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 
 #include "haptics/bench/stability.h"
-#include "haptics/bench/stability_kernels.h"
 #include "haptics/engine/passivity.h"
 #include "study/app/finite_range.h"
-#include "study/bench/commands.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 
 namespace study::bench {
@@ -22,10 +21,6 @@ using haptics::bench::StabilityResult;
 using haptics::bench::WallPoint;
 using report::Chart;
 using report::ChartSeries;
-
-Cell numberOrNothing(double value) {
-  return std::isfinite(value) ? Cell(value) : Cell(std::string("no number"));
-}
 
 DataTable summaryTable(const StabilityResult& result) {
   struct Count {
@@ -61,7 +56,7 @@ DataTable checkTable(const StabilityResult& result) {
          check.what,
          check.build,
          check.parameter,
-         numberOrNothing(check.measured),
+         numberCell(check.measured),
          check.bound,
          check.isPassed()});
   }

@@ -12,10 +12,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/bench/commands.h"
+#include "haptics/timing/stopwatch.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 #include "study/bench/synthetic_study.h"
-#include "study/model/storage_error.h"
+#include "study/model/new_file.h"
 #include "study/results/pooled_results.h"
 
 namespace study::bench {
@@ -28,35 +29,6 @@ struct StatsOptions {
   std::string disk;  ///< a folder for the database; empty: the folder of temporary files
   std::int64_t answers = 1'000'000;
   int repetitions = 20;
-};
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// A folder that the destructor removes.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(const fs::path& inside) : path_(inside / "palpate-bench-XXXXXX") {
-    auto name = path_.string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw storage::StorageError(
-          inside.string() +
-          " takes no folder for the measurement. Choose another one with --disk.");
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const noexcept { return path_; }
-
- private:
-  fs::path path_;
 };
 
 /// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
@@ -112,7 +84,7 @@ StatsMeasurement measure(const StatsOptions& options) {
   for (int i = 0; i < options.repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     measured.counted = compareAll(made.folder);
-    measured.seconds.push_back(secondsSince(start));
+    measured.seconds.push_back(haptics::timing::secondsSince(start));
   }
   measured.memory = peakMemory();
   return measured;

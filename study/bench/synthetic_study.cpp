@@ -11,7 +11,6 @@
 #include "study/session/session.h"
 #include "study/session/study.h"
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::bench {
 namespace {

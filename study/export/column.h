@@ -39,6 +39,7 @@ enum class ValueList {
   Blocks,
   ConditionCodes,
   Conditions,
+  Sites,  ///< only where there are several
 };
 
 /// The values of each list in their natural order.
@@ -57,6 +58,8 @@ struct Readers {
   /// The kind of device, if all of the study's devices are of one kind: it may have its own
   /// descriptions of tables.
   const haptics::devices::DeviceKind* device = nullptr;
+
+  bool hasSites() const { return lists.count(ValueList::Sites) == 1; }
 
   /// @p description, or the device's own text for it.
   std::string inTheirWords(const std::string& description) const;
@@ -246,6 +249,7 @@ class Column {
     if (isExact_ && !readers.seeExact) return false;
     if (isOnRequest_ && !readers.seeTexts) return false;
     if (identifiesParticipant_ && !readers.needParticipant) return false;
+    if (list_ == ValueList::Sites && !readers.hasSites()) return false;
     if (!readers.isPublic) return true;
     return public_ && (public_->ifTold.empty() || readers.told.count(public_->ifTold) == 1);
   }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "study/export/condition_codes.h"
 #include "study/model/user_error.h"
 
@@ -23,7 +24,7 @@ std::string codesIn(const std::filesystem::path& file) {
   const auto size = std::filesystem::file_size(file, error);
   if (error || size > kLargest) return {};
   std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto text = base::readAll(stream);
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
   const auto inside = json.find("palpate");  // as Psych-DS and BIDS have it

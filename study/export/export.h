@@ -72,7 +72,7 @@ Study openForExport(
     const std::filesystem::path& folder, Clock& clock, const ExportOptions& options);
 
 /// What identifies the condition of an answer in spite of its code, in any version of the study's
-/// protocol (protocols/validation/blinding.h). If there is anything, an export with codes is not
+/// protocol (protocols/validation/validation.h). If there is anything, an export with codes is not
 /// called blinded.
 std::vector<base::Message> disclosuresOf(Study& study);
 

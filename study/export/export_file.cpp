@@ -10,7 +10,7 @@
 #include "study/export/public_history.h"
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"
-#include "study/session/noted_folder.h"
+#include "study/session/backup.h"
 
 namespace study {
 namespace {

@@ -58,6 +58,7 @@ RowOwner ownerOf(const SessionRecord& session) {
       .participant = session.participant,
       .sessionNumber = session.number,
       .cohort = session.cohort,
+      .site = session.site,
       .runMode = session.runMode};
 }
 

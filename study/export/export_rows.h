@@ -11,13 +11,14 @@
 
 namespace study {
 
-/// The owner of a row. In a public folder the participant has a random id, and the cohort may be
-/// empty.
+/// The owner of a row. In a public folder the participant has a random id, and cohort and site may
+/// be empty.
 struct RowOwner {
   SessionId session{};
   std::string_view participant;
   int sessionNumber = 1;
   std::string_view cohort;
+  std::string_view site = {};
   RunMode runMode = RunMode::Live;
 };
 

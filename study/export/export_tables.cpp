@@ -2,7 +2,7 @@
 #include <map>
 
 #include "base/random.h"
-#include "protocols/validation/blinding.h"
+#include "protocols/validation/validation.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"
 #include "study/export/export_parts.h"

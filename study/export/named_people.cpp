@@ -45,6 +45,11 @@ std::string alikeInWords(const ClassSizes& classes) {
 }
 
 std::string namesInWords(const NamedPeople& named) {
+  if (named.areLocked) {
+    return "- The names that the study keeps are behind a passphrase that was not given, so none "
+           "was "
+           "searched for here. Read free texts before you give them away.\n";
+  }
   if (named.names == 0) {
     return "- The study keeps no names, so none could be searched for here. Read free texts before "
            "you give them away.\n";
@@ -83,6 +88,7 @@ std::vector<std::string> wordsIn(std::string_view text) {
 }
 
 NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) {
+  if (study.identities().isLocked()) return {.areLocked = true, .cells = {}};
   std::set<std::string> names;
   for (const auto& text : study.identities().texts()) {
     for (auto& word : wordsIn(text)) names.insert(std::move(word));

@@ -16,7 +16,8 @@ std::vector<std::string> wordsIn(std::string_view text);
 
 /// Where an export names people.
 struct NamedPeople {
-  std::size_t names = 0;  ///< words of answers in identity.db that were searched for
+  std::size_t names = 0;   ///< words of answers in identity.db that were searched for
+  bool areLocked = false;  ///< names are behind a passphrase, and were not searched for
   std::map<std::string, std::size_t> cells;  ///< that hold one of them, by table
 };
 

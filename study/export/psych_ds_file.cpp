@@ -97,7 +97,10 @@ void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& o
 std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptions& options) {
   const auto tables = tablesFor(study, options);
   const std::size_t sessions = tables.front().rows.size();
-  const std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
+  std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
+  // Files of one site say so. Those of all have a column for it.
+  const auto& site = study.station().site;
+  if (!site.empty() && !options.publicClass) prefix += "_site-" + bidsLabel(site);
   const auto data = folder / "data";
   fs::create_directories(data);
   for (const auto& table : tables) {

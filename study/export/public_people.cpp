@@ -66,17 +66,23 @@ std::optional<std::size_t> PublicPeople::personOf(SessionId session) const {
 }
 
 std::vector<QuasiIdentifier> PublicPeople::identifiers() const {
-  std::vector<QuasiIdentifier> identifiers{cohorts()};
+  std::vector<QuasiIdentifier> identifiers{
+      described(kCohortColumn, &storage::SessionRecord::cohort)};
+  auto sites = described(kSiteColumn, &storage::SessionRecord::site);
+  const bool areSeveral = std::ranges::any_of(
+      sites.exact, [&](const auto& site) { return site != sites.exact.front(); });
+  if (areSeveral) identifiers.push_back(std::move(sites));
   for (const auto& question : questions_) identifiers.push_back(background(question));
   identifiers.push_back(orders());
   return identifiers;
 }
 
-QuasiIdentifier PublicPeople::cohorts() const {
-  QuasiIdentifier cohorts{.name = kCohortColumn, .exact = {}, .levels = {}};
-  for (const auto& session : sessions_) cohorts.exact.push_back(session.cohort);
-  cohorts.levels = {cohorts.exact};
-  return cohorts;
+QuasiIdentifier PublicPeople::described(
+    const char* name, std::string storage::SessionRecord::*member) const {
+  QuasiIdentifier identifier{.name = name, .exact = {}, .levels = {}};
+  for (const auto& session : sessions_) identifier.exact.push_back(session.*member);
+  identifier.levels = {identifier.exact};
+  return identifier;
 }
 
 QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) const {

@@ -23,10 +23,10 @@ struct BackgroundQuestion {
   std::string column() const;
 };
 
-/// The people of a public export, and what acquaintances may know of them: the cohort, the answers
-/// of forms about the person, and the order of conditions (which the protocol and the place in it
-/// reveal). A person is listed once, with the first session that they completed. The study must
-///  outlive it.
+/// The people of a public export, and what acquaintances may know of them: the cohort, the site,
+/// the answers of forms about the person, and the order of conditions (which the protocol and the
+/// place in it reveal). A person is listed once, with the first session that they completed. The
+/// study must outlive it.
 class PublicPeople {
  public:
   PublicPeople(Study& study, RunMode mode);
@@ -40,11 +40,13 @@ class PublicPeople {
   /// The index of the person of a session; std::nullopt if it belongs to none of them.
   std::optional<std::size_t> personOf(SessionId session) const;
 
-  /// The cohort first, then the questions in order, then the order of conditions.
+  /// The cohort first, then the site if there are several, the questions in order, and the order of
+  /// conditions.
   std::vector<QuasiIdentifier> identifiers() const;
 
  private:
-  QuasiIdentifier cohorts() const;
+  /// A fact of each session that is released as it is, or not at all.
+  QuasiIdentifier described(const char* name, std::string storage::SessionRecord::*member) const;
   QuasiIdentifier background(const BackgroundQuestion& question) const;
   QuasiIdentifier orders() const;
 

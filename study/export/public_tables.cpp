@@ -109,6 +109,9 @@ class PublicTables {
     if (column.name == kCohortColumn) {
       return {column.name, holds::OneOf{ValueList::Cohorts}, kCohortInWords, value};
     }
+    if (column.name == kSiteColumn) {
+      return {column.name, holds::OneOf{ValueList::Sites}, kSiteInWords, value};
+    }
     if (column.name == kOrderColumn) {
       return {
           column.name,
@@ -182,7 +185,10 @@ class PublicTables {
     const std::size_t person = sessionOf(answer);
     const bool isPlaceKnown = step.position > 0 && !told(kOrderColumn, person).empty();
     ExportedAnswer row;
-    row.owner = {.participant = ids_[person], .cohort = told(kCohortColumn, person)};
+    row.owner = {
+        .participant = ids_[person],
+        .cohort = told(kCohortColumn, person),
+        .site = told(kSiteColumn, person)};
     row.block = step.phase;
     if (isPlaceKnown) row.position = step.position;
     row.conditionCode = codeOf(step.condition);

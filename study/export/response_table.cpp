@@ -44,6 +44,7 @@ Columns<ExportedAnswer> columnsOfAnsweredStep() {
       participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),
       sessionNumberColumn<ExportedAnswer>(),
       cohortColumn<ExportedAnswer>().inPublicIfTold(kCohortColumn),
+      siteColumn<ExportedAnswer>().inPublicIfTold(kSiteColumn),
       runModeColumn<ExportedAnswer>(),
       stepNumberColumn<ExportedAnswer>(),
       attemptColumn<ExportedAnswer>(),

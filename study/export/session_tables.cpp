@@ -14,6 +14,7 @@ Columns<ExportedSession> columnsOfSession() {
   using C = Column<ExportedSession>;
   return {
       cohortColumn<ExportedSession>(),
+      siteColumn<ExportedSession>(),
       runModeColumn<ExportedSession>(),
       {"status",
        OneOf{ValueList::Statuses},
@@ -85,6 +86,7 @@ Table<ExportedSession> bidsParticipantTable() {
            "Pseudonym, as the name of a folder",
            [](const ExportedSession& row) { return bidsSubject(row.owner); }},
           cohortColumn<ExportedSession>(),
+          siteColumn<ExportedSession>(),
           runModeColumn<ExportedSession>()}};
 }
 

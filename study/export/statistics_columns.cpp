@@ -94,6 +94,13 @@ Columns<StatisticsRow> statisticsColumns() {
   return {
       {"run_mode", OneOf{ValueList::RunModes}, kRunModeInWords, &Row::runMode},
       {"cohort", OneOf{ValueList::Cohorts}, kCohortInWords, &Row::cohort},
+      {"site",
+       OneOf{ValueList::Sites},
+       "Where the session took place; empty: of all. Methods site_answers (the answers to group1 "
+       "at a site), site_difference (a site's participants' means) and pooled_sites (these pooled: "
+       "random effects by REML, Knapp and Hartung's standard error; n1 counts sites, the effect i2 "
+       "is the share of the variance that is between sites)",
+       &Row::site},
       {"cohort2", Text{}, "The other group, where two are compared", &Row::cohort2},
       {"family_id", Text{}, "Comparisons that belong together", &Row::family},
       {"instrument", Text{}, "Questionnaire", &Row::instrument},

@@ -38,6 +38,38 @@ analysis::TestRow named(std::string_view id, analysis::TestRow test) {
   return test;
 }
 
+/// Moments of one group.
+StatisticsRow siteAnswersRow(
+    StatisticsRow row,
+    const std::string& site,
+    const std::string& code,
+    const analysis::LikertCounts& counts) {
+  row.site = site;
+  row.unit = "answer";
+  row.group1 = code;
+  row.level.reset();
+  row.test.id = "site_answers";
+  row.test.n1 = counts.total();
+  row.test.moments = {{{counts.mean(), counts.variance()}, {}}};
+  return row;
+}
+
+/// The diamond of the forest plot, or why there is none.
+analysis::TestRow pooledSitesRow(const analysis::SiteComparison& comparison) {
+  analysis::TestRow test{.id = "pooled_sites", .reason = comparison.reason};
+  if (!comparison.pooled) return test;
+  const auto& pooled = comparison.pooled->knappHartung;
+  test.n1 = comparison.pooled->sites;
+  test.estimate.value = pooled.estimate;
+  test.standardError = pooled.standardError;
+  test.interval = pooled.interval;
+  test.statistic = {"t", pooled.statistic};
+  test.df = pooled.df;
+  test.p = pooled.p;
+  test.effect = {"i2", pooled.iSquared};
+  return test;
+}
+
 }  // namespace
 
 StatisticsRow familyRow(
@@ -85,6 +117,37 @@ std::vector<StatisticsRow> overallRows(
     alpha.level = checks.alpha.level;
     add("paired", named("omega_total", analysis::rowOf(checks.omega))).group1 = code;
     add("unpaired", named("shapiro_wilk", analysis::rowOf(checks.normality))).group1 = code;
+  }
+  return rows;
+}
+
+std::vector<StatisticsRow> siteRows(
+    const StatisticsRow& family,
+    const CohortResult& cohort,
+    const std::map<std::string, std::string>& codes) {
+  std::vector<StatisticsRow> rows;
+  if (!cohort.sites) return rows;
+  for (const auto& site : cohort.sites->answers) {
+    for (std::size_t i = 0; i < site.methods.size(); ++i) {
+      const auto& code = codes.at(cohort.table.methods[i]);
+      rows.push_back(siteAnswersRow(family, site.site, code, site.methods[i]));
+    }
+  }
+  for (const auto& comparison : cohort.sites->rows) {
+    const auto add = [&](const std::string& site, analysis::TestRow test) {
+      auto& row = rows.emplace_back(family);
+      row.site = site;
+      row.design = "paired";
+      row.group1 = codes.at(comparison.group1);
+      row.group2 = codes.at(comparison.group2);
+      row.test = std::move(test);
+    };
+    for (const auto& site : comparison.sites) {
+      auto test = named("site_difference", analysis::rowOf(site.test, site.interval, {}));
+      test.effect = {};
+      add(site.site, std::move(test));
+    }
+    add({}, pooledSitesRow(comparison));
   }
   return rows;
 }

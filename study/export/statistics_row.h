@@ -18,6 +18,7 @@ namespace study {
 struct StatisticsRow {
   RunMode runMode = RunMode::Live;
   std::string cohort;
+  std::string site;        ///< empty: of all
   std::string cohort2;     ///< the other one, where two are compared
   std::string family;      ///< its id; empty where it belongs to none
   std::string instrument;  ///< its id
@@ -55,6 +56,14 @@ StatisticsRow familyRow(
 /// @param family  by familyRow()
 /// @param codes  of conditions
 std::vector<StatisticsRow> overallRows(
+    const StatisticsRow& family,
+    const CohortResult& cohort,
+    const std::map<std::string, std::string>& codes);
+
+/// Rows on the sites of a cohort, if there are several: the answers to each condition and the
+/// difference of each comparison at each site, and each comparison pooled over sites.
+/// @param family  by familyRow()
+std::vector<StatisticsRow> siteRows(
     const StatisticsRow& family,
     const CohortResult& cohort,
     const std::map<std::string, std::string>& codes);

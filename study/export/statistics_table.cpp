@@ -92,6 +92,7 @@ class FamilyRows {
   void addOverall(const CohortResult& cohort) {
     const auto family = familyRow(family_.family, protocol_, cohort.cohort);
     for (auto& added : overallRows(family, cohort, codes_)) rows_.push_back(std::move(added));
+    for (auto& added : siteRows(family, cohort, codes_)) rows_.push_back(std::move(added));
   }
 
   void addBetween(const BetweenResult& result) {

@@ -32,6 +32,14 @@ Column<Row> cohortColumn() {
           }};
 }
 
+/// Only where there are several sites.
+template <typename Row>
+Column<Row> siteColumn() {
+  return {"site", holds::OneOf{ValueList::Sites}, kSiteInWords, [](const Row& row) {
+            return row.owner.site;
+          }};
+}
+
 template <typename Row>
 Column<Row> runModeColumn() {
   return {"run_mode", holds::OneOf{ValueList::RunModes}, kRunModeInWords, [](const Row& row) {

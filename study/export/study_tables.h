@@ -34,11 +34,14 @@ std::string bidsSession(const RowOwner& owner);
 
 inline constexpr const char* kCohortInWords = "Group of participants";
 
+inline constexpr const char* kSiteInWords = "Where the session took place";
+
 /// Values of run_mode, in every table.
 inline constexpr const char* kRunModeInWords = "live, pilot or simulated";
 
-/// The quasi-identifier of public folders that is not asked by a form.
+/// The quasi-identifiers of public folders that are not asked by a form.
 inline constexpr const char* kCohortColumn = "cohort";
+inline constexpr const char* kSiteColumn = "site";
 inline constexpr const char* kOrderColumn = "condition_order";
 
 }  // namespace study

@@ -29,6 +29,7 @@ Table<ExportedTrial> trialTable() {
           {participantColumn<Row>(),
            sessionNumberColumn<Row>(),
            cohortColumn<Row>(),
+           siteColumn<Row>(),
            runModeColumn<Row>(),
            stepNumberColumn<Row>(),
            attemptColumn<Row>(),

@@ -1,10 +1,12 @@
 #include "study/export/value_lists.h"
 
 #include <algorithm>
+#include <set>
 
 #include "questionnaires/model/instrument.h"
 #include "study/export/condition_codes.h"
 #include "study/model/trial_record.h"
+#include "study/storage/records.h"
 
 namespace study {
 namespace {
@@ -44,6 +46,14 @@ void addLevel(std::vector<Level>& levels, const std::string& value, const std::s
   if (!isThere) levels.push_back({value, label});
 }
 
+std::set<std::string> sitesOf(Study& study, const std::optional<RunMode>& mode) {
+  std::set<std::string> sites;
+  for (const auto& session : storage::Records(study.database()).sessions()) {
+    if (!mode || session.runMode == *mode) sites.insert(session.site);
+  }
+  return sites;
+}
+
 }  // namespace
 
 ValueLists valueListsOf(Study& study, const ExportOptions& options) {
@@ -62,6 +72,9 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
            statusOf)},
       {ValueList::Verdicts, levelsNamed({Verdict::Pass, Verdict::Warn, Verdict::Fail}, nameOf)},
       {ValueList::ItemTypes, itemTypeLevels()}};
+  if (const auto sites = sitesOf(study, options.runMode); sites.size() > 1) {
+    for (const auto& site : sites) addLevel(lists[ValueList::Sites], site, site);
+  }
   // Where rows of several run modes stand together, a code has no one condition.
   const auto byCondition =
       conditionCodes(study, options.runMode.value_or(RunMode::Live), options.codes);

@@ -1,4 +1,4 @@
-#include "analysis/effects/share_interval.h"
+#include "analysis/data/vote_shares.h"
 #include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/statistics_table.h"

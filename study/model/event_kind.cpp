@@ -41,6 +41,8 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"imported_key"},
     EventFacts{"set_passphrase"},
     EventFacts{"dropped_key"},
+    EventFacts{"time_stamped", {"on {utc}, by an authority"}},
+    EventFacts{"sealed_names"},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

@@ -18,7 +18,7 @@ enum class EventKind {
   UnblindedExport,
   UnblindedReport,
   UnblindedResults,
-  Exported,  ///< to which folder; an unblinded or public one has an event of its own besides
+  Exported,  ///< to which folder; an unblinded or public one also has an event of its own
   MadeBackup,
   RestoredCopy,     ///< an older copy took the study's place
   NotedIdentities,  ///< what identity.db has, where the trail did not know it
@@ -31,6 +31,8 @@ enum class EventKind {
   ImportedKey,      ///< another station, which signs this, has it now
   SetPassphrase,    ///< that opens the key
   DroppedKey,       ///< this station has the key no more
+  TimeStamped,      ///< by an authority, for a head that was signed before
+  SealedNames,      ///< names are behind a passphrase, or behind another one, and why
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

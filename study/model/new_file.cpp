@@ -101,4 +101,9 @@ std::filesystem::path newFolderBeside(const std::filesystem::path& target) {
   return name;
 }
 
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
 }  // namespace study

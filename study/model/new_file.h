@@ -20,6 +20,24 @@ void writeNewFile(const std::string& path, const std::string& content);
 /// @throws storage::StorageError  in words, if it cannot be made.
 std::filesystem::path newFolderBeside(const std::filesystem::path& target);
 
+/// A new folder for this account alone (0700), which the destructor removes with all that is in it.
+class TemporaryFolder {
+ public:
+  /// @throws storage::StorageError  if @p inside takes no folder
+  explicit TemporaryFolder(
+      const std::filesystem::path& inside = std::filesystem::temp_directory_path())
+      : path_(newFolderBeside(inside / "palpate")) {}
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const noexcept { return path_; }
+  std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// Returns when all files in @p folder, their names and its own are on the disk.
 /// @throws storage::StorageError  in words, if the disk fails.
 void flushFolder(const std::filesystem::path& folder);

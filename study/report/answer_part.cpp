@@ -57,10 +57,12 @@ class AnswerWriter : HtmlWriter {
     } else {
       sentences();
       preferences();
+    }
+    weaknesses();  // words first: a figure may begin a page
+    if (family != nullptr) {
       mainFigure(*family);
       tableOfAnswers();
     }
-    weaknesses();
     return std::move(html_);
   }
 
@@ -122,7 +124,9 @@ class AnswerWriter : HtmlWriter {
     auto interval = row.difference->interval;
     if (interval && isTurned) interval = analysis::Interval{-interval->high, -interval->low};
     std::string numbers = s_.words.say(
-        "{:g} % CI {}", 100.0 * (1.0 - family.family.alpha), intervalInWords(interval));
+        "{:g} % CI {}",
+        100.0 * (1.0 - family.family.alpha),
+        intervalInWords(interval, s_.wording, s_.words));
     if (const auto& effect = row.difference->effect; effect.value) {
       numbers += fmt::format(", {} = {}", effect.name, rounded(sign * *effect.value, 2));
     }
@@ -137,11 +141,11 @@ class AnswerWriter : HtmlWriter {
             numbers));
   }
 
-  static std::string pInWords(const FamilyResult& family, const analysis::TestRow& test) {
+  std::string pInWords(const FamilyResult& family, const analysis::TestRow& test) const {
     const auto correction = nameOf(family.family.correction);
     const bool isAdjusted = test.adjusted && !correction.empty();
-    return (isAdjusted ? "p_" + std::string(correction) : std::string("p")) + " " +
-           equalsInWords(study::pInWords(isAdjusted ? test.adjusted : test.p));
+    return isAdjusted ? pEquals(test.adjusted, correction, s_.wording)
+                      : pEquals(test.p, {}, s_.wording);
   }
 
   void preferences() {

@@ -61,6 +61,9 @@ class Telling {
              words_.count(report.sessions, "of {} session", "of {} sessions")},
         {words_("Left"), words_("code, cohort, order, times of events, and that it was erased")},
         {words_("Study's folder"), searched(report.filesWithTexts)}};
+    if (report.areNamesLocked) {
+      rows.emplace_back(words_("Names"), words_("were behind a passphrase, and not searched for"));
+    }
     for (const auto& copy : certificate_.copies) {
       rows.emplace_back(words_("Copy"), copy.folder + ": " + outcomeOf(copy));
     }

@@ -33,6 +33,7 @@ class FamilyWriter : HtmlWriter {
     if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
     if (!f_.isNamed("welch")) pooled();
+    html_ += sitesAsHtml(s_, f_, figures_.sites);
     html_ += checksAsHtml(s_, f_, figures_.positions);
     return std::move(html_);
   }
@@ -59,14 +60,25 @@ class FamilyWriter : HtmlWriter {
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
       std::vector<std::string> cells{cohort(part.cohort)};
-      for (const auto& c : part.conditions) {
-        cells.push_back(rounded(c.counts.mean(), 2));
-        cells.push_back(rounded(c.counts.variance(), 2));
-        cells.push_back(std::to_string(c.counts.total()));
-      }
+      for (const auto& c : part.conditions) addMoments(cells, c.counts);
       row(cells);
+      if (part.sites) meansOfSites(part);
     }
     endTable();
+  }
+
+  void meansOfSites(const CohortResult& part) {
+    for (const auto& site : part.sites->answers) {
+      std::vector<std::string> cells{cohort(part.cohort) + ", " + escaped(site.site)};
+      for (const auto& counts : site.methods) addMoments(cells, counts);
+      row(cells);
+    }
+  }
+
+  static void addMoments(std::vector<std::string>& cells, const analysis::LikertCounts& counts) {
+    cells.push_back(rounded(counts.mean(), 2));
+    cells.push_back(rounded(counts.variance(), 2));
+    cells.push_back(std::to_string(counts.total()));
   }
 
   /// The table of the punch paper.

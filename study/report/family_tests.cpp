@@ -219,12 +219,12 @@ class TestsWriter : HtmlWriter {
     for (const auto& part : f_.cohorts) {
       if (!isTested(part)) continue;
       put("<p><em>{}</em>: ", cohort(part.cohort));
-      for (const auto& line : apaLines(part.within, f_.family, s_.words))
+      for (const auto& line : apaLines(part.within, f_.family, s_.words, s_.wording))
         put("{}. ", escaped(line));
       put("</p><ul>");
       for (const auto& comparison : part.within.rows) {
         std::string sentence;
-        for (const auto& line : apaLines(comparison, f_.family, s_.words)) {
+        for (const auto& line : apaLines(comparison, f_.family, s_.words, s_.wording)) {
           sentence += (sentence.empty() ? "" : "; ") + line;
         }
         put("<li>{}: {}.</li>", pairOf(comparison), withSubscripts(escaped(sentence)));

@@ -12,4 +12,9 @@ namespace study::report {
 std::string withinAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);
 
+/// The same site by site, and all sites pooled; empty if there are not several.
+/// @param figure  the forest plot.
+std::string sitesAsHtml(
+    const ReportSection& section, const FamilyResult& family, const std::string& figure);
+
 }  // namespace study::report

@@ -63,6 +63,7 @@ std::string withSubscripts(std::string html) {
     }
   };
   lower("p", "p_");
+  lower("P", "P_");
   lower("g", "g_z");
   lower("BF", "BF10");
   return html;

@@ -124,7 +124,12 @@ class ItemsWriter : HtmlWriter {
   void quotesOf(const questionnaires::Instrument& instrument) {
     const std::string* item = nullptr;
     const std::string* about = nullptr;
-    for (const auto& quote : s_.results.answers.quotes) {
+    const auto& quotes = s_.results.answers.quotes;
+    for (auto at = quotes.begin(); at != quotes.end();) {
+      const auto& quote = *at;
+      const auto next = std::find_if(at, quotes.end(), [&](const auto& q) { return q != quote; });
+      const auto times = next - at;
+      at = next;
       if (quote.instrument != instrument.id) continue;
       const bool isNewItem = item == nullptr || *item != quote.item;
       const bool isNew = isNewItem || *about != quote.condition;
@@ -132,7 +137,7 @@ class ItemsWriter : HtmlWriter {
       if (isNewItem) put("<h4>{}</h4>", questionOf(instrument, quote.item));
       if (isNew && !quote.condition.empty()) put("<p><em>{}</em></p>", condition(quote.condition));
       if (isNew) put("<ul>");
-      put("<li>“{}”</li>", escaped(quote.text));
+      put("<li>“{}”{}</li>", escaped(quote.text), times > 1 ? fmt::format(" × {}", times) : "");
       item = &quote.item;
       about = &quote.condition;
     }

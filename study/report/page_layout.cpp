@@ -14,8 +14,10 @@ namespace study::report {
 namespace {
 
 constexpr double kLeastScale = 0.65;  // of a figure: smaller, its words are hard to read
-constexpr int kFirstRows = 5;         // of a long table: with the rows of its head
-constexpr double kSlack = 1.0;        // rounding of the layout [px]
+constexpr int kFirstRows = 6;         // of a divided table: with the rows of its head
+constexpr int kLastRows = 4;
+constexpr double kPadding = 4.0;  // beside a cell's text, as in print_html.cpp [px]
+constexpr double kSlack = 1.0;    // rounding of the layout [px]
 
 /// A paragraph or a table of the document, from top to bottom.
 struct Item {
@@ -52,18 +54,90 @@ Item itemOf(const QTextDocument& document, const QTextBlock& block) {
   return item;
 }
 
+bool spansColumns(const QTextTable& table, int row) {
+  return table.columns() > 1 && table.cellAt(row, 0).columnSpan() == table.columns();
+}
+
+/// Whether the page breaks in a table, as it lies now, leave enough rows on each side.
+bool isWellDivided(const QTextDocument& document, const QTextTable& table) {
+  const auto pageOf = [&](int row) {
+    const auto block = table.cellAt(row, 0).firstCursorPosition().block();
+    const double middle = document.documentLayout()->blockBoundingRect(block).center().y();
+    return static_cast<int>(middle / document.pageSize().height());
+  };
+  int since = 0;  // the first row on the page
+  for (int row = 1; row < table.rows(); ++row) {
+    if (pageOf(row) == pageOf(row - 1)) continue;
+    const bool isTooEarly = since == 0 && row < kFirstRows;
+    if (isTooEarly || table.rows() - row < kLastRows || spansColumns(table, row - 1)) return false;
+    since = row;
+  }
+  return true;
+}
+
 Item itemOf(const QTextDocument& document, QTextTable* table) {
   const auto* layout = document.documentLayout();
   const QRectF where = layout->frameBoundingRect(table);
   Item item{.table = table, .top = where.top(), .bottom = where.bottom()};
-  if (where.height() < document.pageSize().height()) {
-    item.firstPart = item.bottom;
-    return item;
-  }
-  const int last = std::min(kFirstRows, table->rows()) - 1;
-  const auto block = table->cellAt(last, 0).firstCursorPosition().block();
+  item.firstPart = item.bottom;
+  if (table->rows() < kFirstRows + kLastRows || !isWellDivided(document, *table)) return item;
+  const auto block = table->cellAt(kFirstRows - 1, 0).firstCursorPosition().block();
   item.firstPart = layout->blockBoundingRect(block).bottom();
   return item;
+}
+
+/// The width of the longest line of a cell that is not wrapped.
+double widthOf(const QTextTableCell& cell) {
+  double width = 0.0;
+  for (auto it = cell.begin(); !it.atEnd(); ++it) {
+    if (it.currentBlock().isValid()) {
+      width = std::max(width, it.currentBlock().layout()->maximumWidth());
+    }
+  }
+  return width;
+}
+
+/// Narrows the widest columns to one width, so that all are @p most together.
+void shareRoom(std::vector<double>& widths, double most) {
+  std::vector<double> sorted = widths;
+  std::ranges::sort(sorted);
+  double left = most;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const double share = left / static_cast<double>(sorted.size() - i);
+    if (sorted[i] > share) {
+      for (auto& width : widths) width = std::min(width, share);
+      return;
+    }
+    left -= sorted[i];
+  }
+}
+
+void fitColumns(QTextTable& table, double page, double padding) {
+  std::vector<double> widths(static_cast<std::size_t>(table.columns()), 0.0);
+  double spanning = 0.0;
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < table.columns(); ++column) {
+      const auto cell = table.cellAt(row, column);
+      const double width = 1.02 * widthOf(cell) + 2.0 * padding;
+      auto& widest = cell.columnSpan() > 1 ? spanning : widths[static_cast<std::size_t>(column)];
+      widest = std::max(widest, width);
+    }
+  }
+  shareRoom(widths, page);
+  double sum = 0.0;
+  for (const double width : widths) sum += width;
+  const double room = std::max(0.0, std::min(spanning, page) - sum) / table.columns();
+  QList<QTextLength> shares;
+  for (double& width : widths) {
+    width += room;
+    shares.append(
+        QTextLength(QTextLength::PercentageLength, 100.0 * width / (sum + room * table.columns())));
+  }
+  auto format = table.format();
+  format.setWidth(
+      QTextLength(QTextLength::PercentageLength, 100.0 * (sum + room * table.columns()) / page));
+  format.setColumnWidthConstraints(shares);
+  table.setFormat(format);
 }
 
 std::vector<Item> itemsOf(const QTextDocument& document) {
@@ -85,15 +159,15 @@ bool beginsPage(const Item& item) {
   return policy != QTextFormat::PageBreak_Auto;
 }
 
-void beginPage(const Item& item) {
+void setPageBreak(const Item& item, QTextFormat::PageBreakFlag policy) {
   if (item.table != nullptr) {
     auto format = item.table->format();
-    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    format.setPageBreakPolicy(policy);
     item.table->setFormat(format);
     return;
   }
   auto format = item.block.blockFormat();
-  format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+  format.setPageBreakPolicy(policy);
   QTextCursor(item.block).setBlockFormat(format);
 }
 
@@ -118,6 +192,27 @@ bool isShrunk(const Item& item) {
   return false;
 }
 
+/// Shrinks the figure before a table, if the table then fits on the same page.
+bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom) {
+  if (table < 2 || items[table].table == nullptr || !items[table - 2].isFigure) return false;
+  const auto& figure = items[table - 2];
+  const double tooMuch = items[table].bottom - bottom;
+  const double factor = 1.0 - tooMuch / figure.figureHeight;
+  const bool isHelpful = tooMuch < items[table].bottom - items[table].top && factor >= kLeastScale;
+  if (!isHelpful || isShrunk(figure)) return false;
+  shrink(figure, 0.99 * factor);
+  return true;
+}
+
+/// Whether an item that begins a page skips one: what is before it ends at the very end of a page,
+/// so that it lies on the next page without its break.
+bool followsEmptyPage(const std::vector<Item>& items, std::size_t at, double page) {
+  if (at == 0 || !beginsPage(items[at])) return false;
+  constexpr double kMargin = 0.02;  // of a page: below a table's last row
+  const double before = std::floor(items[at - 1].bottom / page - kMargin);
+  return std::floor((items[at].top + kSlack) / page) > before + 1.0;
+}
+
 /// Looks at the items that belong together from @p begin on. Returns whether it changed something.
 bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, double page) {
   const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
@@ -133,11 +228,23 @@ bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, do
     return true;
   }
   if (beginsPage(items[begin]) || begin == 0) return false;
-  beginPage(items[begin]);
+  if (shrinkFor(items, begin, bottom)) return true;
+  setPageBreak(items[begin], QTextFormat::PageBreak_AlwaysBefore);
   return true;
 }
 
 }  // namespace
+
+void fitColumns(QTextDocument& document) {
+  const auto* paper = document.documentLayout()->paintDevice();
+  auto* root = document.rootFrame();
+  for (auto* frame : root->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    fitColumns(*table, document.pageSize().width(), kPadding * paper->logicalDpiX() / 72.0);
+  }
+  layOutAgain(document);
+}
 
 void layOutAgain(QTextDocument& document) {
   const QSizeF size = document.pageSize();
@@ -147,10 +254,17 @@ void layOutAgain(QTextDocument& document) {
 
 void breakPages(QTextDocument& document) {
   const double page = document.pageSize().height();
-  // What comes before a change stays where it is, so that each item is mended at most twice.
+  std::size_t unbroken = 0;
+  // What comes before a change stays where it is, so that each item is mended at most thrice.
   for (std::size_t begin = 0;;) {
     const auto items = itemsOf(document);
     if (begin >= items.size()) return;
+    if (begin != unbroken && followsEmptyPage(items, begin, page)) {
+      unbroken = begin;
+      setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
+      layOutAgain(document);
+      continue;
+    }
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
     if (mend(items, begin, end, page)) {

@@ -210,6 +210,7 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   setHeadingSizes(document);
   constexpr double kFooter = 12.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
+  fitColumns(document);
   breakPages(document);
   splitAtPages(document);
   paintPages(document, writer);

@@ -13,7 +13,7 @@ p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
-td, th { font-size: 8pt; }
+td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
 td.caption { font-size: 8pt; }
 dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
@@ -103,7 +103,7 @@ void captionsInHead(std::string& html) {
     html.replace(
         span.begin,
         span.end - span.begin,
-        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"4\"><thead><tr><td class=\"caption\" "
+        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"2\"><thead><tr><td class=\"caption\" "
         "colspan=\"" +
             std::to_string(columnsAt(html, span.end)) + "\" align=\"left\">" + words +
             "</td></tr>");

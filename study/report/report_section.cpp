@@ -110,6 +110,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
     add(id + "-people", all.families[i].people);
     add(id + "-effects", all.families[i].effects);
     add(id + "-order", all.families[i].positions);
+    add(id + "-sites", all.families[i].sites);
   }
   add("preferences", all.votes);
   for (std::size_t i = 0; i < all.felt.size(); ++i) {
@@ -137,7 +138,6 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .curvesReason = std::move(felt.reason),
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
-      .hasQuotes = true,
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};
 }

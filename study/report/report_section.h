@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "study/results/apa_text.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
 #include "study/session/plan_history.h"
@@ -20,6 +21,7 @@ struct FamilyFigures {
   std::string people;     ///< the rating of every participant
   std::string effects;    ///< differences between methods
   std::string positions;  ///< the effect of order
+  std::string sites;      ///< differences by site, pooled; empty if there are not several
 };
 
 struct Figures {
@@ -72,6 +74,7 @@ struct ReportSection {
   TrialQuality quality;
   std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
   bool hasQuotes = true;                          ///< what participants wrote is shown
+  Wording wording = Wording::Apa;                 ///< of the sentences
   Figures figures;
   words::Words words;  ///< in the language of the report
 

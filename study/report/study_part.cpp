@@ -101,20 +101,31 @@ class ParticipantWriter : HtmlWriter {
          {"Device failed", &CohortFlow::abortedHardware},
          {"Erased", &CohortFlow::erased}}};
     heading("Participants");
-    std::vector<std::string> headings{say("Cohort")};
+    std::vector<std::string> headings;
     for (const auto& column : kColumns) {
       const auto title = say(column.heading);  // also of hidden columns, so that gaps are found
       if (isShown(column)) headings.push_back(title);
     }
-    table(say("Who took part"), headings);
-    for (const auto& f : s_.results.flow) {
-      std::vector<std::string> cells{cohort(f.cohort)};
+    const auto begin = [&](std::string_view caption, std::string_view first) {
+      auto all = headings;
+      all.insert(all.begin(), say(first));
+      table(say(caption), all);
+    };
+    const auto add = [&](const std::string& who, const CohortFlow& flow) {
+      std::vector<std::string> cells{who};
       for (const auto& column : kColumns) {
-        if (isShown(column)) cells.push_back(std::to_string(f.*column.count));
+        if (isShown(column)) cells.push_back(std::to_string(flow.*column.count));
       }
       row(cells);
-    }
+    };
+    begin("Who took part", "Cohort");
+    for (const auto& flow : s_.results.flow) add(cohort(flow.cohort), flow);
     endTable();
+    if (!s_.results.siteFlow.empty()) {
+      begin("Who took part, by site", "Site");
+      for (const auto& [site, flow] : s_.results.siteFlow) add(escaped(site), flow);
+      endTable();
+    }
     note(
         "Only completed sessions count below, and of these only steps that were finished and not "
         "repeated. Reasons for leaving are omitted to protect anonymity.");

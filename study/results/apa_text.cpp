@@ -11,30 +11,22 @@
 namespace study {
 namespace {
 
-/// "p = .021", "p < .001".
-std::string pEquals(const std::optional<double>& p) {
-  return "p " + equalsInWords(pInWords(p));
-}
-
-/// "p = .021, p_Holm = .063".
-std::string pBoth(const analysis::TestRow& test, const protocols::Family& family) {
-  std::string words = pEquals(test.p);
-  const auto name = nameOf(family.correction);
-  if (test.p && !name.empty()) {
-    words += fmt::format(", p_{} {}", name, equalsInWords(pInWords(test.adjusted)));
-  }
-  return words;
-}
-
 /// Degrees of freedom: whole ones without decimals.
 std::string freedom(double df) {
   return df == std::floor(df) ? fmt::format("{:.0f}", df) : fmt::format("{:.2f}", df);
 }
 
+/// Larger values are written as powers of ten.
+std::string limitInWords(double value) {
+  constexpr double kLong = 1e5;
+  return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
+                                                      : fmt::format("{:.1e}", value);
+}
+
 /// Writes the sentences of one language.
 class ApaWriter {
  public:
-  explicit ApaWriter(const words::Words& words) : w_(words) {}
+  ApaWriter(const words::Words& words, Wording wording) : w_(words), wording_(wording) {}
 
   std::string paired(const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& t = row.test("paired_t");
@@ -48,8 +40,8 @@ class ApaWriter {
         100.0 * (1.0 - family.alpha),
         intervalInWords(t.interval));
     if (t.effect.value) {
-      line += fmt::format(
-          ", g_z = {} {}", rounded(t.effect.value, 2), intervalInWords(t.effectInterval));
+      line +=
+          fmt::format(", g_z = {} {}", rounded(t.effect.value, 2), inBrackets(t.effectInterval));
     }
     return line;
   }
@@ -164,7 +156,30 @@ class ApaWriter {
   }
 
  private:
+  std::string pEquals(const std::optional<double>& p) const {
+    return study::pEquals(p, {}, wording_);
+  }
+
+  /// "p = .021, p_Holm = .063".
+  std::string pBoth(const analysis::TestRow& test, const protocols::Family& family) const {
+    const auto name = nameOf(family.correction);
+    return test.p && !name.empty()
+               ? pEquals(test.p) + ", " + study::pEquals(test.adjusted, name, wording_)
+               : pEquals(test.p);
+  }
+
+  std::string intervalInWords(const std::optional<analysis::Interval>& interval) const {
+    return study::intervalInWords(interval, wording_, w_);
+  }
+
+  /// In brackets: those of APA's interval are its own.
+  std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
+    const auto words = intervalInWords(interval);
+    return wording_ == Wording::Vancouver && interval ? "(" + words + ")" : words;
+  }
+
   const words::Words& w_;
+  Wording wording_;
 };
 
 }  // namespace
@@ -193,13 +208,27 @@ std::string equalsInWords(const std::string& number) {
 
 std::string intervalInWords(const std::optional<analysis::Interval>& interval) {
   if (!interval) return "–";
-  // Larger values are written as powers of ten.
-  constexpr double kLong = 1e5;
-  const auto limit = [](double value) {
-    return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
-                                                        : fmt::format("{:.1e}", value);
-  };
-  return "[" + limit(interval->low) + ", " + limit(interval->high) + "]";
+  return "[" + limitInWords(interval->low) + ", " + limitInWords(interval->high) + "]";
+}
+
+std::string intervalInWords(
+    const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words) {
+  if (!interval || wording == Wording::Apa) return intervalInWords(interval);
+  return words.say("{} to {}", limitInWords(interval->low), limitInWords(interval->high));
+}
+
+Wording wordingNamed(std::string_view name) noexcept {
+  return name == "vancouver" ? Wording::Vancouver : Wording::Apa;
+}
+
+std::string pEquals(const std::optional<double>& p, std::string_view correction, Wording wording) {
+  const bool isApa = wording == Wording::Apa;
+  std::string number = pInWords(p);
+  const auto point = number.find('.');
+  if (!isApa && point != std::string::npos && number.front() != '1') number.insert(point, "0");
+  const std::string name = isApa ? "p" : "P";
+  return name + (correction.empty() ? "" : "_" + std::string(correction)) + " " +
+         equalsInWords(number);
 }
 
 std::string_view nameOf(protocols::CorrectionType correction) noexcept {
@@ -224,8 +253,9 @@ std::string declaredInWords(const protocols::Family& family, const words::Words&
 std::vector<std::string> apaLines(
     const analysis::WithinComparison& row,
     const protocols::Family& family,
-    const words::Words& words) {
-  const ApaWriter writer(words);
+    const words::Words& words,
+    Wording wording) {
+  const ApaWriter writer(words, wording);
   std::vector<std::string> lines{writer.paired(row, family), writer.exact(row, family)};
   constexpr std::array<std::string_view, 4> kTold{
       "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
@@ -249,8 +279,9 @@ std::vector<std::string> apaLines(
 std::vector<std::string> apaLines(
     const analysis::WithinAnalysis& analysis,
     const protocols::Family& family,
-    const words::Words& words) {
-  const ApaWriter writer(words);
+    const words::Words& words,
+    Wording wording) {
+  const ApaWriter writer(words, wording);
   std::vector<std::string> lines;
   for (const auto& test : analysis.overall) {
     if (test.id == "friedman") {

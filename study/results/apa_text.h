@@ -27,24 +27,43 @@ std::string equalsInWords(const std::string& number);
 /// "[0.41, 2.42]"; "–" if there is none.
 std::string intervalInWords(const std::optional<analysis::Interval>& interval);
 
+/// How sentences write numbers: "p = .021, [0.41, 2.42]" as the APA asks (7th edition), or "P =
+/// 0.021, 0.41 to 2.42" as most medical journals do that have Vancouver's style of references.
+enum class Wording { Apa, Vancouver };
+
+/// Of "apa" and "vancouver".
+Wording wordingNamed(std::string_view name) noexcept;
+
+/// "p = .021", "p_Holm < .001"; "P = 0.021", "P_Holm < 0.001".
+std::string pEquals(
+    const std::optional<double>& p,
+    std::string_view correction = {},
+    Wording wording = Wording::Apa);
+
+/// "[0.41, 2.42]"; "0.41 to 2.42".
+std::string intervalInWords(
+    const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words);
+
 /// The subscript of p: "Holm", "Bonferroni"; empty for none.
 std::string_view nameOf(protocols::CorrectionType correction) noexcept;
 
 /// What a family declares, in words: "paired t-test of participants' means, Holm correction".
 std::string declaredInWords(const protocols::Family& family, const words::Words& words = {});
 
-/// A comparison within people in APA style (7th edition): a line for the paired t-test, one for the
+/// A comparison within people: a line for the paired t-test, one for the
 /// exact tests, and one each for the mixed models and for equivalence if there are any. A result
 /// that is not defined is given with its reason.
 std::vector<std::string> apaLines(
     const analysis::WithinComparison& row,
     const protocols::Family& family,
-    const words::Words& words = {});
+    const words::Words& words = {},
+    Wording wording = Wording::Apa);
 
 /// The overall tests of a cohort: Friedman, repeated-measures ANOVA, the mixed models' variances.
 std::vector<std::string> apaLines(
     const analysis::WithinAnalysis& analysis,
     const protocols::Family& family,
-    const words::Words& words = {});
+    const words::Words& words = {},
+    Wording wording = Wording::Apa);
 
 }  // namespace study

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/tests/paired_t.h"
+#include "analysis/tests/t_tests.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/sample_ring.h"
 #include "study/results/felt_bins.h"

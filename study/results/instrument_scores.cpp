@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/effects/share_interval.h"
-#include "analysis/tests/paired_t.h"
+#include "analysis/data/vote_shares.h"
+#include "analysis/tests/t_tests.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace study {

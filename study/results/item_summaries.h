@@ -38,6 +38,8 @@ struct Quote {
   std::string item;
   std::string condition;  ///< of a preference the chosen one; empty if it is about none
   std::string text;
+
+  bool operator==(const Quote&) const = default;
 };
 
 struct ItemResults {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/effects/share_interval.h"
+#include "analysis/data/vote_shares.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/registry/registry.h"
 #include "study/model/trial_record.h"
@@ -32,7 +32,10 @@ class Computation {
         records_(study.database()),
         history_(planHistory(study)) {
     for (auto& session : records_.sessions()) {
-      if (session.runMode == mode) sessions_.emplace(session.id, session);
+      if (session.runMode != mode) continue;
+      sites_.insert(session.site);
+      siteOf_.emplace(session.participant, session.site);
+      sessions_.emplace(session.id, session);
     }
     for (auto& answer : records_.answers()) {
       const auto session = sessions_.find(answer.step.visit.session);
@@ -52,6 +55,7 @@ class Computation {
   Results all() {
     Results results{.runMode = mode_};
     for (const auto& cohort : loaded_.protocol.cohorts) results.flow.push_back(flowOf(cohort.id));
+    if (sites_.size() > 1) results.siteFlow = flowOfSites();
     for (const auto& family : loaded_.protocol.analysis.families) {
       results.families.push_back(resultOf(family));
     }
@@ -76,6 +80,18 @@ class Computation {
     return flow;
   }
 
+  std::vector<std::pair<std::string, CohortFlow>> flowOfSites() const {
+    std::map<std::string, CohortFlow> flows;
+    for (const auto& [id, session] : sessions_) flows[session.site].add(session.state);
+    return {flows.begin(), flows.end()};
+  }
+
+  std::vector<std::string> sitesOf(const std::vector<std::string>& participants) const {
+    std::vector<std::string> sites;
+    for (const auto& participant : participants) sites.push_back(siteOf_.at(participant));
+    return sites;
+  }
+
   const std::string& cohortOf(const AnswerRecord& answer) const {
     return sessions_.at(answer.step.visit.session).cohort;
   }
@@ -97,6 +113,10 @@ class Computation {
       part.checks = analysis::scaleChecks(part.table);
       part.position = analysis::positionEffect(part.table);
       part.flags = flagsOf(family, part);
+      if (sites_.size() > 1) {
+        const auto sites = sitesOf(part.table.participants);
+        part.sites = analysis::compareSites(part.table, sites, pairs, 1.0 - family.alpha);
+      }
       result.cohorts.push_back(std::move(part));
     }
     result.between = betweenCohorts(result);
@@ -274,6 +294,8 @@ class Computation {
   const protocols::LoadedProtocol& loaded_;
   Records records_;
   PlanHistory history_;
+  std::set<std::string> sites_;
+  std::map<std::string, std::string> siteOf_;  ///< of the participant's first session
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;

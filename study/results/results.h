@@ -1,16 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "analysis/data/answer_table.h"
-#include "analysis/data/vote_counts.h"
+#include "analysis/data/vote_shares.h"
+#include "analysis/summary/answer_checks.h"
 #include "analysis/summary/flags.h"
 #include "analysis/summary/pairwise_comparisons.h"
-#include "analysis/summary/position_effect.h"
-#include "analysis/summary/scale_checks.h"
+#include "analysis/summary/site_comparison.h"
 #include "analysis/summary/within_analysis.h"
 #include "analysis/tests/vote_tests.h"
 #include "study/model/run_mode.h"
@@ -47,6 +48,8 @@ struct CohortResult {
   analysis::ScaleChecks checks;                   ///< distribution and reliability
   analysis::PositionEffect position;              ///< of the order
   std::vector<analysis::Flag> flags;              ///< notes that a reader needs
+  /// Site by site, if participants come from several.
+  std::optional<analysis::SiteAnalysis> sites = std::nullopt;
 };
 
 /// The comparison of two cohorts in one condition, by their participants' means. Probabilities and
@@ -109,6 +112,8 @@ struct VoteResult {
 struct Results {
   RunMode runMode = RunMode::Live;
   std::vector<CohortFlow> flow;
+  /// All cohorts together at each site, by its name; empty if there are not several.
+  std::vector<std::pair<std::string, CohortFlow>> siteFlow = {};
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
   std::vector<InstrumentSummary> instruments;  ///< see InstrumentSummary

@@ -25,8 +25,11 @@ std::string padded(const std::string& text, std::size_t columns, bool toTheRight
 
 class Writer {
  public:
-  Writer(Study& study, const Results& results, Profile profile)
-      : protocol_(study.protocol().protocol), results_(results), profile_(profile) {}
+  Writer(Study& study, const Results& results, Profile profile, Wording wording)
+      : protocol_(study.protocol().protocol),
+        results_(results),
+        profile_(profile),
+        wording_(wording) {}
 
   std::string all() {
     head();
@@ -64,18 +67,21 @@ class Writer {
       line("SIMULATED: nobody took part; these numbers say nothing about any method.");
     }
     if (results_.runMode == RunMode::Pilot) line("PILOT: not for publication.");
-    for (const auto& flow : results_.flow) {
-      const int others = flow.declined + flow.withdrawn + flow.rejected + flow.abortedHardware;
-      line(fmt::format(
-          "{}: {} enrolled, {} completed, {} in progress, {} left or excluded{}",
-          cohortTitle(flow.cohort),
-          flow.enrolled,
-          flow.completed,
-          flow.inProgress,
-          others,
-          flow.erased > 0 ? fmt::format(", {} erased and counted nowhere below", flow.erased)
-                          : std::string()));
-    }
+    for (const auto& flow : results_.flow) flowOf(cohortTitle(flow.cohort), flow);
+    for (const auto& [site, flow] : results_.siteFlow) flowOf("Site " + site, flow);
+  }
+
+  void flowOf(const std::string& who, const CohortFlow& flow) {
+    const int others = flow.declined + flow.withdrawn + flow.rejected + flow.abortedHardware;
+    line(fmt::format(
+        "{}: {} enrolled, {} completed, {} in progress, {} left or excluded{}",
+        who,
+        flow.enrolled,
+        flow.completed,
+        flow.inProgress,
+        others,
+        flow.erased > 0 ? fmt::format(", {} erased and counted nowhere below", flow.erased)
+                        : std::string()));
   }
 
   void means(const FamilyResult& family) {
@@ -87,18 +93,21 @@ class Writer {
     line(heading);
     for (const auto& cohort : family.cohorts) {
       std::string row = padded(cohortTitle(cohort.cohort), 40);
-      for (const auto& condition : cohort.conditions) {
-        row += padded(
-            fmt::format(
-                "{} / {} (n={})",
-                rounded(condition.counts.mean(), 1),
-                rounded(condition.counts.variance(), 1),
-                condition.counts.total()),
-            22,
-            true);
-      }
+      for (const auto& condition : cohort.conditions) row += momentsInWords(condition.counts);
       line(row);
+      if (!cohort.sites) continue;
+      for (const auto& site : cohort.sites->answers) {
+        std::string ofSite = padded("  " + site.site, 40);
+        for (const auto& counts : site.methods) ofSite += momentsInWords(counts);
+        line(ofSite);
+      }
     }
+  }
+
+  static std::string momentsInWords(const analysis::LikertCounts& counts) {
+    const auto words = fmt::format(
+        "{} / {} (n={})", rounded(counts.mean(), 1), rounded(counts.variance(), 1), counts.total());
+    return padded(words, 22, true);
   }
 
   /// The tables of the profile as published; tests that are not declared are exploratory.
@@ -148,12 +157,14 @@ class Writer {
           cohort.within.leftOut.empty()
               ? ""
               : fmt::format(", {} left out", cohort.within.leftOut.size())));
-      for (const auto& words : apaLines(cohort.within, family.family)) line("  " + words);
+      for (const auto& words : apaLines(cohort.within, family.family, {}, wording_))
+        line("  " + words);
       for (const auto& row : cohort.within.probabilities) probability(row, family.family.alpha);
       for (const auto& row : cohort.within.rows) {
         line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
-        for (const auto& words : apaLines(row, family.family)) line("    " + words);
+        for (const auto& words : apaLines(row, family.family, {}, wording_)) line("    " + words);
       }
+      if (cohort.sites) bySite(*cohort.sites);
       checks(cohort);
     }
     between(family);
@@ -171,6 +182,43 @@ class Writer {
                                100.0 * (1.0 - alpha),
                                intervalInWords(row.effectInterval))
                          : "not defined: " + base::describe(row.reason)));
+  }
+
+  void bySite(const analysis::SiteAnalysis& sites) {
+    for (const auto& row : sites.rows) {
+      line("  By site, " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
+      for (const auto& site : row.sites) {
+        line(fmt::format(
+            "    {}: {}, mean difference {} {}",
+            site.site,
+            words::counted(site.test.n, "participant"),
+            rounded(site.test.meanDifference, 2),
+            intervalInWords(site.interval)));
+      }
+      if (!row.pooled) {
+        line("    not pooled: " + base::describe(row.reason));
+        continue;
+      }
+      pooled("all sites", row.pooled->knappHartung);
+      line(fmt::format(
+          "    heterogeneity: Q({}) = {}, p {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
+          row.pooled->sites - 1,
+          rounded(row.pooled->q, 2),
+          equalsInWords(pInWords(row.pooled->qP)),
+          100.0 * row.pooled->reml.iSquared,
+          rounded(row.pooled->reml.tauSquared, 3),
+          rounded(row.pooled->derSimonianLaird.tauSquared, 3)));
+      for (const auto& without : row.withoutEach) pooled("without " + without.site, without.pooled);
+    }
+  }
+
+  void pooled(const std::string& which, const analysis::PooledEstimate& pooled) {
+    line(fmt::format(
+        "    {}: {} {}, p {} (random effects, REML, Knapp–Hartung)",
+        which,
+        rounded(pooled.estimate, 2),
+        intervalInWords(pooled.interval),
+        equalsInWords(pInWords(pooled.p))));
   }
 
   /// The effect of order, and the reliability of the scale.
@@ -297,13 +345,14 @@ class Writer {
   const protocols::Protocol& protocol_;
   const Results& results_;
   Profile profile_;
+  Wording wording_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string resultsAsText(Study& study, const Results& results, Profile profile) {
-  return Writer(study, results, profile).all();
+std::string resultsAsText(Study& study, const Results& results, Profile profile, Wording wording) {
+  return Writer(study, results, profile, wording).all();
 }
 
 }  // namespace study

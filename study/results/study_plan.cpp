@@ -85,7 +85,7 @@ int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
   return scale ? scale->highest - scale->lowest + 1 : 5;
 }
 
-analysis::SimulatedPower simulated(
+analysis::PowerSimulation simulationOf(
     const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants, double dz) {
   analysis::PowerSimulation simulation{
       .model = question.model,
@@ -98,7 +98,24 @@ analysis::SimulatedPower simulated(
   simulation.model.conditions = static_cast<int>(family.conditions);
   simulation.model.answers = static_cast<int>(family.answers);
   simulation.model.dz = dz;
-  return analysis::simulatePower(simulation);
+  return simulation;
+}
+
+SiteProspect atSites(
+    const FamilyPlan& family,
+    const PlanQuestion& question,
+    const analysis::SitePlan& sites,
+    std::uint64_t participants) {
+  SiteProspect prospect{
+      .designEffect = sites.designEffect(participants),
+      .power = analysis::pooledSitesPower(question.dz, participants, sites, family.alphaPerTest)};
+  if (question.studies == 0 || family.answers == 0) return prospect;
+  const auto simulated = [&](double dz) {
+    return analysis::simulateSitePower(simulationOf(family, question, participants, dz), sites);
+  };
+  prospect.found = simulated(question.dz);
+  prospect.invented = simulated(0.0);
+  return prospect;
 }
 
 Prospect prospectOf(
@@ -113,8 +130,15 @@ Prospect prospectOf(
   if (participants < 2) return prospect;
   prospect.power = analysis::pairedTPower(question.dz, participants, family.alphaPerTest);
   if (question.studies > 0 && family.answers > 0) {
-    prospect.found = simulated(family, question, participants, question.dz);
-    prospect.invented = simulated(family, question, participants, 0.0);
+    const auto simulated = [&](double dz) {
+      return analysis::simulatePower(simulationOf(family, question, participants, dz));
+    };
+    prospect.found = simulated(question.dz);
+    prospect.invented = simulated(0.0);
+  }
+  const auto& sites = question.sites;
+  if (sites && participants >= sites->fewestParticipants()) {
+    prospect.sites = atSites(family, question, *sites, participants);
   }
   return prospect;
 }
@@ -145,8 +169,12 @@ FamilyPlan familyPlan(
   FamilyPlan plan = declared(family, loaded, study.question);
   plan.fewestForAnyP = analysis::fewestForSignFlip(plan.alphaPerTest, 1);
   if (study.question.power > plan.alphaPerTest) {
-    plan.forPower =
-        analysis::participantsForPower(study.question.dz, plan.alphaPerTest, study.question.power);
+    const double dz = study.question.dz;
+    const double power = study.question.power;
+    plan.forPower = analysis::participantsForPower(dz, plan.alphaPerTest, power);
+    if (const auto& sites = study.question.sites) {
+      plan.forPowerAtSites = analysis::participantsForPower(dz, *sites, plan.alphaPerTest, power);
+    }
   }
   if (plan.forPower) {
     const auto needed = std::max(*plan.forPower, plan.fewestForAnyP);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/planning/simulated_power.h"
+#include "analysis/planning/site_power.h"
 #include "analysis/tests/attainable_p.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/session/session_length.h"
@@ -25,6 +26,7 @@ struct PlanQuestion {
   /// the protocol and from the options above.
   analysis::LikertModel model;
   Pace pace;
+  std::optional<analysis::SitePlan> sites = {};  ///< of each cohort's participants; absent: one
 };
 
 /// A block, and the number of participants that balances its orders.
@@ -36,6 +38,14 @@ struct BlockPlan {
   bool hasOneOrder = false;    ///< the same order for all participants
 };
 
+/// What a family of comparisons can detect at several sites.
+struct SiteProspect {
+  double designEffect = 1.0;
+  double power = 0.0;  ///< of the pooled difference for the requested effect, in closed form
+  std::optional<analysis::SimulatedSitePower> found;     ///< simulated with that effect
+  std::optional<analysis::SimulatedSitePower> invented;  ///< simulated without an effect
+};
+
 /// What a family of comparisons can detect with a number of participants.
 struct Prospect {
   std::uint64_t participants = 0;
@@ -45,6 +55,8 @@ struct Prospect {
   std::optional<double> power;  ///< of a paired t-test for the requested effect; needs two people
   std::optional<analysis::SimulatedPower> found;     ///< simulated with that effect
   std::optional<analysis::SimulatedPower> invented;  ///< simulated without an effect
+  /// At several sites, if each has two participants.
+  std::optional<SiteProspect> sites = {};
 };
 
 /// A family of comparisons as the protocol declares it.
@@ -62,7 +74,9 @@ struct FamilyPlan {
   std::uint64_t fewestForAnyP = 0;           ///< participants that an exact paired test needs
   std::optional<std::uint64_t> forPower;     ///< participants for the requested effect and power
   std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
-  std::vector<Prospect> prospects;           ///< for every cohort, in the protocol's order
+  /// Participants over all sites for that effect and power; absent also if no number is enough.
+  std::optional<std::uint64_t> forPowerAtSites = {};
+  std::vector<Prospect> prospects = {};  ///< for every cohort, in the protocol's order
 };
 
 /// A vote between the alternatives of a block, in one cohort.

@@ -50,6 +50,12 @@ std::string ordersText(const StudyPlan& plan) {
     }
   }
   if (plan.balancedBy < 2) return text;
+  if (plan.question.sites) {
+    text += fmt::format(
+        "  Each site draws orders of its own: they are balanced where each site has a multiple of "
+        "{}.\n",
+        plan.balancedBy);
+  }
   for (const auto& cohort : plan.cohorts) {
     if (cohort.participants == 0) continue;
     const auto over = cohort.participants % plan.balancedBy;
@@ -110,6 +116,39 @@ std::string simulationText(const Prospect& prospect) {
   return text;
 }
 
+std::string siteVerdict(const StudyPlan& plan, const Prospect& prospect) {
+  const auto& sites = *plan.question.sites;
+  if (!prospect.sites) {
+    return fmt::format(
+        "    at {}: too few. A site needs two participants to be pooled, {} in all.\n",
+        counted(sites.sites, "site"),
+        sites.fewestParticipants());
+  }
+  const auto& at = *prospect.sites;
+  std::string text = fmt::format(
+      "    at {}, between which the effect has a standard deviation of {:g} d_z: design effect "
+      "{:.2f}; power of the\n    pooled difference {}.\n",
+      counted(sites.sites, "site"),
+      sites.deviation,
+      at.designEffect,
+      share(at.power));
+  if (!at.found || !at.invented) return text;
+  text += fmt::format(
+      "    simulated: found by the pooled difference {}, by a paired t-test that ignores sites "
+      "{}.{}\n",
+      share(at.found->pooled.rate),
+      share(at.found->pairedT.rate),
+      at.found->halfWidth
+          ? fmt::format(" Pooled interval: ± {:.2f} points (median).", *at.found->halfWidth)
+          : std::string());
+  text += fmt::format(
+      "    simulated without any difference over all sites, at least one is found: pooled {}, "
+      "ignoring sites {}.\n",
+      share(at.invented->anyPooled.rate),
+      share(at.invented->anyPairedT.rate));
+  return text;
+}
+
 std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
   std::string text;
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
@@ -134,8 +173,23 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
           share(*prospect.power));
     }
     text += simulationText(prospect);
+    if (plan.question.sites) text += siteVerdict(plan, prospect);
   }
   return text;
+}
+
+/// How many participants the requested power takes at these sites.
+std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
+  if (!plan.question.sites) return {};
+  const auto sites = counted(plan.question.sites->sites, "site");
+  if (family.forPowerAtSites) {
+    return fmt::format(
+        "  at {}: {} participants a cohort, over all sites.\n", sites, *family.forPowerAtSites);
+  }
+  return fmt::format(
+      "  at {}: no number of participants is enough. More of them at few sites tell nothing of "
+      "other sites: more sites do.\n",
+      sites);
 }
 
 std::string powerTable(const StudyPlan& plan, const FamilyPlan& family) {
@@ -189,7 +243,7 @@ std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
       family.recommended && plan.balancedBy > 1
           ? fmt::format("; {} balance the orders as well", *family.recommended)
           : "");
-  return text;
+  return text + sitesText(plan, family);
 }
 
 std::string cohortsText(const StudyPlan& plan) {
@@ -279,20 +333,36 @@ std::string lengthText(const StudyPlan& plan) {
   return text;
 }
 
+std::string siteModelText(const StudyPlan& plan) {
+  if (!plan.question.sites) return {};
+  return fmt::format(
+      "At sites, d_z is in units of the standard deviation of one site's participants. The effect "
+      "of a site is normal around it\n(standard deviation {:g}, intraclass correlation {:.3f}). "
+      "Pooled: random effects by REML, Knapp and Hartung's standard\nerror, as 'stats run' pools "
+      "sites.\n",
+      plan.question.sites->deviation,
+      plan.question.sites->intraclassCorrelation());
+}
+
 std::string modelText(const StudyPlan& plan) {
   const auto& model = plan.question.model;
   if (plan.question.studies == 0 || plan.families.empty()) return {};
   return fmt::format(
-      "\nd_z is the mean difference of two conditions divided by the standard deviation of the "
-      "participants' differences.\nSimulated: {} studies, seed {}; behind each answer a normal "
-      "number cut into points, of whose variance the\nparticipant has {:g}, the participant's "
-      "taste for a condition {:g}, chance {:g}; the first condition is ahead of the\nothers by d_z "
-      "before it is cut into points. A plan, never a finding.\n",
-      plan.question.studies,
-      plan.question.seed,
-      model.participantShare,
-      model.participantByConditionShare,
-      model.residualShare);
+             "\nd_z is the mean difference of two conditions divided by the standard deviation of "
+             "the "
+             "participants' differences.\nSimulated: {} studies, seed {}; behind each answer a "
+             "normal "
+             "number cut into points, of whose variance the\nparticipant has {:g}, the "
+             "participant's "
+             "taste for a condition {:g}, chance {:g}; the first condition is ahead of the\nothers "
+             "by d_z "
+             "before it is cut into points. A plan, never a finding.\n",
+             plan.question.studies,
+             plan.question.seed,
+             model.participantShare,
+             model.participantByConditionShare,
+             model.residualShare) +
+         siteModelText(plan);
 }
 
 std::string cohortsInWords(const StudyPlan& plan) {
@@ -330,6 +400,14 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
         prospect.participants,
         share(*prospect.power),
         prospect.canFindPairs ? "can" : "cannot");
+    if (prospect.sites) {
+      words += fmt::format(
+          "; pooled over {}, between which the effect has a standard deviation of {:g} d_z, the "
+          "power is {}",
+          counted(plan.question.sites->sites, "site"),
+          plan.question.sites->deviation,
+          share(prospect.sites->power));
+    }
   }
   return words + ".";
 }
@@ -355,6 +433,9 @@ std::string ethicsParagraph(const StudyPlan& plan) {
   const auto cohorts = cohortsInWords(plan);
   std::string words = cohorts.empty() ? "The number of participants has not been decided."
                                       : "We plan to include " + cohorts + ".";
+  if (plan.question.sites) {
+    words += fmt::format(" They come from {}.", counted(plan.question.sites->sites, "site"));
+  }
   if (const auto felt = conditionsInWords(plan); !felt.empty()) {
     words += " Every participant feels " + felt +
              ", so that conditions are compared within participants";

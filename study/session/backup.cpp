@@ -8,11 +8,10 @@
 
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
-#include "study/session/noted_folder.h"
+#include "study/storage/evidence/head_check.h"
 #include "study/storage/lease.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
-#include "study/storage/transaction.h"
 
 namespace study {
 namespace {
@@ -223,6 +222,26 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
     fs::remove_all(unfinished, ignored);
     throw;
   }
+}
+
+std::size_t headsMissingIn(Study& study) {
+  const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
+  if (!station) return 0;
+  return missingHeads(storage::TrailHeads(study.database()), *station).size();
+}
+
+std::size_t noteRestoredCopy(Study& study, const std::string& reason) {
+  const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
+  if (!station) return 0;
+  const auto missing = missingHeads(storage::TrailHeads(study.database()), *station);
+  if (missing.empty()) return 0;
+  std::string names;
+  for (const auto& head : missing) names += (names.empty() ? "" : " ") + nameOf(head);
+  study.note(
+      {.actor = storage::Actor::Operator,
+       .kind = EventKind::RestoredCopy,
+       .values = {{"reason", reason}, {"given_up", names}}});
+  return missing.size();
 }
 
 }  // namespace study

@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <system_error>
 
+#include "questionnaires/json/document.h"
 #include "study/model/progress.h"
+#include "study/session/study.h"
 #include "study/session/verification.h"
 
 namespace study {
+
+/// A folder as an event of the audit trail names it. A name that is no UTF-8 cannot be stored.
+inline std::string asNoted(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  auto text = std::filesystem::absolute(folder, ignored).lexically_normal().string();
+  return questionnaires::charactersIn(text) ? text : "a folder whose name is not UTF-8";
+}
 
 /// The result of copying a study.
 struct Backup {
@@ -24,5 +36,16 @@ Backup backUp(
     const std::filesystem::path& folder,
     const std::filesystem::path& destination,
     const Progress& progress = {});
+
+/// How many heads that this station signed a study neither has nor gave up: more than none of an
+/// older copy that took its place, and of one whose end was cut off. @throws storage::StorageError
+std::size_t headsMissingIn(Study& study);
+
+/// Notes that an older copy, a backup, took the place of a study: what this station signed later is
+/// given up, and verify() no longer takes it for an end that was cut off. Nothing is noted if
+/// nothing is missing.
+/// @return how many signed heads were given up
+/// @throws storage::StorageError  if the station's list cannot be read, or the study not be written
+std::size_t noteRestoredCopy(Study& study, const std::string& reason);
 
 }  // namespace study

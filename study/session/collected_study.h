@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "study/model/clock.h"
-#include "study/model/station.h"
+#include "study/model/ids.h"
 #include "study/session/study.h"
 #include "study/storage/event_log.h"
 #include "study/storage/keys/sealing_key.h"

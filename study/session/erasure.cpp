@@ -35,6 +35,7 @@ void requireReason(Study& study, const ErasureRequest& request) {
   if (request.reason.empty()) {
     throw UserError("Say why, without a name: it stays in the audit trail (--reason \"…\").");
   }
+  if (study.identities().isLocked()) return;
   std::istringstream words(request.reason);
   for (std::string word; words >> word;) {
     if (word.size() < kShortestName) continue;
@@ -91,7 +92,13 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
         "verify' says what is wrong. Nothing was changed.",
         StorageError::Kind::Damaged);
   }
-  for (const auto& code : people(study)) study.identities().drawKeys(code);
+  for (const auto& code : people(study)) {
+    if (!study.identities().hasDrawnKeys(code)) {
+      study.identities().drawKeys(code);
+    } else if (!isSealed(study, code)) {  // only the key of names was drawn, for a passphrase
+      study.identities().drawMissingKey(Key::Content, code);
+    }
+  }
   const auto events = study.events();
   const auto head = events.head();
   storage::Hash hash{};
@@ -112,7 +119,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
 /// Everything that the participant wrote, and that was written about the participant.
 storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   storage::ByteSearch search;
-  if (erasesNames(request.level)) {
+  if (erasesNames(request.level) && !study.identities().isLocked()) {
     for (const auto& name : study.identities().names(request.participant)) {
       search.add(name.text, kShortestName);
     }
@@ -215,7 +222,8 @@ ErasureReport perform(Study& study, const ErasureRequest& request) {
   report.texts = textsOf(study, request);
   report.sessions = sessionsOf(study, request.participant).size();
   if (erasesNames(request.level)) {
-    report.names = study.identities().names(request.participant).size();
+    report.names = study.identities().count(request.participant);
+    report.areNamesLocked = report.names > 0 && study.identities().isLocked();
   }
   study.database().execute("PRAGMA secure_delete = ON");
   study.transact([&] { report.answers = eraseRows(study, report.erasure, request.isAgain); });

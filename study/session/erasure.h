@@ -25,8 +25,9 @@ struct ErasureRequest {
 struct ErasureReport {
   storage::Erasure erasure;
   std::size_t sessions = 0;
-  std::int64_t answers = 0;  ///< that were deleted
-  std::size_t names = 0;     ///< that were deleted
+  std::int64_t answers = 0;     ///< that were deleted
+  std::size_t names = 0;        ///< that were deleted
+  bool areNamesLocked = false;  ///< they were deleted without being read, or searched for
   bool wasTrailSealedAgain = false;
   storage::ByteSearch texts;  ///< what the participant wrote, and others of them
   /// Files of the folder that still hold one of these texts.

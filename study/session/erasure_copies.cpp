@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/file.h"
 #include "study/model/study_files.h"
 #include "study/model/user_error.h"
 #include "study/storage/statement.h"
@@ -22,7 +23,7 @@ constexpr std::array kSayWhose{"codebook.json", "study.json", "dataset_descripti
 bool isExportOf(const fs::path& folder, const std::string& uuid) {
   for (const char* name : kSayWhose) {
     std::ifstream stream(folder / name, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto text = base::readAll(stream);
     if (text.find('"' + uuid + '"') != std::string::npos) return true;
   }
   return false;

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/file.h"
 #include "haptics/recordings/published_cut.h"
-#include "protocols/reading/calibration_file.h"
-#include "protocols/reading/columns_file.h"
 #include "protocols/reading/cut_file.h"
+#include "protocols/reading/recording_file.h"
 #include "questionnaires/json/document.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
@@ -76,7 +76,7 @@ std::string withRecordedCut(std::string protocol, const std::string& file) {
 
 std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut) {
   std::ifstream file(recording, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto bytes = base::readAll(file);
   return protocols::cutAsJson(cut, storage::sha256(bytes));
 }
 

@@ -8,7 +8,7 @@
 #include "study/session/drawn_plan.h"
 #include "study/session/identity_evidence.h"
 #include "study/storage/erasure/erasure_repository.h"
-#include "study/storage/transaction.h"
+#include "study/storage/statement.h"
 
 namespace study {
 namespace {

@@ -13,7 +13,10 @@ using questionnaires::ItemType;
 double secondsToRead(const questionnaires::LocalizedText& text, const Pace& pace) {
   std::istringstream stream(text.in("en"));
   double words = 0.0;
-  for (std::string word; stream >> word;) words += 1.0;
+  for (std::string word; stream >> word;) {
+    const bool isMarkOfHeading = word.find_first_not_of('#') == std::string::npos;
+    words += isMarkOfHeading ? 0.0 : 1.0;
+  }
   return words / pace.wordsPerSecond;
 }
 

@@ -12,11 +12,9 @@
 #include "study/model/user_error.h"
 #include "study/session/erasure.h"
 #include "study/storage/keys/sealed_condition.h"
-#include "study/storage/network_drive.h"
-#include "study/storage/reserved_space.h"
+#include "study/storage/own_disk.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
-#include "study/storage/transaction.h"
 
 namespace study {
 namespace {
@@ -128,6 +126,9 @@ void Study::readSecret() {
 
 void Study::findKey() noexcept {
   try {
+    const auto wrapped = storage::wrappedKeyIn(identities_.database());
+    const auto held = wrapped ? storage::heldKey(*wrapped) : std::nullopt;
+    if (held) identities_.database().giveKey(*held);
     readSecret();
   } catch (const std::exception&) {
     return;  // much can be done without it; secretFor() says what is missing where it is needed
@@ -167,6 +168,16 @@ bool Study::unlock(const std::string& passphrase) {
   if (bytes) {
     useKey(storage::BlindingSecret(*bytes));
     storage::holdKey(*secret_);
+  }
+  return bytes.has_value();
+}
+
+bool Study::unlockNames(const std::string& passphrase) {
+  const auto wrapped = storage::wrappedKeyIn(identities_.database());
+  const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
+  if (bytes) {
+    storage::holdOpened(*wrapped, *bytes);
+    identities_.database().giveKey(storage::SealingKey(*bytes));
   }
   return bytes.has_value();
 }

@@ -10,8 +10,8 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/clock.h"
+#include "study/model/ids.h"
 #include "study/model/run_mode.h"
-#include "study/model/station.h"
 #include "study/storage/blinding_secret.h"
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"
@@ -77,6 +77,10 @@ class Study {
 
   /// Goes on with a key that was handed over. @throws UserError  if it is that of another study.
   void useKey(const storage::BlindingSecret& key);
+
+  /// Opens the key of names with their passphrase, for this program until it ends
+  /// (docs/decisions/0062). @return false if it is another one
+  bool unlockNames(const std::string& passphrase);
 
   /// What the fingerprints of identity.db in the audit trail are made with; std::nullopt in studies
   /// that have none. @throws storage::StorageError

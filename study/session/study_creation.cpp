@@ -12,7 +12,6 @@
 #include "study/storage/map/study_keys.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
-#include "study/storage/transaction.h"
 
 namespace study {
 namespace {

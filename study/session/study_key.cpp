@@ -1,8 +1,8 @@
 #include "study/session/study_key.h"
 
-#include <algorithm>
-
 #include "study/model/user_error.h"
+#include "study/session/identity_evidence.h"
+#include "study/storage/erasure/erased_rows.h"
 #include "study/storage/statement.h"
 
 namespace study {
@@ -25,6 +25,41 @@ const storage::BlindingSecret& requireKey(Study& study) {
         "older version of palpate made it.");
   }
   return *key;
+}
+
+void requireLong(const std::string& passphrase) {
+  if (passphrase.size() < kShortestPassphrase) {
+    throw UserError(
+        "A passphrase has at least 12 characters: a few words that nobody guesses, and that are "
+        "written down at a safe place.");
+  }
+}
+
+/// What was changed before must not look sound when it is sealed.
+void requireSoundNames(Study& study) {
+  auto& identities = study.identities();
+  if (!identities.hasOpenNames()) return;
+  if (identities.damaged().empty() && checkIdentities(study).problems.empty()) return;
+  throw storage::StorageError(
+      "Names are not put behind a passphrase, because some of them were changed behind the "
+      "program's back: 'palpate study verify' says which. Nothing was changed.",
+      storage::StorageError::Kind::Damaged);
+}
+
+/// An older release kept names in the open, without keys. What it wrote into the trail stays as it
+/// is: no name is in it.
+void sealNamesOfOlderReleases(Study& study) {
+  auto& identities = study.identities();
+  for (const auto& row : study.sessions().all()) {
+    if (row.runMode == RunMode::Simulated || identities.hasDrawnKeys(row.participant)) continue;
+    identities.drawMissingKey(storage::IdentityStore::Key::Identity, row.participant);
+  }
+  for (const auto& participant : identities.sealOpenNames()) {
+    if (!study.secretOfFingerprints()) continue;
+    study.note(
+        {.kind = EventKind::NotedIdentities,
+         .values = {{"rows", fingerprintsOf(study, participant)}}});
+  }
 }
 
 bool wasEverExported(Study& study) {
@@ -62,11 +97,7 @@ void setPassphrase(
     const std::string& reason,
     const storage::PassphraseCost& cost) {
   requireReason(reason);
-  if (passphrase.size() < kShortestPassphrase) {
-    throw UserError(
-        "A passphrase has at least 12 characters: a few words that nobody guesses, and that are "
-        "written down at a safe place.");
-  }
+  requireLong(passphrase);
   const auto wrapped = storage::WrappedKey::make(requireKey(study).bytes(), passphrase, cost);
   study.transact([&] {
     storage::storeWrapped(study.database(), wrapped);
@@ -77,6 +108,34 @@ void setPassphrase(
          .detail = reason});
     study.signTrail(nameOf(EventKind::SetPassphrase));
   });
+}
+
+void setPassphraseOfNames(
+    Study& study,
+    const std::string& passphrase,
+    const std::string& reason,
+    const storage::PassphraseCost& cost) {
+  requireReason(reason);
+  requireLong(passphrase);
+  auto& identities = study.identities();
+  auto& database = identities.database();
+  if (identities.isLocked()) throw UserError("The passphrase of names was not given.");
+  requireSoundNames(study);
+  const auto key = database.key() != nullptr ? *database.key() : storage::SealingKey::drawn();
+  const auto wrapped = storage::WrappedKey::make(key.bytes(), passphrase, cost);
+  study.note(EventKind::SealedNames, reason);
+  study.withReservedSpace([&] {
+    // What is replaced is overwritten with zeros, in the file.
+    database.execute("PRAGMA secure_delete = ON");
+    sealNamesOfOlderReleases(study);
+    storage::Transaction transaction(database);
+    identities.sealKeysWith(key);
+    storage::storeWrapped(database, wrapped);
+    transaction.commit();
+  });
+  database.giveKey(key);
+  storage::holdOpened(wrapped, key.bytes());
+  storage::purge(database);
 }
 
 void dropKey(Study& study, const std::string& reason) {

@@ -20,9 +20,22 @@ void importKey(Study& study, const std::string& file);
 void keepOpenedKey(Study& study);
 
 /// From now on, @p passphrase opens the key, in this study and in copies that are made of it.
-/// Whoever has an older copy may still need the older passphrase.
+/// An older copy of the file may still need the older passphrase.
 /// @throws UserError  without a reason, or if the passphrase is shorter than 12 characters
 void setPassphrase(
+    Study& study,
+    const std::string& passphrase,
+    const std::string& reason,
+    const storage::PassphraseCost& cost = {});
+
+/// From now on, names in identity.db are sealed with a key that @p passphrase opens, also those
+/// that are there, and those that an older release wrote in the open (docs/decisions/0062). A later
+/// call changes the passphrase; copies that were made before keep what they have.
+/// @throws UserError  without a reason, if the passphrase is shorter than 12 characters, or if
+/// names
+///     are locked
+/// @throws storage::StorageError  (Damaged) if an older release wrote names, and some were changed
+void setPassphraseOfNames(
     Study& study,
     const std::string& passphrase,
     const std::string& reason,

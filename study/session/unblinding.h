@@ -10,7 +10,7 @@ namespace study {
 
 /// Results that name conditions unblind the reader. If real people took part, the reason is written
 /// to the audit trail before anything is shown. Pilots, simulated sessions and studies whose
-/// protocol keeps nobody blind need no reason, and nothing is written.
+/// protocol has no blinding need no reason, and nothing is written.
 /// @param kind  UnblindedReport or UnblindedResults
 /// @throws storage::StorageError  in words, if live sessions are shown without a reason.
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);

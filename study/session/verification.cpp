@@ -164,6 +164,11 @@ storage::Findings identities(Study& study) {
     return {.remarks = {"names of people stay at their stations: there are none here to look at"}};
   }
   auto findings = checkIdentities(study);
+  if (study.identities().isLocked()) {
+    findings.remarks.push_back(
+        "names are behind a passphrase: that they are what was written is checked, and not what "
+        "they say");
+  }
   for (const auto& row : study.identities().damaged()) {
     findings.problems.push_back(
         study.identities().database().path() + ": what is kept of " + row +

@@ -11,10 +11,8 @@
 
 #include <sqlite3.h>
 
-#include "study/storage/network_drive.h"
-#include "study/storage/reserved_space.h"
+#include "study/storage/own_disk.h"
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {

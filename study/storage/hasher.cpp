@@ -5,6 +5,8 @@
 namespace study::storage {
 namespace {
 
+constexpr int kBase64 = sodium_base64_VARIANT_ORIGINAL;
+
 Hash hashWith(std::span<const unsigned char> key, std::span<const std::byte> bytes) {
   Hash hash{};
   crypto_generichash(
@@ -53,6 +55,26 @@ std::string inHexadecimal(const Hash& hash) {
   sodium_bin2hex(
       text.data(), text.size(), reinterpret_cast<const unsigned char*>(hash.data()), hash.size());
   return text.data();
+}
+
+std::string inBase64(std::span<const std::byte> bytes) {
+  std::string text(sodium_base64_encoded_len(bytes.size(), kBase64), '\0');
+  const auto* from = reinterpret_cast<const unsigned char*>(bytes.data());
+  sodium_bin2base64(text.data(), text.size(), from, bytes.size(), kBase64);
+  text.pop_back();  // the zero at its end
+  return text;
+}
+
+std::optional<std::vector<std::byte>> fromBase64(std::string_view text) {
+  std::vector<std::byte> bytes(text.size() + 1);  // an empty one has no place to write to
+  std::size_t size = 0;
+  auto* to = reinterpret_cast<unsigned char*>(bytes.data());
+  // Without a place for the end of what was read, anything that is left over is an error.
+  const int code = sodium_base642bin(
+      to, bytes.size(), text.data(), text.size(), nullptr, &size, nullptr, kBase64);
+  if (code != 0) return std::nullopt;
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace study::storage

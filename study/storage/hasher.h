@@ -38,4 +38,11 @@ std::vector<std::byte> asBytes(const Hash& hash);
 
 std::string inHexadecimal(const Hash& hash);
 
+/// Bytes as text, for files and events that hold text only (RFC 4648, with padding).
+std::string inBase64(std::span<const std::byte> bytes);
+
+/// std::nullopt if the text is no such text: there is a character that does not belong to it, or
+/// something is missing at its end.
+std::optional<std::vector<std::byte>> fromBase64(std::string_view text);
+
 }  // namespace study::storage

@@ -4,9 +4,10 @@
 #include <set>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "study/storage/hasher.h"
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {
@@ -122,8 +123,48 @@ std::optional<BlindingSecret> secretIn(const Database& database, const std::stri
   return BlindingSecret(bytes);
 }
 
-const char* columnOf(IdentityStore::Key kind) {
-  return kind == IdentityStore::Key::Identity ? "identity" : "content";
+std::optional<SealingKey> keyFrom(std::span<const std::byte> stored) {
+  SealingKey::Bytes bytes{};
+  if (stored.size() != bytes.size()) return std::nullopt;
+  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
+  return SealingKey(bytes);
+}
+
+/// Where the sealed key of a participant's names belongs.
+std::string placeOf(const std::string& participant) {
+  return participant + "/key of names";
+}
+
+std::vector<std::byte> sealedKey(
+    const SealingKey& names, const SealingKey& key, const std::string& participant) {
+  const std::string_view bytes(
+      reinterpret_cast<const char*>(key.bytes().data()), key.bytes().size());
+  return names.seal(bytes, placeOf(participant));
+}
+
+/// The key of somebody's names, as it is stored.
+struct StoredKey {
+  std::vector<std::byte> open;
+  std::vector<std::byte> sealed;
+};
+
+std::optional<StoredKey> storedKey(const Database& database, const std::string& participant) {
+  // A file of an older format that is only read does not have the column.
+  const std::string sealed =
+      database.hasColumn("participant_key", "sealed_identity") ? "sealed_identity" : "NULL";
+  Statement select(
+      database, "SELECT identity, " + sealed + " FROM participant_key WHERE participant = ?");
+  select.bind(1, participant);
+  if (!select.step()) return std::nullopt;
+  return StoredKey{.open = select.blob(0), .sealed = select.blob(1)};
+}
+
+void requireUnlocked(const IdentityStore& store, const std::string& path) {
+  if (!store.isLocked()) return;
+  throw StorageError(
+      "The names in " + path +
+      " are behind a passphrase that was not given. Open the study again and type it; without it "
+      "no session goes on.");
 }
 
 }  // namespace
@@ -175,18 +216,96 @@ std::vector<std::string> IdentityStore::texts() const {
   return {texts.begin(), texts.end()};
 }
 
+std::size_t IdentityStore::count(const std::string& participant) const {
+  return nameRows(database_, participant).size();
+}
+
 void IdentityStore::drawKeys(const std::string& participant) {
+  requireUnlocked(*this, database_.path());
   Transaction transaction(database_);
   Statement insert(
       database_,
-      "INSERT OR IGNORE INTO participant_key (participant, identity, content) VALUES (?,?,?)");
+      "INSERT OR IGNORE INTO participant_key (participant, identity, content, sealed_identity) "
+      "VALUES (?,?,?,?)");
   const auto identity = SealingKey::drawn();
   const auto content = SealingKey::drawn();
-  insert.bind(1, participant)
-      .bind(2, std::as_bytes(std::span(identity.bytes())))
-      .bind(3, std::as_bytes(std::span(content.bytes())));
+  insert.bind(1, participant).bind(3, std::as_bytes(std::span(content.bytes())));
+  std::vector<std::byte> sealed;
+  if (hasPassphrase()) {
+    sealed = sealedKey(*database_.key(), identity, participant);
+    insert.bind(4, std::span<const std::byte>(sealed));
+  } else {
+    insert.bind(2, std::as_bytes(std::span(identity.bytes())));
+  }
   insert.run();
   transaction.commit();
+}
+
+bool IdentityStore::hasDrawnKeys(const std::string& participant) const {
+  return storedKey(database_, participant).has_value();
+}
+
+void IdentityStore::drawMissingKey(Key kind, const std::string& participant) {
+  if (kind == Key::Identity) requireUnlocked(*this, database_.path());
+  if (key(kind, participant)) return;
+  const auto drawn = SealingKey::drawn();
+  const auto bytes = std::as_bytes(std::span(drawn.bytes()));
+  std::vector<std::byte> stored(bytes.begin(), bytes.end());
+  const char* column = kind == Key::Content ? "content" : "identity";
+  if (kind == Key::Identity && hasPassphrase()) {
+    column = "sealed_identity";
+    stored = sealedKey(*database_.key(), drawn, participant);
+  }
+  Transaction transaction(database_);
+  Statement insert(
+      database_,
+      fmt::format(
+          "INSERT INTO participant_key (participant, {0}) VALUES (?, ?) "
+          "ON CONFLICT (participant) DO UPDATE SET {0} = excluded.{0}",
+          column));
+  insert.bind(1, participant).bind(2, std::span<const std::byte>(stored)).run();
+  transaction.commit();
+}
+
+bool IdentityStore::hasPassphrase() const {
+  // A file of an older format that is only read does not have the table.
+  if (!database_.hasTable("wrapped_key")) return false;
+  return Statement(database_, "SELECT 1 FROM wrapped_key").step();
+}
+
+bool IdentityStore::hasOpenNames() const {
+  const auto rows = nameRows(database_, std::nullopt);
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.sealed.empty(); });
+}
+
+std::set<std::string> IdentityStore::sealOpenNames() {
+  std::set<std::string> sealed;
+  Transaction transaction(database_);
+  for (auto& row : nameRows(database_, std::nullopt)) {
+    const auto identity = key(Key::Identity, row.place.participant);
+    if (!row.sealed.empty() || !identity) continue;
+    row.seal(*identity);
+    insert(database_, row);
+    sealed.insert(row.place.participant);
+  }
+  transaction.commit();
+  return sealed;
+}
+
+void IdentityStore::sealKeysWith(const SealingKey& key) {
+  std::vector<std::string> participants;
+  Statement open(database_, "SELECT participant FROM participant_key WHERE identity IS NOT NULL");
+  while (open.step()) participants.push_back(open.text(0));
+  open.reset();
+  for (const auto& participant : participants) {
+    const auto identity = this->key(Key::Identity, participant);
+    if (!identity) continue;
+    Statement update(
+        database_,
+        "UPDATE participant_key SET identity = NULL, sealed_identity = ? WHERE participant = ?");
+    const auto sealed = sealedKey(key, *identity, participant);
+    update.bind(1, std::span<const std::byte>(sealed)).bind(2, participant).run();
+  }
 }
 
 void IdentityStore::putContentKey(const std::string& participant, const SealingKey& key) {
@@ -198,16 +317,17 @@ void IdentityStore::putContentKey(const std::string& participant, const SealingK
 
 std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& participant) const {
   if (!database_.hasTable("participant_key")) return std::nullopt;
-  Statement select(
-      database_,
-      std::string("SELECT ") + columnOf(kind) + " FROM participant_key WHERE participant = ?");
-  select.bind(1, participant);
-  if (!select.step()) return std::nullopt;
-  const auto stored = select.blob(0);
-  SealingKey::Bytes bytes{};
-  if (stored.size() != bytes.size()) return std::nullopt;
-  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
-  return SealingKey(bytes);
+  if (kind == Key::Content) {
+    Statement select(database_, "SELECT content FROM participant_key WHERE participant = ?");
+    select.bind(1, participant);
+    return select.step() ? keyFrom(select.blob(0)) : std::nullopt;
+  }
+  const auto stored = storedKey(database_, participant);
+  if (!stored) return std::nullopt;
+  if (stored->sealed.empty()) return keyFrom(stored->open);
+  requireUnlocked(*this, database_.path());
+  const auto bytes = database_.key()->open(stored->sealed, placeOf(participant));
+  return bytes ? keyFrom(std::as_bytes(std::span(*bytes))) : std::nullopt;
 }
 
 void IdentityStore::destroy(Key kind, const std::string& participant) {
@@ -216,8 +336,9 @@ void IdentityStore::destroy(Key kind, const std::string& participant) {
   Transaction transaction(database_);
   Statement key(
       database_,
-      std::string("UPDATE participant_key SET ") + columnOf(kind) +
-          " = NULL WHERE participant = ?");
+      std::string("UPDATE participant_key SET ") +
+          (kind == Key::Identity ? "identity = NULL, sealed_identity = NULL" : "content = NULL") +
+          " WHERE participant = ?");
   key.bind(1, participant).run();
   if (kind == Key::Identity) {
     Statement names(database_, "DELETE FROM identifying_answer WHERE participant = ?");
@@ -246,7 +367,9 @@ std::vector<std::string> IdentityStore::damaged() const {
   std::vector<std::string> damaged;
   for (const auto& row : nameRows(database_, std::nullopt)) {
     const bool isSound = row.writtenHash.empty() || row.writtenHash == asBytes(row.hash());
-    if (!isSound || !row.opened(key(Key::Identity, row.place.participant))) {
+    const bool isOpened =
+        isLocked() || row.opened(key(Key::Identity, row.place.participant)).has_value();
+    if (!isSound || !isOpened) {
       damaged.push_back(row.place.participant + ", " + row.item);
     }
   }

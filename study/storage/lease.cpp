@@ -10,6 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -104,6 +106,15 @@ bool isAlive(const Writer& writer) {
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
 }
 
+/// When something was stored of a session last [UTC]. It stands for a heartbeat: a program
+/// elsewhere writes here only while both use one disk, and network drives are refused
+/// (docs/decisions/0063).
+std::string lastStored(const Database& database, SessionId session) {
+  Statement last(database, "SELECT utc FROM event WHERE session_id = ? ORDER BY seq DESC LIMIT 1");
+  last.bind(1, static_cast<std::int64_t>(session));
+  return last.step() ? last.text(0) : std::string("an unknown day");
+}
+
 }  // namespace
 
 Lease::Lease(Database& database, SessionId session, const std::string& utc, From from)
@@ -113,9 +124,11 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc, From
   if (!isFree && (held->isHere || from == From::EndedPrograms)) {
     const std::string orElse =
         held->isHere ? std::string()
-                     : " If that computer is gone, or has another name now, take the session over "
-                       "with a reason: in the table of sessions, or by palpate study run DIR "
-                       "--take-over \"why\".";
+                     : fmt::format(
+                           " Something was stored there last on {}. If that computer is gone, or "
+                           "has another name now, take the session over with a reason: in the "
+                           "table of sessions, or by palpate study run DIR --take-over \"why\".",
+                           lastStored(database, session));
     throw StorageError(
         "This session is open already, on " + held->station + " (process " +
             std::to_string(held->pid) + ", since " + held->since +

@@ -12,7 +12,8 @@ namespace study::storage {
 /// The exclusive right to run a session, for one program and one window. The destructor gives it
 /// back. A lease that a crashed program of this computer left, or that could not be given back, is
 /// taken over, also if the computer has got another name since. Whether a program on another
-/// computer is still running cannot be seen from here: its lease is taken over only on request.
+/// computer is still running cannot be seen from here: its lease is taken over only on request, and
+/// who is asked is told when something was stored there last.
 class Lease {
  public:
   enum class From { EndedPrograms, OtherComputersToo };

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"

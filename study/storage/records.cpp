@@ -142,15 +142,20 @@ const char* sealedTrialColumn(const Database& database) {
   return database.hasColumn("trial", "sealed") ? "x.sealed" : "NULL";
 }
 
+const char* siteColumn(const Database& database) {
+  return database.hasColumn("session", "site") ? "s.site" : "''";
+}
+
 }  // namespace
 
 std::vector<SessionRecord> Records::sessions() const {
   Statement select(
       database_,
       "SELECT s.id, p.code, s.number, s.cohort, s.run_mode, s.state, coalesce(s.end_reason, ''), "
-      "s.language, s.protocol_id, r.sha256, s.slot, s.app_version, s.started_utc, s.ended_utc "
-      "FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
-      "JOIN protocol AS r ON r.id = s.protocol_id ORDER BY s.id");
+      "s.language, s.protocol_id, r.sha256, s.slot, s.app_version, s.started_utc, s.ended_utc, " +
+          std::string(siteColumn(database_)) +
+          " FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
+          "JOIN protocol AS r ON r.id = s.protocol_id ORDER BY s.id");
   std::vector<SessionRecord> sessions;
   while (select.step()) {
     sessions.push_back(
@@ -167,7 +172,8 @@ std::vector<SessionRecord> Records::sessions() const {
          .slot = select.number(10),
          .appVersion = select.text(11),
          .startedUtc = select.text(12),
-         .endedUtc = select.optionalText(13)});
+         .endedUtc = select.optionalText(13),
+         .site = select.text(14)});
   }
   return sessions;
 }

@@ -33,6 +33,7 @@ struct SessionRecord {
   std::string appVersion;
   std::string startedUtc;
   std::optional<std::string> endedUtc;
+  std::string site = {};  ///< empty in a study of one machine
 
   bool isCompleted() const noexcept { return state == SessionState::Completed; }
 };

@@ -243,10 +243,6 @@ std::vector<SessionRow> SessionRepository::all() const {
   return sessions;
 }
 
-bool SessionRepository::hasLiveSession() const {
-  return Statement(database_, "SELECT 1 FROM session WHERE run_mode = 'live' LIMIT 1").step();
-}
-
 void SessionRepository::openVisit(const VisitKey& visit, const std::string& utc) {
   Statement insert(
       database_,

@@ -71,7 +71,6 @@ class SessionRepository {
 
   SessionRow load(SessionId id) const;
   std::vector<SessionRow> all() const;
-  bool hasLiveSession() const;
 
   void openVisit(const VisitKey& visit, const std::string& utc);
   /// Closes a visit that is open; a visit that has ended is not changed.

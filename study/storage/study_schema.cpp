@@ -386,7 +386,7 @@ constexpr std::array<std::string_view, 1> kTraceSteps{
     )sql",
 };
 
-constexpr std::array<std::string_view, 5> kIdentitySteps{
+constexpr std::array<std::string_view, 6> kIdentitySteps{
     R"sql(
       CREATE TABLE identifying_answer (
         participant TEXT NOT NULL,
@@ -436,6 +436,19 @@ constexpr std::array<std::string_view, 5> kIdentitySteps{
         id    INTEGER PRIMARY KEY CHECK (id = 1),
         bytes BLOB NOT NULL CHECK (length(bytes) = 32)
       ) STRICT;
+    )sql",
+    R"sql(
+      -- Where names are behind a passphrase (docs/decisions/0062), it opens this key, with which the
+      -- keys of participants' names are sealed; 'identity' is NULL then.
+      CREATE TABLE wrapped_key (
+        id         INTEGER PRIMARY KEY CHECK (id = 1),
+        salt       BLOB NOT NULL CHECK (length(salt) = 16),
+        operations INTEGER NOT NULL,
+        memory     INTEGER NOT NULL,
+        sealed     BLOB NOT NULL
+      ) STRICT;
+
+      ALTER TABLE participant_key ADD COLUMN sealed_identity BLOB;
     )sql",
 };
 

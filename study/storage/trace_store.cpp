@@ -12,7 +12,6 @@
 #include "study/storage/hasher.h"
 #include "study/storage/keys/sealed_condition.h"
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {

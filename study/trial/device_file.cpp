@@ -177,7 +177,7 @@ IiwaSettings readIiwa(const Node& node) {
   return settings;
 }
 
-/// A way of connecting a device: its name in files, its keys besides "id" and "type", and the
+/// A way of connecting a device: its name in files, its keys other than "id" and "type", and the
 /// function that reads them.
 struct Type {
   std::vector<std::string_view> keys;

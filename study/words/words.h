@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,14 @@
 #include "base/message.h"
 
 namespace study::words {
+
+/// A catalogue of study/words/library, compiled into the program.
+struct LibraryFile {
+  std::string_view name;  ///< "de.json"
+  std::string_view content;
+};
+
+std::span<const LibraryFile> libraryFiles();
 
 /// The texts of reports and of all windows in one language.
 struct Catalogue {

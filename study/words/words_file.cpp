@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/words/library.h"
 #include "study/words/words.h"
 
 namespace study::words {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/serial_port.h"
 #include "haptics/registry/device_kinds.h"
 #include "protocols/load_protocol.h"

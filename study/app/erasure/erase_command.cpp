@@ -9,11 +9,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "study/app/commands.h"
+#include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/report/erasure_certificate.h"
+#include "study/session/study_key.h"
 #include "study/storage/erasure/erasure_list.h"
 #include "study/words/words.h"
 
@@ -27,6 +30,7 @@ struct ErasureArguments {
   std::vector<std::string> also;
   std::vector<std::string> certificates;
   std::string by;
+  bool setsPassphrase = false;
   std::string language = "en";  ///< of certificates
 };
 
@@ -46,7 +50,7 @@ void write(
 /// In another copy of the study what a certificate tells.
 int eraseBy(const ErasureArguments& options) {
   std::ifstream stream(options.by, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto text = base::readAll(stream);
   const auto erasures = report::erasuresIn(text);
   if (erasures.empty()) {
     throw UserError(
@@ -76,6 +80,7 @@ int erase(ErasureArguments options) {
   options.request.level = storage::erasureLevelNamed(options.level).value();
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
+  unlockNamesIfAsked(study, true);
   report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
   certificate.report = study::erase(study, options.request);
   for (const auto& folder : options.also) {
@@ -98,9 +103,24 @@ int erase(ErasureArguments options) {
   return certificate.isClean() ? 0 : 1;
 }
 
+int setPassphrase(const ErasureArguments& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock);
+  unlockNamesIfAsked(study);
+  setPassphraseOfNames(study, askNewPassphrase(kNewPassphraseOfNames), options.request.reason);
+  fmt::print(
+      "Names in {} are behind the passphrase, and in copies that are made from now on. Sessions "
+      "ask "
+      "for it. Nobody can find it out.\n",
+      options.folder);
+  return 0;
+}
+
 int names(const ErasureArguments& options) {
+  if (options.setsPassphrase) return setPassphrase(options);
   SystemClock clock;
   auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  unlockNamesIfAsked(study);
   const auto names = study.identities().names();
   for (const auto& name : names) {
     fmt::print("{:<12} {:<20} {}\n", name.participant, name.item, name.text);
@@ -148,6 +168,12 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   auto* names = noun.add_subcommand(
       "names", "Show which participant gave which name, to find whom somebody asks about");
   names->add_option("DIR", options->folder, "The study's folder")->required();
+  auto* sets = names->add_flag(
+      "--set-passphrase",
+      options->setsPassphrase,
+      "Put names behind a passphrase, or change it; without it nobody ever reads them");
+  names->add_option("--reason", options->request.reason, "Why; goes into the audit trail")
+      ->needs(sets);
   names->callback([&action, options] { action = [options] { return app::names(*options); }; });
 }
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/evidence/time_stamps.h"
 #include "study/app/json_file.h"
 #include "study/session/backup.h"
-#include "study/session/restored_copy.h"
 #include "study/session/verification.h"
 #include "study/storage/evidence/witness_file.h"
 #include "study/words/counted.h"
@@ -26,6 +26,7 @@ struct EvidenceArguments {
   std::string noted;
   std::string witness;
   std::string newWitness;
+  std::string certificate;
   bool isOlderCopy = false;
   bool json = false;
 };
@@ -72,10 +73,11 @@ int backup(const EvidenceArguments& options) {
 int verify(const EvidenceArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, Access::ReadOnly);
-  const auto verification = study::verify(
+  auto verification = study::verify(
       study,
       {},
       {.noted = options.noted, .witness = options.witness, .isOlderCopy = options.isOlderCopy});
+  checkTimeStamps(study, options.certificate, verification);
   if (options.json) {
     std::fputs(verificationAsJson(verification).c_str(), stdout);
   } else {
@@ -123,6 +125,23 @@ void addNewWitness(CLI::App& verb, const std::shared_ptr<EvidenceArguments>& opt
       "New file of the signed heads, to be kept where nobody who writes the study can");
 }
 
+void addTimeStampCommand(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<TimeStampArguments>();
+  auto* verb = noun.add_subcommand(
+      "timestamp", "Let a public authority stamp the audit trail with the time (RFC 3161)");
+  verb->add_option("DIR", options->folder, "The study's folder")->required();
+  verb->add_option("--authority", options->authority, "URL of the authority; gets a hash alone");
+  verb->add_option(
+      "--request", options->request, "Write the request to a new file, to be sent from elsewhere");
+  verb->add_option("--reply", options->reply, "Keep the authority's reply to a request")
+      ->check(CLI::ExistingFile);
+  verb->add_option(
+      "--authority-certificate",
+      options->certificate,
+      "Certificate (PEM) of the authority's root, which proves its replies");
+  verb->callback([&action, options] { action = [options] { return timestamp(*options); }; });
+}
+
 }  // namespace
 
 void addEvidenceCommands(CLI::App& noun, Action& action) {
@@ -153,10 +172,18 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_option(
       "--witness", options->witness, "A witness file of this study: fails if the study is another");
   addNewWitness(*verify, options);
+  verify
+      ->add_option(
+          "--authority-certificate",
+          options->certificate,
+          "Certificate (PEM) of the root of an authority: checks its time stamps")
+      ->check(CLI::ExistingFile);
   verify->add_flag(
       "--older-copy",
       options->isOlderCopy,
       "DIR is a backup: what this station signed after it may be missing");
+
+  addTimeStampCommand(noun, action);
 
   auto* restored = addVerb(
       noun,

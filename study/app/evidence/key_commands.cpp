@@ -49,11 +49,7 @@ int passphrase(const KeyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
   unlockIfAsked(study);
-  const auto typed = askPassphrase("New passphrase of the study");
-  if (askPassphrase("The same again") != typed) {
-    throw UserError("The second was another one. Nothing was changed.");
-  }
-  setPassphrase(study, typed, options.reason);
+  setPassphrase(study, askNewPassphrase("New passphrase of the study"), options.reason);
   fmt::print(
       "The passphrase opens the key of {}, and of copies that are made from now on. Write it down "
       "at a safe place: nobody can find it out.\n",

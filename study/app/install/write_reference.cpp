@@ -11,10 +11,14 @@
 #include "study/app/program.h"
 #include "study/app/studio_options.h"
 #include "study/bench/bench_program.h"
+#ifdef PALPATE_HAS_COLLECT
+#include "study/collect/app/collect_program.h"
+#endif
 #include "study/session/study.h"
 
 namespace {
 
+using study::app::CommandDescription;
 using study::app::ManPageSections;
 
 /// @throws std::ios_base::failure if the file cannot be written.
@@ -43,7 +47,12 @@ ManPageSections sectionsOfPalpate() {
           "protocols and questionnaires that ship, to be copied and changed. "
           "/usr/share/doc/palpate holds the manual. A study is a folder of its own with "
           "study.db in it; devices.json there names the laboratory's devices.",
-      .seeAlso = {"palpate-bench(1)", "palpate-studio(1)"}};
+      .seeAlso = {
+          "palpate-bench(1)",
+#ifdef PALPATE_HAS_COLLECT
+          "palpate-collect(1)",
+#endif
+          "palpate-studio(1)"}};
 }
 
 ManPageSections sectionsOfBench() {
@@ -56,6 +65,29 @@ ManPageSections sectionsOfBench() {
       .files = "/usr/share/doc/palpate/benchmarks.md explains what each command measures.",
       .seeAlso = {"palpate(1)"}};
 }
+
+#ifdef PALPATE_HAS_COLLECT
+ManPageSections sectionsOfCollect() {
+  return {
+      .version = versionLine(),
+      .summary = "one study of Palpate at many sites, collected in PostgreSQL",
+      .exitStatus =
+          "0: done. 1: it could not be done, or a check found something; standard error "
+          "says why. 2: the command line is wrong.",
+      .files =
+          "/usr/share/doc/palpate/collecting.md begins with ten commands. Passwords are taken "
+          "from ~/.pgpass, certificates from ~/.postgresql, as psql(1) does.",
+      .seeAlso = {"palpate(1)", "psql(1)"}};
+}
+
+/// By the name of the file: 'palpate collect' starts it as well.
+CommandDescription describeCollect() {
+  study::app::Action action;
+  const auto program = study::collect::makeCollectProgram(action);
+  program->name("palpate-collect");
+  return study::app::describe(*program);
+}
+#endif
 
 ManPageSections sectionsOfStudio() {
   return {
@@ -83,6 +115,9 @@ int main(int argc, char** argv) {
     describe(study::app::describe(*study::app::makeProgram(action)), sectionsOfPalpate());
     describe(study::app::describe(*study::bench::makeBenchProgram(action)), sectionsOfBench());
     describe(study::app::describeStudio(), sectionsOfStudio());
+#ifdef PALPATE_HAS_COLLECT
+    describe(describeCollect(), sectionsOfCollect());
+#endif
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_reference: %s\n", error.what());
     return 1;

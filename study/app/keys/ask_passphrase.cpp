@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <functional>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -34,27 +35,60 @@ class WithoutEcho {
   bool isTerminal_;
 };
 
-}  // namespace
-
-std::string askPassphrase(const std::string& question) {
+/// What was typed without being shown; empty: nothing.
+std::string typedAt(const std::string& question) {
   fmt::print(stderr, "{}: ", question);
   std::fflush(stderr);
   const WithoutEcho quiet;
   std::string typed;
-  if (!std::getline(std::cin, typed) || typed.empty()) {
-    throw UserError("No passphrase was typed. Nothing was changed.");
+  std::getline(std::cin, typed);
+  return typed;
+}
+
+/// Asks up to three times. @return false if nothing was typed
+bool unlock(const std::string& question, const std::function<bool(const std::string&)>& opens) {
+  constexpr int kTries = 3;
+  for (int i = 0; i < kTries; ++i) {
+    const auto typed = typedAt(question);
+    if (typed.empty()) return false;
+    if (opens(typed)) return true;
+    fmt::print(stderr, "This is not the passphrase.\n");
+  }
+  throw UserError("The passphrase was wrong three times. Nothing was changed.");
+}
+
+void requireTyped(bool isTyped) {
+  if (!isTyped) throw UserError("No passphrase was typed. Nothing was changed.");
+}
+
+}  // namespace
+
+std::string askPassphrase(const std::string& question) {
+  auto typed = typedAt(question);
+  requireTyped(!typed.empty());
+  return typed;
+}
+
+std::string askNewPassphrase(const std::string& question) {
+  auto typed = askPassphrase(question);
+  if (askPassphrase("The same again") != typed) {
+    throw UserError("The second was another one. Nothing was changed.");
   }
   return typed;
 }
 
 void unlockIfAsked(Study& study) {
-  constexpr int kTries = 3;
   if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
-  for (int i = 0; i < kTries; ++i) {
-    if (study.unlock(askPassphrase("Passphrase of the study"))) return;
-    fmt::print(stderr, "This is not the passphrase.\n");
-  }
-  throw UserError("The passphrase was wrong three times. Nothing was changed.");
+  requireTyped(
+      unlock("Passphrase of the study", [&](const auto& typed) { return study.unlock(typed); }));
+}
+
+void unlockNamesIfAsked(Study& study, bool isOptional) {
+  if (!study.identities().isLocked()) return;
+  const std::string without = isOptional ? " (empty line: without names)" : "";
+  const bool isUnlocked = unlock(
+      "Passphrase of names" + without, [&](const auto& typed) { return study.unlockNames(typed); });
+  requireTyped(isUnlocked || isOptional);
 }
 
 }  // namespace study::app

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "haptics/recordings/calibration_fit.h"
+#include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/recording.h"
-#include "protocols/reading/calibration_file.h"
+#include "protocols/reading/recording_file.h"
 #include "study/app/measurements/recording_report.h"
 #include "study/app/write_document.h"
 #include "study/model/new_file.h"

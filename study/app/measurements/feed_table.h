@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "haptics/engine/reamer.h"
+#include "haptics/engine/scene_spec.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "study/model/data_table.h"

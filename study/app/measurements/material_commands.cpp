@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/reading/material_file.h"
 #include "study/app/commands.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 #include "study/app/finite_range.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"

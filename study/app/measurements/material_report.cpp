@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "haptics/reaming/material/spline_comparison.h"
+#include "haptics/reaming/material/node_choice.h"
 #include "protocols/reading/material_file.h"
 #include "study/app/measurements/feed_table.h"
 #include "study/app/measurements/figure_lines.h"

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "haptics/recordings/calibration_fit.h"
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/recording.h"
 #include "study/report/document.h"
 

@@ -21,6 +21,7 @@ struct PlanOptions {
   std::uint64_t participants = 0;
   double alpha = 0.0;
   std::vector<double> shares;
+  analysis::SitePlan sites;
   bool json = false;
 };
 
@@ -47,6 +48,22 @@ int plan(PlanOptions options) {
   const auto found = planOf(*loaded, options.question);
   std::fputs((options.json ? studyPlanAsJson(found) : studyPlanAsText(found)).c_str(), stdout);
   return 0;
+}
+
+/// @return the option that says how many
+CLI::Option* addSites(CLI::App& command, PlanOptions& options) {
+  auto* sites = command.add_option(
+      "--sites", options.sites.sites, "Sites that each cohort's participants are spread over");
+  sites->check(CLI::Range(2, 1000));
+  command
+      .add_option(
+          "--site-sd",
+          options.sites.deviation,
+          "Standard deviation of the effect between sites [d_z]; the default: Klein et al. 2018")
+      ->check(finiteRange(0.0, 10.0))
+      ->capture_default_str()
+      ->needs(sites);
+  return sites;
 }
 
 void addAssumptions(CLI::App& command, PlanOptions& options) {
@@ -104,11 +121,13 @@ void addPlanCommand(CLI::App& program, Action& action) {
   command->add_option("--power", question.power, "Power to reach")
       ->check(finiteRange(0.5, 0.9999))
       ->capture_default_str();
+  auto* sites = addSites(*command, *options);
   addAssumptions(*command, *options);
   command->add_flag("--json", options->json, "JSON, full precision");
-  command->callback([&action, options, participants, alpha] {
+  command->callback([&action, options, participants, alpha, sites] {
     if (participants->count() > 0) options->question.participants = options->participants;
     if (alpha->count() > 0) options->question.alpha = options->alpha;
+    if (sites->count() > 0) options->question.sites = options->sites;
     action = [options] { return app::plan(*options); };
   });
 }

@@ -16,11 +16,15 @@ Json asJson(const analysis::AttainableP& p) {
   return {{"p", p.p}, {"log10_p", p.log10P}};
 }
 
+Json asJson(const analysis::DetectionRate& rate) {
+  return {{"rate", rate.rate}, {"se", rate.standardError}};
+}
+
 Json asJson(const std::optional<analysis::SimulatedPower>& found) {
   if (!found) return nullptr;
   Json json;
   const auto add = [&](const char* name, const analysis::DetectionRate& rate) {
-    json[name] = {{"rate", rate.rate}, {"se", rate.standardError}};
+    json[name] = asJson(rate);
   };
   add("paired_t", found->pairedT);
   add("signed_rank", found->signedRank);
@@ -29,6 +33,25 @@ Json asJson(const std::optional<analysis::SimulatedPower>& found) {
   add("pooled_welch", found->pooledWelch);
   add("any_pooled_welch", found->anyPooledWelch);
   return json;
+}
+
+Json asJson(const std::optional<analysis::SimulatedSitePower>& found) {
+  if (!found) return nullptr;
+  return {
+      {"pooled", asJson(found->pooled)},
+      {"any_pooled", asJson(found->anyPooled)},
+      {"paired_t", asJson(found->pairedT)},
+      {"any_paired_t", asJson(found->anyPairedT)},
+      {"median_half_width", orNull(found->halfWidth)}};
+}
+
+Json asJson(const std::optional<SiteProspect>& sites) {
+  if (!sites) return nullptr;
+  return {
+      {"design_effect", sites->designEffect},
+      {"power", sites->power},
+      {"simulated", asJson(sites->found)},
+      {"simulated_without_effect", asJson(sites->invented)}};
 }
 
 Json asJson(const Prospect& prospect, const CohortPlan& cohort) {
@@ -57,8 +80,11 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
       {"participants_for_power", orNull(family.forPower)},
       {"participants_for_power_balanced", orNull(family.recommended)}};
   json["prospects"] = Json::array();
+  const bool hasSites = plan.question.sites.has_value();
+  if (hasSites) json["participants_for_power_at_sites"] = orNull(family.forPowerAtSites);
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
-    json["prospects"].push_back(asJson(family.prospects[i], plan.cohorts[i]));
+    auto& prospect = json["prospects"].emplace_back(asJson(family.prospects[i], plan.cohorts[i]));
+    if (hasSites) prospect["at_sites"] = asJson(family.prospects[i].sites);
   }
   return json;
 }
@@ -85,6 +111,11 @@ std::string studyPlanAsJson(const StudyPlan& plan) {
       {"effect_dz", plan.question.dz},
       {"power", plan.question.power},
       {"balanced_by", plan.balancedBy}};
+  if (const auto& sites = plan.question.sites) {
+    json["sites"] = sites->sites;
+    json["site_sd_dz"] = sites->deviation;
+    json["site_icc"] = sites->intraclassCorrelation();
+  }
   json["blocks"] = Json::array();
   for (const auto& block : plan.blocks) {
     json["blocks"].push_back(

@@ -293,22 +293,90 @@ ResultJson checksAsJson(const CohortResult& cohort) {
   return json;
 }
 
+ResultJson pooledAsJson(const analysis::PooledEstimate& pooled) {
+  return {
+      {"estimate", pooled.estimate},
+      {"se", pooled.standardError},
+      {"conf", limits(pooled.interval)},
+      {pooled.df ? "t" : "z", pooled.statistic},
+      {"df", nullable(pooled.df)},
+      {"p", pooled.p},
+      {"tau2", pooled.tauSquared},
+      {"i2", pooled.iSquared}};
+}
+
+ResultJson sitesAsJson(const analysis::SiteComparison& row) {
+  ResultJson json{{"group1", row.group1}, {"group2", row.group2}};
+  for (const auto& site : row.sites) {
+    json["sites"].push_back(
+        {{"site", site.site},
+         {"n", site.test.n},
+         {"difference", nullable(site.test.meanDifference)},
+         {"se", nullable(site.test.standardError)},
+         {"conf", limits(site.interval)},
+         {"weight", site.weight},
+         {"reason", reasonOf(site.test.reason)}});
+  }
+  json["reason"] = reasonOf(row.reason);
+  if (row.pooled) {
+    json["q"] = row.pooled->q;
+    json["q_df"] = row.pooled->sites - 1;
+    json["q_p"] = row.pooled->qP;
+    json["common"] = pooledAsJson(row.pooled->common);
+    json["dersimonian_laird"] = pooledAsJson(row.pooled->derSimonianLaird);
+    json["reml"] = pooledAsJson(row.pooled->reml);
+    json["reml_knapp_hartung"] = pooledAsJson(row.pooled->knappHartung);
+  }
+  json["without_each"] = ResultJson::array();
+  for (const auto& without : row.withoutEach) {
+    auto& one = json["without_each"].emplace_back(pooledAsJson(without.pooled));
+    one["site"] = without.site;
+  }
+  json["mixed_model_fixed_sites"] = rowAsJson(row.fixedSites);
+  json["mixed_model_random_sites"] = rowAsJson(row.randomSites);
+  return json;
+}
+
+ResultJson conditionAsJson(const std::string& condition, const analysis::LikertCounts& counts) {
+  const auto points = counts.counts();
+  return {
+      {"condition", condition},
+      {"n", counts.total()},
+      {"mean", nullable(counts.mean())},
+      {"variance", nullable(counts.variance())},
+      {"counts", std::vector<std::uint64_t>(points.begin(), points.end())}};
+}
+
+ResultJson sitesAsJson(
+    const analysis::SiteAnalysis& sites, const std::vector<std::string>& methods) {
+  ResultJson json{{"sites", ResultJson::array()}, {"comparisons", ResultJson::array()}};
+  for (const auto& site : sites.answers) {
+    auto& one = json["sites"].emplace_back(
+        ResultJson{{"site", site.site}, {"participants", site.participants}});
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      one["conditions"].push_back(conditionAsJson(methods[i], site.methods[i]));
+    }
+  }
+  for (const auto& row : sites.rows) json["comparisons"].push_back(sitesAsJson(row));
+  if (sites.randomSites.fit) {
+    for (const auto& component : sites.randomSites.fit->components) {
+      json["variances"][component.name] = component.variance;
+    }
+  }
+  return json;
+}
+
 ResultJson cohortAsJson(const CohortResult& cohort) {
   ResultJson json{
       {"cohort", cohort.cohort},
       {"m", cohort.comparisons.tests},
       {"alpha_per_test", nullable(cohort.comparisons.alphaPerTest)}};
   for (const auto& condition : cohort.conditions) {
-    const auto counts = condition.counts.counts();
-    json["conditions"].push_back(
-        {{"condition", condition.name},
-         {"n", condition.counts.total()},
-         {"mean", nullable(condition.counts.mean())},
-         {"variance", nullable(condition.counts.variance())},
-         {"counts", std::vector<std::uint64_t>(counts.begin(), counts.end())}});
+    json["conditions"].push_back(conditionAsJson(condition.name, condition.counts));
   }
   for (const auto& row : cohort.comparisons.rows) json["comparisons"].push_back(pooledAsJson(row));
   json["within"] = withinAsJson(cohort.within);
+  if (cohort.sites) json["by_site"] = sitesAsJson(*cohort.sites, cohort.table.methods);
   json.update(checksAsJson(cohort));
   json["flags"] = ResultJson::array();
   for (const auto& flag : cohort.flags) {
@@ -363,9 +431,9 @@ ResultJson familyAsJson(const FamilyResult& family) {
   return json;
 }
 
-ResultJson flowAsJson(const CohortFlow& flow) {
+ResultJson flowAsJson(const char* group, const std::string& name, const CohortFlow& flow) {
   return {
-      {"cohort", flow.cohort},
+      {group, name},
       {"enrolled", flow.enrolled},
       {"completed", flow.completed},
       {"in_progress", flow.inProgress},
@@ -493,7 +561,12 @@ std::string resultsAsJson(Study& study, const Results& results) {
       {"votes", ResultJson::array()},
       {"vote_sums", voteSumsAsJson(results)},
       {"instruments", ResultJson::array()}};
-  for (const auto& flow : results.flow) json["flow"].push_back(flowAsJson(flow));
+  for (const auto& flow : results.flow) {
+    json["flow"].push_back(flowAsJson("cohort", flow.cohort, flow));
+  }
+  for (const auto& [site, flow] : results.siteFlow) {
+    json["flow_by_site"].push_back(flowAsJson("site", site, flow));
+  }
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));

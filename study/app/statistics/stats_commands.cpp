@@ -22,6 +22,7 @@ namespace {
 struct RunOptions {
   std::string folder;
   std::string profile = "declared";
+  std::string wording = "apa";
   std::string runMode;
   std::string reason;
   bool json = false;
@@ -58,8 +59,10 @@ int run(const RunOptions& options) {
   if (options.isWatched) watch(study, mode);
   const auto results = computeResults(study, mode);
   std::fputs(
-      (options.json ? resultsAsJson(study, results)
-                    : resultsAsText(study, results, profileNamed(options.profile)))
+      (options.json
+           ? resultsAsJson(study, results)
+           : resultsAsText(
+                 study, results, profileNamed(options.profile), wordingNamed(options.wording)))
           .c_str(),
       stdout);
   return 0;
@@ -81,6 +84,14 @@ void addStatsCommands(CLI::App& program, Action& action) {
          running->profile,
          "declared: as the protocol says; as-published: answers pooled; recommended: within people")
       ->check(CLI::IsMember({"declared", "as-published", "recommended"}))
+      ->capture_default_str();
+  run->add_option(
+         "--wording",
+         running->wording,
+         "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
+         "to "
+         "2.42'")
+      ->check(CLI::IsMember({"apa", "vancouver"}))
       ->capture_default_str();
   addRunModeOption(*run, running->runMode);
   addReasonOption(*run, running->reason);

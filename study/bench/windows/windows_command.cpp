@@ -12,10 +12,9 @@
 
 #include "questionnaires/json/document.h"
 #include "study/app/finite_range.h"
-#include "study/bench/commands.h"
+#include "study/bench/bench_program.h"
 #include "study/bench/result.h"
-#include "study/bench/windows/desk_speed.h"
-#include "study/bench/windows/simulation_speed.h"
+#include "study/bench/windows/window_speed.h"
 #include "study/model/user_error.h"
 
 namespace study::bench {

@@ -19,7 +19,7 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action);
 // Each adds its commands to the program.
 void addServerCommands(CLI::App& program, Action& action);   // init, ingest, revoke
 void addStationCommands(CLI::App& program, Action& action);  // key, join, push, bundle, status
-void addPullCommands(CLI::App& program, Action& action);     // pull, check
+void addPullCommands(CLI::App& program, Action& action);     // pull, stats, check
 void addDemoCommand(CLI::App& program, Action& action);
 
 }  // namespace study::collect

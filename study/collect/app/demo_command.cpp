@@ -1,9 +1,7 @@
-// All of it on this computer alone: a private server, three stations, simulated participants.
+// All of it on this computer alone: a private server, four stations, simulated participants.
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +10,7 @@
 #include "protocols/load_protocol.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/app/collect_program.h"
+#include "study/collect/app/options.h"
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/pull.h"
@@ -41,31 +40,10 @@ struct DemoStation {
   const char* label;
 };
 constexpr std::array kStations{
-    DemoStation{"oslo", "oslo"}, DemoStation{"oslo", "oslo-2"}, DemoStation{"bergen", "bergen"}};
-
-/// The account of a station, as long as it exists: on one computer each has a folder of its own.
-class Account {
- public:
-  // NOLINTBEGIN(concurrency-mt-unsafe): the program has one thread
-  explicit Account(const fs::path& folder) {
-    if (const char* before = std::getenv(kVariable)) before_ = before;
-    setenv(kVariable, folder.c_str(), 1);
-  }
-  ~Account() {
-    if (before_) {
-      setenv(kVariable, before_->c_str(), 1);
-    } else {
-      unsetenv(kVariable);
-    }
-  }
-  // NOLINTEND(concurrency-mt-unsafe)
-  Account(const Account&) = delete;
-  Account& operator=(const Account&) = delete;
-
- private:
-  static constexpr const char* kVariable = "PALPATE_STATION";
-  std::optional<std::string> before_;
-};
+    DemoStation{"oslo", "oslo"},
+    DemoStation{"oslo", "oslo-2"},
+    DemoStation{"bergen", "bergen"},
+    DemoStation{"tromso", "tromso"}};
 
 protocols::LoadedProtocol shippedProtocol() {
   questionnaires::Problems problems;
@@ -145,7 +123,7 @@ int demo(const DemoArguments& given) {
 void addDemoCommand(CLI::App& program, Action& action) {
   const auto given = std::make_shared<DemoArguments>();
   auto* noun = program.add_subcommand(
-      "demo", "Three stations with simulated participants and a private server, on this computer");
+      "demo", "Four stations with simulated participants and a private server, on this computer");
   noun->add_option("--out", given->out, "New folder (default: palpate-sites)");
   noun->add_option("--participants", given->participants, "Of each station (default: 4)")
       ->check(CLI::Range(1, 1000));

@@ -1,8 +1,15 @@
 #include "study/collect/app/options.h"
 
+#include <cstdlib>
+
 #include <CLI/CLI.hpp>
 
 namespace study::collect {
+namespace {
+
+constexpr const char* kAccountVariable = "PALPATE_STATION";
+
+}  // namespace
 
 CLI::Option* addServerOption(CLI::App& command, std::string& server) {
   return command
@@ -13,5 +20,20 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }
+
+// NOLINTBEGIN(concurrency-mt-unsafe): the program has one thread
+Account::Account(const std::filesystem::path& folder) {
+  if (const char* before = std::getenv(kAccountVariable)) before_ = before;
+  setenv(kAccountVariable, folder.c_str(), 1);
+}
+
+Account::~Account() {
+  if (before_) {
+    setenv(kAccountVariable, before_->c_str(), 1);
+  } else {
+    unsetenv(kAccountVariable);
+  }
+}
+// NOLINTEND(concurrency-mt-unsafe)
 
 }  // namespace study::collect

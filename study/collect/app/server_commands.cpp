@@ -1,4 +1,4 @@
-// What whoever runs the server does: a study, its stations, and shutting one out.
+// What the server's administrator does: a study, its stations, and shutting one out.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -81,13 +81,16 @@ int addOneStation(Connection& server, const ServerArguments& given) {
   fmt::print(
       "{} makes one computer the station '{}' of '{}'; it can be used once, until {}.\nThe server "
       "knows it as the role {}. How it proves that (certificate or password): "
-      "docs/collecting.md.\nNext, on that computer: palpate collect join {} FOLDER\n",
+      "docs/collecting.md.\nNext, on that computer: palpate collect join {} FOLDER\nThe mark of "
+      "the study, to be "
+      "compared there on the telephone: {}\n",
       given.station,
       station.label,
       station.study,
       station.expiresUtc.substr(0, 10),
       station.role,
-      given.station);
+      given.station,
+      station.mark);
   return 0;
 }
 
@@ -103,6 +106,7 @@ int init(const ServerArguments& given) {
   if (before > 0 && before < newestSchema()) {
     fmt::print("The schema palpate is brought from version {} to {}.\n", before, newestSchema());
   }
+  if (const auto problem = logProblem(server)) fmt::print("{}\n", *problem);
   return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
 }
 

@@ -1,6 +1,7 @@
 // What the person at the desk does: become a station, send, and see what has arrived.
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ struct StationArguments {
   std::string folder;
   std::string enrolment;
   std::string out;
+  std::string mark;
   std::int64_t after = -1;
 };
 
@@ -35,7 +37,7 @@ int printKey() {
 
 int joinStudy(const StationArguments& given) {
   SystemClock clock;
-  const auto enrolment = join(given.enrolment, given.folder, clock);
+  const auto enrolment = join(given.enrolment, given.folder, clock, given.mark);
   fmt::print(
       "{} is ready: \"{}\", station '{}' of the site '{}'. Codes of participants begin with "
       "{}_.\nSessions need no network. Afterwards: palpate collect push {}\n",
@@ -45,10 +47,17 @@ int joinStudy(const StationArguments& given) {
       enrolment.station.site,
       enrolment.station.label,
       given.folder);
+  if (given.mark.empty()) {
+    fmt::print(
+        "The study's mark is {}. Ask the study's administrator whether that is theirs, before "
+        "anybody "
+        "takes part: anybody can write a file for this computer.\n",
+        enrolment.mark);
+  }
   return 0;
 }
 
-std::string arrivedInWords(const Outbox::Sessions& sessions) {
+std::string arrivedInWords(const Arrivals& sessions) {
   const auto all = static_cast<std::uint64_t>(sessions.all);
   const auto waiting = sessions.all - sessions.arrived;
   std::string words =
@@ -66,7 +75,7 @@ int bundleStudy(const StationArguments& given) {
   const auto bundle =
       writeBundle(outbox, station, homeServerOf(given.folder).bundleKey, after, given.out);
   fmt::print(
-      "{} has events {} to {}, {:.1f} MB, sealed for whoever runs the server. There: palpate "
+      "{} has events {} to {}, {:.1f} MB, sealed for the server's administrator. There: palpate "
       "collect "
       "ingest {}\n",
       given.out,
@@ -82,21 +91,43 @@ Connection connectionFor(const StationArguments& given) {
   return Connection(given.server.empty() ? home.server : given.server, home.role);
 }
 
+Pushed pushed(const StationArguments& given, Outbox& outbox) {
+  auto server = connectionFor(given);
+  return push(outbox, server);
+}
+
+/// Whether it succeeds or not, it is noted for the desk, which has no connection of its own.
 int pushStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
-  auto server = connectionFor(given);
-  requireSchema(server);
-  const auto pushed = push(outbox, server);
-  notePush(outbox, pushed.have, asUtc(clock.now().wall));
+  const auto note = [&](std::int64_t have, std::string_view problem) {
+    notePush(
+        outbox.study(),
+        outbox.station().uuid,
+        {.utc = asUtc(clock.now().wall), .have = have, .problem = std::string(problem)});
+  };
+  const auto noteProblem = [&](std::string_view problem) {
+    note(lastPush(outbox.study(), outbox.station().uuid).have, problem);
+  };
+  Pushed sent;
+  try {
+    sent = pushed(given, outbox);
+  } catch (const ServerError& error) {
+    noteProblem(nameOf(error.kind()));
+    throw;
+  } catch (const Refused& error) {
+    noteProblem(error.name());
+    throw;
+  }
+  note(sent.have, {});
   fmt::print(
       "{}\n{}\n",
-      pushed.have == pushed.before ? std::string("The server has everything already.")
-                                   : fmt::format(
-                                         "{} new events sent, {:.1f} MB of samples.",
-                                         pushed.have - pushed.before,
-                                         static_cast<double>(pushed.traceBytes) / 1e6),
-      arrivedInWords(pushed.sessions));
+      sent.have == sent.before ? std::string("The server has everything already.")
+                               : fmt::format(
+                                     "{} new events sent, {:.1f} MB of samples.",
+                                     sent.have - sent.before,
+                                     static_cast<double>(sent.traceBytes) / 1e6),
+      arrivedInWords(sent.sessions));
   return 0;
 }
 
@@ -119,11 +150,33 @@ int statusOfStation(const StationArguments& given) {
   } catch (const ServerError& error) {
     reason = error.what();
   }
-  fmt::print("{}\n", arrivedInWords(outbox.sessionsBy(have)));
+  fmt::print("{}\n", arrivedInWords(outbox.arrivalsBy(have)));
   if (reason.empty()) return 0;
   fmt::print(
       "as of {}: {}\n", noted.utc.empty() ? "never, nothing was sent yet" : noted.utc, reason);
   return 1;
+}
+
+/// For whoever may see them.
+void printIncidents(Connection& server) {
+  constexpr int kMost = 20;
+  std::vector<Incident> incidents;
+  try {
+    incidents = incidentsOf(server, kMost);
+  } catch (const ServerError& error) {
+    if (error.kind() != ServerError::Kind::Denied) throw;
+  }
+  if (incidents.empty()) return;
+  fmt::print("\nRefused, the newest first ({} at most; all are in palpate.incident):\n", kMost);
+  for (const auto& incident : incidents) {
+    fmt::print(
+        "{}  {:<20} {:<20} {}: {}\n",
+        incident.at,
+        incident.role,
+        incident.station.empty() ? "-" : incident.station,
+        incident.what,
+        incident.detail);
+  }
 }
 
 int statusOfServer(const StationArguments& given) {
@@ -149,6 +202,7 @@ int statusOfServer(const StationArguments& given) {
         station.lastContact.empty() ? "never" : station.lastContact,
         station.isRevoked ? ", shut out" : "");
   }
+  printIncidents(server);
   return 0;
 }
 
@@ -163,6 +217,11 @@ void addStationCommands(CLI::App& program, Action& action) {
   joining->add_option("ENROLMENT", given->enrolment, "File from 'palpate collect init --station'")
       ->required();
   joining->add_option("FOLDER", given->folder, "New folder of the study")->required();
+  joining->add_option(
+      "--mark",
+      given->mark,
+      "The study's mark, as whoever runs it read it out; the file is refused if it has another "
+      "one");
   joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
 
   auto* push = program.add_subcommand("push", "Send what is new to the server");

@@ -98,11 +98,28 @@ bool putStudy(
   return true;
 }
 
+std::optional<std::string> logProblem(Connection& server) {
+  const auto shown = [&](const char* setting) {
+    return server.query("SELECT current_setting($1)", {setting}).text(0, 0);
+  };
+  const auto prefix = shown("log_line_prefix");
+  const auto level = shown("log_min_error_statement");
+  const bool namesRoles = prefix.find("%u") != std::string::npos;
+  const bool hasErrors = level != "fatal" && level != "panic" && level != "log" &&
+                         shown("log_min_messages") != "fatal" &&
+                         shown("log_min_messages") != "panic";
+  if (namesRoles && hasErrors) return std::nullopt;
+  return "What this server denies to a role is not in its log with the role's name and the "
+         "statement. In postgresql.conf: log_line_prefix = '%m [%p] %q%u@%d %h ', log_min_messages "
+         "= warning, log_min_error_statement = error, log_connections = on.";
+}
+
 EnrolledStation enrolStation(Connection& server, const StationRequest& request) {
   requireName(request.site, "a site");
   const auto label = request.label.empty() ? request.site : request.label;
   requireName(label, "a station");
   storage::StationStore::sealFor("", request.key);  // is it a key, before anything is written?
+  if (!request.address.empty()) requireAddress(request.address);
   const auto study = findStudy(server, request.study);
   const auto protocol = protocolOf(server, study.uuid);
   StationEnrolment enrolment{
@@ -115,7 +132,7 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
       .bundleKey = bundleKeyOf(secretOf(study)),
       .protocol = protocol.text,
       .files = filesIn(protocol.files)};
-  EnrolledStation enrolled{.study = study.name, .label = label};
+  EnrolledStation enrolled{.study = study.name, .label = label, .mark = markOf(secretOf(study))};
   inTransaction(server, [&] {
     const auto added = addStation(
         server,
@@ -123,7 +140,7 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
         {.station = enrolment.station, .key = request.key, .days = request.days});
     enrolled.role = enrolment.role = added.role;
     enrolled.expiresUtc = enrolment.expiresUtc = added.expiresUtc;
-    enrolled.file = asText(enrolment, request.key);
+    enrolled.file = asText(enrolment, request.key, secretOf(study));
   });
   return enrolled;
 }
@@ -139,7 +156,7 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
   }
   TakenBundle taken{.station = rows.text(0, 1)};
   const auto secret = secretOf(findStudy(server, rows.text(0, 2)));
-  readBundle(file, secret, rows.text(0, 0), [&](const auto& text, const auto& chunks) {
+  const auto take = [&](const auto& text, const auto& chunks) {
     const auto answer = ingest(server, text, chunks);
     if (answer.refused == "gap") {
       throw UserError(
@@ -152,7 +169,13 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
     if (!answer.refused.empty()) throw UserError(wordsFor(answer));
     taken.have = answer.have;
     return true;
-  });
+  };
+  try {
+    readBundle(file, secret, rows.text(0, 0), take);
+  } catch (const UnsoundBundle& error) {
+    addIncident(server, bundle.station, "bundle", error.what());
+    throw;
+  }
   return taken;
 }
 

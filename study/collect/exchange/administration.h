@@ -19,6 +19,10 @@ bool putStudy(
     const protocols::LoadedProtocol& protocol,
     std::optional<std::uint64_t> seed);
 
+/// What is missing in the server's settings for its log to tell who was denied what; std::nullopt:
+/// nothing. @throws ServerError
+std::optional<std::string> logProblem(Connection& server);
+
 struct StationRequest {
   std::string study;  ///< name; empty: the only one
   std::string site;
@@ -35,9 +39,11 @@ struct EnrolledStation {
   std::string role;
   std::string expiresUtc;
   std::string file;  ///< content of the enrolment, sealed for the station
+  std::string mark;  ///< to be read out to the station (markOf())
 };
 
-/// @throws UserError  if a name or the key is not sound, or the station is there already.
+/// @throws UserError  if a name, the key or the address is not sound (it may hold no password), or
+///     the station is there already.
 EnrolledStation enrolStation(Connection& server, const StationRequest& request);
 
 /// A bundle that was taken in.
@@ -47,8 +53,8 @@ struct TakenBundle {
 };
 
 /// Takes in what a station without a network put into a file. Twice is the same as once.
-/// @throws UserError  if it is not whole, not of a station of this server, or an earlier one is
-///     missing. @throws ServerError
+/// @throws UserError  if it is not whole or not what a station of this server signed, which is kept
+///     as an incident, or if an earlier one is missing. @throws ServerError
 TakenBundle takeBundle(Connection& server, const std::filesystem::path& file);
 
 }  // namespace study::collect

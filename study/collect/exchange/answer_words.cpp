@@ -33,7 +33,8 @@ constexpr std::array kRefusals{
         "foreign", "The server's role that was used here belongs to another station of the study."},
     Refusal{
         "revoked",
-        "This station was shut out by whoever runs the study. Everything stays on this computer; "
+        "This station was shut out by the study's administrator. Everything stays on this "
+        "computer; "
         "ask there."},
     Refusal{"expired", "The enrolment of this station was not used in time. Ask for another one."},
     Refusal{

@@ -7,6 +7,7 @@
 
 #include "study/collect/exchange/batch.h"
 #include "study/collect/exchange/outbox.h"
+#include "study/model/user_error.h"
 #include "study/storage/blinding_secret.h"
 #include "study/storage/station_store.h"
 
@@ -37,6 +38,12 @@ Bundle writeBundle(
     std::int64_t after,
     const std::filesystem::path& file);
 
+/// A bundle is not whole, was changed, or is of another station or study than it says.
+class UnsoundBundle : public UserError {
+ public:
+  using UserError::UserError;
+};
+
 /// Which study and station a bundle says that it is of. Nothing is checked yet.
 /// @throws UserError  if the file is no bundle.
 Bundle bundleIn(const std::filesystem::path& file);
@@ -44,7 +51,7 @@ Bundle bundleIn(const std::filesystem::path& file);
 /// Checks the signature of the whole file, and then gives its batches in their order, each as it
 /// was sent: its text, and the bytes of its chunks. Stops if @p take returns false.
 /// @param key  the station's public key, as it was enrolled
-/// @throws UserError  if the file is not whole, was changed, or is of another station or study
+/// @throws UnsoundBundle
 void readBundle(
     const std::filesystem::path& file,
     const storage::BlindingSecret& secret,

@@ -7,7 +7,7 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/clock.h"
-#include "study/model/station.h"
+#include "study/model/ids.h"
 #include "study/storage/blinding_secret.h"
 #include "study/storage/station_store.h"
 
@@ -27,12 +27,23 @@ struct StationEnrolment {
   std::string expiresUtc;
   std::string protocol;  ///< its text
   std::vector<protocols::SourceFile> files;
+  std::string mark = {};  ///< of whoever signed the file (markOf()), once it was read
 };
 
-/// @param publicKey  of the station ('palpate collect key'). @throws UserError  if it is none
-std::string asText(const StationEnrolment& enrolment, const std::string& publicKey);
+/// What tells one study's signature from all others, to be read out on the telephone: the first 80
+/// bits of a hash of the key with which its enrolments are signed, "1a2b 3c4d 5e6f 7081 92a3".
+/// @param secret  of the study, from which that key is derived
+std::string markOf(const storage::BlindingSecret& secret);
 
-/// @throws UserError  in words, if it is none, or for another station.
+/// Sealed for the station, and signed for the study.
+/// @param publicKey  of the station ('palpate collect key'). @param secret  of the study
+/// @throws UserError  if it is no key
+std::string asText(
+    const StationEnrolment& enrolment,
+    const std::string& publicKey,
+    const storage::BlindingSecret& secret);
+
+/// @throws UserError  in words, if it is none, for another station, or not as it was signed.
 StationEnrolment enrolmentIn(const std::string& text, const storage::StationStore& station);
 
 /// Where a study's station pushes to: collect.json in its folder. Nothing in it is secret.
@@ -46,9 +57,16 @@ void write(const HomeServer& home, const std::filesystem::path& folder);
 HomeServer homeServerOf(const std::filesystem::path& folder);
 
 /// Makes the study's folder at a station that was enrolled by the file @p enrolment. A file is used
-/// once. @throws UserError  if it is for another computer, was used, or is too old.
+/// once. Anybody can seal a file for a station: that it comes from the study tells its mark, which
+/// the account remembers.
+/// @param mark  that the study's administrator read out; empty: nobody compared it
+/// @throws UserError  if it is for another computer, was used, is too old, or has another mark than
+///     @p mark or than an earlier enrolment of the study.
 /// @throws storage::StorageError
 StationEnrolment join(
-    const std::filesystem::path& enrolment, const std::filesystem::path& folder, Clock& clock);
+    const std::filesystem::path& enrolment,
+    const std::filesystem::path& folder,
+    Clock& clock,
+    const std::string& mark = {});
 
 }  // namespace study::collect

@@ -1,53 +1,29 @@
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 #include <sodium.h>
 
 #include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
+#include "study/storage/protocol_repository.h"
 
 namespace study::collect {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;  // 1 was not signed
 constexpr const char* kHomeFile = "collect.json";
 
 [[noreturn]] void refuseEnrolment(const std::string& why) {
   throw UserError("This is no enrolment that can be used here: " + why);
-}
-
-std::string inBase64(const std::vector<std::byte>& bytes) {
-  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(
-      text.data(),
-      text.size(),
-      reinterpret_cast<const unsigned char*>(bytes.data()),
-      bytes.size(),
-      sodium_base64_VARIANT_ORIGINAL);
-  text.resize(text.find('\0'));
-  return text;
-}
-
-std::vector<std::byte> fromBase64(const std::string& text) {
-  std::vector<std::byte> bytes(text.size());
-  std::size_t size = 0;
-  const int code = sodium_base642bin(
-      reinterpret_cast<unsigned char*>(bytes.data()),
-      bytes.size(),
-      text.data(),
-      text.size(),
-      nullptr,
-      &size,
-      nullptr,
-      sodium_base64_VARIANT_ORIGINAL);
-  if (code != 0) refuseEnrolment("it is damaged.");
-  bytes.resize(size);
-  return bytes;
 }
 
 std::string textIn(const json& object, const char* key) {
@@ -67,9 +43,62 @@ storage::BlindingSecret secretIn(const json& object) {
   return storage::BlindingSecret(bytes);
 }
 
+/// With which a study signs enrolments.
+struct SigningKey {
+  std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
+  std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
+};
+
+SigningKey signingKeyOf(const storage::BlindingSecret& secret) {
+  // The secret of a "station" that no name can be, as a seed.
+  const auto seed = secret.of("/enrolments").bytes();
+  static_assert(std::tuple_size_v<storage::BlindingSecret::Bytes> == crypto_sign_SEEDBYTES);
+  SigningKey key;
+  crypto_sign_seed_keypair(key.open.data(), key.secret.data(), seed.data());
+  return key;
+}
+
+std::string hexOf(std::span<const unsigned char> bytes) {
+  return hexadecimalOf(std::as_bytes(bytes));
+}
+
+std::string markOfKey(const std::string& key) {
+  constexpr std::size_t kDigits = 20;
+  constexpr std::size_t kGroup = 4;
+  std::string mark = storage::sha256(key).substr(0, kDigits);
+  for (std::size_t at = kDigits - kGroup; at > 0; at -= kGroup) mark.insert(at, " ");
+  return mark;
+}
+
+/// What is signed: all that the file says.
+std::string statementOf(const json& outside) {
+  auto signedPart = outside;
+  signedPart.erase("signature");
+  return "palpate-enrolment " + signedPart.dump();
+}
+
+std::string signatureOf(const json& outside, const SigningKey& key) {
+  const auto statement = statementOf(outside);
+  std::array<unsigned char, crypto_sign_BYTES> signature{};
+  crypto_sign_detached(
+      signature.data(),
+      nullptr,
+      reinterpret_cast<const unsigned char*>(statement.data()),
+      statement.size(),
+      key.secret.data());
+  return hexOf(signature);
+}
+
 }  // namespace
 
-std::string asText(const StationEnrolment& enrolment, const std::string& publicKey) {
+std::string markOf(const storage::BlindingSecret& secret) {
+  return markOfKey(hexOf(signingKeyOf(secret).open));
+}
+
+std::string asText(
+    const StationEnrolment& enrolment,
+    const std::string& publicKey,
+    const storage::BlindingSecret& studySecret) {
   std::string secret(2 * enrolment.secret.bytes().size() + 1, '\0');
   sodium_bin2hex(
       secret.data(),
@@ -93,14 +122,17 @@ std::string asText(const StationEnrolment& enrolment, const std::string& publicK
       {"expires_utc", enrolment.expiresUtc},
       {"protocol", enrolment.protocol},
       {"files", std::move(files)}};
-  const json outside{
+  const auto key = signingKeyOf(studySecret);
+  json outside{
       {"palpate_enrolment", kFormat},
+      {"signed_by", hexOf(key.open)},
       {"title", enrolment.title},
       {"site", enrolment.station.site},
       {"station", enrolment.station.label},
       {"for_key", publicKey},
       {"expires_utc", enrolment.expiresUtc},
-      {"sealed", inBase64(storage::StationStore::sealFor(inside.dump(), publicKey))}};
+      {"sealed", storage::inBase64(storage::StationStore::sealFor(inside.dump(), publicKey))}};
+  outside["signature"] = signatureOf(outside, key);
   return outside.dump(1) + "\n";
 }
 
@@ -114,7 +146,14 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
     refuseEnrolment(
         "it is for another computer or account. 'palpate collect key' prints the key of this one.");
   }
-  const auto opened = station.openSealed(fromBase64(textIn(outside, "sealed")));
+  const auto signer = textIn(outside, "signed_by");
+  if (!storage::StationStore::isSigned(
+          statementOf(outside), textIn(outside, "signature"), signer)) {
+    refuseEnrolment("it was changed on its way.");
+  }
+  const auto sealed = storage::fromBase64(textIn(outside, "sealed"));
+  if (!sealed) refuseEnrolment("it is damaged.");
+  const auto opened = station.openSealed(*sealed);
   const auto inside = opened ? json::parse(*opened, nullptr, false) : json();
   if (!inside.is_object()) refuseEnrolment("it was changed on its way.");
   const auto files = inside.find("files");
@@ -133,6 +172,7 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
       .bundleKey = textIn(inside, "bundle_key"),
       .expiresUtc = textIn(inside, "expires_utc"),
       .protocol = textIn(inside, "protocol")};
+  enrolment.mark = markOfKey(signer);
   for (const auto& [name, content] : files->items()) {
     if (!content.is_string()) refuseEnrolment("it is damaged.");
     enrolment.files.push_back({name, content.get<std::string>()});

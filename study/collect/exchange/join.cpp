@@ -3,6 +3,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/model/user_error.h"
@@ -32,29 +34,76 @@ void requireUnused(const StationEnrolment& enrolment, const storage::StationStor
       "would have the same orders and codes. Ask for another enrolment.");
 }
 
+std::string withoutSpaces(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
+}
+
+/// Who could write a file for this station could take its data: it says where they are sent to.
+void requireMark(
+    const StationEnrolment& enrolment,
+    const std::string& mark,
+    const storage::StationStore& station) {
+  if (!mark.empty() && withoutSpaces(mark) != withoutSpaces(enrolment.mark)) {
+    throw UserError(fmt::format(
+        "This enrolment has the mark {}, and not {}: it does not come from the study's "
+        "administrator, "
+        "or from another study of theirs. Nothing was made. Ask there for the file and its mark.",
+        enrolment.mark,
+        mark));
+  }
+  for (const auto& line : station.lines(kUsed)) {
+    std::istringstream words(line);
+    std::string uuid;
+    std::string study;
+    std::string noted;
+    words >> uuid >> study >> noted;
+    if (study != enrolment.study || noted == withoutSpaces(enrolment.mark)) continue;
+    throw UserError(fmt::format(
+        "This enrolment has the mark {}, and an earlier one of the same study had another: one of "
+        "them does not come from the study's administrator. Nothing was made. Ask there for the "
+        "mark.",
+        enrolment.mark));
+  }
+}
+
 }  // namespace
 
 StationEnrolment join(
-    const std::filesystem::path& file, const std::filesystem::path& folder, Clock& clock) {
+    const std::filesystem::path& file,
+    const std::filesystem::path& folder,
+    Clock& clock,
+    const std::string& mark) {
   const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
   auto enrolment = enrolmentIn(contentOf(file), station);
+  requireMark(enrolment, mark, station);
   requireUnused(enrolment, station);
-  if (enrolment.expiresUtc < asUtc(clock.now().wall)) {
-    throw UserError(
-        "This enrolment was to be used before " + enrolment.expiresUtc + ". Ask for another one.");
+  if (const auto now = asUtc(clock.now().wall); enrolment.expiresUtc < now) {
+    throw UserError(fmt::format(
+        "This enrolment was to be used before {}, and this computer's clock shows {}. If the clock "
+        "is wrong, set it; otherwise ask for another enrolment.",
+        enrolment.expiresUtc,
+        now));
   }
   const auto protocol = protocolOf(enrolment.protocol, enrolment.files);
   const auto hash = storage::sha256(protocol.text, protocol.files);
   if (studyUuid(enrolment.seed, hash) != enrolment.study) {
     throw UserError(
         "This version of palpate reads the study's protocol in another way than the server did. "
-        "Install the release of whoever runs the study.");
+        "Install the release of the study's administrator.");
   }
   Study::create(folder, protocol, clock, enrolment.seed, enrolment.secret, enrolment.station);
   write(
       {.server = enrolment.server, .role = enrolment.role, .bundleKey = enrolment.bundleKey},
       folder);
-  station.append(kUsed, enrolment.station.uuid + " " + enrolment.study + " " + folder.string());
+  station.append(
+      kUsed,
+      fmt::format(
+          "{} {} {} {}",
+          enrolment.station.uuid,
+          enrolment.study,
+          withoutSpaces(enrolment.mark),
+          folder.string()));
   return enrolment;
 }
 

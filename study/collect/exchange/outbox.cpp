@@ -7,7 +7,6 @@
 #include "study/collect/exchange/hexadecimal.h"
 #include "study/model/user_error.h"
 #include "study/storage/transfer/session_facts.h"
-#include "study/storage/transfer/trail_marks.h"
 
 namespace study::collect {
 namespace {
@@ -38,19 +37,6 @@ Outbox::Outbox(const std::filesystem::path& folder, Clock& clock)
 std::string Outbox::hashOf(std::int64_t event) {
   const auto found = study_.events().stored(event - 1, 1);
   return found.empty() ? std::string() : hexadecimalOf(found.front().hash);
-}
-
-Outbox::Sessions Outbox::sessionsBy(std::int64_t event) {
-  const auto marks = storage::sessionMarks(study_.database());
-  Sessions sessions{.all = static_cast<std::int64_t>(marks.size())};
-  for (const auto& mark : marks) {
-    if (mark.lastEvent <= event) {
-      ++sessions.arrived;
-    } else if (sessions.waitingSince.empty() || mark.utc < sessions.waitingSince) {
-      sessions.waitingSince = mark.utc;
-    }
-  }
-  return sessions;
 }
 
 Batch Outbox::emptyBatch(std::int64_t after) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/collect/exchange/batch.h"
+#include "study/session/arrivals.h"
 #include "study/session/study.h"
 
 namespace study::collect {
@@ -27,16 +28,8 @@ class Outbox {
   /// Hexadecimal; empty for event 0.
   std::string hashOf(std::int64_t event);
 
-  /// How many sessions there are, and how many of them have all that the server needs in events up
-  /// to @p event.
-  struct Sessions {
-    std::int64_t all = 0;
-    std::int64_t arrived = 0;
-    /// Since when the oldest that did not arrive waits: its end, or its beginning; empty: none
-    /// waits
-    std::string waitingSince;
-  };
-  Sessions sessionsBy(std::int64_t event);
+  /// How many of the sessions have all that the server needs in events up to @p event.
+  Arrivals arrivalsBy(std::int64_t event) { return study::arrivalsBy(study_, event); }
 
   /// How much is sent in one transaction: what is lost on the way is sent again.
   struct Limits {

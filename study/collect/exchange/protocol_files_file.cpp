@@ -35,7 +35,7 @@ protocols::LoadedProtocol protocolOf(
   if (!protocol) {
     throw UserError(
         "The study's protocol cannot be read by this version of palpate. Install the release of "
-        "whoever runs the study:\n" +
+        "the study's administrator:\n" +
         questionnaires::describe(problems.all()));
   }
   return std::move(*protocol);

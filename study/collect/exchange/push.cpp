@@ -1,23 +1,16 @@
 #include "study/collect/exchange/push.h"
 
 #include <algorithm>
-#include <exception>
-#include <sstream>
 
 #include "study/collect/exchange/hexadecimal.h"
-#include "study/model/user_error.h"
+#include "study/collect/server/schema.h"
 #include "study/storage/protocol_repository.h"
-#include "study/storage/station_store.h"
 
 namespace study::collect {
 namespace {
 
-std::string listOf(const std::string& study) {
-  return "collected-" + study;
-}
-
 [[noreturn]] void refuseIn(const Answer& answer) {
-  throw UserError(wordsFor(answer));
+  throw Refused(answer.refused, wordsFor(answer));
 }
 
 /// What the server has must be what this folder has: else another copy went on. The server keeps an
@@ -28,12 +21,13 @@ void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
   if (answer.have <= outbox.lastEvent() && outbox.hashOf(answer.have) == answer.head) return;
   const auto said = ingest(server, outbox.sample(std::min(answer.have, outbox.lastEvent())));
   if (!said.refused.empty()) refuseIn(said);
-  throw UserError(
+  throw Refused(
+      "older_copy",
       "The server has " + std::to_string(answer.have) +
-      " events of this station, this folder only " + std::to_string(outbox.lastEvent()) +
-      ": it is an older copy. Put the newest copy back before anybody takes part; if there is "
-      "none, "
-      "ask for another enrolment and leave this folder as it is.");
+          " events of this station, this folder only " + std::to_string(outbox.lastEvent()) +
+          ": it is an older copy. Put the newest copy back before anybody takes part; if there is "
+          "none, "
+          "ask for another enrolment and leave this folder as it is.");
 }
 
 }  // namespace
@@ -57,6 +51,7 @@ Answer ingest(
 }
 
 Pushed push(Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent) {
+  requireSchema(server);
   auto answer = ingest(server, outbox.question());
   requireSame(outbox, server, answer);
   Pushed pushed{.before = answer.have, .have = answer.have};
@@ -69,31 +64,8 @@ Pushed push(Outbox& outbox, Connection& server, const std::function<void(const A
     if (sent) sent(answer);
     return true;
   });
-  pushed.sessions = outbox.sessionsBy(pushed.have);
+  pushed.sessions = outbox.arrivalsBy(pushed.have);
   return pushed;
-}
-
-NotedPush lastPush(const std::string& study, const std::string& station) {
-  const auto store = storage::StationStore::find(storage::StationStore::usualFolder());
-  NotedPush last;
-  if (!store) return last;
-  for (const auto& line : store->lines(listOf(study))) {
-    std::istringstream words(line);
-    NotedPush noted;
-    std::string of;
-    if (words >> noted.utc >> of >> noted.have && of == station) last = noted;
-  }
-  return last;
-}
-
-void notePush(const Outbox& outbox, std::int64_t have, const std::string& utc) noexcept {
-  try {
-    storage::StationStore::findOrMake(storage::StationStore::usualFolder())
-        .append(
-            listOf(outbox.study()), utc + " " + outbox.station().uuid + " " + std::to_string(have));
-  } catch (const std::exception&) {
-    return;
-  }
 }
 
 }  // namespace study::collect

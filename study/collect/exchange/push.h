@@ -7,6 +7,7 @@
 
 #include "study/collect/exchange/outbox.h"
 #include "study/collect/server/connection.h"
+#include "study/model/user_error.h"
 
 namespace study::collect {
 
@@ -16,13 +17,26 @@ struct Pushed {
   std::int64_t have = 0;    ///< and has now
   std::uint64_t batches = 0;
   std::uint64_t traceBytes = 0;
-  Outbox::Sessions sessions;
+  Arrivals sessions;
+};
+
+/// The server refuses what a station sends. what() says why, and what to do.
+class Refused : public UserError {
+ public:
+  Refused(std::string name, const std::string& what) : UserError(what), name_(std::move(name)) {}
+
+  /// "fork", "revoked"; "older_copy": the server has more of this station than this folder
+  const std::string& name() const noexcept { return name_; }
+
+ private:
+  std::string name_;
 };
 
 /// Sends what the server does not have. Whatever interrupts it, the next push goes on from what the
 /// server then says; what is sent twice changes nothing.
 /// @param sent  called after each batch; an exception that it throws ends the push.
-/// @throws ServerError  @throws UserError  if the server refuses it, in words.
+/// @throws ServerError  (Release) if the server's schema is older or newer than this program's;
+///     nothing is sent then. @throws Refused
 Pushed push(
     Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent = {});
 
@@ -32,14 +46,5 @@ Answer ingest(Connection& server, const Batch& batch);
 /// The same of a batch that is a text already, with the bytes of its chunks.
 Answer ingest(
     Connection& server, const std::string& text, const std::vector<std::vector<std::byte>>& chunks);
-
-/// What this station noted of its last push of a study, for when there is no network.
-struct NotedPush {
-  std::string utc;  ///< empty: it never pushed
-  std::int64_t have = 0;
-};
-NotedPush lastPush(const std::string& study, const std::string& station);
-/// Does nothing if the station's list cannot be written: the server is asked anyway.
-void notePush(const Outbox& outbox, std::int64_t have, const std::string& utc) noexcept;
 
 }  // namespace study::collect

@@ -1,13 +1,15 @@
 #include "study/collect/server/connection.h"
 
 #include <libpq-fe.h>
+#include <poll.h>
 
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "study/model/user_error.h"
 
@@ -17,7 +19,21 @@ namespace {
 using Kind = ServerError::Kind;
 
 constexpr std::uint32_t kTypeBytea = 17;
-constexpr const char* kTimeout = "10";  // [s]: of one attempt to connect
+struct Setting {
+  const char* name;
+  const char* value;
+};
+
+/// Whoever says where the server is may say other values. A network that is gone is noticed while
+/// nothing is sent (30 s + 3 · 10 s) as well as while something is (60 s): else a push would wait
+/// for hours.
+constexpr std::array kSettings{
+    Setting{"connect_timeout", "10"},      // [s]: of one attempt
+    Setting{"keepalives_idle", "30"},      // [s]
+    Setting{"keepalives_interval", "10"},  // [s]
+    Setting{"keepalives_count", "3"},
+    Setting{"tcp_user_timeout", "60000"},  // [ms]
+    Setting{"fallback_application_name", "palpate"}};
 
 /// libpq's messages end with line feeds, and begin with what it tried.
 std::string sentence(const char* message) {
@@ -33,13 +49,60 @@ void appendNumber(std::string& bytes, std::uint32_t number) {
   }
 }
 
-/// What is wrong, by the SQLSTATE.
+/// What is wrong, by the SQLSTATE. A server with all its places taken (53300) has one later.
 Kind kindOf(std::string_view state, bool isConnected) {
-  if (!isConnected || state.starts_with("08") || state.starts_with("57P")) return Kind::Unreachable;
+  const bool isGone = !isConnected || state.starts_with("08") || state.starts_with("57P");
+  if (isGone || state == "53300") return Kind::Unreachable;
   if (state.starts_with("28")) return Kind::NotLetIn;
   if (state == "42501") return Kind::Denied;
   if (state == "53100") return Kind::Full;
   return Kind::Other;
+}
+
+/// What libpq and OpenSSL say when a computer is not let in, and what that means at the desk. Their
+/// words are English everywhere; those of a server are in the language of its country.
+struct Cause {
+  std::string_view sign;
+  std::string_view words;
+};
+constexpr std::array kCauses{
+    Cause{
+        "certificate revoked",
+        "The certificate of this computer was revoked. Ask the study's administrator for a new "
+        "one."},
+    Cause{
+        "alert certificate expired",
+        "The certificate of this computer has expired. Ask the study's administrator for a new "
+        "one."},
+    Cause{"unknown ca", "The server does not accept whoever issued this computer's certificate."},
+    Cause{"alert bad certificate", "The server does not accept this computer's certificate."},
+    Cause{
+        "certificate verify failed",
+        "The certificate of the server was issued by somebody else than root.crt says, or it is "
+        "not valid on the day that this computer's clock shows: look at the clock first. It may "
+        "also be another server in its place."},
+    Cause{
+        "does not match host name",
+        "The certificate of the server is for another name: it may be another server in its "
+        "place."},
+    Cause{"root certificate file", "This computer has not the certificate root.crt of the server."},
+    Cause{"valid client certificate", "The server wants a certificate of this computer."},
+    Cause{"alert certificate required", "The server wants a certificate of this computer."},
+    Cause{"private key file", "The key of this computer's certificate cannot be used."},
+    Cause{
+        "no encryption",
+        "The server does not take this role without encryption: whoever enrols the station writes "
+        "sslmode=verify-full into --address."},
+    Cause{"server does not support SSL", "The server cannot encrypt."},
+    Cause{"no password supplied", "A password is needed, and ~/.pgpass has none for this server."},
+    Cause{"SSL error", "The encryption does not come about."}};
+
+/// Empty: @p said names no cause that we know.
+std::string_view causeIn(std::string_view said) {
+  for (const auto& cause : kCauses) {
+    if (said.find(cause.sign) != std::string_view::npos) return cause.words;
+  }
+  return {};
 }
 
 std::string wordsFor(Kind kind, const std::string& where, const std::string& said) {
@@ -49,38 +112,39 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
              ". Nothing is lost: everything stays on this computer. Try again when the network "
              "works.";
     case Kind::NotLetIn:
-      return "The server (" + where + ") does not let this computer in: " + said +
-             ". Show this to whoever runs the server: role, certificate and pg_hba.conf belong "
-             "together.";
+      return fmt::format(
+          "The server ({}) does not let this computer in. {}{}Nothing is lost: everything stays on "
+          "this computer. Show the server's administrator (role, certificate and pg_hba.conf "
+          "belong "
+          "together): {}",
+          where,
+          causeIn(said),
+          causeIn(said).empty() ? "" : " ",
+          said);
     case Kind::Denied:
       return "The server (" + where + ") refuses that to this role: " + said + ".";
     case Kind::Full:
       return "The disk of the server (" + where +
              ") is full. Nothing is lost: everything stays on this computer. Tell whoever runs the "
              "server.";
+    case Kind::Release:
     case Kind::Other:
       break;
   }
   return "The server (" + where + ") says: " + said + ".";
 }
 
-/// Whether @p said is about the role, its password or its certificate.
-bool isAboutLettingIn(std::string_view said) {
-  constexpr std::array<std::string_view, 6> kSigns{
-      "authentication",
-      "no pg_hba.conf entry",
-      "certificate",
-      "password",
-      "role \"",
-      "no password"};
-  for (const auto sign : kSigns) {
-    if (said.find(sign) != std::string_view::npos) return true;
-  }
-  return false;
+/// The SQLSTATE in a message of PQERRORS_SQLSTATE: "… failed: FATAL:  28000". Two spaces follow the
+/// word for "fatal" of any language.
+std::string stateIn(const std::string& said) {
+  constexpr std::size_t kDigits = 5;
+  const auto at = said.rfind(":  ");
+  return at == std::string::npos ? std::string() : said.substr(at + 3, kDigits);
 }
 
-/// @throws UserError
-void requireReadable(const std::string& server) {
+}  // namespace
+
+void requireAddress(const std::string& server) {
   char* problem = nullptr;
   auto* options = PQconninfoParse(server.c_str(), &problem);
   const std::string why = sentence(problem);
@@ -92,17 +156,36 @@ void requireReadable(const std::string& server) {
   }
   bool hasPassword = false;
   for (const auto* option = options; option->keyword != nullptr; ++option) {
-    if (std::strcmp(option->keyword, "password") == 0 && option->val != nullptr) hasPassword = true;
+    const std::string_view name = option->keyword;
+    const bool isPassword = name == "password" || name == "sslpassword";
+    hasPassword = hasPassword || (isPassword && option->val != nullptr);
   }
   PQconninfoFree(options);
   if (hasPassword) {
     throw UserError(
         "A password does not belong where others can read it. Put it into ~/.pgpass (chmod 600), "
-        "and leave it out here.");
+        "and leave it out here. The key "
+        "of a certificate has none, and is readable for this account alone (chmod 600).");
   }
 }
 
-}  // namespace
+std::string_view nameOf(ServerError::Kind kind) noexcept {
+  switch (kind) {
+    case ServerError::Kind::Unreachable:
+      return "unreachable";
+    case ServerError::Kind::NotLetIn:
+      return "not_let_in";
+    case ServerError::Kind::Denied:
+      return "denied";
+    case ServerError::Kind::Full:
+      return "full";
+    case ServerError::Kind::Release:
+      return "release";
+    case ServerError::Kind::Other:
+      break;
+  }
+  return "other";
+}
 
 Parameter Parameter::bytes(std::span<const std::byte> bytes) {
   Parameter parameter;
@@ -179,9 +262,15 @@ void Connection::Finish::operator()(pg_conn* connection) const noexcept {
 }
 
 Connection::Connection(const std::string& server, const std::string& user) {
-  requireReadable(server);
-  std::vector<const char*> names{"connect_timeout", "fallback_application_name", "dbname"};
-  std::vector<const char*> values{kTimeout, "palpate", server.c_str()};
+  requireAddress(server);
+  std::vector<const char*> names;
+  std::vector<const char*> values;
+  for (const auto& setting : kSettings) {
+    names.push_back(setting.name);
+    values.push_back(setting.value);
+  }
+  names.push_back("dbname");
+  values.push_back(server.c_str());
   if (!user.empty()) {
     names.push_back("user");
     values.push_back(user.c_str());
@@ -190,17 +279,31 @@ Connection::Connection(const std::string& server, const std::string& user) {
   values.push_back(nullptr);
   connection_.reset(PQconnectdbParams(names.data(), values.data(), 1));
   if (connection_ == nullptr) throw std::bad_alloc();
-  if (PQstatus(connection_.get()) != CONNECTION_OK) {
-    const auto said = sentence(PQerrorMessage(connection_.get()));
-    const auto kind = isAboutLettingIn(said) ? Kind::NotLetIn : Kind::Unreachable;
-    throw ServerError(kind, wordsFor(kind, description(), said));
-  }
+  if (PQstatus(connection_.get()) != CONNECTION_OK) connectAgain();
   PQsetNoticeProcessor(
       connection_.get(), [](void*, const char*) {}, nullptr);
+  PQsetnonblocking(connection_.get(), 1);
+}
+
+/// What a server says when it lets nobody in has no code, but its words are in its own language. So
+/// it is asked once more, for the code.
+void Connection::connectAgain() {
+  auto* connection = connection_.get();
+  const auto said = sentence(PQerrorMessage(connection));
+  const bool serverSpoke = !stateIn(said).empty();
+  auto kind = causeIn(said).empty() ? Kind::Unreachable : Kind::NotLetIn;
+  if (serverSpoke) {
+    PQsetErrorVerbosity(connection, PQERRORS_SQLSTATE);
+    PQreset(connection);
+    PQsetErrorVerbosity(connection, PQERRORS_DEFAULT);
+    if (PQstatus(connection) == CONNECTION_OK) return;
+    kind = kindOf(stateIn(sentence(PQerrorMessage(connection))), true);
+  }
+  throw ServerError(kind, wordsFor(kind, description(), said));
 }
 
 void Connection::execute(const std::string& statements) {
-  checked(PQexec(connection_.get(), statements.c_str()));
+  answer(PQsendQuery(connection_.get(), statements.c_str()) == 1);
 }
 
 Rows Connection::query(const std::string& statement, const std::vector<Parameter>& parameters) {
@@ -213,15 +316,53 @@ Rows Connection::query(const std::string& statement, const std::vector<Parameter
     sizes.push_back(value ? static_cast<int>(value->size()) : 0);
     formats.push_back(parameter.isBinary() ? 1 : 0);
   }
-  return checked(PQexecParams(
-      connection_.get(),
-      statement.c_str(),
-      static_cast<int>(parameters.size()),
-      nullptr,
-      values.data(),
-      sizes.data(),
-      formats.data(),
-      0));
+  return answer(
+      PQsendQueryParams(
+          connection_.get(),
+          statement.c_str(),
+          static_cast<int>(parameters.size()),
+          nullptr,
+          values.data(),
+          sizes.data(),
+          formats.data(),
+          0) == 1);
+}
+
+/// Whether more is to be sent, or to come, before there is a result; waits for the network.
+bool Connection::isBusy() {
+  auto* connection = connection_.get();
+  const int unsent = PQflush(connection);
+  if (unsent < 0 || (unsent == 0 && PQisBusy(connection) == 0)) return false;
+  pollfd network{
+      .fd = PQsocket(connection),
+      .events = static_cast<short>(unsent > 0 ? POLLIN | POLLOUT : POLLIN),
+      .revents = 0};
+  const int ready = poll(&network, 1, static_cast<int>(patience_.count()));
+  if (ready == 0) {
+    const auto where = description();
+    connection_.reset();  // what may still come belongs to no question any more
+    throw ServerError(
+        Kind::Unreachable,
+        wordsFor(
+            Kind::Unreachable,
+            where,
+            fmt::format(
+                "it has not answered for {} s", static_cast<double>(patience_.count()) / 1e3)));
+  }
+  const bool hasCome = ready > 0 && (network.revents & ~POLLOUT) != 0;
+  return !hasCome || PQconsumeInput(connection) == 1;
+}
+
+/// What came of it: an error, or the last statement's rows.
+Rows Connection::answer(bool wasSent) {
+  std::unique_ptr<pg_result, decltype(&PQclear)> last(nullptr, &PQclear);
+  while (wasSent) {
+    while (isBusy()) continue;
+    auto* next = PQgetResult(connection_.get());
+    if (next == nullptr) break;
+    last.reset(next);
+  }
+  return checked(last.release());
 }
 
 Rows Connection::checked(pg_result* result) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct pg_conn;
@@ -23,6 +25,7 @@ class ServerError : public std::runtime_error {
     NotLetIn,     ///< it does not know this role, password or certificate
     Denied,       ///< this role may not do that
     Full,         ///< its disk
+    Release,      ///< its schema is older or newer than this program
     Other,
   };
 
@@ -33,6 +36,9 @@ class ServerError : public std::runtime_error {
  private:
   Kind kind_;
 };
+
+/// "unreachable", "not_let_in", "denied", "full", "release", "other": as a station notes it.
+std::string_view nameOf(ServerError::Kind kind) noexcept;
 
 /// A parameter of a statement. Bytes travel as they are, everything else as text.
 class Parameter {
@@ -89,6 +95,12 @@ class Connection {
   /// @throws ServerError  if the server cannot be reached, or does not let this role in.
   explicit Connection(const std::string& server, const std::string& user = {});
 
+  /// How long the server may be silent while it takes, computes or sends something, before it is
+  /// given up as unreachable (10 minutes at first). A network that is gone is noticed within a
+  /// minute in any case; this is for a server that stands still. Afterwards nothing more can be
+  /// asked.
+  void setPatience(std::chrono::milliseconds patience) noexcept { patience_ = patience; }
+
   /// One or more statements without parameters and rows. @throws ServerError
   void execute(const std::string& statements);
 
@@ -110,9 +122,17 @@ class Connection {
   struct Finish {
     void operator()(pg_conn* connection) const noexcept;
   };
+  void connectAgain();
+  bool isBusy();
+  Rows answer(bool wasSent);
   Rows checked(pg_result* result);
 
   std::unique_ptr<pg_conn, Finish> connection_;
+  std::chrono::milliseconds patience_ = std::chrono::minutes(10);
 };
+
+/// @throws UserError  if @p server cannot be read as libpq does, or holds a password: that belongs
+///     where no other account can read it.
+void requireAddress(const std::string& server);
 
 }  // namespace study::collect

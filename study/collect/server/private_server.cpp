@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "study/collect/server/connection.h"
 #include "study/model/user_error.h"
 
@@ -110,10 +112,10 @@ bool PrivateServer::isInstalled() {
   return !programs().empty();
 }
 
-PrivateServer::PrivateServer(Disk disk) : disk_(disk) {
+PrivateServer::PrivateServer(Disk disk) {
   const auto bin = programs();
   if (bin.empty()) {
-    throw UserError("PostgreSQL is not installed on this computer. './setup --collect' does it.");
+    throw UserError("PostgreSQL is not installed on this computer: sudo apt install postgresql.");
   }
   folder_ = makeFolder();
   const auto log = folder_ / "initdb.log";
@@ -135,6 +137,10 @@ PrivateServer::PrivateServer(Disk disk) : disk_(disk) {
   if (id > 0) waitpid(id, &status, 0);
   try {
     if (status != 0) failToStart(log);
+    set("listen_addresses", "");
+    set("unix_socket_directories", folder_.string());
+    set("fsync", disk == Disk::Flushed ? "on" : "off");
+    set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // who was denied what
     start();
   } catch (...) {
     stop(Stop::Immediate);
@@ -151,23 +157,25 @@ PrivateServer::~PrivateServer() {
 }
 
 std::string PrivateServer::server(const std::string& database) const {
-  return "host=" + folder_.string() + " dbname=" + database + " user=" + kSuperuser;
+  return fmt::format(
+      "host={} port={} dbname={} user={}", folder_.string(), port_, database, kSuperuser);
+}
+
+void PrivateServer::set(const std::string& name, const std::string& value) const {
+  std::ofstream settings(folder_ / "data" / "postgresql.conf", std::ios::app);
+  settings << name << " = '" << value << "'\n" << std::flush;
+  if (!settings) throw UserError("The private server's settings cannot be written.");
+}
+
+void PrivateServer::listenAt(int port) {
+  port_ = port;
+  set("port", std::to_string(port));
+  set("listen_addresses", "127.0.0.1");
 }
 
 void PrivateServer::start() {
   const auto log = folder_ / "server.log";
-  id_ = spawn(
-      folder_,
-      log,
-      {programs() / "postgres",
-       "-D",
-       folder_ / "data",
-       "-c",
-       "listen_addresses=",
-       "-c",
-       "unix_socket_directories=" + folder_.string(),
-       "-c",
-       std::string("fsync=") + (disk_ == Disk::Flushed ? "on" : "off")});
+  id_ = spawn(folder_, log, {programs() / "postgres", "-D", folder_ / "data"});
   const auto end = std::chrono::steady_clock::now() + kMostPatience;
   while (std::chrono::steady_clock::now() < end) {
     if (id_ <= 0 || waitpid(id_, nullptr, WNOHANG) == id_) {

@@ -39,11 +39,19 @@ class PrivateServer {
   /// Starts it after stop().
   void start();
 
+  /// A line of its postgresql.conf, from the next start() on.
+  void set(const std::string& name, const std::string& value) const;
+  /// From the next start() on it can also be reached at 127.0.0.1, by whom pg_hba.conf lets in.
+  void listenAt(int port);
+
+  /// With "data" (pg_hba.conf) and "server.log" in it. Belongs to the server's account.
+  const std::filesystem::path& folder() const noexcept { return folder_; }
+  int port() const noexcept { return port_; }
   pid_t id() const noexcept { return id_; }
 
  private:
   std::filesystem::path folder_;
-  Disk disk_;
+  int port_ = 5432;
   pid_t id_ = -1;
 };
 

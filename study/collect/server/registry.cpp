@@ -137,6 +137,17 @@ std::vector<StationStatus> stationsOf(Connection& server, const std::string& stu
   return stations;
 }
 
+void addIncident(
+    Connection& server,
+    const std::string& station,
+    const std::string& what,
+    const std::string& detail) {
+  server.query(
+      "INSERT INTO palpate.incident (station, what, detail) "
+      "SELECT id, $2, $3 FROM palpate.station WHERE uuid = $1",
+      {station, what, detail});
+}
+
 std::vector<Incident> incidentsOf(Connection& server, int most) {
   const auto rows = server.query(
       std::string("SELECT to_char(i.at AT TIME ZONE 'UTC', ") + kUtc +

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "study/collect/server/connection.h"
-#include "study/model/station.h"
+#include "study/model/ids.h"
 
 namespace study::collect {
 
@@ -70,6 +70,13 @@ struct StationStatus {
   bool isRevoked = false;
 };
 std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName);
+
+/// Keeps that something of a station was refused before ingest() saw it. @param station  its uuid
+void addIncident(
+    Connection& server,
+    const std::string& station,
+    const std::string& what,
+    const std::string& detail);
 
 /// Something that was refused.
 struct Incident {

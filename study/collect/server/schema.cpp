@@ -27,7 +27,7 @@ void makeRoles(Connection& server) {
   const auto here = std::to_string(newestSchema());
   const auto there = std::to_string(installed);
   throw ServerError(
-      ServerError::Kind::Other,
+      ServerError::Kind::Release,
       installed == 0 ? "There is no study on this server yet: 'palpate collect init' makes one."
       : installed > newestSchema()
           ? "The server is newer than this program (its schema is " + there +

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "protocols/load_protocol.h"
-#include "protocols/model/library.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/widgets/desk_language.h"
 

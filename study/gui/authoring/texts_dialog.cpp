@@ -8,7 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "protocols/model/blanks.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"

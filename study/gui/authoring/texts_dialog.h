@@ -9,7 +9,7 @@
 #include <QLineEdit>
 
 #include "protocols/model/loaded_protocol.h"
-#include "questionnaires/reading/blanks.h"
+#include "questionnaires/reading/instrument_file.h"
 
 class QFormLayout;
 class QPushButton;

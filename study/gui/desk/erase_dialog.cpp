@@ -24,6 +24,7 @@ std::map<std::string, std::string> namesByCode(Study& study) {
       people.try_emplace(row.participant);
     }
   }
+  if (study.identities().isLocked()) return people;
   for (const auto& name : study.identities().names()) {
     auto& names = people[name.participant];
     names += (names.empty() ? "" : ", ") + name.text;

@@ -1,5 +1,6 @@
 #include "study/gui/desk/home_window.h"
 
+#include <type_traits>
 #include <utility>
 
 #include <QDir>
@@ -189,6 +190,10 @@ void HomeWindow::openDialog() {
   const auto* study = chosen();
   if (study == nullptr) return;
   askForKeyOf(study->folder, this);
+  constexpr bool kNeedsNames = std::is_same_v<Dialog, EraseDialog> ||
+                               std::is_same_v<Dialog, ExportDialog> ||
+                               std::is_same_v<Dialog, KeyDialog>;
+  if (kNeedsNames) askForNamesOf(study->folder, this);
   auto* dialog = new Dialog(*study, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   // It may have written, changed or simulated something that the panel shows.
@@ -322,6 +327,7 @@ OperatorWindow* HomeWindow::operatorWindow() const noexcept {
 void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> session) {
   if (open_) return;
   askForKeyOf(folder.toStdString(), this);
+  askForNamesOf(folder.toStdString(), this);
   const bool isOpen = attempt(
       this, [&] { open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_); });
   if (!isOpen) return;

@@ -21,11 +21,23 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
       wanted_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("Key"), tr("Keys (*.txt)"), this)),
-      source_(new PathField(PathField::Kind::ExistingFile, tr("Key"), tr("Keys (*.txt)"), this)) {
+      source_(new PathField(PathField::Kind::ExistingFile, tr("Key"), tr("Keys (*.txt)"), this)),
+      passphrase_(new QLineEdit(this)),
+      again_(new QLineEdit(this)) {
   wanted_->setObjectName(QStringLiteral("wanted"));
   wanted_->setAccessibleName(tr("What to do"));
   wanted_->addItem(tr("Save a copy of the key"), static_cast<int>(Wanted::Save));
   wanted_->addItem(tr("Take the key from a file"), static_cast<int>(Wanted::Take));
+  wanted_->addItem(tr("Put names behind a passphrase"), static_cast<int>(Wanted::SealNames));
+  passphrase_->setObjectName(QStringLiteral("passphrase"));
+  passphrase_->setAccessibleName(tr("Passphrase"));
+  again_->setObjectName(QStringLiteral("again"));
+  again_->setAccessibleName(tr("The same again"));
+  passphrase_->setPlaceholderText(tr("write it down: without it nobody ever reads the names"));
+  for (auto* field : {passphrase_, again_}) {
+    field->setEchoMode(QLineEdit::Password);
+    connect(field, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
+  }
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
   reason_->setPlaceholderText(tr("who gets it: it goes into the audit trail"));
@@ -33,6 +45,8 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Reason"), reason_);
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);
+  form().addRow(tr("Passphrase"), passphrase_);
+  form().addRow(tr("The same again"), again_);
   connect(wanted_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
@@ -62,32 +76,62 @@ void KeyDialog::showState() {
 
 void KeyDialog::updateChoices() {
   const bool saves = wanted() == Wanted::Save;
-  form().setRowVisible(reason_, saves);
+  const bool takes = wanted() == Wanted::Take;
+  const bool seals = wanted() == Wanted::SealNames;
+  form().setRowVisible(reason_, !takes);
   form().setRowVisible(target_, saves);
-  form().setRowVisible(source_, !saves);
-  go().setText(saves ? tr("Save") : tr("Take"));
-  go().setEnabled(saves ? !reason_->text().trimmed().isEmpty() : !source_->path().isEmpty());
+  form().setRowVisible(source_, takes);
+  form().setRowVisible(passphrase_, seals);
+  form().setRowVisible(again_, seals);
+  go().setText(saves ? tr("Save") : takes ? tr("Take") : tr("Set"));
+  const bool isReasoned = !reason_->text().trimmed().isEmpty();
+  const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
+  go().setEnabled(takes ? !source_->path().isEmpty() : isReasoned && (saves || isTypedTwice));
 }
 
 void KeyDialog::work() {
-  const auto target = target_->path();
-  const bool saves = wanted() == Wanted::Save;
-  const bool isDone = attempt(this, [&] {
+  if (wanted() == Wanted::Save) return saveKey();
+  if (wanted() == Wanted::SealNames) return sealNames();
+  const bool isTaken = attempt(this, [&] {
     SystemClock clock;
     auto study = Study::open(folder_, clock);
-    if (saves) {
-      exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
-    } else {
-      importKey(study, source_->path().toStdString());
-    }
+    importKey(study, source_->path().toStdString());
   });
-  if (!isDone) return clear();
+  if (!isTaken) return clear();
   showState();
-  if (!saves) return showOutcome(Outcome::Good, tr("This account has the key now."), state_);
+  showOutcome(Outcome::Good, tr("This account has the key now."), state_);
+}
+
+void KeyDialog::saveKey() {
+  const auto target = target_->path();
+  const bool isSaved = attempt(this, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock);
+    exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
+  });
+  if (!isSaved) return clear();
+  showState();
   target_->setPath(newPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   showOutcome(
       Outcome::Good,
       tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target),
+      state_);
+}
+
+void KeyDialog::sealNames() {
+  const bool isSealed = attempt(this, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock);
+    setPassphraseOfNames(
+        study, passphrase_->text().toStdString(), reason_->text().trimmed().toStdString());
+  });
+  if (!isSealed) return clear();
+  passphrase_->clear();
+  again_->clear();
+  showState();
+  showOutcome(
+      Outcome::Good,
+      tr("Names are behind the passphrase now. Sessions ask for it; nobody can find it out."),
       state_);
 }
 

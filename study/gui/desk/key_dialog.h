@@ -12,7 +12,8 @@
 
 namespace study::gui {
 
-/// Saves the key of a study to a file, or takes it from one, as `palpate study key` does.
+/// Saves the key of a study to a file, or takes it from one, as `palpate study key` does; puts
+/// names behind a passphrase, as `palpate study names --set-passphrase` does.
 class KeyDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -23,11 +24,13 @@ class KeyDialog final : public WorkDialog {
   void work() override;
 
  private:
-  enum class Wanted { Save, Take };
+  enum class Wanted { Save, Take, SealNames };
 
   Wanted wanted() const;
   void updateChoices();
   void showState();
+  void saveKey();
+  void sealNames();
 
   std::string folder_;
   QString state_;  ///< where the key is, in words
@@ -35,6 +38,8 @@ class KeyDialog final : public WorkDialog {
   QLineEdit* reason_;
   PathField* target_;
   PathField* source_;
+  QLineEdit* passphrase_;
+  QLineEdit* again_;
 };
 
 }  // namespace study::gui

@@ -1,5 +1,7 @@
 #include "study/gui/desk/key_question.h"
 
+#include <functional>
+
 #include <QInputDialog>
 #include <QString>
 
@@ -8,22 +10,50 @@
 #include "study/session/study.h"
 
 namespace study::gui {
+namespace {
+
+/// Asks until @p opens says that it is right, or the window is closed.
+void ask(
+    QWidget* parent,
+    const QString& title,
+    const QString& why,
+    const QString& question,
+    const std::function<bool(const std::string&)>& opens) {
+  auto label = why + "\n" + question;
+  for (;;) {
+    bool isGiven = false;
+    const auto typed =
+        QInputDialog::getText(parent, title, label, QLineEdit::Password, {}, &isGiven);
+    if (!isGiven || opens(typed.toStdString())) return;
+    label = spoken("Wrong passphrase.") + " " + question;
+  }
+}
+
+}  // namespace
 
 void askForKeyOf(const std::string& folder, QWidget* parent) {
   attempt(parent, [&] {
     SystemClock clock;
     auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
     if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
-    auto label = spoken(
-        "The conditions of this study are sealed, and this account does not have the key.\n"
-        "Passphrase of the study:");
-    for (;;) {
-      bool isGiven = false;
-      const auto typed = QInputDialog::getText(
-          parent, spoken("Sealed study"), label, QLineEdit::Password, {}, &isGiven);
-      if (!isGiven || study.unlock(typed.toStdString())) return;
-      label = spoken("Wrong passphrase. Passphrase of the study:");
-    }
+    ask(parent,
+        spoken("Sealed study"),
+        spoken("The conditions of this study are sealed, and this account does not have the key."),
+        spoken("Passphrase of the study:"),
+        [&](const std::string& typed) { return study.unlock(typed); });
+  });
+}
+
+void askForNamesOf(const std::string& folder, QWidget* parent) {
+  attempt(parent, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+    if (!study.identities().isLocked()) return;
+    ask(parent,
+        spoken("Sealed names"),
+        spoken("The names of participants are sealed. Sessions need their passphrase."),
+        spoken("Passphrase of names:"),
+        [&](const std::string& typed) { return study.unlockNames(typed); });
   });
 }
 

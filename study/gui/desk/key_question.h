@@ -11,4 +11,7 @@ namespace study::gui {
 /// program ends. Without it everything that needs no key is possible.
 void askForKeyOf(const std::string& folder, QWidget* parent);
 
+/// The same for names (docs/decisions/0062). Without their passphrase no session goes on.
+void askForNamesOf(const std::string& folder, QWidget* parent);
+
 }  // namespace study::gui

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "haptics/reaming/material/material_fit.h"
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/reaming/packing/solids.h"

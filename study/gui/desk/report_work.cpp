@@ -48,6 +48,7 @@ void write(const ReportOrder& order, const Progress& progress) {
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
+  sections.back().wording = order.wording;
   tell(progress, kStep, "painting the figures");
   report::paintFigures(sections.front());
   tell(progress, 2 * kStep, "setting the page");

@@ -5,6 +5,7 @@
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
 #include "study/report/figures/figure_format.h"
+#include "study/results/apa_text.h"
 
 namespace study::gui {
 
@@ -13,6 +14,7 @@ struct ReportOrder {
   std::string folder;  ///< the study's folder
   RunMode mode = RunMode::Live;
   std::string language = "en";
+  Wording wording = Wording::Apa;
   std::string out;              ///< ends in .html or .pdf; an existing file is not overwritten
   std::string figures;          ///< folder for each figure as a file of its own; empty: none
   report::FigureFormat format;  ///< of these files

@@ -8,7 +8,7 @@
 #include "haptics/engine/realtime_loop.h"
 #include "protocols/model/protocol.h"
 #include "study/model/progress.h"
-#include "study/storage/disk_check.h"
+#include "study/storage/own_disk.h"
 
 namespace study::gui {
 

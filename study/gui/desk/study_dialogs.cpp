@@ -14,7 +14,6 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/backup.h"
-#include "study/session/restored_copy.h"
 #include "study/words/words.h"
 
 namespace study::gui {
@@ -170,6 +169,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       mode_(runModeChoice(study, this)),
       language_(new QComboBox(this)),
+      wording_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       target_(new PathField(
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
@@ -181,9 +181,13 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
     language_->addItem(nativeName(tag), tag);
   }
   language_->setAccessibleName(tr("Language"));
+  wording_->setAccessibleName(tr("Numbers in sentences"));
+  wording_->addItem(tr("APA: p = .021 [0.41, 2.42]"), static_cast<int>(Wording::Apa));
+  wording_->addItem(tr("Vancouver: P = 0.021, 0.41 to 2.42"), static_cast<int>(Wording::Vancouver));
   target_->setPath(newPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Language"), language_);
+  form().addRow(tr("Numbers in sentences"), wording_);
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
   form().addRow(tr("Reason for unblinding"), reason_);
@@ -232,6 +236,7 @@ void ReportDialog::work() {
       .folder = folder_,
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),
+      .wording = static_cast<Wording>(wording_->currentData().toInt()),
       .out = target_->path().toStdString(),
       .figures = figures_->isChecked()
                      ? newPathBeside(folder_, QStringLiteral("figures")).toStdString()

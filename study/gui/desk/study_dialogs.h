@@ -67,6 +67,7 @@ class ReportDialog final : public WorkDialog {
   std::string folder_;
   QComboBox* mode_;
   QComboBox* language_;
+  QComboBox* wording_;
   QLineEdit* reason_;
   PathField* target_;
   QCheckBox* figures_;

@@ -30,6 +30,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       title_(bodyLabel({}, this)),
       what_(quietLabel({}, this)),
       sessions_(bodyLabel({}, this)),
+      arrivals_(bodyLabel({}, this)),
       folder_(quietLabel({}, this)),
       problem_(bodyLabel({}, this)),
       buttons_(new QGridLayout),
@@ -57,7 +58,9 @@ StudyPanel::StudyPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(20, 18, 20, 18);
   layout->setSpacing(10);
-  for (auto* label : {title_, what_, sessions_, folder_, problem_}) layout->addWidget(label);
+  arrivals_->setObjectName(QStringLiteral("arrivals"));
+  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
+    layout->addWidget(label);
   layout->addLayout(buttons_);
   layout->addWidget(scroll, 1);
   makeButtons();
@@ -134,6 +137,10 @@ void StudyPanel::show(const StudySummary& summary) {
     sessions += tr(". Last session: %1").arg(localTime(summary.lastSessionUtc));
   }
   sessions_->setText(sessions);
+  const auto arrivals = QString::fromStdString(arrivalsInWords(summary));
+  arrivals_->setText(arrivals);
+  arrivals_->setVisible(!arrivals.isEmpty());
+  setRole(*arrivals_, isArrivalOverdue(summary) ? "warn" : "body");
   folder_->setText(QString::fromStdString(summary.folder));
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);

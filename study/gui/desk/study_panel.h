@@ -55,6 +55,7 @@ class StudyPanel final : public QFrame {
   QLabel* title_;
   QLabel* what_;
   QLabel* sessions_;
+  QLabel* arrivals_;
   QLabel* folder_;
   QLabel* problem_;
   QGridLayout* buttons_;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "protocols/model/blanks.h"
+#include <QDateTime>
+#include <QLocale>
+
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/session/study.h"
 #include "study/session/study_key.h"
@@ -32,6 +35,40 @@ void fillCohorts(Study& study, StudySummary& summary) {
   }
 }
 
+void fillArrivals(Study& study, StudySummary& summary) {
+  if (study.station().isNone()) return;
+  const auto last = lastPush(study.uuid(), study.station().uuid);
+  summary.arrivals = arrivalsBy(study, last.have);
+  summary.pushProblem = last.problem;
+}
+
+QDateTime timeOf(const std::string& utc) {
+  return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
+}
+
+/// "Tuesday" within a week, else "2026-11-17".
+std::string dayInWords(const std::string& utc) {
+  constexpr int kWeek = 7;
+  const auto day = timeOf(utc).date();
+  if (day.daysTo(QDate::currentDate()) >= kWeek) return day.toString(Qt::ISODate).toStdString();
+  return QLocale(QString::fromStdString(deskLanguage())).dayName(day.dayOfWeek()).toStdString();
+}
+
+/// Why the last push did not succeed.
+std::string problemInWords(const std::string& problem) {
+  if (problem == "unreachable") return said("no network, or no server");
+  if (problem == "not_let_in") return said("the server does not let this computer in");
+  if (problem == "full") return said("the server’s disk is full");
+  if (problem == "release" || problem == "newer") {
+    return said("the server has another release of this program");
+  }
+  if (problem == "revoked") return said("this station was shut out");
+  if (problem == "fork" || problem == "older_copy") {
+    return said("another copy of this folder has sent something");
+  }
+  return said("the server refused it; 'palpate collect push' says why");
+}
+
 void fill(StudySummary& summary) {
   SystemClock clock;
   auto study = Study::open(summary.folder, clock, storage::Database::Access::ReadOnly);
@@ -51,6 +88,7 @@ void fill(StudySummary& summary) {
   summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
       blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));
   fillCohorts(study, summary);
+  fillArrivals(study, summary);
 }
 
 int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
@@ -92,6 +130,28 @@ std::string sessionsInWords(const StudySummary& summary) {
   if (words.empty()) words = said("no sessions yet");
   if (summary.unfinished.empty()) return words;
   return words + "; " + said("{} unfinished", summary.unfinished.size());
+}
+
+std::string arrivalsInWords(const StudySummary& summary) {
+  if (!summary.arrivals || summary.arrivals->all == 0) return {};
+  const auto& [all, arrived, since] = *summary.arrivals;
+  std::string words = arrived == all ? said("Sessions here: {}. All have arrived", all)
+                                     : said(
+                                           "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
+                                           all,
+                                           arrived,
+                                           dayInWords(since),
+                                           all - arrived);
+  if (arrived < all && !summary.pushProblem.empty()) {
+    words += " (" + problemInWords(summary.pushProblem) + ")";
+  }
+  return words;
+}
+
+bool isArrivalOverdue(const StudySummary& summary) {
+  constexpr qint64 kDay = 24 * 60 * 60;
+  return summary.arrivals && !summary.arrivals->waitingSince.empty() &&
+         timeOf(summary.arrivals->waitingSince).secsTo(QDateTime::currentDateTime()) > kDay;
 }
 
 RunMode likelyRunMode(const StudySummary& summary) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "study/model/run_mode.h"
+#include "study/session/arrivals.h"
 #include "study/session/unfinished_sessions.h"
 
 namespace study::gui {
@@ -29,7 +31,9 @@ struct StudySummary {
   std::size_t blanks = 0;      ///< in texts for participants, still to be filled in
   bool isKeyAlone = false;     ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
-  bool isGone = false;  ///< the folder no longer exists
+  std::optional<Arrivals> arrivals;  ///< at the server, of a station's study, as last noted
+  std::string pushProblem;           ///< why the last push did not succeed (NotedPush::problem)
+  bool isGone = false;               ///< the folder no longer exists
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can
 };
 
@@ -38,6 +42,13 @@ StudySummary summaryOf(const std::string& folder);
 
 /// "12 live completed, 1 unfinished; 3 simulated".
 std::string sessionsInWords(const StudySummary& summary);
+
+/// "23 sessions here, 21 arrived, 2 waiting since Tuesday: no network, or no server"; empty for a
+/// study of one computer.
+std::string arrivalsInWords(const StudySummary& summary);
+
+/// Whether something has been waiting for more than a day.
+bool isArrivalOverdue(const StudySummary& summary);
 
 /// The run mode to offer first: live if there are live sessions, else simulated, else pilot; live
 /// if there are none.

@@ -4,11 +4,13 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -32,6 +34,30 @@
 #include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
+namespace {
+
+/// Sends what is new from a station to its server, in a process of its own with the lowest
+/// priority: nobody waits for it, and the next session may begin meanwhile. What became of it
+/// stands on the home page.
+void pushInBackground(const Study& study) {
+  const QString program =
+      QCoreApplication::applicationDirPath() + QStringLiteral("/palpate-collect");
+  if (study.station().isNone() || !QFileInfo::exists(program)) return;
+  QProcess push;
+  push.setProgram(QStringLiteral("nice"));
+  push.setArguments(
+      {QStringLiteral("-n"),
+       QStringLiteral("19"),
+       program,
+       QStringLiteral("push"),
+       QString::fromStdString(study.folder().string())});
+  push.setStandardInputFile(QProcess::nullDevice());
+  push.setStandardOutputFile(QProcess::nullDevice());
+  push.setStandardErrorFile(QProcess::nullDevice());
+  push.startDetached();
+}
+
+}  // namespace
 
 OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
     : QMainWindow(parent),
@@ -343,6 +369,7 @@ void OperatorWindow::endSession() {
   controller_.reset();
   sessions_->refresh();
   pages_->setCurrentIndex(0);
+  pushInBackground(study_);
 }
 
 bool OperatorWindow::confirmLoss() {

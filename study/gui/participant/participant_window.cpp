@@ -212,6 +212,8 @@ void ParticipantWindow::showPage(QWidget* page) {
   if (page_ != nullptr) {
     page_->hide();
     page_->setParent(nullptr);  // so that findChild() does not return it any more
+    // Until it is deleted its timers would go on, and set the buttons of the next page.
+    for (auto* timer : page_->findChildren<QTimer*>()) timer->stop();
     page_->deleteLater();
   }
   page_ = page;
@@ -322,7 +324,7 @@ QWidget* ParticipantWindow::makeBreak() {
   const auto& step = controller_.session().step();
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
   auto* page = makeMessage(tr("A short break"), localized(phase->text));
-  // The timer belongs to the page: if the page changes, Next must stay as the new page sets it.
+  // The timer belongs to the page, and stops with it.
   auto* everySecond = new QTimer(page);
   const QDeadlineTimer end(static_cast<qint64>(step.seconds * 1000.0));
   const auto show = [this, end, everySecond] {

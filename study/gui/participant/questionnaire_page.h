@@ -73,10 +73,10 @@ class QuestionnairePage final : public QWidget {
     bool isSaved = true;  ///< false after markUnsaved()
   };
   struct Entry {
-    ItemWidget* widget;
-    QFrame* card;  ///< that it lies in, with its signature if it asks for consent
-    QLabel* mark;  ///< "Please answer this one"
-    int sheet;
+    ItemWidget* widget = nullptr;
+    QFrame* card = nullptr;  ///< that it lies in, with its signature if it asks for consent
+    QLabel* mark = nullptr;  ///< "Please answer this one"
+    int sheet = 0;
     bool isAsked = true;
     ItemState state = {};
   };

@@ -11,7 +11,7 @@
 #include <QSize>
 #include <QString>
 
-#include "haptics/engine/bone_view.h"
+#include "haptics/engine/bone_models.h"
 #include "haptics/engine/scene_spec.h"
 #include "study/gui/scene/shapes/bone_tints.h"
 

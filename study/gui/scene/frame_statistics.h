@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "haptics/timing/clock_statistics.h"
-#include "study/model/view_report.h"
+#include "study/model/trial_record.h"
 
 namespace study::gui::scene {
 

@@ -205,10 +205,14 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   gl_.glClear(GL_DEPTH_BUFFER_BIT | (hasGround ? GL_COLOR_BUFFER_BIT : 0U));
   bodies_->use();
   setLight(*bodies_, shot, place);
+  const auto shadow = inEyeFrame(scene.shadow, shot);
+  setShadow(*bodies_, shadow);
   bodies_->set("projection", projection);
   for (const auto i : shot.parts) {
     if (!scene.parts[i].isShown) continue;
     bodies_->set("toEye", shot.view * scene.parts[i].pose);
+    const float depth = scene.parts[i].isTool ? 0.0F : shadow.depth;
+    bodies_->set("shadowSize", QVector3D(shadow.radius, shadow.reach, depth));
     gl_.glBindVertexArray(parts_[i].array);
     gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, parts_[i].triangles);
     gl_.glDrawElements(
@@ -217,6 +221,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   if (!shot.showsSpheres || scene.spheres == nullptr) return;
   balls_->use();
   setLight(*balls_, shot, place);
+  setShadow(*balls_, shadow);
   balls_->set("lampPlace", shot.light.place.normalized());
   balls_->set("projection", projection);
   balls_->set("toEye", shot.view);
@@ -242,6 +247,12 @@ void GlRenderer::setLight(GlProgram& program, const Shot& shot, QRect place) {
           static_cast<float>(middle.x()),
           static_cast<float>(middle.y()),
           shot.isRound ? 0.5F * static_cast<float>(place.width()) : 0.0F));
+}
+
+void GlRenderer::setShadow(GlProgram& program, const ContactShadow& shadow) {
+  program.set("shadowFrom", shadow.from);
+  program.set("shadowAlong", shadow.along);
+  program.set("shadowSize", QVector3D(shadow.radius, shadow.reach, shadow.depth));
 }
 
 void GlRenderer::readBack(QSize size) {

@@ -54,6 +54,7 @@ class GlRenderer final : public Renderer {
   void uploadSpheres(SphereCloud& spheres);
   void drawShot(const Scene& scene, const Shot& shot, QSize size);
   void setLight(GlProgram& program, const Shot& shot, QRect place);
+  static void setShadow(GlProgram& program, const ContactShadow& shadow);
   void readBack(QSize size);
 
   QOpenGLContext context_;

@@ -12,7 +12,19 @@ inline constexpr const char* kShadingCode = R"glsl(
 uniform vec3 lampPlace;
 uniform float lampReach;
 uniform float ambientLight;
+uniform vec3 shadowFrom;
+uniform vec3 shadowAlong;
+uniform vec3 shadowSize;  // radius, reach, depth
 uniform vec3 disc;  // middle and radius in pixels; radius 0: none
+
+/// The share of light that is left, with the same equations as leftBy().
+float leftByTool(vec3 place) {
+  vec3 way = place - shadowFrom;
+  float at = clamp(dot(way, shadowAlong) / max(dot(shadowAlong, shadowAlong), 1e-6), 0.0, 1.0);
+  float gap = (length(way - at * shadowAlong) - shadowSize.x) / shadowSize.y;
+  float near = 1.0 - clamp(gap, 0.0, 1.0);
+  return 1.0 - shadowSize.z * near * near;
+}
 
 vec2 brightness(vec3 place, vec3 normal, float gloss) {
   vec3 toEye = -normalize(place);
@@ -36,7 +48,7 @@ vec2 brightness(vec3 place, vec3 normal, float gloss) {
   float mirror = (0.25 + 0.75 * up * up / (up * up + 0.12)) * (up > 0.0 ? 1.0 : 0.75);
   float metal = clamp(10.0 * (gloss - 0.85), 0.0, 1.0);
   float steel = ambient + power * (0.35 * facing + 0.6 * mirror);
-  return vec2(mix(ambient + power * facing, steel, metal), power * shine);
+  return vec2(leftByTool(place) * mix(ambient + power * facing, steel, metal), power * shine);
 }
 
 vec3 shown(vec3 light) {
@@ -115,7 +127,7 @@ flat out vec3 eyeTint;
 void main() {
   vec4 place = toEye * vec4(sphere.xyz, 1.0);
   eyeSphere = vec4(place.xyz, sphere.w);
-  eyeTint = tint.rgb * tint.rgb;
+  eyeTint = leftByTool(place.xyz) * tint.rgb * tint.rgb;
 #ifdef EXACT
   corner = gl_VertexID == 2 ? vec2(0.0, 2.0) : vec2(1.7320508 * float(2 * gl_VertexID - 1), -1.0);
   gl_Position = projection * vec4(place.xy + sphere.w * corner, place.z, 1.0);

@@ -15,6 +15,8 @@ constexpr float kTurnsPerSecond = 1.5F;  // slower than a real reamer, so that t
 constexpr float kPlainRadius = 26.0F;    // [mm]
 constexpr float kPlainInner = 25.5F;
 constexpr float kPlainOuter = 41.0F;
+constexpr float kHipShadow = 4.0F;  // reach [mm]
+constexpr float kHipShadowDepth = 0.55F;
 constexpr Tint kPlainBone{226, 208, 180, 50};
 const QVector3D kEye(-70.0F, -200.0F, -58.0F);  // in the bone's frame [mm]
 const QVector3D kMiddle(1.0F, 0.0F, 10.0F);
@@ -26,8 +28,9 @@ HipScene::HipScene(const Options& options) {
                            ? kPlainRadius
                            : kPerMetre * static_cast<float>(options.packing->bone->reamerRadius);
   ReamerShape reamer = reamerShape(radius);
-  scene_.parts.push_back({.mesh = std::move(reamer.cap)});
-  scene_.parts.push_back({.mesh = std::move(reamer.shaft)});
+  scene_.parts.push_back({.mesh = std::move(reamer.cap), .isTool = true});
+  scene_.parts.push_back({.mesh = std::move(reamer.shaft), .isTool = true});
+  scene_.shadow = {.radius = radius, .reach = kHipShadow, .depth = kHipShadowDepth};
   options.packing == nullptr ? addPlainCup() : addSpheres(options);
   lookIntoTheCup();
   // Colours with a meaning need even light to be read.
@@ -107,6 +110,7 @@ void HipScene::follow(const Look& look, double seconds) {
   QMatrix4x4 pose;
   pose.translate(0.0F, 0.0F, start_ + kPerMetre * static_cast<float>(depth_));
   pose.rotate(spin_, 0.0F, 0.0F, 1.0F);
+  scene_.shadow.from = pose.column(3).toVector3D();
   scene_.parts[Cap].pose = pose;
   scene_.parts[Shaft].pose = pose;
 }

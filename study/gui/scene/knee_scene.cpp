@@ -17,8 +17,11 @@ constexpr double kClosed = 10.0;       // [travel units]
 constexpr double kCertainlyCut = 9.3;  // [travel units]
 constexpr double kOpenAgain = 4.0;     // [travel units]
 constexpr double kPieceFloats = 0.7;   // [s]
-constexpr float kNextBite = 13.0F;     // [°]
-constexpr float kMovesOn = 26.0F;      // [°/s]
+constexpr float kShaftInView = 60.0F;  // [mm]
+constexpr float kKneeShadow = 2.5F;    // reach [mm]
+constexpr float kKneeShadowDepth = 0.5F;
+constexpr float kNextBite = 13.0F;  // [°]
+constexpr float kMovesOn = 26.0F;   // [°/s]
 
 }  // namespace
 
@@ -36,7 +39,15 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   add(std::move(shape.jaw));
   add(std::move(shape.rod));
   add(std::move(shape.lever));
+  for (const auto part : {Body, Grip, Jaw, Rod, Lever}) scene_.parts[part].isTool = true;
   scene_.parts[Piece].isShown = false;
+  // From the tips of the jaws along the shaft.
+  scene_.shadow = {
+      .from = punch.map(QVector3D(kJawLength, 0.0F, 0.0F)),
+      .along = punch.mapVector(QVector3D(-kShaftInView, 0.0F, 0.0F)),
+      .radius = kJawHalfWidth,
+      .reach = kKneeShadow,
+      .depth = kKneeShadowDepth};
   lookThroughTheScope();
   lookAtTheHandles();
   follow({}, 0.0);

@@ -5,6 +5,12 @@
 
 namespace study::gui::scene {
 
+ContactShadow inEyeFrame(ContactShadow shadow, const Shot& shot) {
+  shadow.from = shot.view.map(shadow.from);
+  shadow.along = shot.view.mapVector(shadow.along);
+  return shadow;
+}
+
 QRect placeOf(const Shot& shot, QSize size) {
   const QRectF place(
       shot.place.x() * size.width(),

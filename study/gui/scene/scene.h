@@ -18,6 +18,17 @@ struct Part {
   QMatrix4x4 pose;
   std::uint64_t revision = 1;  ///< of the mesh; a renderer compares it with that of its copy
   bool isShown = true;
+  bool isTool = false;  ///< is not darkened by the tool's own shadow
+};
+
+/// The soft shadow of a tool on what it nearly touches: surfaces are darker the closer they are to
+/// a rod with round ends. In the scene's frame [mm].
+struct ContactShadow {
+  QVector3D from;       ///< one end of the rod's axis
+  QVector3D along;      ///< to the other one; a sphere if it is 0
+  float radius = 0.0F;  ///< of the rod
+  float reach = 1.0F;   ///< distance at which the shadow ends
+  float depth = 0.0F;   ///< share of light that is lost at the rod; 0: no shadow
 };
 
 /// A lamp, in the eye's frame.
@@ -46,9 +57,13 @@ struct Shot {
 /// What a renderer draws: bodies of triangles, spheres, and the views of them.
 struct Scene {
   std::vector<Part> parts;
+  ContactShadow shadow;
   SphereCloud* spheres = nullptr;  ///< not owned; nullptr: no spheres
   std::vector<Shot> shots;
 };
+
+/// @p shadow in the eye's frame of @p shot.
+ContactShadow inEyeFrame(ContactShadow shadow, const Shot& shot);
 
 /// The rectangle of @p shot in a picture of @p size [px], with the shot's aspect ratio; for a round
 /// view the square around the disc.

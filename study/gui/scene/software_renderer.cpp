@@ -54,6 +54,15 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   return {diffuse + metal * (steel - diffuse), power * shine};
 }
 
+float leftBy(const ContactShadow& shadow, QVector3D place) {
+  const QVector3D way = place - shadow.from;
+  const float length = std::max(shadow.along.lengthSquared(), 1e-6F);
+  const float at = std::clamp(QVector3D::dotProduct(way, shadow.along) / length, 0.0F, 1.0F);
+  const float gap = ((way - at * shadow.along).length() - shadow.radius) / shadow.reach;
+  const float near = 1.0F - std::clamp(gap, 0.0F, 1.0F);
+  return 1.0F - shadow.depth * near * near;
+}
+
 float vignette(float radius) {
   const float square = radius * radius;
   const float edge = std::clamp((1.0F - square) / 0.024F, 0.0F, 1.0F);
@@ -92,7 +101,11 @@ const QImage& SoftwareRenderer::draw(const Scene& scene, QSize size) {
   picture_.fill(Qt::black);
   nearness_.resize(static_cast<std::size_t>(size.width() * size.height()));
   for (const auto& shot : scene.shots) {
-    Frame frame{.shot = &shot, .place = placeOf(shot, size), .projection = {}};
+    Frame frame{
+        .shot = &shot,
+        .place = placeOf(shot, size),
+        .projection = {},
+        .shadow = inEyeFrame(scene.shadow, shot)};
     frame.projection = projectionOf(shot, frame.place.size());
     begin(frame);
     for (const auto part : shot.parts) {
@@ -127,7 +140,8 @@ void SoftwareRenderer::drawPart(const Frame& frame, const Part& part) {
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const auto& vertex = part.mesh.vertices[i];
     corners_[i].eye = toEye.map(vertex.position);
-    light(frame, vertex, toEye.mapVector(vertex.normal).normalized(), corners_[i]);
+    const QVector3D normal = toEye.mapVector(vertex.normal).normalized();
+    light(frame, vertex, normal, part.isTool, corners_[i]);
     project(frame, corners_[i]);
   }
   for (const auto& t : part.mesh.triangles)
@@ -135,10 +149,11 @@ void SoftwareRenderer::drawPart(const Frame& frame, const Part& part) {
 }
 
 void SoftwareRenderer::light(
-    const Frame& frame, const Vertex& vertex, QVector3D normal, Corner& corner) const {
+    const Frame& frame, const Vertex& vertex, QVector3D normal, bool isTool, Corner& corner) const {
   const Tint tint = vertex.tint;
-  const auto bright =
+  auto bright =
       brightnessOf(frame.shot->light, corner.eye, normal, static_cast<float>(tint.gloss) / 255.0F);
+  if (!isTool && frame.shadow.depth > 0.0F) bright.diffuse *= leftBy(frame.shadow, corner.eye);
   corner.red = shown(linear(tint.red) * bright.diffuse + bright.shine);
   corner.green = shown(linear(tint.green) * bright.diffuse + bright.shine);
   corner.blue = shown(linear(tint.blue) * bright.diffuse + bright.shine);
@@ -258,17 +273,18 @@ void SoftwareRenderer::drawSphere(
   const QRect place = frame.place.intersected(picture_.rect());
   const int top = std::max(place.top(), static_cast<int>(std::ceil(middle.y - radius - 0.5F)));
   const int bottom = std::min(place.bottom(), static_cast<int>(middle.y + radius - 0.5F));
-  const int left = std::max(place.left(), static_cast<int>(std::ceil(middle.x - radius - 0.5F)));
-  const int right = std::min(place.right(), static_cast<int>(middle.x + radius - 0.5F));
-  const float red = linear(sphere.tint.red);
-  const float green = linear(sphere.tint.green);
-  const float blue = linear(sphere.tint.blue);
+  const int first = std::max(place.left(), static_cast<int>(std::ceil(middle.x - radius - 0.5F)));
+  const int last = std::min(place.right(), static_cast<int>(middle.x + radius - 0.5F));
+  const float left = frame.shadow.depth > 0.0F ? leftBy(frame.shadow, middle.eye) : 1.0F;
+  const float red = left * linear(sphere.tint.red);
+  const float green = left * linear(sphere.tint.green);
+  const float blue = left * linear(sphere.tint.blue);
   const float ambient = frame.shot->light.ambient;
   for (int y = top; y <= bottom; ++y) {
     auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
     float* near = nearness_.data() + y * picture_.width();
     const float ny = (middle.y - static_cast<float>(y) - 0.5F) / radius;
-    for (int x = left; x <= right; ++x) {
+    for (int x = first; x <= last; ++x) {
       const float nx = (static_cast<float>(x) + 0.5F - middle.x) / radius;
       const float rest = 1.0F - nx * nx - ny * ny;
       if (rest <= 0.0F || middle.nearness <= near[x]) continue;

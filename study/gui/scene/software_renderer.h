@@ -21,6 +21,10 @@ struct Brightness {
 /// @param place, normal  in the eye's frame. @param gloss  in [0, 1].
 Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss);
 
+/// The share of light that is left in the shadow of a tool, 1 outside of it. @param shadow, place
+/// in the same frame.
+float leftBy(const ContactShadow& shadow, QVector3D place);
+
 /// The brightness at @p radius from the middle of a round view, whose rim is at 1.
 float vignette(float radius);
 
@@ -50,11 +54,17 @@ class SoftwareRenderer final : public Renderer {
     const Shot* shot = nullptr;
     QRect place;
     QMatrix4x4 projection;
+    ContactShadow shadow;  ///< in the eye's frame
   };
 
   void begin(const Frame& frame);
   void drawPart(const Frame& frame, const Part& part);
-  void light(const Frame& frame, const Vertex& vertex, QVector3D normal, Corner& corner) const;
+  void light(
+      const Frame& frame,
+      const Vertex& vertex,
+      QVector3D normal,
+      bool isTool,
+      Corner& corner) const;
   void project(const Frame& frame, Corner& corner) const;
   void clip(const Frame& frame, const Corner& a, const Corner& b, const Corner& c);
   void fill(const Frame& frame, const Corner& a, const Corner& b, const Corner& c);

@@ -9,9 +9,7 @@
 namespace study::report {
 namespace {
 
-constexpr double kNames = 250.0;
-constexpr double kNumbers = 180.0;
-constexpr double kRow = 34.0;
+constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 34.0};
 
 /// A scale that covers all intervals, the equivalence bounds, and zero.
 AxisScale effectScale(const FamilyResult& family) {
@@ -40,7 +38,7 @@ class EffectPainter {
         section_(section),
         family_(family),
         format_(format),
-        canvas_(painter, format, kNames, kNumbers, effectScale(family)) {}
+        canvas_(painter, format, kEffectRows, effectScale(family)) {}
 
   void paint() {
     const double bottom = effectFigureSize(family_, format_).height() - RowsCanvas::kAxis;
@@ -59,7 +57,7 @@ class EffectPainter {
       y += RowsCanvas::kHeading;
       for (const auto& row : cohort.within.rows) {
         effect(row, y);
-        y += RowsCanvas::rowHeight(format_, kRow);
+        y += RowsCanvas::rowHeight(format_, kEffectRows.height);
       }
     }
   }
@@ -67,14 +65,16 @@ class EffectPainter {
  private:
   void effect(const analysis::WithinComparison& row, double y) {
     canvas_.name(
-        section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2), y, kRow);
+        section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2),
+        y,
+        kEffectRows.height);
     const auto& test = row.test("paired_t");
     const auto difference = test.estimate.value;
     if (!difference) {
-      canvas_.words(section_.words("not defined"), y, kRow);
+      canvas_.words(section_.words("not defined"), y, kEffectRows.height);
       return;
     }
-    const double middle = canvas_.drawingOf(y) + kRow / 2;
+    const double middle = canvas_.drawingOf(y) + kEffectRows.height / 2;
     const QColor colour = categoryColour(0);
     if (test.adjustedInterval) {
       canvas_.interval(
@@ -84,7 +84,8 @@ class EffectPainter {
       canvas_.interval(test.interval->low, test.interval->high, middle, colour, 4.0);
     }
     canvas_.dot(*difference, middle, colour, 5.5);
-    canvas_.words(rounded(difference, 2) + " " + intervalInWords(test.interval), y, kRow);
+    canvas_.words(
+        rounded(difference, 2) + " " + intervalInWords(test.interval), y, kEffectRows.height);
   }
 
   QPainter& painter_;
@@ -99,8 +100,8 @@ class EffectPainter {
 QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading +
-              static_cast<double>(cohort.within.rows.size()) * RowsCanvas::rowHeight(format, kRow);
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.within.rows.size()) *
+                                         RowsCanvas::rowHeight(format, kEffectRows.height);
   }
   return {format.layoutWidth(), height};
 }

@@ -11,12 +11,12 @@
 namespace study::report {
 namespace {
 
-constexpr double kHeight = 420.0;
-constexpr double kAxis = 52.0;   // below the plot
-constexpr double kEntry = 24.0;  // of a legend below the plot
+constexpr double kFeltHeight = 420.0;
+constexpr double kFeltAxis = 52.0;   // below the plot
+constexpr double kFeltEntry = 24.0;  // of a legend below the plot
 
 /// The plot; a narrow figure has its legend below, others beside.
-QRectF plotOf(const FigureFormat& format) {
+QRectF feltPlotOf(const FigureFormat& format) {
   constexpr double kLeft = 64.0;
   constexpr double kTop = 14.0;
   constexpr double kUsual = 540.0;
@@ -40,7 +40,7 @@ class FeltPainter {
       const ReportSection& section,
       const std::string& device,
       const FigureFormat& format)
-      : painter_(painter), section_(section), format_(format), plot_(plotOf(format)) {
+      : painter_(painter), section_(section), format_(format), plot_(feltPlotOf(format)) {
     for (std::size_t i = 0; i < section.curves.size(); ++i) {
       const auto& curve = section.curves[i];
       if (!isOf(curve, device)) continue;
@@ -148,7 +148,7 @@ class FeltPainter {
   }
 
   void legendBelow() {
-    double y = plot_.bottom() + kAxis;
+    double y = plot_.bottom() + kFeltAxis;
     for (const auto* curve : curves_) {
       painter_.setPen(QPen(categoryColour(section_.conditionPlace(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
@@ -161,7 +161,7 @@ class FeltPainter {
               section_.conditionTitle(curve->condition) + ", " +
               section_.words.count(curve->trials, "{} trial", "{} trials")),
           12);
-      y += kEntry;
+      y += kFeltEntry;
     }
   }
 
@@ -204,11 +204,11 @@ class FeltPainter {
 
 QSizeF feltFigureSize(
     const ReportSection& section, const std::string& device, const FigureFormat& format) {
-  if (!format.isNarrow()) return {format.layoutWidth(), kHeight};
+  if (!format.isNarrow()) return {format.layoutWidth(), kFeltHeight};
   const auto entries = std::ranges::count_if(
       section.curves, [&](const FeltCurve& curve) { return isOf(curve, device); });
-  const double legend = kEntry * static_cast<double>(entries);
-  return {format.layoutWidth(), plotOf(format).bottom() + kAxis + legend + 6.0};
+  const double legend = kFeltEntry * static_cast<double>(entries);
+  return {format.layoutWidth(), feltPlotOf(format).bottom() + kFeltAxis + legend + 6.0};
 }
 
 void paintFeltFigure(

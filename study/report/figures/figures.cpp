@@ -39,6 +39,12 @@ FamilyFigures figuresOf(
       positionFigureSize(family, format),
       [&](QPainter& painter) { paintPositionFigure(painter, section, family, format); },
       format);
+  if (const auto size = siteFigureSize(family, format); !size.isEmpty()) {
+    figures.sites = asSvg(
+        size,
+        [&](QPainter& painter) { paintSiteFigure(painter, section, family, format); },
+        format);
+  }
   return figures;
 }
 

@@ -58,6 +58,16 @@ void paintRaincloudFigure(
     const FamilyResult& family,
     const FigureFormat& format);
 
+/// Forest plot: the difference of two methods at each site with its interval at 1 − α, a square
+/// whose area is the site's weight, and a diamond for the pooled difference. Its size is empty for
+/// one site.
+QSizeF siteFigureSize(const FamilyResult& family, const FigureFormat& format);
+void paintSiteFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format);
+
 /// Preferences by cohort and round: a bar for each condition with its interval. The dashed line is
 /// the share that each would have if all were preferred equally often.
 QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format);

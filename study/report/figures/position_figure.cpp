@@ -8,9 +8,7 @@
 namespace study::report {
 namespace {
 
-constexpr double kNames = 190.0;
-constexpr double kNumbers = 180.0;
-constexpr double kRow = 26.0;
+constexpr RowMeasures kPositionRows{.names = 190.0, .texts = 180.0, .height = 26.0};
 
 }  // namespace
 
@@ -18,7 +16,7 @@ QSizeF positionFigureSize(const FamilyResult& family, const FigureFormat& format
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
     height += RowsCanvas::kHeading + static_cast<double>(cohort.position.positions.size()) *
-                                         RowsCanvas::rowHeight(format, kRow);
+                                         RowsCanvas::rowHeight(format, kPositionRows.height);
   }
   return {format.layoutWidth(), height};
 }
@@ -34,8 +32,7 @@ void paintPositionFigure(
   RowsCanvas canvas(
       painter,
       format,
-      kNames,
-      kNumbers,
+      kPositionRows,
       AxisScale({.title = {}, .least = low - 0.1, .most = high + 0.1}, low, high));
   const double bottom = positionFigureSize(family, format).height() - RowsCanvas::kAxis;
   canvas.axis(
@@ -48,9 +45,9 @@ void paintPositionFigure(
       canvas.name(
           section.words.say("position {} (n = {})", position.position, position.participants),
           y,
-          kRow);
+          kPositionRows.height);
       const QColor colour = categoryColour(0);
-      const double middle = canvas.drawingOf(y) + kRow / 2;
+      const double middle = canvas.drawingOf(y) + kPositionRows.height / 2;
       if (const auto& interval = position.interval) {
         canvas.interval(
             std::max(interval->low, low - 0.1),
@@ -60,8 +57,11 @@ void paintPositionFigure(
             1.8);
       }
       canvas.dot(position.mean, middle, colour, 5.0);
-      canvas.words(rounded(position.mean, 2) + " " + intervalInWords(position.interval), y, kRow);
-      y += RowsCanvas::rowHeight(format, kRow);
+      canvas.words(
+          rounded(position.mean, 2) + " " + intervalInWords(position.interval),
+          y,
+          kPositionRows.height);
+      y += RowsCanvas::rowHeight(format, kPositionRows.height);
     }
   }
 }

@@ -12,9 +12,7 @@
 namespace study::report {
 namespace {
 
-constexpr double kNames = 190.0;
-constexpr double kNumbers = 110.0;
-constexpr double kRow = 84.0;
+constexpr RowMeasures kCloudRows{.names = 190.0, .texts = 110.0, .height = 84.0};
 constexpr double kCloud = 34.0;  // of a row, from its top
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
@@ -73,8 +71,7 @@ class RaincloudPainter {
         canvas_(
             painter,
             format,
-            kNames,
-            kNumbers,
+            kCloudRows,
             AxisScale(
                 {.title = {},
                  .least = lowest_ - kMargin * (highest_ - lowest_),
@@ -92,23 +89,23 @@ class RaincloudPainter {
       y += RowsCanvas::kHeading;
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
         row(cohort.table, method, y);
-        y += RowsCanvas::rowHeight(format_, kRow);
+        y += RowsCanvas::rowHeight(format_, kCloudRows.height);
       }
     }
   }
 
  private:
   void row(const analysis::AnswerTable& table, std::size_t method, double y) {
-    canvas_.name(section_.conditionTitle(table.methods[method]), y, kRow);
+    canvas_.name(section_.conditionTitle(table.methods[method]), y, kCloudRows.height);
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
-    if (values.empty()) return canvas_.words(number, y, kRow / 2);
+    if (values.empty()) return canvas_.words(number, y, kCloudRows.height / 2);
     const std::string mean = "μ = " + rounded(meanOf(values), 2);
     if (canvas_.isNarrow()) {
-      canvas_.words(mean + ", " + number, y, kRow / 2);
+      canvas_.words(mean + ", " + number, y, kCloudRows.height / 2);
     } else {
-      canvas_.words(number, y, kRow / 2);
-      canvas_.words(mean, y + kRow / 2 - 12, kRow / 2);
+      canvas_.words(number, y, kCloudRows.height / 2);
+      canvas_.words(mean, y + kCloudRows.height / 2 - 12, kCloudRows.height / 2);
     }
     y = canvas_.drawingOf(y);
     const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
@@ -167,7 +164,7 @@ class RaincloudPainter {
     }
     std::size_t highest = 1;
     for (const auto& [place, column] : columns) highest = std::max(highest, column.size());
-    const double room = kRow - (kCloud + kBox + 10) - kDot;
+    const double room = kCloudRows.height - (kCloud + kBox + 10) - kDot;
     const double step = std::min(2.0 * kDot, room / static_cast<double>(highest));
     for (const auto& [place, column] : columns) {
       double y = top;
@@ -193,7 +190,7 @@ QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& forma
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
     height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
-                                         RowsCanvas::rowHeight(format, kRow);
+                                         RowsCanvas::rowHeight(format, kCloudRows.height);
   }
   return {format.layoutWidth(), height};
 }

@@ -8,6 +8,13 @@
 
 namespace study::report {
 
+/// What a figure of rows gives to its parts [px].
+struct RowMeasures {
+  double names;   ///< width, on the left
+  double texts;   ///< width, on the right
+  double height;  ///< of a row
+};
+
 /// A figure of rows with names on the left, a value axis along the bottom, and texts on the right;
 /// in a narrow one names and texts stand above their row. Bars, dots and intervals are drawn on it.
 class RowsCanvas {
@@ -17,15 +24,17 @@ class RowsCanvas {
 
   static constexpr double kNameLine = 18.0;  ///< above a row of a narrow figure
 
-  /// @param left, right  widths of names and texts [px]
   RowsCanvas(
-      QPainter& painter, const FigureFormat& format, double left, double right, AxisScale scale)
+      QPainter& painter,
+      const FigureFormat& format,
+      const RowMeasures& rows,
+      const AxisScale& scale)
       : painter_(painter),
         isNarrow_(format.isNarrow()),
         width_(format.layoutWidth()),
-        left_(isNarrow_ ? kNarrowEnd : left),
-        right_(width_ - (isNarrow_ ? kNarrowEnd : right)),
-        scale_(std::move(scale)) {}
+        left_(isNarrow_ ? kNarrowEnd : rows.names),
+        right_(width_ - (isNarrow_ ? kNarrowEnd : rows.texts)),
+        scale_(scale) {}
 
   /// The height of a row with its name.
   static double rowHeight(const FigureFormat& format, double height) {

@@ -5,11 +5,9 @@
 namespace study::report {
 namespace {
 
-constexpr double kNames = 210.0;
-constexpr double kNumbers = 90.0;
-constexpr double kRow = 26.0;
-constexpr double kBar = 18.0;
-constexpr double kGap = 10.0;
+constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 26.0};
+constexpr double kVoteBar = 18.0;
+constexpr double kVoteGap = 10.0;
 
 class VotePainter {
  public:
@@ -20,8 +18,7 @@ class VotePainter {
         canvas_(
             painter,
             format,
-            kNames,
-            kNumbers,
+            kVoteRows,
             AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
   void paint() {
@@ -47,12 +44,12 @@ class VotePainter {
     const double top = y;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       row(shares[i].option, shares[i].votes, vote.votes.total(), vote, i, y);
-      y += RowsCanvas::rowHeight(format_, kRow);
+      y += RowsCanvas::rowHeight(format_, kVoteRows.height);
     }
     if (!shares.empty()) {
       canvas_.reference(100.0 / static_cast<double>(shares.size()), top, y, Qt::DashLine);
     }
-    return y + kGap;
+    return y + kVoteGap;
   }
 
   void row(
@@ -62,19 +59,26 @@ class VotePainter {
       const VoteResult& vote,
       std::size_t index,
       double y) {
-    canvas_.name(section_.conditionTitle(option), y, kRow);
-    canvas_.words(std::to_string(votes) + " / " + std::to_string(total), y, kRow);
+    canvas_.name(section_.conditionTitle(option), y, kVoteRows.height);
+    canvas_.words(std::to_string(votes) + " / " + std::to_string(total), y, kVoteRows.height);
     if (total == 0) return;
     y = canvas_.drawingOf(y);
     const double share = 100.0 * static_cast<double>(votes) / static_cast<double>(total);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(categoryColour(section_.conditionPlace(option)));
-    painter_.drawRect(
-        QRectF(canvas_.x(0.0), y + (kRow - kBar) / 2, canvas_.x(share) - canvas_.x(0.0), kBar));
+    painter_.drawRect(QRectF(
+        canvas_.x(0.0),
+        y + (kVoteRows.height - kVoteBar) / 2,
+        canvas_.x(share) - canvas_.x(0.0),
+        kVoteBar));
     if (index >= vote.intervals.size() || !vote.intervals[index]) return;
     const auto& interval = *vote.intervals[index];
     canvas_.interval(
-        100.0 * interval.low, 100.0 * interval.high, y + kRow / 2, QColor(40, 40, 40), 1.6);
+        100.0 * interval.low,
+        100.0 * interval.high,
+        y + kVoteRows.height / 2,
+        QColor(40, 40, 40),
+        1.6);
   }
 
   QPainter& painter_;
@@ -88,10 +92,10 @@ class VotePainter {
 QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& vote : section.results.votes) {
-    height +=
-        RowsCanvas::kHeading +
-        static_cast<double>(vote.votes.shares().size()) * RowsCanvas::rowHeight(format, kRow) +
-        kGap;
+    height += RowsCanvas::kHeading +
+              static_cast<double>(vote.votes.shares().size()) *
+                  RowsCanvas::rowHeight(format, kVoteRows.height) +
+              kVoteGap;
   }
   return {format.layoutWidth(), height};
 }

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {

@@ -6,7 +6,6 @@
 #include "study/model/named_value.h"
 #include "study/storage/session_repository.h"
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {

@@ -58,8 +58,7 @@ std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
   return std::nullopt;
 }
 
-/// Keys that passphrases opened, by commitment. Windows open a study more than once, in more than
-/// one thread.
+/// Keys that passphrases opened, by commitment or salt, for more than one thread.
 struct HeldKeys {
   std::mutex mutex;
   std::map<std::string, BlindingSecret> keys;
@@ -70,11 +69,33 @@ HeldKeys& heldKeys() {
   return held;
 }
 
+/// 128 random bits: no other wrapped key has them.
+std::string saltOf(const WrappedKey& wrapped) {
+  return {wrapped.salt.begin(), wrapped.salt.end()};
+}
+
 }  // namespace
 
 void holdKey(const BlindingSecret& key) {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.insert_or_assign(key.commitment(), key);
+}
+
+void holdOpened(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
+  const std::scoped_lock lock(heldKeys().mutex);
+  heldKeys().keys.insert_or_assign(saltOf(wrapped), BlindingSecret(key));
+}
+
+std::optional<SealingKey> heldKey(const WrappedKey& wrapped) {
+  const std::scoped_lock lock(heldKeys().mutex);
+  const auto held = heldKeys().keys.find(saltOf(wrapped));
+  if (held == heldKeys().keys.end()) return std::nullopt;
+  return SealingKey(held->second.bytes());
+}
+
+void forgetHeldKeys() {
+  const std::scoped_lock lock(heldKeys().mutex);
+  heldKeys().keys.clear();
 }
 
 bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder) {

@@ -17,8 +17,16 @@ namespace study::storage {
 /// @throws StorageError  if the station's own folder cannot be used.
 bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder);
 
-/// Holds a key in the memory of this program, until it ends: keptKey() finds it.
+/// Holds a key in the memory of this program, until it ends: keptKey() finds it, because windows
+/// open a study more than once.
 void holdKey(const BlindingSecret& key);
+
+/// The same for the key that a passphrase opened, by what it is wrapped in: for names.
+void holdOpened(const WrappedKey& wrapped, const SealingKey::Bytes& key);
+std::optional<SealingKey> heldKey(const WrappedKey& wrapped);
+
+/// For tests: what this program holds, as if it began again.
+void forgetHeldKeys();
 
 /// The key of the study that committed to it, if this program holds it or this station keeps it.
 /// @throws StorageError  if the station's own folder cannot be used.

@@ -49,4 +49,15 @@ std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit);
 /// Inside the caller's transaction. @throws StorageError  if the bytes are not those of the hash.
 void addChunk(Database& traces, SessionId session, const TraceChunk& chunk);
 
+/// How far the audit trail speaks of a session.
+struct SessionMark {
+  SessionId session{};
+  std::string participant;  ///< code
+  std::int64_t lastEvent = 0;
+  std::string utc;  ///< of that event
+};
+
+/// Of all sessions, in the order of their numbers.
+std::vector<SessionMark> sessionMarks(const Database& study);
+
 }  // namespace study::storage

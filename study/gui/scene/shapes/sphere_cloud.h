@@ -8,7 +8,7 @@
 
 #include <QVector3D>
 
-#include "haptics/engine/bone_view.h"
+#include "haptics/engine/bone_models.h"
 #include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/scene/shapes/mesh.h"
 

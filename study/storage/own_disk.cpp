@@ -1,15 +1,24 @@
-#include "study/storage/network_drive.h"
+#include "study/storage/own_disk.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
 
+#include "study/model/new_file.h"
 #include "study/model/storage_error.h"
+#include "study/storage/database.h"
+#include "study/storage/statement.h"
 
 namespace study::storage {
 namespace {
@@ -79,6 +88,58 @@ void requireOwnDisk(const std::string& path) {
       path + " is on a network drive (" + drive +
       "), where answers can get lost. Choose a folder on a disk of this computer; 'palpate study "
       "backup' copies a study to one.");
+}
+
+bool ReservedSpace::take() const noexcept {
+  std::error_code ignored;
+  if (std::filesystem::exists(file_, ignored)) return true;
+  const int file = open(file_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  if (file < 0) return false;
+  // Allocates the blocks. A file of this size alone would be sparse and reserve nothing.
+  const bool hasRoom = posix_fallocate(file, 0, static_cast<off_t>(kSize)) == 0;
+  close(file);
+  if (!hasRoom) release();
+  return hasRoom;
+}
+
+bool ReservedSpace::release() const noexcept {
+  std::error_code ignored;
+  return std::filesystem::remove(file_, ignored);
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 1> kSteps{"CREATE TABLE row (words TEXT NOT NULL) STRICT"};
+constexpr Schema kSchema{0x70616c63, "a file for a self-test", kSteps};
+
+/// A folder that is removed with its content by the destructor.
+struct TemporaryFolder {
+  std::filesystem::path path;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
+CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
+  using Clock = std::chrono::steady_clock;
+  const TemporaryFolder passing{newFolderBeside(folder / "self-test")};
+  auto database = Database::create((passing.path / "self-test.db").string(), kSchema);
+  std::vector<double> times;
+  for (int i = 0; i < commits; ++i) {
+    const auto begin = Clock::now();
+    Transaction transaction(database);
+    Statement insert(database, "INSERT INTO row (words) VALUES (?)");
+    insert.bind(1, std::string_view("an answer of ordinary length, with its audit line beside it"));
+    insert.run();
+    transaction.commit();
+    times.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+  }
+  if (times.empty()) return {};
+  std::sort(times.begin(), times.end());
+  return {.commits = commits, .median = times[times.size() / 2], .longest = times.back()};
 }
 
 }  // namespace study::storage

@@ -1,0 +1,173 @@
+#include <algorithm>
+
+#include "study/report/family_tests.h"
+#include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
+
+namespace study::report {
+namespace {
+
+/// Writes one family's differences by site.
+class SitesWriter : HtmlWriter {
+ public:
+  SitesWriter(const ReportSection& section, const FamilyResult& family)
+      : HtmlWriter(section), f_(family) {}
+
+  std::string all(const std::string& forest) {
+    put("<h4>{}</h4>", say("By site"));
+    figure(
+        forest,
+        "Mean differences within people at each site with their intervals at 1 − α; the area of a "
+        "square is the site’s weight. The diamond is the pooled difference with its interval: "
+        "random effects, τ² by REML, the standard error by Knapp and Hartung. An arrow: the "
+        "interval goes on.");
+    table(
+        say("Differences of participants’ means by site"),
+        {say("Site"),
+         "n",
+         say("Difference"),
+         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
+         "p",
+         say("Weight")});
+    forEachComparison([&](const auto& sites, const auto& row) { comparison(sites, row); });
+    endTable();
+    withoutEach();
+    note(
+        "Exploratory. One effect: sites differ by chance alone. Random effects: the difference "
+        "itself varies between sites, with the variance τ². Of few sites τ² and I² are known "
+        "badly; a Q that is not significant does not show that sites agree. Of sites with fewer "
+        "than two participants, or whose participants all differ alike, nothing is pooled.");
+    return std::move(html_);
+  }
+
+ private:
+  template <typename Write>
+  void forEachComparison(Write write) {
+    for (const auto& part : f_.cohorts) {
+      if (!part.sites || !hasAnswers(part)) continue;
+      for (const auto& row : part.sites->rows) {
+        rowOver(
+            cohort(part.cohort) + ": " + condition(row.group1) + " vs. " + condition(row.group2),
+            6);
+        write(*part.sites, row);
+      }
+    }
+  }
+
+  void comparison(const analysis::SiteAnalysis& sites, const analysis::SiteComparison& comparison) {
+    for (const auto& site : comparison.sites) {
+      row(
+          {escaped(site.site),
+           std::to_string(site.test.n),
+           rounded(site.test.meanDifference, 2),
+           intervalInWords(site.interval),
+           escaped(pInWords(site.test.p)),
+           site.weight > 0.0 ? rounded(100.0 * site.weight, 0) + " %" : "–"});
+    }
+    if (comparison.pooled) {
+      pooled(say("All sites, one effect"), comparison.pooled->common);
+      pooled(
+          say("All sites, random effects (DerSimonian–Laird)"),
+          comparison.pooled->derSimonianLaird);
+      pooled(say("All sites, random effects (REML)"), comparison.pooled->reml);
+      pooled(
+          say("All sites, random effects (REML, Knapp–Hartung)"), comparison.pooled->knappHartung);
+      heterogeneity(*comparison.pooled);
+    } else {
+      rowOver(say("not pooled: {}", s_.words(comparison.reason)), 6);
+    }
+    model(say("Mixed model, sites as fixed effects"), comparison.fixedSites);
+    model(say("Mixed model, sites as random effects"), comparison.randomSites);
+    if (const auto& fit = sites.randomSites.fit) {
+      const auto& components = fit->components;
+      rowOver(
+          say("variance between sites {}, of the difference between sites {}",
+              rounded(components[components.size() - 2].variance, 3),
+              rounded(components.back().variance, 3)),
+          6);
+    }
+  }
+
+  void pooled(const std::string& which, const analysis::PooledEstimate& pooled) {
+    row(
+        {which,
+         "",
+         rounded(pooled.estimate, 2),
+         intervalInWords(pooled.interval),
+         escaped(pInWords(pooled.p)),
+         ""});
+  }
+
+  void heterogeneity(const analysis::MetaAnalysis& pooled) {
+    rowOver(
+        say("Heterogeneity: Q({}) = {}, p {}; I² = {} %; τ² = {} by REML, {} by DerSimonian and "
+            "Laird",
+            pooled.sites - 1,
+            rounded(pooled.q, 2),
+            equalsInWords(pInWords(pooled.qP)),
+            rounded(100.0 * pooled.reml.iSquared, 0),
+            rounded(pooled.reml.tauSquared, 3),
+            rounded(pooled.derSimonianLaird.tauSquared, 3)),
+        6);
+  }
+
+  void model(const std::string& which, const analysis::TestRow& test) {
+    if (!test.p) {
+      put("<tr><td>{}</td><td class=\"words\" colspan=\"5\">{}</td></tr>",
+          which,
+          say("not defined: {}", s_.words(test.reason)));
+      return;
+    }
+    row(
+        {which,
+         "",
+         rounded(test.estimate.value, 2),
+         intervalInWords(test.interval),
+         escaped(pInWords(test.p)),
+         ""});
+  }
+
+  void withoutEach() {
+    const auto hasSome = [](const auto& part) {
+      return part.sites && std::ranges::any_of(part.sites->rows, [](const auto& row) {
+               return !row.withoutEach.empty();
+             });
+    };
+    const auto caption = say("Without one site (REML, Knapp–Hartung)");
+    if (std::ranges::none_of(f_.cohorts, hasSome)) return;
+    table(
+        caption,
+        {say("Site"),
+         say("Difference"),
+         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
+         "p",
+         "I²",
+         "τ²"});
+    forEachComparison([&](const auto&, const auto& comparison) {
+      for (const auto& [site, left] : comparison.withoutEach) {
+        row(
+            {say("All sites but {}", site),
+             rounded(left.estimate, 2),
+             intervalInWords(left.interval),
+             escaped(pInWords(left.p)),
+             rounded(100.0 * left.iSquared, 0) + " %",
+             rounded(left.tauSquared, 3)});
+      }
+    });
+    endTable();
+  }
+
+  const FamilyResult& f_;
+};
+
+}  // namespace
+
+std::string sitesAsHtml(
+    const ReportSection& section, const FamilyResult& family, const std::string& figure) {
+  const auto isAnySite =
+      std::ranges::any_of(family.cohorts, [](const auto& part) { return part.sites.has_value(); });
+  return isAnySite ? SitesWriter(section, family).all(figure) : std::string();
+}
+
+}  // namespace study::report

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+
+#include "study/report/figures/figures.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/rows_canvas.h"
+#include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
+
+namespace study::report {
+namespace {
+
+constexpr RowMeasures kSiteRows{.names = 190.0, .texts = 190.0, .height = 24.0};
+constexpr double kLargestSquare = 18.0;  ///< side at a weight of 1
+
+template <typename Do>
+void forEachComparison(const FamilyResult& family, Do each) {
+  for (const auto& cohort : family.cohorts) {
+    if (!cohort.sites || !hasAnswers(cohort)) continue;
+    for (const auto& row : cohort.sites->rows) each(cohort, row);
+  }
+}
+
+/// A scale that covers all differences, the pooled intervals, and zero. The intervals of single
+/// sites are cut off at the width of the answers' scale: of two people they are often wider.
+AxisScale siteScale(const FamilyResult& family) {
+  double most = 0.0;
+  double widest = 0.0;
+  forEachComparison(family, [&](const auto& cohort, const auto& row) {
+    widest = std::max(widest, static_cast<double>(cohort.table.highest - cohort.table.lowest));
+    for (const auto& site : row.sites) {
+      most = std::max(most, std::abs(site.test.meanDifference.value_or(0.0)));
+      if (site.interval) most = std::max({most, -site.interval->low, site.interval->high});
+    }
+    if (!row.pooled) return;
+    const auto& interval = row.pooled->knappHartung.interval;
+    most = std::max({most, -interval.low, interval.high});
+  });
+  most = most > 0.0 ? 1.05 * std::min(most, widest) : 1.0;
+  return {{.title = {}, .least = -most, .most = most}, -most, most};
+}
+
+class SitePainter {
+ public:
+  SitePainter(
+      QPainter& painter,
+      const ReportSection& section,
+      const FamilyResult& family,
+      const FigureFormat& format)
+      : painter_(painter),
+        section_(section),
+        family_(family),
+        format_(format),
+        canvas_(painter, format, kSiteRows, siteScale(family)) {}
+
+  void paint() {
+    const double bottom = siteFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+    canvas_.axis(
+        RowsCanvas::kHeading, bottom, section_.words("difference of participants’ means [points]"));
+    forEachComparison(family_, [&](const auto& cohort, const auto& row) {
+      canvas_.heading(
+          section_.cohortTitle(cohort.cohort) + ": " + section_.conditionTitle(row.group1) + " − " +
+              section_.conditionTitle(row.group2),
+          y_);
+      y_ += RowsCanvas::kHeading;
+      const auto rows = static_cast<double>(row.sites.size() + 1);
+      canvas_.reference(0.0, y_, y_ + rows * RowsCanvas::rowHeight(format_, kSiteRows.height));
+      for (const auto& one : row.sites) {
+        site(one);
+        y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
+      }
+      pooled(row);
+      y_ += RowsCanvas::rowHeight(format_, kSiteRows.height);
+    });
+  }
+
+ private:
+  double middle() const { return canvas_.drawingOf(y_) + kSiteRows.height / 2; }
+  double inside(double x) const { return std::clamp(x, canvas_.left(), canvas_.right()); }
+
+  void site(const analysis::SiteDifference& one) {
+    canvas_.name(one.site + " (n = " + std::to_string(one.test.n) + ")", y_, kSiteRows.height);
+    if (!one.test.meanDifference) {
+      canvas_.words(section_.words("not defined"), y_, kSiteRows.height);
+      return;
+    }
+    const QColor colour = categoryColour(0);
+    if (one.interval) interval(*one.interval, colour);
+    const double half = 0.5 * std::max(3.0, kLargestSquare * std::sqrt(one.weight));
+    painter_.setPen(QPen(Qt::white, 1));
+    painter_.setBrush(colour);
+    const double x = canvas_.x(*one.test.meanDifference);
+    painter_.drawRect(QRectF(x - half, middle() - half, 2.0 * half, 2.0 * half));
+    auto words = rounded(one.test.meanDifference, 2) + " " + intervalInWords(one.interval);
+    if (one.weight > 0.0) words += "  " + rounded(100.0 * one.weight, 0) + " %";
+    canvas_.words(words, y_, kSiteRows.height);
+  }
+
+  /// The line from end to end; an arrow where an end is beyond the axis.
+  void interval(const analysis::Interval& interval, const QColor& colour) {
+    const double low = inside(canvas_.x(interval.low));
+    const double high = inside(canvas_.x(interval.high));
+    painter_.setPen(QPen(colour, 1.8, Qt::SolidLine, Qt::FlatCap));
+    painter_.drawLine(QPointF(low, middle()), QPointF(high, middle()));
+    if (low <= canvas_.left()) arrow(low, 1.0);
+    if (high >= canvas_.right()) arrow(high, -1.0);
+  }
+
+  void arrow(double tip, double direction) {
+    for (const double side : {-4.0, 4.0}) {
+      painter_.drawLine(QPointF(tip, middle()), QPointF(tip + direction * 6.0, middle() + side));
+    }
+  }
+
+  void pooled(const analysis::SiteComparison& row) {
+    canvas_.name(section_.words("All sites"), y_, kSiteRows.height);
+    if (!row.pooled) {
+      canvas_.words(section_.words("not defined"), y_, kSiteRows.height);
+      return;
+    }
+    const auto& all = row.pooled->knappHartung;
+    constexpr double kHalf = 7.0;
+    QPolygonF diamond;
+    diamond << QPointF(inside(canvas_.x(all.interval.low)), middle())
+            << QPointF(canvas_.x(all.estimate), middle() - kHalf)
+            << QPointF(inside(canvas_.x(all.interval.high)), middle())
+            << QPointF(canvas_.x(all.estimate), middle() + kHalf);
+    painter_.setPen(QPen(Qt::black, 1));
+    painter_.setBrush(categoryColour(1));
+    painter_.drawPolygon(diamond);
+    canvas_.words(
+        rounded(all.estimate, 2) + " " + intervalInWords(all.interval) +
+            "  I² = " + rounded(100.0 * row.pooled->reml.iSquared, 0) + " %",
+        y_,
+        kSiteRows.height);
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  const FamilyResult& family_;
+  FigureFormat format_;
+  RowsCanvas canvas_;
+  double y_ = 0.0;
+};
+
+}  // namespace
+
+QSizeF siteFigureSize(const FamilyResult& family, const FigureFormat& format) {
+  double height = 0.0;
+  forEachComparison(family, [&](const auto&, const auto& row) {
+    height += RowsCanvas::kHeading + static_cast<double>(row.sites.size() + 1) *
+                                         RowsCanvas::rowHeight(format, kSiteRows.height);
+  });
+  if (height == 0.0) return {};
+  return {format.layoutWidth(), height + RowsCanvas::kAxis};
+}
+
+void paintSiteFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format) {
+  SitePainter(painter, section, family, format).paint();
+}
+
+}  // namespace study::report

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "study/session/study.h"
+
+namespace study {
+
+/// How many sessions a station has, and how many of them have arrived at the server of its study.
+struct Arrivals {
+  std::int64_t all = 0;
+  std::int64_t arrived = 0;
+  /// Since when the oldest that did not arrive waits: its last event; empty: none waits.
+  std::string waitingSince;
+};
+
+/// Of a server that has all events up to @p event.
+Arrivals arrivalsBy(Study& study, std::int64_t event);
+
+/// What this account noted of its last push of a study, so that the desk can tell without a
+/// network.
+struct NotedPush {
+  std::string utc;  ///< empty: it never pushed
+  std::int64_t have = 0;
+  std::string problem;  ///< why it did not succeed: the name of a refusal, or of a kind of problem;
+                        ///< empty: it did
+};
+
+/// @param study, station  their uuids
+NotedPush lastPush(const std::string& study, const std::string& station);
+/// Does nothing if the account's list cannot be written: the server is asked anyway.
+void notePush(const std::string& study, const std::string& station, const NotedPush& push) noexcept;
+
+}  // namespace study
