@@ -11,8 +11,7 @@
 
 #include "analysis/data/csv_table.h"
 #include "analysis/reliability/reliability.h"
-#include "analysis/tests/one_way_anova.h"
-#include "analysis/tests/repeated_measures_anova.h"
+#include "analysis/tests/anova.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -10,7 +10,7 @@
 #include "analysis/data/csv_table.h"
 #include "analysis/data/moments.h"
 #include "analysis/tests/adjustment.h"
-#include "analysis/tests/equal_shares.h"
+#include "analysis/tests/vote_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

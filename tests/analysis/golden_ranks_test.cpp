@@ -11,13 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/effects/rank_effects.h"
-#include "analysis/effects/share_interval.h"
-#include "analysis/tests/brunner_munzel.h"
+#include "analysis/data/vote_shares.h"
+#include "analysis/effects/effect_size.h"
 #include "analysis/tests/friedman.h"
-#include "analysis/tests/mann_whitney.h"
-#include "analysis/tests/sign_test.h"
-#include "analysis/tests/signed_rank.h"
+#include "analysis/tests/rank_tests.h"
+#include "analysis/tests/sign_tests.h"
 #include "analysis/tests/vote_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"

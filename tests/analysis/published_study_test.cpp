@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/vote_counts.h"
+#include "analysis/data/vote_shares.h"
 #include "analysis/summary/pairwise_comparisons.h"
-#include "analysis/tests/welch.h"
+#include "analysis/tests/t_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

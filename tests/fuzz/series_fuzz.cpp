@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 
 // Fuzzes the reader of reaming series: it reads, or says what is wrong.
 

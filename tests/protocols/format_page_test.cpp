@@ -2,15 +2,17 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "haptics/engine/scene_spec.h"
 #include "protocols/load_protocol.h"
-#include "protocols/reading/calibration_file.h"
-#include "protocols/reading/columns_file.h"
 #include "protocols/reading/cut_file.h"
+#include "protocols/reading/recording_file.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
@@ -72,17 +74,31 @@ tests::Loading loadWithCut(const nlohmann::json& protocol) {
   });
 }
 
-TEST(ProtocolFormatPage, HasConditionsThatFitIntoIt) {
+/// The models of the conditions in @p protocol.
+std::set<std::string> modelsIn(const nlohmann::json& protocol) {
+  std::set<std::string> models;
+  for (const auto& condition : protocol["conditions"]) {
+    models.insert(condition["scene"]["model"].get<std::string>());
+  }
+  return models;
+}
+
+template <typename... Spec>
+std::set<std::string> namesOf(std::type_identity<std::variant<Spec...>>) {
+  return {std::string(Spec::kFacts.name)...};
+}
+
+TEST(ProtocolFormatPage, HasConditionsThatFitIntoItAndShowsEveryModel) {
   const auto conditions = examples(" fragment");
   std::set<std::string> models;
   for (const auto& condition : conditions) {
     auto whole = wholeWithReamer();
     whole["conditions"].push_back(nlohmann::json::parse(condition));
-    models.insert(whole["conditions"].back()["scene"]["model"].get<std::string>());
+    models.merge(modelsIn(whole));
     const auto loading = loadWithCut(whole);
     EXPECT_TRUE(loading.loaded) << condition << loading.describe();
   }
-  EXPECT_EQ(models, (std::set<std::string>{"interpolation", "kalman", "material", "packing"}));
+  EXPECT_EQ(models, namesOf(std::type_identity<haptics::engine::ModelSpec>{}));
 }
 
 TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {

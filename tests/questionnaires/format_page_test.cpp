@@ -88,20 +88,11 @@ TEST(QuestionnaireFormatPage, ExplainsEveryKeyOfAWordingFile) {
 }
 
 TEST(QuestionnaireFormatPage, ShowsEveryTypeOfItem) {
-  for (const auto* type :
-       {"likert",
-        "semantic_differential",
-        "slider",
-        "single_choice",
-        "multiple_choice",
-        "number",
-        "short_text",
-        "long_text",
-        "pairwise_choice"}) {
-    const auto blocks = examples();
+  const auto blocks = examples();
+  for (const auto& type : kItemTypes) {
     EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [&](const std::string& block) {
-      return block.find("\"type\": \"" + std::string(type) + "\"") != std::string::npos;
-    })) << type;
+      return block.find("\"type\": \"" + std::string(type.name) + "\"") != std::string::npos;
+    })) << type.name;
   }
 }
 

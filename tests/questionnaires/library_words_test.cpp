@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {

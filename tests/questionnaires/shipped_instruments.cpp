@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
 
 namespace tests {

@@ -34,10 +34,7 @@ namespace export_layout_test {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using tests::contentOf;
 
 std::set<std::string> filesIn(const fs::path& folder) {
   std::set<std::string> files;

@@ -4,8 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "study/export/export.h"
+#include "study/export/named_people.h"
+#include "study/session/backup.h"
+#include "study/session/erasure.h"
+#include "study/session/identity_evidence.h"
+#include "study/session/study_key.h"
+#include "study/session/verification.h"
+#include "study/storage/map/study_keys.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
 
 namespace study {
@@ -91,6 +99,108 @@ TEST_F(IdentityTest, IsReadableByItsOwnerOnly) {
   EXPECT_EQ(
       permissions & std::filesystem::perms::all,
       std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+/// Names behind a passphrase, and the study opened by a program that began later.
+class SealedNames : public IdentityTest {
+ protected:
+  void SetUp() override {
+    IdentityTest::SetUp();
+    key_ = study_->identities().key(storage::IdentityStore::Key::Identity, "P001")->bytes();
+    seal("an older passphrase");
+    seal(kPassphrase);
+    session_.finishStep();
+    { const Session gone = std::move(session_); }
+    beginAgain();
+  }
+
+  void seal(const std::string& passphrase) {
+    setPassphraseOfNames(
+        *study_, passphrase, "when the study was made", storage::PassphraseCost::least());
+  }
+
+  void beginAgain() {
+    storage::forgetHeldKeys();
+    study_.reopen();
+  }
+
+  std::string keyAsText() const { return {key_.begin(), key_.end()}; }
+
+  static constexpr const char* kPassphrase = "twelve grey horses";
+  storage::SealingKey::Bytes key_{};
+};
+
+TEST_F(SealedNames, AreReadWithTheirPassphraseAlone) {
+  EXPECT_TRUE(study_->identities().isLocked());
+  EXPECT_THROW(study_->identities().names(), storage::StorageError);
+  EXPECT_FALSE(study_->unlockNames("an older passphrase"));
+  EXPECT_TRUE(study_->identities().isLocked());
+  EXPECT_TRUE(study_->unlockNames(kPassphrase));
+  ASSERT_EQ(study_->identities().names().size(), 1U);
+  EXPECT_EQ(study_->identities().names()[0].text, kName);
+  study_.reopen();
+  EXPECT_FALSE(study_->identities().isLocked()) << "the program holds it until it ends";
+}
+
+TEST_F(SealedNames, LeaveNoKeyInTheFolder) {
+  study_.close();
+  EXPECT_TRUE(filesWith(study_.folder(), keyAsText()).empty());
+  // The control: without a passphrase the key lies beside what it opens.
+  study_.reopen();
+  ASSERT_TRUE(study_->unlockNames(kPassphrase));
+  study_.close();
+  tests::Sql(study_.file("identity.db")).run("DELETE FROM wrapped_key");
+  storage::forgetHeldKeys();
+  study_.reopen();
+  study_->identities().drawKeys("P009");
+  const auto open =
+      study_->identities().key(storage::IdentityStore::Key::Identity, "P009")->bytes();
+  study_.close();
+  EXPECT_EQ(
+      filesWith(study_.folder(), {open.begin(), open.end()}),
+      std::vector<std::string>{"identity.db"});
+}
+
+TEST_F(IdentityTest, SealsOpenNamesWithTheirFingerprints) {
+  // As a study that has the secret of fingerprints, and names in the open.
+  const auto id = session_.id();
+  const auto visit = session_.visit();
+  session_.finishStep();
+  { const Session gone = std::move(session_); }
+  study_->identities().database().execute("DELETE FROM participant_key");
+  study_->identities().put({"P001", 1, visit.step, visit.attempt}, "name", kName, "now");
+  const auto said = fingerprintsOf(*study_, "P001");
+  study_->note({.kind = EventKind::NotedIdentities, .values = {{"rows", said}}});
+  setPassphraseOfNames(
+      *study_, "twelve grey horses", "asked for", storage::PassphraseCost::least());
+  EXPECT_NE(fingerprintsOf(*study_, "P001"), said);
+  EXPECT_TRUE(checkIdentities(*study_).problems.empty());
+  EXPECT_NO_THROW(Session::resume(*study_, id));
+}
+
+TEST_F(SealedNames, LetNoSessionBeginWithoutThePassphrase) {
+  EXPECT_THROW(Session::enrol(*study_, {.cohort = "surgeons"}), storage::StorageError);
+  EXPECT_EQ(study_->sessions().all().size(), 1U);
+  ASSERT_TRUE(study_->unlockNames(kPassphrase));
+  auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+  tests::walkTo(session, StepKind::Form);
+  session.record({.item = "agree", .response = std::int64_t{1}, .itemOrder = 1});
+  session.record({.item = "name", .response = std::string("Trillian"), .itemOrder = 2});
+  EXPECT_EQ(study_->identities().names("P002").size(), 1U);
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(SealedNames, AreVerifiedBackedUpAndErasedWithoutIt) {
+  EXPECT_TRUE(verify(*study_).isSound());
+  EXPECT_TRUE(backUp(study_.folder(), study_.scratch() / "copy").verification.isSound());
+  EXPECT_TRUE(namedPeople(*study_, {}).areLocked);
+  const auto report =
+      erase(*study_, {.participant = "P001", .reason = "asked for it by telephone"});
+  EXPECT_EQ(report.names, 1U);
+  EXPECT_TRUE(report.areNamesLocked);
+  EXPECT_TRUE(verify(*study_).isSound());
+  ASSERT_TRUE(study_->unlockNames(kPassphrase));
+  EXPECT_TRUE(study_->identities().names().empty());
 }
 
 }  // namespace identity_test

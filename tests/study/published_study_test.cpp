@@ -63,13 +63,17 @@ std::string labelOf(const Session& session, const std::string& condition) {
   return {};
 }
 
-class PublishedStudyTest : public testing::Test {
- protected:
-  void SetUp() override {
-    synthetic_ = std::make_unique<Synthetic>();
-    for (const auto& [participant, cohort] : synthetic_->cohorts) takePart(participant, cohort);
+/// The study with all its answers; made once, since no test changes them.
+class AnsweredStudy {
+ public:
+  AnsweredStudy() {
+    for (const auto& [participant, cohort] : synthetic_.cohorts) takePart(participant, cohort);
   }
 
+  tests::MadeStudy& study() { return study_; }
+  Synthetic& synthetic() { return synthetic_; }
+
+ private:
   void takePart(const std::string& participant, const std::string& cohort) {
     auto session = Session::enrol(*study_, {.cohort = cohort, .code = participant});
     while (!session.isOver()) {
@@ -89,14 +93,14 @@ class PublishedStudyTest : public testing::Test {
     for (const auto& item : session.items()) {
       auto given = tests::answerTo(session, item);
       given.response =
-          synthetic_->points[participant].at(step.phase + " " + step.condition + " " + item.id);
+          synthetic_.points[participant].at(step.phase + " " + step.condition + " " + item.id);
       session.record(given);
     }
     session.finishStep();
   }
 
   void vote(Session& session, const std::string& participant) {
-    const auto& condition = synthetic_->preferred[participant].at(session.step().phase);
+    const auto& condition = synthetic_.preferred[participant].at(session.step().phase);
     if (condition.empty()) {
       session.skipStep("would not say");
       return;
@@ -108,7 +112,16 @@ class PublishedStudyTest : public testing::Test {
   }
 
   tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
-  std::unique_ptr<Synthetic> synthetic_;
+  Synthetic synthetic_;
+};
+
+class PublishedStudyTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { answered_ = std::make_unique<AnsweredStudy>(); }
+  static void TearDownTestSuite() { answered_.reset(); }
+
+  static inline std::unique_ptr<AnsweredStudy> answered_;
+  tests::MadeStudy& study_ = answered_->study();
 };
 
 double toOneDecimal(double number) {
@@ -203,7 +216,7 @@ TEST_F(PublishedStudyTest, ExportsEveryAnswerAsItWasGivenAndAsItIsScored) {
     const auto cell = [&](const char* name) { return row.cells[table.columnIndex(name)]; };
     if (cell("instrument") != "punch-face-validity") continue;
     ++found;
-    const auto given = synthetic_->points[cell("participant_id")].at(
+    const auto& given = answered_->synthetic().points[cell("participant_id")].at(
         cell("block") + " " + cell("condition") + " " + cell("item_id"));
     const std::int64_t keyed = cell("key") == "-1" ? 6 - given : given;
     EXPECT_EQ(cell("response"), std::to_string(given));

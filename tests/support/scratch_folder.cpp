@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/file.h"
+
 namespace tests {
 
 ScratchFolder::ScratchFolder() {
@@ -29,7 +31,7 @@ std::string ScratchFolder::write(std::string_view name, std::string_view content
 std::string contentOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return base::readAll(stream);
 }
 
 }  // namespace tests

@@ -1,8 +1,8 @@
-#include "analysis/data/vote_counts.h"
-
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "analysis/data/vote_shares.h"
 
 namespace vote_counts_test {
 

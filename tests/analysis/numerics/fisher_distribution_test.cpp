@@ -1,11 +1,9 @@
-#include "analysis/numerics/fisher_distribution.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 #include "tests/analysis/digits.h"
 
 namespace fisher_distribution_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 #include "tests/analysis/digits.h"
 
 namespace noncentral_t_test {

@@ -1,11 +1,10 @@
-#include "analysis/numerics/student_distribution.h"
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "analysis/numerics/distributions.h"
 #include "tests/analysis/digits.h"
 
 namespace student_distribution_test {

@@ -1,6 +1,6 @@
-#include "analysis/published/reported_number.h"
-
 #include <gtest/gtest.h>
+
+#include "analysis/published/published_table.h"
 
 namespace reported_number_test {
 

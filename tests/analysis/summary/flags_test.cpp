@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/summary/answer_dependence.h"
+#include "analysis/summary/answer_checks.h"
 
 namespace flags_test {
 

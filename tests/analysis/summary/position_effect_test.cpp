@@ -1,6 +1,6 @@
-#include "analysis/summary/position_effect.h"
-
 #include <gtest/gtest.h>
+
+#include "analysis/summary/answer_checks.h"
 
 namespace analysis {
 namespace position_effect_test {

@@ -1,6 +1,6 @@
-#include "analysis/summary/scale_checks.h"
-
 #include <gtest/gtest.h>
+
+#include "analysis/summary/answer_checks.h"
 
 namespace analysis {
 namespace scale_checks_test {

@@ -1,9 +1,9 @@
-#include "analysis/tests/brown_forsythe.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "analysis/tests/assumptions.h"
 
 namespace brown_forsythe_test {
 

@@ -1,8 +1,8 @@
-#include "analysis/tests/equal_shares.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "analysis/tests/vote_tests.h"
 
 namespace equal_shares_test {
 

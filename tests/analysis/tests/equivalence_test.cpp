@@ -1,10 +1,10 @@
-#include "analysis/tests/equivalence.h"
-
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/tests/t_tests.h"
 
 namespace equivalence_test {
 

@@ -1,5 +1,3 @@
-#include "analysis/tests/mann_whitney.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/effects/rank_effects.h"
-#include "analysis/tests/brunner_munzel.h"
+#include "analysis/effects/effect_size.h"
+#include "analysis/tests/rank_tests.h"
 
 namespace mann_whitney_test {
 

@@ -1,11 +1,10 @@
-#include "analysis/tests/one_way_anova.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/student.h"
+#include "analysis/tests/anova.h"
+#include "analysis/tests/t_tests.h"
 
 namespace one_way_anova_test {
 

@@ -1,10 +1,10 @@
-#include "analysis/tests/paired_t.h"
-
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/tests/t_tests.h"
 
 namespace paired_t_test {
 

@@ -1,11 +1,10 @@
-#include "analysis/tests/repeated_measures_anova.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/paired_t.h"
+#include "analysis/tests/anova.h"
+#include "analysis/tests/t_tests.h"
 
 namespace repeated_measures_anova_test {
 

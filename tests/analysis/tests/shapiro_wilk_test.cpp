@@ -1,5 +1,3 @@
-#include "analysis/tests/shapiro_wilk.h"
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/tests/assumptions.h"
 #include "tests/analysis/digits.h"
 
 namespace shapiro_wilk_test {

@@ -1,5 +1,3 @@
-#include "analysis/tests/sign_flip.h"
-
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/tests/sign_tests.h"
 
 namespace sign_flip_test {
 

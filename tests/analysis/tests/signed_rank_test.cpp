@@ -1,5 +1,3 @@
-#include "analysis/tests/signed_rank.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/effects/rank_effects.h"
-#include "analysis/tests/sign_test.h"
+#include "analysis/effects/effect_size.h"
+#include "analysis/tests/sign_tests.h"
 
 namespace signed_rank_test {
 

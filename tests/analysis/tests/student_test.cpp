@@ -1,10 +1,8 @@
-#include "analysis/tests/student.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/welch.h"
+#include "analysis/tests/t_tests.h"
 
 namespace student_test {
 

@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/effects/share_interval.h"
-#include "analysis/tests/changed_votes.h"
-#include "analysis/tests/fisher_exact.h"
+#include "analysis/data/vote_shares.h"
+#include "analysis/tests/contingency_tables.h"
 #include "analysis/tests/friedman.h"
 
 namespace vote_tests_test {

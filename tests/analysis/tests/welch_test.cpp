@@ -1,10 +1,9 @@
-#include "analysis/tests/welch.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "analysis/tests/t_tests.h"
 #include "tests/analysis/digits.h"
 
 namespace welch_test {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/bench/stability_kernels.h"
-
 namespace haptics::bench {
 namespace stability_test {
 

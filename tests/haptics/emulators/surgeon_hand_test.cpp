@@ -1,5 +1,3 @@
-#include "haptics/emulators/surgeon_hand.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
-#include "haptics/engine/energy_observer.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "haptics/engine/passivity.h"
 
 namespace haptics::engine {
 namespace energy_observer_test {

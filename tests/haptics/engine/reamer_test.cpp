@@ -1,7 +1,5 @@
 // How fast a reamer goes through bone: of spheres, and of a curve. References are closed forms of
 // feed = speed · teeth · feed per tooth and of the spring's law, and the measured curve itself.
-#include "haptics/engine/reamer.h"
-
 #include <cmath>
 #include <limits>
 
@@ -14,6 +12,7 @@
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/reamed_material.h"
+#include "haptics/engine/scene_spec.h"
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::engine {

@@ -11,7 +11,6 @@
 
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
-#include "haptics/models/kalman_noise.h"
 #include "tests/support/test_data.h"
 
 namespace haptics::models {

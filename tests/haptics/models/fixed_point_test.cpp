@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/models/kalman_noise.h"
-#include "haptics/models/steady_filter.h"
+#include "haptics/models/kalman_filter.h"
 
 namespace haptics::models {
 namespace fixed_point_test {

@@ -7,8 +7,6 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "haptics/models/kalman_noise.h"
-
 namespace haptics::models {
 namespace kalman_filter_test {
 

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "haptics/models/kalman_filter.h"
-#include "haptics/models/kalman_noise.h"
 
 namespace haptics::models {
 namespace kalman_stability_test {

@@ -1,5 +1,3 @@
-#include "haptics/recordings/calibration_fit.h"
-
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/recording.h"
 #include "tests/support/test_data.h"
 

@@ -1,11 +1,10 @@
-#include "haptics/wire/cobs.h"
-
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "haptics/wire/crc32.h"
+#include "haptics/wire/punch_frame.h"
 
 namespace haptics::wire {
 namespace cobs_test {

@@ -1,6 +1,4 @@
 // The library's protocols are valid, match their descriptions and are as balanced as they claim.
-#include "protocols/model/library.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,7 +11,6 @@
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "protocols/orders/schedule.h"
-#include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {

@@ -11,9 +11,7 @@
 
 #include "haptics/recordings/cut.h"
 #include "protocols/load_protocol.h"
-#include "protocols/model/library.h"
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
 #include "questionnaires/reading/wording.h"
 #include "tests/protocols/small_protocol.h"

@@ -1,10 +1,8 @@
-#include "protocols/reading/columns_file.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "protocols/reading/calibration_file.h"
+#include "protocols/reading/recording_file.h"
 
 namespace protocols {
 namespace columns_file_test {

@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
-#include "protocols/model/blanks.h"
-#include "protocols/model/library.h"
+#include "protocols/model/loaded_protocol.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

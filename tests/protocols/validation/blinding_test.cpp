@@ -1,11 +1,10 @@
 // What in a protocol says which condition an answer is about, although it bears a code.
-#include "protocols/validation/blinding.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "protocols/validation/validation.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

@@ -1,5 +1,3 @@
-#include "questionnaires/model/library.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>

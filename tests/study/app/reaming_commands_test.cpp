@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"

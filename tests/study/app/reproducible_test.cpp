@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocols/model/library.h"
+#include "protocols/load_protocol.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"

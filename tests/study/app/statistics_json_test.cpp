@@ -18,15 +18,19 @@ using nlohmann::json;
 
 using TableRow = std::map<std::string, Cell>;
 
-/// Six simulated participants, an equivalence bound, scores, and items with a threshold.
+/// Simulated participants, an equivalence bound, scores, and items with a threshold.
 class StatisticsJson : public testing::Test {
  protected:
-  StatisticsJson() {
+  explicit StatisticsJson(int people = 12, bool areAtTwoSites = false) {
     auto text = tests::shortProtocol({.form = "simulator-realism"});
     const std::string alpha = R"("alpha": 0.05)";
     text.insert(text.find(alpha), R"("equivalence_bound": 0.5, )");
     study_.emplace(tests::protocolFrom(text));
-    simulateCohorts(**study_, study_->clock, 12, 3, [](const auto&) {});
+    simulateCohorts(**study_, study_->clock, people, 3, [](const auto&) {});
+    if (areAtTwoSites) {
+      (*study_)->database().execute(
+          "UPDATE session SET site = CASE WHEN id % 4 < 2 THEN 'bergen' ELSE 'oslo' END");
+    }
     compute();
     codes_ = conditionCodes(**study_, RunMode::Simulated);
   }
@@ -152,6 +156,7 @@ TEST_F(StatisticsJson, AgreesAboutScoresAndThresholds) {
 }
 
 TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
+  EXPECT_EQ(rows_.front().count("site"), 0U);  // all took part at one
   ASSERT_EQ(json_["felt_differences"].size(), 3U);
   for (const auto& felt : json_["felt_differences"]) {
     const auto found =
@@ -164,6 +169,51 @@ TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
     expectSame(found.at("conf_high"), felt["conf"][1], "conf_high");
   }
   EXPECT_EQ(compared_, 3 * 5);
+}
+
+class StatisticsJsonOfSites : public StatisticsJson {
+ protected:
+  StatisticsJsonOfSites() : StatisticsJson(8, true) {}
+};
+
+TEST_F(StatisticsJsonOfSites, AgreesAboutTheAnswersAndDifferencesOfEachSite) {
+  for (const auto& cohort : json_["families"][0]["cohorts"]) {
+    const auto& sites = cohort["by_site"];
+    for (const auto& site : sites["sites"]) {
+      for (const auto& condition : site["conditions"]) {
+        const auto found =
+            row("site_answers",
+                {{"cohort", cohort["cohort"]},
+                 {"site", site["site"]},
+                 {"group1", codes_.at(condition["condition"])}});
+        expectSame(found.at("n1"), condition["n"], "n");
+        expectSame(found.at("mean1"), condition["mean"], "mean");
+      }
+    }
+    for (const auto& pair : sites["comparisons"]) {
+      std::map<std::string, std::string> which{
+          {"cohort", cohort["cohort"]},
+          {"site", ""},
+          {"group1", codes_.at(pair["group1"])},
+          {"group2", codes_.at(pair["group2"])}};
+      const auto pooled = row("pooled_sites", which);
+      const auto& diamond = pair["reml_knapp_hartung"];
+      expectSame(pooled.at("estimate"), diamond["estimate"], "pooled");
+      expectSame(pooled.at("conf_low"), diamond["conf"][0], "pooled conf_low");
+      expectSame(pooled.at("p"), diamond["p"], "pooled p");
+      expectSame(pooled.at("effect"), diamond["i2"], "I2");
+      for (const auto& site : pair["sites"]) {
+        which["site"] = site["site"];
+        const auto found = row("site_difference", which);
+        expectSame(found.at("n1"), site["n"], "n");
+        expectSame(found.at("estimate"), site["difference"], "difference");
+        expectSame(found.at("se"), site["se"], "se");
+        expectSame(found.at("conf_high"), site["conf"][1], "conf_high");
+      }
+    }
+  }
+  // Two cohorts; two conditions at two sites; one pair, pooled and at two sites.
+  EXPECT_EQ(compared_, 2 * (2 * 2 * 2 + 4 + 2 * 4));
 }
 
 TEST_F(StatisticsJson, LeavesADamagedTraceOutWithAReason) {

@@ -51,7 +51,7 @@ TEST(StatsWatch, FollowsTheChangesOfAnotherProcess) {
     const auto at = tables.find("\nOrthopaedic surgeons   ");
     return at == std::string::npos ? "" : tables.substr(at, tables.find('\n', at + 1) - at);
   };
-  for (int looks = 0; looks < 10 && rowOf(after) != rowOf(everybody.out); ++looks) {
+  for (int looks = 0; looks < 40 && rowOf(after) != rowOf(everybody.out); ++looks) {
     after = nextTables(watching);
   }
   EXPECT_NE(rowOf(before), "") << before;

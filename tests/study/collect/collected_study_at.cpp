@@ -1,5 +1,9 @@
 #include "tests/study/collect/collected_study_at.h"
 
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -52,10 +56,6 @@ void CollectTest::SetUp() {
   study::collect::putStudy(owner, kStudy, protocolFrom(shortProtocol()), 1);
 }
 
-void CollectTest::TearDownTestSuite() {
-  server().reset();
-}
-
 Connection CollectTest::admin() const {
   return Connection(postgres().server(database_));
 }
@@ -102,6 +102,27 @@ study::collect::Pushed CollectTest::pushFrom(
   study::collect::Outbox outbox(folder, clock_);
   auto connection = as(study::collect::homeServerOf(folder).role);
   return study::collect::push(outbox, connection);
+}
+
+study::collect::Pushed CollectTest::pushOver(
+    const std::string& label, const std::string& server, std::chrono::milliseconds patience) const {
+  const auto account = accountOf(label);
+  study::collect::Outbox outbox(folderOf(label), clock_);
+  Connection connection(server, study::collect::homeServerOf(folderOf(label)).role);
+  connection.setPatience(patience);
+  return study::collect::push(outbox, connection);
+}
+
+int CollectTest::freePort() {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* plain = reinterpret_cast<sockaddr*>(&address);
+  const bool isBound = bind(listener, plain, size) == 0 && getsockname(listener, plain, &size) == 0;
+  close(listener);
+  return isBound ? ntohs(address.sin_port) : 0;
 }
 
 std::map<std::string, std::string> CollectTest::contentOf(

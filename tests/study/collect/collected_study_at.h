@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,14 +22,17 @@ namespace tests {
 class CollectTest : public testing::Test {
  protected:
   void SetUp() override;
-  /// The server is stopped, by its id, after the last test.
-  static void TearDownTestSuite();
 
   /// As the owner of the server.
   study::collect::Connection admin() const;
   /// As a role. @param role  "station_oslo"
   study::collect::Connection as(const std::string& role) const;
+  /// One for all tests of a process. It is stopped, by its id, when that ends.
   static study::collect::PrivateServer& postgres();
+
+  const std::string& database() const noexcept { return database_; }
+  /// At 127.0.0.1, where others may listen at all ports but this one.
+  static int freePort();
 
   /// Enrols a station, and makes its folder.
   void addStation(const std::string& site, const std::string& label = {});
@@ -44,6 +48,11 @@ class CollectTest : public testing::Test {
   std::string runSession(const std::string& label, const std::string& code = {});
 
   study::collect::Pushed push(const std::string& label) const;
+  /// … over another way to the server. @param server  as libpq reads it
+  study::collect::Pushed pushOver(
+      const std::string& label,
+      const std::string& server,
+      std::chrono::milliseconds patience = std::chrono::minutes(1)) const;
   /// … from another folder of the station.
   study::collect::Pushed pushFrom(const std::string& folder, const std::string& label) const;
 

@@ -8,6 +8,7 @@
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
 #include "study/model/user_error.h"
+#include "study/results/results.h"
 #include "study/session/erasure.h"
 #include "study/session/verification.h"
 #include "study/storage/statement.h"
@@ -67,6 +68,25 @@ TEST_F(Collection, StationsServerAndPulledFolderHaveTheSameContent) {
   EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
   EXPECT_EQ(result_.sessions, 9U);
   EXPECT_EQ(result_.stations, 3U);
+}
+
+TEST_F(Collection, ThePulledStudyKnowsTheSiteOfEachSession) {
+  addStation("oslo");
+  addStation("oslo", "oslo-2");
+  addStation("bergen");
+  for (const auto* label : {"oslo", "oslo-2", "bergen"}) {
+    simulate(label, 2);
+    push(label);
+  }
+  const auto folder = pulled();
+  const auto account = accountOf("analyst");
+  auto study = Study::open(folder, clock_, study::storage::Database::Access::ReadOnly);
+  const auto results = study::computeResults(study, study::RunMode::Simulated);
+  ASSERT_EQ(results.siteFlow.size(), 2U);
+  EXPECT_EQ(results.siteFlow[0].first, "bergen");
+  EXPECT_EQ(results.siteFlow[0].second.completed, 2);
+  EXPECT_EQ(results.siteFlow[1].second.completed, 4);
+  for (const auto& cohort : results.families.at(0).cohorts) EXPECT_TRUE(cohort.sites.has_value());
 }
 
 TEST_F(Collection, TheSameCodeAtTwoSitesIsTwoParticipants) {

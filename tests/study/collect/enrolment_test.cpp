@@ -41,7 +41,8 @@ class JoinTest : public testing::Test {
   static StationStore station() { return StationStore::findOrMake(StationStore::usualFolder()); }
 
   std::string fileFor(const std::string& label, const std::string& key) const {
-    return scratch_.write(label + ".enrolment", asText(enrolment(label), key));
+    return scratch_.write(
+        label + ".enrolment", asText(enrolment(label), key, tests::knownSecret()));
   }
 
   tests::ScratchFolder scratch_;
@@ -71,7 +72,7 @@ TEST_F(JoinTest, AFileForAnotherComputerIsRefused) {
 }
 
 TEST_F(JoinTest, AChangedFileIsRefused) {
-  auto text = asText(enrolment("oslo"), station().publicKey());
+  auto text = asText(enrolment("oslo"), station().publicKey(), tests::knownSecret());
   const auto at = text.find("\"sealed\": \"") + 40;
   text[at] = text[at] == 'A' ? 'B' : 'A';
   EXPECT_THROW(
@@ -82,6 +83,40 @@ TEST_F(JoinTest, AChangedFileIsRefused) {
       study::UserError);
 }
 
+TEST_F(JoinTest, EveryWordOfAFileIsSigned) {
+  const auto text = asText(enrolment("oslo"), station().publicKey(), tests::knownSecret());
+  for (const std::string word : {"A short study", "oslo", "2060-"}) {
+    auto changed = text;
+    changed[changed.find(word)] = '1';
+    EXPECT_THROW(
+        study::collect::join(scratch_.write("changed", changed), scratch_ / "study", clock_),
+        study::UserError)
+        << word;
+  }
+}
+
+TEST_F(JoinTest, AFileOfSomebodyElseHasAnotherMark) {
+  const auto mark = study::collect::markOf(tests::knownSecret());
+  EXPECT_EQ(mark.size(), 24U);
+  const auto theirs = study::storage::BlindingSecret::drawn();
+  EXPECT_NE(study::collect::markOf(theirs), mark);
+  const auto forged =
+      scratch_.write("forged", asText(enrolment("oslo"), station().publicKey(), theirs));
+  EXPECT_THROW(study::collect::join(forged, scratch_ / "study", clock_, mark), study::UserError);
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "study"));
+  const auto file = fileFor("oslo", station().publicKey());
+  EXPECT_EQ(study::collect::join(file, scratch_ / "study", clock_, mark).mark, mark);
+}
+
+TEST_F(JoinTest, AMarkIsRemembered) {
+  study::collect::join(fileFor("oslo", station().publicKey()), scratch_ / "study", clock_);
+  const auto forged = scratch_.write(
+      "forged",
+      asText(enrolment("oslo-2"), station().publicKey(), study::storage::BlindingSecret::drawn()));
+  EXPECT_THROW(study::collect::join(forged, scratch_ / "second", clock_), study::UserError);
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "second"));
+}
+
 TEST_F(JoinTest, AFileThatIsTooOldIsRefused) {
   const auto file = fileFor("oslo", station().publicKey());
   clock_.setWall(3'000'000'000'000);
@@ -89,7 +124,7 @@ TEST_F(JoinTest, AFileThatIsTooOldIsRefused) {
 }
 
 TEST_F(JoinTest, TheFileTellsNothingToOthers) {
-  const auto text = asText(enrolment("oslo"), station().publicKey());
+  const auto text = asText(enrolment("oslo"), station().publicKey(), tests::knownSecret());
   EXPECT_EQ(text.find("interpolation"), std::string::npos);
   EXPECT_EQ(text.find("host="), std::string::npos);
 }

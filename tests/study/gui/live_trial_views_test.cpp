@@ -16,6 +16,7 @@
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/session/servo_health.h"
 #include "study/gui/widgets/labels.h"
+#include "study/words/words.h"
 
 namespace study::gui {
 namespace live_trial_views_test {
@@ -234,7 +235,7 @@ TEST(CutTable, IsNamedAfterTheDevicesStrokes) {
 
 TEST(TrialPage, CountsStrokesInEachDevicesWords) {
   for (const auto* kind : haptics::deviceKinds()) {
-    for (const std::string language : {"en", "de", "nb"}) {
+    for (const auto& language : words::languages()) {
       const TrialPage page(
           {.name = {}, .minimumCuts = 3, .device = kind, .language = language}, nullptr);
       const QString strokes = capitalised(asText(kind->strokesName.in(language)));

@@ -1,4 +1,6 @@
 // Whether the operator's window fits the smallest screens in laboratories.
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -14,8 +16,11 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
+#include "study/model/new_file.h"
+#include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -98,6 +103,32 @@ TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
   auto* table = window_.findChild<SessionsPage*>()->findChild<QTableWidget*>();
   table->selectRow(0);
   expectAllInSight(QStringLiteral("between"));
+}
+
+/// The windows have no connection to a server; the other program notes what became of the push.
+TEST(Station, PushesInTheBackgroundAfterEachSession) {
+  const auto bin = std::filesystem::path(QCoreApplication::applicationDirPath().toStdString());
+  if (!std::filesystem::exists(bin / "palpate-collect")) GTEST_SKIP() << "built without PostgreSQL";
+  const tests::ScratchFolder folder;
+  const tests::OwnStation account(folder / "account");
+  SystemClock clock;
+  auto study = Study::create(
+      folder / "study",
+      shipped("punch-face-validity"),
+      clock,
+      7,
+      tests::knownSecret(),
+      {.site = "oslo", .label = "oslo", .uuid = "11"});
+  writeNewFile(
+      folder / "study/collect.json",
+      R"({"server": "host=/nowhere", "role": "station_oslo", "bundle_key": ""})");
+  OperatorWindow window(study);
+  window.show();
+  window.enrol({.cohort = "professional", .language = "en", .code = {}});
+  window.findChild<ControlPanel*>()->closeSessionRequested();
+  constexpr int kPatience = 20'000;
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return lastPush(study.uuid(), "11").problem == "unreachable"; }, kPatience));
 }
 
 TEST_F(OperatorLayout, ShowsEverythingInASession) {

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -221,15 +222,19 @@ TEST_F(OperatorSession, StaysInAStepWhoseTextCannotBeSaved) {
 
 TEST_F(OperatorSession, ABreaksTimerEnablesNextOnItsOwnPageOnly) {
   enrol();
+  QElapsedTimer longerThanTheBreak;
+  longerThanTheBreak.start();
   goTo(StepKind::Break);
   auto* next = buttonSaying(window_.participantWindow(), QStringLiteral("Next"));
-  EXPECT_FALSE(next->isEnabled());
+  const bool isEnabled = next->isEnabled();
+  if (longerThanTheBreak.elapsed() < 1000) EXPECT_FALSE(isEnabled);
   window_.controller()->skipStep(QStringLiteral("not tired"));
   window_.controller()->skipStep(QStringLiteral("nothing to say"));
   window_.controller()->skipStep(QStringLiteral("known already"));
   ASSERT_EQ(session().step().kind, StepKind::Benchmark) << "its cuts must be made";
   EXPECT_FALSE(next->isEnabled());
-  QTest::qWait(1200);  // longer than the break
+  QTest::qSleep(1200);  // longer than the break; the page of the break is not deleted yet
+  QTest::qWait(50);
   EXPECT_FALSE(next->isEnabled());
 }
 

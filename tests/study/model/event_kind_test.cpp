@@ -36,6 +36,8 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::ImportedKey, "imported_key"},
     {EventKind::SetPassphrase, "set_passphrase"},
     {EventKind::DroppedKey, "dropped_key"},
+    {EventKind::TimeStamped, "time_stamped"},
+    {EventKind::SealedNames, "sealed_names"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},

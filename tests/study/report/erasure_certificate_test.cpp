@@ -51,7 +51,8 @@ TEST(ErasureCertificate, TellsAnotherComputerWhatToErase) {
 }
 
 TEST(ErasureCertificate, IsTranslatedWithoutARest) {
-  for (const std::string language : {"de", "nb"}) {
+  for (const auto& language : words::languages()) {
+    if (language == "en") continue;
     const auto words = words::wordsIn(language);
     for (const auto level :
          {storage::ErasureLevel::Identity,
@@ -70,7 +71,7 @@ TEST(ErasureCertificate, IsTranslatedWithoutARest) {
         }
         const auto text = asText(made, words);
         EXPECT_EQ(erasuresIn(text).size(), 1U) << "for another computer it says the same";
-        EXPECT_NE(text.find(language == "de" ? "Löschung" : "sletting"), std::string::npos);
+        EXPECT_NE(text.find(words("Certificate of erasure")), std::string::npos);
       }
     }
     std::string missing;

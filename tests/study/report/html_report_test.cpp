@@ -50,6 +50,17 @@ TEST(HtmlReport, SeparatesVotesBetweenDifferentRenderings) {
 }
 
 // TABLE 4 of the punch paper, row by row.
+TEST(HtmlReport, HasTheParticipantFlowAndTheDifferencesOfEachSite) {
+  const auto page = asHtml({tests::madeUpSectionOfSites()});
+  EXPECT_TRUE(has(page, "<td>oslo</td><td>6</td><td>5</td><td>1</td>"));
+  EXPECT_TRUE(has(page, ", oslo</td>"));  // among the means
+  EXPECT_TRUE(has(page, "Heterogeneity: Q(1) = "));
+  EXPECT_TRUE(has(page, "All sites, random effects (REML, Knapp–Hartung)"));
+  EXPECT_TRUE(has(page, "Mixed model, sites as random effects"));
+  EXPECT_FALSE(has(page, "nan"));
+  EXPECT_FALSE(has(asHtml({tests::madeUpSection()}), "By site"));
+}
+
 TEST(HtmlReport, SumsVotesOverRoundsAndCohorts) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "<td>Sum</td><td>7</td><td>0</td><td>4</td>"));

@@ -300,6 +300,22 @@ TEST_F(ReportTables, AreFollowedByTheSameNumbersInSentences) {
   expectSaid("99 % of the ticks were at most 109 µs late.");
 }
 
+TEST_F(ReportTables, AreFollowedByTheSameNumbersAsMedicalJournalsWriteThem) {
+  section_.wording = Wording::Vancouver;
+  text_ = asRead(asHtml({section_}));
+  expectSaid(
+      "t(36) = 3.05, P = 0.307, PHolm = 0.341, mean difference 3.02, 99 % CI 3.08 to 3.09, "
+      "gz = 3.16 (3.17 to 3.18)");
+  expectSaid("equivalent within ±0.26: TOST P = 0.327");
+}
+
+TEST(Wording, WritesBoundsAndOnesWithTheirDigits) {
+  EXPECT_EQ(pEquals(0.0001), "p < .001");
+  EXPECT_EQ(pEquals(0.0001, "Holm", Wording::Vancouver), "P_Holm < 0.001");
+  EXPECT_EQ(pEquals(1.0, {}, Wording::Vancouver), "P = 1.000");
+  EXPECT_EQ(pEquals(std::nullopt, {}, Wording::Vancouver), "P = –");
+}
+
 TEST_F(ReportTables, HaveTheConfidenceThatGoesWithTheAlphaOfTheFamily) {
   for (const auto& [alpha, heading] :
        {std::pair{0.05, "95 % CI"}, std::pair{0.01, "99 % CI"}, std::pair{0.1, "90 % CI"}}) {

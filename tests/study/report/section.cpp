@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "analysis/effects/share_interval.h"
+#include "analysis/data/vote_shares.h"
 #include "protocols/load_protocol.h"
 #include "study/model/messages.h"
 
@@ -183,6 +183,24 @@ study::report::ReportSection madeUpSection() {
   for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
   section.quality.reasons = {{study::message("trial.late", 3, 4000)}};
   section.warnings = problems.all();
+  return section;
+}
+
+study::report::ReportSection madeUpSectionOfSites() {
+  auto section = madeUpSection();
+  section.results.siteFlow = {
+      {"bergen", {.enrolled = 5, .completed = 5}},
+      {"oslo", {.enrolled = 6, .completed = 5, .withdrawn = 1}},
+      {"tromso", {.enrolled = 1, .completed = 1}}};
+  for (auto& cohort : section.results.families.front().cohorts) {
+    std::vector<std::string> sites;
+    for (std::size_t i = 0; i < cohort.table.participants.size(); ++i) {
+      sites.emplace_back(i == 4 ? "tromso" : i % 2 == 0 ? "bergen" : "oslo");
+    }
+    const std::vector<analysis::DeclaredPair> pairs{
+        {"interpolation", "finite-elements"}, {"interpolation", "kalman"}};
+    cohort.sites = analysis::compareSites(cohort.table, sites, pairs, 0.95);
+  }
   return section;
 }
 

@@ -8,4 +8,7 @@ namespace tests {
 /// comparison that is not defined.
 study::report::ReportSection madeUpSection();
 
+/// The same with participants of two sites, by turns, and one of a third.
+study::report::ReportSection madeUpSectionOfSites();
+
 }  // namespace tests

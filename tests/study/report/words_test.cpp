@@ -56,6 +56,13 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   EXPECT_EQ(missing, "");
 }
 
+TEST_P(WordsTest, TranslateEverySentenceOnSites) {
+  std::vector<report::ReportSection> sections{tests::madeUpSectionOfSites()};
+  auto& words = sections.front().words = wordsIn(GetParam());
+  report::asHtml(sections);
+  EXPECT_EQ(words.missing(), (std::set<std::string, std::less<>>()));
+}
+
 TEST_P(WordsTest, HaveTheSamePlaceholders) {
   const auto words = wordsIn(GetParam());
   for (const auto& [english, translated] : words.catalogue().texts) {
@@ -200,7 +207,12 @@ TEST_P(WordsTest, DescribeAKneeInTheReportsLanguage) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, WordsTest, testing::Values("de", "nb"));
+std::vector<std::string> translations() {
+  auto all = languages();
+  all.erase(all.begin());  // English
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Languages, WordsTest, testing::ValuesIn(translations()));
 
 TEST(Words, AreEnglishByDefault) {
   EXPECT_EQ(wordsIn("en")("Participants"), "Participants");

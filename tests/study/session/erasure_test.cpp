@@ -12,7 +12,9 @@
 #include "study/results/results.h"
 #include "study/session/backup.h"
 #include "study/session/erasure_copies.h"
+#include "study/session/study_key.h"
 #include "study/session/verification.h"
+#include "study/storage/map/study_keys.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
 #include "tests/study/everything_instrument.h"
@@ -450,6 +452,61 @@ TEST_F(OldStudy, ErasesOnlyAfterItsTrailWasSealedAgain) {
   EXPECT_NE(head.find(old.substr(0, 4) + " " + old.substr(4, 4)), std::string::npos);
   EXPECT_EQ(filesWith(folder_, "presence = 4"), std::vector<std::string>{});
   EXPECT_EQ(filesWith(folder_, kSentinel), std::vector<std::string>{});
+}
+
+TEST_F(OldStudy, KeepsNamesBehindAPassphraseAndErasesLater) {
+  constexpr const char* kPassphrase = "twelve grey horses";
+  const auto setPassphrase = [](Study& study) {
+    setPassphraseOfNames(
+        study, kPassphrase, "the committee asks for it", storage::PassphraseCost::least());
+  };
+  std::int64_t events = 0;
+  {
+    auto study = Study::open(folder_, clock_);
+    study.identities().put({"Q1", 1, 0, 1}, "signature", kName, "then");
+    events = study.events().last();
+  }
+  ASSERT_EQ(filesWith(folder_, kName), std::vector<std::string>{"identity.db"}) << "control";
+  {
+    auto study = Study::open(folder_, clock_);
+    setPassphrase(study);
+    EXPECT_EQ(problemsOf(study), "");
+    EXPECT_EQ(study.identities().names().at(0).text, kName);
+    EXPECT_EQ(study.events().read().front().kind, EventKind::MadeStudy) << "its trail stays";
+    EXPECT_GT(study.events().last(), events);
+  }
+  EXPECT_EQ(filesWith(folder_, kName), std::vector<std::string>{});
+  storage::forgetHeldKeys();
+  auto study = Study::open(folder_, clock_);
+  EXPECT_TRUE(study.identities().isLocked());
+  const ErasureRequest request{
+      .participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true};
+  EXPECT_TRUE(erase(study, request).wasTrailSealedAgain) << "also without the passphrase";
+  EXPECT_EQ(problemsOf(study), "");
+  EXPECT_EQ(filesWith(folder_, "presence = 4"), std::vector<std::string>{});
+  EXPECT_EQ(study.identities().count("Q1"), 0U);
+}
+
+TEST_F(OldStudy, SealsNamesOfATrailThatWasSealedBefore) {
+  auto study = Study::open(folder_, clock_);
+  study.identities().put({"Q1", 1, 0, 1}, "signature", kName, "then");
+  study.identities().drawKeys("Q1");  // as the erasure of somebody else does
+  setPassphraseOfNames(study, "twelve grey horses", "as wanted", storage::PassphraseCost::least());
+  EXPECT_EQ(filesWith(folder_, kName), std::vector<std::string>{});
+  EXPECT_EQ(study.identities().names().at(0).text, kName);
+}
+
+TEST_F(OldStudy, SealsNoNameThatWasChanged) {
+  auto study = Study::open(folder_, clock_);
+  study.identities().put({"Q1", 1, 0, 1}, "signature", kName, "then");
+  study.identities().database().execute("UPDATE identifying_answer SET text = 'Mallory'");
+  const auto events = study.events().last();
+  EXPECT_THROW(
+      setPassphraseOfNames(
+          study, "twelve grey horses", "as wanted", storage::PassphraseCost::least()),
+      storage::StorageError);
+  EXPECT_FALSE(study.identities().hasPassphrase());
+  EXPECT_EQ(study.events().last(), events);
 }
 
 TEST_F(OldStudy, IsSaidByVerifyToBeInTheOpen) {

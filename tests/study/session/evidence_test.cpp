@@ -6,7 +6,6 @@
 
 #include "study/export/export.h"
 #include "study/session/backup.h"
-#include "study/session/restored_copy.h"
 #include "study/session/verification.h"
 #include "study/storage/evidence/station_heads.h"
 #include "tests/study/made_study.h"

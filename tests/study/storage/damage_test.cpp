@@ -92,6 +92,11 @@ class DamageTest : public testing::Test {
     stream.put(byte);
   }
 
+  bool hasOnlyZerosAfter(const std::string& name, std::uint64_t place) const {
+    const auto rest = tests::contentOf(study_.file(name)).substr(place);
+    return rest.find_first_not_of('\0') == std::string::npos;
+  }
+
   static void blank(const std::string& file, std::uint64_t page) {
     std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
     stream.seekp(static_cast<std::streamoff>(page * kPage));
@@ -186,6 +191,8 @@ TEST_F(DamageTest, ByTruncationIsAlwaysDetected) {
     for (std::uint64_t part = 0; part < size; part += kPage * (1 + size / kPage / 20)) {
       SCOPED_TRACE(name + " of " + std::to_string(part) + " bytes");
       lookAfter(name, [&](const std::string& file) { fs::resize_file(file, part); });
+      // The end of a table without rows is zeros, which SQLite reads where a page is cut short.
+      if (hasOnlyZerosAfter(name, part + 777)) continue;
       lookAfter(name, [&](const std::string& file) { fs::resize_file(file, part + 777); });
     }
   }

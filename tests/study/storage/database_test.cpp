@@ -7,7 +7,6 @@
 
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
-#include "study/storage/transaction.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"

@@ -1,7 +1,6 @@
-#include "study/storage/disk_check.h"
-
 #include <gtest/gtest.h>
 
+#include "study/storage/own_disk.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"

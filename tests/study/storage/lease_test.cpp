@@ -174,6 +174,19 @@ TEST_F(LeaseTest, OfAnotherComputerIsNotTakenOver) {
   tests::expectClear(refusal, "the-other-laboratory");
 }
 
+TEST_F(LeaseTest, OfAnotherComputerTellsWhenSomethingWasStoredLast) {
+  const auto last = [&] { return asUtc(study_->events().read(id_).back().when.wall); };
+  const auto before = last();
+  study_.clock.advance(3600.0);
+  {
+    auto session = Session::resume(*study_, id_);
+    session.note("an hour later");
+  }
+  ASSERT_NE(last(), before);
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  tests::expectClear(resuming(), "stored there last on " + last());
+}
+
 TEST_F(LeaseTest, OfAnotherComputerIsTakenOverWithAReason) {
   leave("the-other-laboratory", 4711, "boot/1#1");
   const auto session = Session::resume(*study_, id_, "it was replaced");

@@ -201,7 +201,7 @@ TEST(Identities, OfFormatTwoHaveNoSecretAndAreReadAsTheyAre) {
   EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadOnly)).blindingSecret());
   EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 2);
   EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadWrite)).blindingSecret());
-  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 5);
+  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 6);
 }
 
 TEST(Identities, OfFormatOneAreKeptAndLaterOnesHaveAHash) {

@@ -1,8 +1,8 @@
-#include "study/storage/network_drive.h"
-
 #include <sys/sysmacros.h>
 
 #include <gtest/gtest.h>
+
+#include "study/storage/own_disk.h"
 
 namespace study::storage {
 namespace network_drive_test {

@@ -6,6 +6,7 @@
 
 #include "study/session/session.h"
 #include "study/storage/hasher.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace tests {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "tests/haptics/devices/punch/emulated_punch.h"
 
 namespace haptics::devices {

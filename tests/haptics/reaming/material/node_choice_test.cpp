@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "haptics/reaming/material/spline_comparison.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "tests/support/long_form.h"
 #include "tests/support/test_data.h"

@@ -1,7 +1,6 @@
-#include "haptics/reaming/material/series_text.h"
-
 #include <gtest/gtest.h>
 
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "haptics/recordings/recording.h"
 

@@ -101,6 +101,48 @@ TEST(PlanCommand, SimulatesTheErrorRateOfPooledAnswers) {
   EXPECT_LT(none["any_paired_t"]["rate"], 0.08);
 }
 
+TEST(PlanCommand, PlansSeveralSites) {
+  const std::vector<std::string> call{
+      "punch-counterbalanced", "--participants", "24", "--effect", "0.8", "--studies", "200"};
+  auto atSites = call;
+  for (const char* more : {"--sites", "4", "--site-sd", "0.5"}) atSites.emplace_back(more);
+  const auto found = planned(atSites);
+  EXPECT_EQ(found["sites"], 4);
+  EXPECT_NEAR(found["site_icc"], 0.2, 1e-12);
+  const auto& prospect = found["families"][0]["prospects"][0];
+  EXPECT_NEAR(prospect["at_sites"]["design_effect"], 2.0, 1e-12);
+  EXPECT_LT(prospect["at_sites"]["power"], prospect["power"]);
+  EXPECT_GT(prospect["at_sites"]["simulated_without_effect"]["any_paired_t"]["rate"], 0.08);
+  EXPECT_GT(prospect["at_sites"]["simulated"]["median_half_width"], 0.2);
+  EXPECT_TRUE(found["families"][0].contains("participants_for_power_at_sites"));
+  const auto text = plan(atSites).out;
+  expectPhrases(
+      text,
+      {"at 4 sites, between which the effect has a standard deviation of 0.5 d_z: design effect "
+       "2.00",
+       "found by the pooled difference",
+       "Each site draws orders of its own",
+       "They come from 4 sites."});
+  // All else is as without sites.
+  auto others = found;
+  for (const char* key : {"sites", "site_sd_dz", "site_icc", "ethics"}) others.erase(key);
+  for (auto& family : others["families"]) {
+    family.erase("participants_for_power_at_sites");
+    for (auto& one : family["prospects"]) one.erase("at_sites");
+  }
+  auto without = planned(call);
+  without.erase("ethics");
+  EXPECT_EQ(others, without);
+}
+
+TEST(PlanCommand, SaysWhenTooFewParticipantsAreAtEachSite) {
+  const auto found =
+      plan({"punch-counterbalanced", "--participants", "6", "--sites", "4", "--studies", "0"});
+  ASSERT_EQ(found.status, 0) << found.error;
+  expectPhrases(found.out, {"at 4 sites: too few. A site needs two participants to be pooled, 8"});
+  EXPECT_EQ(plan({"punch-counterbalanced", "--site-sd", "0.1"}).status, 2);
+}
+
 TEST(PlanCommand, AddsUpTheDurationOfASession) {
   const auto usual = planned({"punch-counterbalanced", "--studies", "0"});
   const auto& session = usual["session"];

@@ -10,7 +10,7 @@
 #include <QTextBlock>
 #include <QTreeWidget>
 
-#include "protocols/model/library.h"
+#include "protocols/load_protocol.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QTest>
@@ -12,18 +13,20 @@
 #include <QTimer>
 
 #include "protocols/load_protocol.h"
-#include "protocols/model/library.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/desk/home_window.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/recent_studies.h"
+#include "study/gui/desk/study_panel.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/written_file.h"
+#include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -105,6 +108,54 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
   speakChosenLanguage();
   EXPECT_EQ(deskLanguage(), "de");
   speakAtTheDesk("en");
+}
+
+TEST_F(HomeTest, SaysWhichSessionsOfAStationHaveArrivedAndWhyOthersHaveNot) {
+  const tests::OwnStation account(folder_ / "account");
+  {
+    auto study = Study::create(
+        folder_ / "oslo",
+        punchProtocol(),
+        clock_,
+        7,
+        tests::knownSecret(),
+        {.site = "oslo", .label = "oslo", .uuid = "11"});
+    SimulatedClock simulated;
+    simulateCohorts(study, simulated, 2, 7, [](const auto&) {});
+    notePush(
+        study.uuid(),
+        "11",
+        {.utc = "2026-11-17T09:00:00.000Z", .have = 0, .problem = "unreachable"});
+  }
+  HomeWindow home;
+  home.choose(QString::fromStdString(folder_ / "oslo"));
+  home.show();
+  auto* label = home.findChild<QLabel*>(QStringLiteral("arrivals"));
+  ASSERT_NE(label, nullptr);
+  const QString words = label->text();
+  EXPECT_TRUE(words.startsWith(QStringLiteral("Sessions here: 2. Arrived: 0. Waiting since ")))
+      << words.toStdString();
+  EXPECT_TRUE(words.endsWith(QStringLiteral(": 2 (no network, or no server)")))
+      << words.toStdString();
+  tests::photographInAllThemes(home, QStringLiteral("home-station"));
+}
+
+TEST_F(HomeTest, WarnsOfSessionsThatHaveBeenWaitingForADay) {
+  StudySummary summary;
+  summary.arrivals = Arrivals{.all = 23, .arrived = 21, .waitingSince = "2026-01-05T10:00:00.000Z"};
+  summary.pushProblem = "full";
+  StudyPanel panel;
+  panel.show(summary);
+  auto* label = panel.findChild<QLabel*>(QStringLiteral("arrivals"));
+  EXPECT_EQ(
+      label->text(),
+      QStringLiteral("Sessions here: 23. Arrived: 21. Waiting since 2026-01-05: 2 (the server’s "
+                     "disk is full)"));
+  EXPECT_EQ(label->property("role").toString(), QStringLiteral("warn"));
+  summary.arrivals = Arrivals{.all = 23, .arrived = 23, .waitingSince = {}};
+  panel.show(summary);
+  EXPECT_EQ(label->text(), QStringLiteral("Sessions here: 23. All have arrived"));
+  EXPECT_EQ(label->property("role").toString(), QStringLiteral("body"));
 }
 
 TEST_F(HomeTest, OffersANewStudyIfThereIsNone) {

@@ -69,5 +69,21 @@ TEST_F(KeyDialogTest, TakesItOnAnotherComputer) {
   EXPECT_TRUE(study_->hasKey());
 }
 
+TEST_F(KeyDialogTest, PutsNamesBehindAPassphrase) {
+  KeyDialog dialog(summary());
+  the<QComboBox>(dialog, "wanted").setCurrentIndex(2);
+  auto& go = the<QPushButton>(dialog, "go");
+  the<QLineEdit>(dialog, "reason").setText(QStringLiteral("the ethics committee asks for it"));
+  the<QLineEdit>(dialog, "passphrase").setText(QStringLiteral("twelve grey horses"));
+  the<QLineEdit>(dialog, "again").setText(QStringLiteral("twelve gray horses"));
+  EXPECT_FALSE(go.isEnabled()) << "typed twice, and not the same";
+  the<QLineEdit>(dialog, "again").setText(QStringLiteral("twelve grey horses"));
+  go.click();
+  storage::forgetHeldKeys();
+  study_.reopen();
+  EXPECT_TRUE(study_->identities().isLocked());
+  EXPECT_TRUE(study_->unlockNames("twelve grey horses"));
+}
+
 }  // namespace key_dialog_test
 }  // namespace study::gui

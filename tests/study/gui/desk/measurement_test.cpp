@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/packing_file.h"
@@ -91,12 +91,11 @@ TEST_F(MeasurementTest, SaysWhatIsWrongInAColumnsFile) {
 
 TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   std::filesystem::create_directory(folder_ / "series");
-  int count = 0;
-  for (const auto& series : haptics::reaming::syntheticStudy(1)) {
-    if (++count > 9) break;
-    std::string name = series.name;
-    for (char& c : name) c = c == ' ' || c == ',' ? '-' : c;
-    folder_.write("series/" + name + ".csv", haptics::reaming::asText(series));
+  using haptics::reaming::TestSet;
+  for (const auto set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
+    const auto series = haptics::reaming::syntheticSeries({.set = set});
+    folder_.write(
+        "series/specimen-1-" + std::string(nameOf(set)) + ".csv", haptics::reaming::asText(series));
   }
   FitMaterialDialog dialog;
   set(dialog, "series", folder_ / "series");

@@ -31,11 +31,16 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
   auto* enough = buttonSaying(page, QStringLiteral("I have finished"));
   ASSERT_NE(enough, nullptr);
-  QTest::keyPress(page, Qt::Key_Space);
-  QTest::qWait(900);
-  tests::photographInAllThemes(tour, QStringLiteral("tour-1"));
-  QTest::keyRelease(page, Qt::Key_Space);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return enough->isEnabled(); }));
+  // The hand moves in real time: where the machine stands still, one stroke may be too short to be
+  // felt.
+  for (int stroke = 0; stroke < 10 && !enough->isEnabled(); ++stroke) {
+    QTest::keyPress(page, Qt::Key_Space);
+    QTest::qWait(900);
+    if (stroke == 0) tests::photographInAllThemes(tour, QStringLiteral("tour-1"));
+    QTest::keyRelease(page, Qt::Key_Space);
+    if (QTest::qWaitFor([&] { return enough->isEnabled(); })) break;
+  }
+  ASSERT_TRUE(enough->isEnabled());
   QTest::mouseClick(enough, Qt::LeftButton);
   EXPECT_EQ(tour.step(), 1);
   ASSERT_TRUE(tour.felt());

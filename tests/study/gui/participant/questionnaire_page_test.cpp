@@ -9,7 +9,6 @@
 #include <QPlainTextEdit>
 #include <QTest>
 
-#include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
 #include "study/gui/participant/answer_slider.h"
 #include "study/gui/participant/option_buttons.h"

@@ -197,6 +197,48 @@ TEST_F(HipSceneTest, PlacesTheReamerWhereTheBoneStopsIt) {
   EXPECT_NEAR(capAt(), start + 30.0F, 0.1F);
 }
 
+TEST(ContactShadow, IsDeepestAtTheToolAndEndsAtItsReach) {
+  const ContactShadow rod{
+      .from = {0, 0, 0}, .along = {10, 0, 0}, .radius = 1.0F, .reach = 4.0F, .depth = 0.5F};
+  EXPECT_FLOAT_EQ(leftBy(rod, {5, 1, 0}), 0.5F);
+  EXPECT_FLOAT_EQ(leftBy(rod, {5, 3, 0}), 1.0F - 0.5F * 0.25F);
+  EXPECT_FLOAT_EQ(leftBy(rod, {13, 0, 0}), 1.0F - 0.5F * 0.25F);
+  EXPECT_FLOAT_EQ(leftBy(rod, {5, 5, 0}), 1.0F);
+  EXPECT_FLOAT_EQ(leftBy({}, {5, 1, 0}), 1.0F);
+}
+
+/// How much darker the shadow makes a scene's picture, by pixel; and never brighter.
+int darkened(const Scene& scene) {
+  SoftwareRenderer renderer;
+  const QImage with = renderer.draw(scene, kSize).copy();
+  Scene bare = scene;
+  bare.shadow = {};
+  const QImage without = renderer.draw(bare, kSize).copy();
+  int darker = 0;
+  for (int y = 0; y < with.height(); ++y) {
+    for (int x = 0; x < with.width(); ++x) {
+      const int change = qGray(with.pixel(x, y)) - qGray(without.pixel(x, y));
+      EXPECT_LE(change, 0);
+      if (change < -3) ++darker;
+    }
+  }
+  return darker;
+}
+
+TEST_F(HipSceneTest, HasAShadowWhereTheReamerIsNear) {
+  const int pixels = kSize.width() * kSize.height();
+  const int darker = darkened(HipScene(HipScene::Options{}).scene());
+  EXPECT_GT(darker, pixels / 500);
+  EXPECT_LT(darker, pixels / 3);
+}
+
+TEST(KneeScene, HasAShadowWhereThePunchIsNear) {
+  const int pixels = kSize.width() * kSize.height();
+  const int darker = darkened(KneeScene().scene());
+  EXPECT_GT(darker, pixels / 500);
+  EXPECT_LT(darker, pixels / 3);
+}
+
 TEST_F(HipSceneTest, SpinsWhileATrialRuns) {
   HipScene hip({.packing = &spec_});
   const auto poseOf = [&] { return hip.scene().parts[0].pose; };

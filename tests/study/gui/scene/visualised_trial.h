@@ -9,7 +9,6 @@
 #include <QTest>
 
 #include "protocols/load_protocol.h"
-#include "protocols/model/library.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/scene/simulation_view.h"

@@ -1,0 +1,314 @@
+// A server whose disk is full, of another release, under attack; stations with wrong clocks, and
+// two with one past.
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "study/collect/exchange/administration.h"
+#include "study/collect/exchange/bundle.h"
+#include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/pull.h"
+#include "study/collect/server/registry.h"
+#include "study/collect/server/schema.h"
+#include "study/model/user_error.h"
+#include "study/session/verification.h"
+#include "tests/study/collect/collected_study_at.h"
+#include "tests/study/walk.h"
+
+namespace server_faults_test {
+
+namespace fs = std::filesystem;
+using study::Study;
+using study::collect::Connection;
+using study::collect::Parameter;
+using study::collect::ServerError;
+
+class ServerFaults : public tests::CollectTest {
+ protected:
+  /// What the person at the desk reads; empty: everything arrived.
+  std::string saidByAPush(ServerError::Kind expected) {
+    try {
+      push("oslo");
+    } catch (const ServerError& error) {
+      EXPECT_EQ(error.kind(), expected) << error.what();
+      return error.what();
+    }
+    ADD_FAILURE() << "it arrived";
+    return {};
+  }
+
+  /// The rows of all tables, to see whether something was changed.
+  std::string rowsOfServer() {
+    auto owner = admin();
+    std::string rows;
+    for (const auto* table : {"study", "protocol", "event", "session", "fact", "chunk"}) {
+      rows += owner
+                  .query(
+                      std::string("SELECT coalesce(string_agg(md5(t::text), '' ORDER BY t::text), "
+                                  "'') FROM palpate.") +
+                      table + " AS t")
+                  .text(0, 0);
+    }
+    return rows;
+  }
+
+  std::string pulled() {
+    const auto account = accountOf("analyst");
+    auto server = admin();
+    study::collect::pull(server, {.folder = scratch_ / "union", .reason = "to evaluate"}, clock_);
+    return scratch_ / "union";
+  }
+
+  bool isSound(const std::string& folder) {
+    const auto account = accountOf("analyst");
+    auto study = Study::open(folder, clock_, study::storage::Database::Access::ReadOnly);
+    return study::verify(study).isSound();
+  }
+
+  std::string answerTo(const std::string& batch) {
+    auto station = as("station_oslo");
+    const auto said = station.query(
+        "SELECT palpate.ingest($1, sha256(convert_to($1, 'UTF8')), $2)",
+        {batch, Parameter::arrayOfBytes({})});
+    return study::collect::answerIn(said.text(0, 0)).refused;
+  }
+};
+
+/// A small disk for the server.
+class SmallDisk {
+ public:
+  explicit SmallDisk(const fs::path& folder) : folder_(folder) {
+    struct stat owner {};
+    fs::create_directory(folder_);
+    isThere_ = stat(folder_.parent_path().c_str(), &owner) == 0 &&
+               mount("palpate", folder_.c_str(), "tmpfs", 0, "size=8m") == 0 &&
+               chown(folder_.c_str(), owner.st_uid, owner.st_gid) == 0;
+  }
+  ~SmallDisk() {
+    if (isThere_) umount2(folder_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+  bool isThere() const noexcept { return isThere_; }
+  /// Leaves only @p bytes.
+  void fill(std::uint64_t bytes) const {
+    const auto left = fs::space(folder_).available;
+    const std::string block(left > bytes ? left - bytes : 0, 'x');
+    std::ofstream(folder_ / "other data") << block;
+  }
+  void free() const { fs::remove(folder_ / "other data"); }
+
+ private:
+  fs::path folder_;
+  bool isThere_ = false;
+};
+
+TEST_F(ServerFaults, AFullDiskIsSaidInWordsAndNothingIsLost) {
+  const SmallDisk disk(postgres().folder() / "small");
+  if (!disk.isThere()) GTEST_SKIP() << "a disk can be mounted by root alone";
+  admin().execute(
+      "CREATE TABLESPACE small LOCATION '" + (postgres().folder() / "small").string() + "'");
+  for (const auto* table : {"chunk", "event", "session"}) {
+    admin().execute(std::string("ALTER TABLE palpate.") + table + " SET TABLESPACE small");
+  }
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto before = rowsOfServer();
+  simulate("oslo", 3);
+  disk.fill(20'000);
+  const auto said = saidByAPush(ServerError::Kind::Full);
+  EXPECT_NE(said.find("is full. Nothing is lost"), std::string::npos) << said;
+  EXPECT_EQ(rowsOfServer(), before);
+  disk.free();
+  push("oslo");
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  for (const auto* table : {"chunk", "event", "session"}) {
+    admin().execute(std::string("ALTER TABLE palpate.") + table + " SET TABLESPACE pg_default");
+  }
+  admin().execute("DROP TABLESPACE small");
+}
+
+TEST_F(ServerFaults, AnOlderOrNewerSchemaIsRefusedAndNotWrittenTo) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  runSession("oslo");
+  const auto steps = [&](const std::string& change) {
+    admin().execute(change);
+    const auto before = rowsOfServer();
+    const auto said = saidByAPush(ServerError::Kind::Release);
+    EXPECT_EQ(rowsOfServer(), before);
+    return said;
+  };
+  EXPECT_NE(
+      steps("INSERT INTO palpate.schema_step (step) VALUES (99)").find("newer than this program"),
+      std::string::npos);
+  EXPECT_NE(
+      steps("DELETE FROM palpate.schema_step WHERE step > 1").find("older than this program"),
+      std::string::npos);
+  // Brought up to date with what is in it, it takes the rest.
+  auto owner = admin();
+  EXPECT_EQ(study::collect::installSchema(owner), 1);
+  push("oslo");
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+}
+
+TEST_F(ServerFaults, AClockThatIsAYearOffChangesNoOrder) {
+  constexpr std::int64_t kYear = std::int64_t{365} * 24 * 3600 * 1000;  // [ms]
+  addStation("oslo");
+  addStation("bergen");
+  const auto now = clock_.now().wall;
+  for (const auto wrong : {now + kYear, now - kYear, now}) {
+    clock_.setWall(wrong);
+    runSession("oslo");
+    push("oslo");
+  }
+  runSession("bergen");
+  push("bergen");
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo"), folderOf("bergen")}));
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+  EXPECT_TRUE(isSound(scratch_ / "union"));
+  EXPECT_TRUE(incidents().empty());
+}
+
+TEST_F(ServerFaults, AnEnrolmentThatIsTooOldSaysWhatTheClockShows) {
+  const auto account = accountOf("oslo");
+  const auto station =
+      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+  auto owner = admin();
+  const auto enrolled =
+      study::collect::enrolStation(owner, {.site = "oslo", .key = station.publicKey()});
+  study::SimulatedClock wrong(4'000'000'000'000);  // 2096
+  try {
+    study::collect::join(scratch_.write("file", enrolled.file), folderOf("oslo"), wrong);
+    FAIL() << "it was used";
+  } catch (const study::UserError& error) {
+    EXPECT_NE(std::string(error.what()).find("clock shows 2096-"), std::string::npos);
+  }
+  // A clock that is slow does not help: the server's counts.
+  study::collect::join(scratch_ / "file", folderOf("oslo"), clock_);
+  owner.execute("UPDATE palpate.station SET expires = now() - interval '1 day'");
+  runSession("oslo");
+  EXPECT_THROW(push("oslo"), study::UserError);
+  EXPECT_EQ(incidents(), std::vector<std::string>{"expired"});
+}
+
+TEST_F(ServerFaults, OfTwoComputersFromOneBackupOneIsEnrolledAgain) {
+  addStation("oslo");
+  runSession("oslo");
+  // The whole account and its studies, put onto a second computer.
+  fs::copy(scratch_ / "account-oslo", scratch_ / "account-twin", fs::copy_options::recursive);
+  fs::copy(folderOf("oslo"), folderOf("twin"), fs::copy_options::recursive);
+  runSession("oslo");
+  push("oslo");
+  runSession("twin");
+  try {
+    push("twin");
+    FAIL() << "both were taken";
+  } catch (const study::collect::Refused& refused) {
+    EXPECT_EQ(refused.name(), "fork");
+    EXPECT_NE(
+        std::string(refused.what()).find("ask for an enrolment of its own"), std::string::npos);
+  }
+  EXPECT_EQ(incidents(), std::vector<std::string>{"fork"});
+
+  // It gets a name of its own: in the same account, for a new folder.
+  {
+    const auto account = accountOf("twin");
+    const auto station =
+        study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+    auto owner = admin();
+    const auto enrolled = study::collect::enrolStation(
+        owner, {.site = "oslo", .label = "oslo-2", .key = station.publicKey()});
+    study::collect::join(scratch_.write("again", enrolled.file), folderOf("oslo-2"), clock_);
+    auto study = Study::open(folderOf("oslo-2"), clock_);
+    auto session = tests::consenting(study, {.cohort = "surgeons"});
+    tests::walkToTheEnd(session);
+    EXPECT_EQ(session.participant(), "oslo-2_P001");
+    study::collect::Outbox outbox(folderOf("oslo-2"), clock_);
+    auto server = as("station_oslo_2");
+    study::collect::push(outbox, server);
+  }
+  runSession("oslo");
+  push("oslo");
+  fs::copy(scratch_ / "account-twin", scratch_ / "account-oslo-2", fs::copy_options::recursive);
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo"), folderOf("oslo-2")}));
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo"), folderOf("oslo-2")}));
+}
+
+TEST_F(ServerFaults, WhatNoProgramOfOursWritesIsRefusedAndKept) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto before = rowsOfServer();
+  auto owner = admin();
+  const auto ids = owner.query(
+      "SELECT s.study, s.uuid, s.have, encode(e.hash, 'hex') FROM palpate.station AS s "
+      "JOIN palpate.event AS e ON e.station = s.id AND e.seq = s.have");
+  const auto batch = [&](const std::string& rest) {
+    return R"({"format": 1, "study": ")" + ids.text(0, 0) + R"(", "station": ")" + ids.text(0, 1) +
+           R"(", "after": ")" + ids.text(0, 3) + R"(", )" + rest + "}";
+  };
+  const auto next = std::to_string(ids.number(0, 2) + 1);
+  const std::vector<std::string> forged{
+      "no JSON",
+      batch(R"("events": 7)"),
+      batch(R"("events": [{"seq": "much"}])"),
+      batch(R"("events": [{"seq": )" + next + "}]"),  // an event without anything
+      batch(
+          R"("events": [{"seq": )" + next +
+          R"(, "utc": "", "monotonic_ns": 0, "actor": "", "kind": "", "detail": "", "hash": "00"}])"),
+      batch(R"("keys": [{"participant": "oslo_P009", "key": "00"}])"),
+      batch(R"("keys": [{"participant": "oslo_P009", "key": "no digits"}])")};
+  for (const auto& one : forged) EXPECT_EQ(answerTo(one), "damaged") << one;
+  EXPECT_EQ(incidents(), std::vector<std::string>(forged.size(), "damaged"));
+  const auto kept = study::collect::incidentsOf(owner, 1);
+  EXPECT_EQ(kept.at(0).role, "station_oslo");
+  EXPECT_EQ(kept.at(0).station, "oslo");
+  EXPECT_EQ(rowsOfServer(), before);
+}
+
+TEST_F(ServerFaults, ABundleThatIsNotTheStationsIsKeptAsAnIncident) {
+  addStation("oslo");
+  runSession("oslo");
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  const auto station =
+      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+  const auto home = study::collect::homeServerOf(folderOf("oslo"));
+  study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / "a.bundle");
+  auto changed = tests::contentOf(scratch_ / "a.bundle");
+  changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+  auto owner = admin();
+  EXPECT_THROW(
+      study::collect::takeBundle(owner, scratch_.write("changed", changed)), study::UserError);
+  EXPECT_EQ(incidents(), std::vector<std::string>{"bundle"});
+}
+
+TEST_F(ServerFaults, WhatIsDeniedToARoleIsInTheLogWithItsName) {
+  auto owner = admin();
+  EXPECT_EQ(study::collect::logProblem(owner), std::nullopt);
+  addStation("oslo");
+  auto station = as("station_oslo");
+  for (const std::string denied :
+       {"SELECT facts FROM palpate.session",
+        "DELETE FROM palpate.event",
+        "SELECT palpate.opened(1)"}) {
+    EXPECT_THROW(station.execute(denied), ServerError);
+    const auto log = tests::contentOf(postgres().folder() / "server.log");
+    const auto at = log.rfind("STATEMENT:  " + denied);
+    ASSERT_NE(at, std::string::npos) << denied;
+    const auto line = log.substr(log.rfind('\n', at) + 1, at - log.rfind('\n', at));
+    EXPECT_NE(line.find("station_oslo@" + database()), std::string::npos) << line;
+    EXPECT_NE(log.rfind("permission denied"), std::string::npos);
+  }
+  owner.execute("SET log_min_error_statement = panic");
+  EXPECT_NE(study::collect::logProblem(owner), std::nullopt);
+}
+
+}  // namespace server_faults_test
