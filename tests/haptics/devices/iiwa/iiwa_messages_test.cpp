@@ -375,12 +375,13 @@ TEST_F(IiwaMessagesTest, IsAnsweredInTimeDuringAFloodOfDatagrams) {
 
 TEST_F(IiwaMessagesTest, IsAnsweredForItsNewestMessageAfterADelay) {
   arm();
+  const auto before = device_->link();  // on a busy machine some were skipped already
   for (int i = 0; i < 5; ++i) say();
   EXPECT_EQ(tick(10.0).status, DeviceStatus::Ok);
   const auto all = answers();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].header.reflected, next_ - 1);
-  EXPECT_EQ(device_->link().skipped, 4U);
+  EXPECT_EQ(device_->link().skipped - before.skipped, 4U);
   EXPECT_EQ(device_->link().lost, 0U);
 }
 
