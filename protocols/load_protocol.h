@@ -29,7 +29,7 @@ std::optional<LoadedProtocol> loadProtocol(
 
 /// The same from a file, or from the library by name ("punch-face-validity"). Referenced files are
 /// searched for beside the file.
-/// @throws questionnaires::Error  if the file cannot be read at all.
+/// @throws UserError  if the file cannot be read at all.
 std::optional<LoadedProtocol> loadProtocolFile(
     const std::string& path, questionnaires::Problems& problems);
 

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "analysis/data/nearest_name.h"
@@ -33,13 +30,6 @@ std::string counted(std::size_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t";
-  const auto first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(kBlank) - first + 1));
-}
-
 /// Reads row after row.
 class CsvScanner {
  public:
@@ -61,7 +51,7 @@ class CsvScanner {
   std::string plainCell() {
     const std::string_view cell = rest_.substr(0, rest_.find_first_of(ends_));
     rest_.remove_prefix(cell.size());
-    return trimmed(cell);
+    return std::string(base::trimmed(cell));
   }
 
   std::string quotedCell() {
@@ -70,7 +60,7 @@ class CsvScanner {
     for (;;) {
       const auto quote = rest_.find('"');
       if (quote == std::string_view::npos) {
-        throw Error(onLine(opened) + "a quotation mark is opened here and never closed");
+        throw base::UserError(onLine(opened) + "a quotation mark is opened here and never closed");
       }
       cell += passed(quote);
       rest_.remove_prefix(1);
@@ -78,7 +68,7 @@ class CsvScanner {
       cell += '"';
     }
     if (!rest_.empty() && ends_.find(rest_.front()) == std::string::npos) {
-      throw Error(
+      throw base::UserError(
           onLine(line_) +
           "there is text after a closing quotation mark; within quotation marks, write \"\" for "
           "\"");
@@ -135,46 +125,32 @@ char separatorOf(std::string_view text) {
   return kSeparators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
 
-std::string_view withoutMark(std::string_view text) {
+std::string_view utf8Of(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw Error("the file is in UTF-16: save it as CSV in UTF-8");
+    throw base::UserError("the file is in UTF-16: save it as CSV in UTF-8");
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return text;
+  return base::withoutByteOrderMark(text);
 }
 
 }  // namespace
 
-Error::Error(const std::vector<std::string>& problems) : std::runtime_error(listed(problems)) {}
-
-std::optional<double> decimalNumber(std::string_view text, DecimalMark mark) {
-  std::string digits(text);
-  const auto comma = digits.find(',');
-  const bool isCommaMark = mark == DecimalMark::PointOrComma && comma != std::string::npos &&
-                           digits.find('.') == std::string::npos;
-  if (isCommaMark) digits[comma] = '.';
-  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.erase(0, 1);
-
-  double number = 0.0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stopped, problem] = std::from_chars(digits.data(), end, number);
-  const bool isNumber = problem == std::errc{} && stopped == end && std::isfinite(number);
-  return isNumber ? std::optional(number) : std::nullopt;
+base::UserError errorOf(const std::vector<std::string>& problems) {
+  return base::UserError(listed(problems));
 }
 
 std::size_t CsvTable::columnIndex(std::string_view name) const {
   const auto count = std::ranges::count(columns, name);
-  if (count > 1) throw Error("there are two columns '" + std::string(name) + "'");
+  if (count > 1) throw base::UserError("there are two columns '" + std::string(name) + "'");
   if (count == 1) {
     return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
   }
-  throw Error(
+  throw base::UserError(
       "there is no column '" + std::string(name) + "'; the columns are " + enumerated(columns) +
       "; did you mean '" + nearestName(name, columns) + "'?");
 }
 
 CsvTable readCsv(std::string_view text) {
-  text = withoutMark(text);
+  text = utf8Of(text);
   CsvTable table;
   table.separator = separatorOf(text);
   std::vector<std::string> problems;
@@ -191,8 +167,8 @@ CsvTable readCsv(std::string_view text) {
           ", and the header has " + counted(table.columns.size(), "column"));
     }
   }
-  if (table.columns.empty()) throw Error("the file is empty");
-  if (!problems.empty()) throw Error(problems);
+  if (table.columns.empty()) throw base::UserError("the file is empty");
+  if (!problems.empty()) throw errorOf(problems);
   return table;
 }
 

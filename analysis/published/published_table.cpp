@@ -22,8 +22,8 @@ bool isDigit(char character) {
   return character >= '0' && character <= '9';
 }
 
-bool isMark(char character, DecimalMark mark) {
-  return character == '.' || (character == ',' && mark == DecimalMark::PointOrComma);
+bool isMark(char character, base::DecimalMark mark) {
+  return character == '.' || (character == ',' && mark == base::DecimalMark::PointOrComma);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ bool ReportedNumber::printsRootOf(
   return low * low * denominator <= given && given < high * high * denominator;
 }
 
-std::optional<ReportedNumber> reportedNumber(std::string_view text, DecimalMark mark) {
+std::optional<ReportedNumber> reportedNumber(std::string_view text, base::DecimalMark mark) {
   const bool isNegative = text.starts_with('-');
   if (isNegative || text.starts_with('+')) text.remove_prefix(1);
 
@@ -103,8 +103,8 @@ std::optional<ReportedNumber> reportedNumber(std::string_view text, DecimalMark 
 
 namespace {
 
-DecimalMark markOf(const CsvTable& table) {
-  return table.separator == ',' ? DecimalMark::Point : DecimalMark::PointOrComma;
+base::DecimalMark markOf(const CsvTable& table) {
+  return table.separator == ',' ? base::DecimalMark::Point : base::DecimalMark::PointOrComma;
 }
 
 bool hasColumn(const CsvTable& table, std::string_view name) {
@@ -185,7 +185,7 @@ void readGroups(const CsvTable& csv, PublishedTable& table, std::vector<std::str
   }
 }
 
-std::optional<PublishedP> pOf(std::string_view text, DecimalMark mark) {
+std::optional<PublishedP> pOf(std::string_view text, base::DecimalMark mark) {
   PublishedP p;
   if (text.starts_with('<')) p.relation = PublishedP::Relation::Below;
   if (text.starts_with('>')) p.relation = PublishedP::Relation::Above;
@@ -263,7 +263,7 @@ PublishedTable readPublishedTable(std::string_view groupsCsv, std::string_view c
   readGroups(readCsv(groupsCsv), table, problems);
   readComparisons(readCsv(comparisonsCsv), table, problems);
   checkCounts(table, problems);
-  if (!problems.empty()) throw Error(problems);
+  if (!problems.empty()) throw errorOf(problems);
   return table;
 }
 

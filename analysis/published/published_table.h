@@ -47,7 +47,7 @@ struct ReportedNumber {
 /// Reads "4.1", ".021", "-3" or, where the mark allows it, "4,1"; std::nullopt for other text and
 /// for more than kMostDigits digits.
 std::optional<ReportedNumber> reportedNumber(
-    std::string_view text, DecimalMark mark = DecimalMark::Point);
+    std::string_view text, base::DecimalMark mark = base::DecimalMark::Point);
 
 /// A group as a published table reports it.
 struct PublishedGroup {
@@ -100,7 +100,7 @@ inline constexpr std::uint64_t kMostPublishedAnswers = 1000;
 /// `n` may be missing, as a column or in a cell; `sd` may stand for `variance`. Numbers are copied
 /// as they are printed, with their last zeros: how many decimals they have decides what follows.
 ///
-/// @throws Error  in words, all problems at once.
+/// @throws UserError  in words, all problems at once.
 PublishedTable readPublishedTable(std::string_view groupsCsv, std::string_view comparisonsCsv);
 
 }  // namespace analysis

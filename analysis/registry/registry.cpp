@@ -212,7 +212,8 @@ Rows cochran(const TestData& data, const TestSettings&) {
   for (const auto& line : data.lines()) {
     auto& row = answers.emplace_back();
     for (const double value : line) {
-      if (value != 0.0 && value != 1.0) throw Error("Cochran's Q needs 0 for no and 1 for yes");
+      if (value != 0.0 && value != 1.0)
+        throw base::UserError("Cochran's Q needs 0 for no and 1 for yes");
       row.push_back(value == 1.0);
     }
   }
@@ -242,7 +243,7 @@ Rows fisher(const TestData& data, const TestSettings&) {
 Rows mcNemar(const TestData& data, const TestSettings&) {
   const auto table = crossTableOf(data, true);
   if (table.rows.size() != 2) {
-    throw Error(
+    throw base::UserError(
         "McNemar's test compares two options, and there are " + std::to_string(table.rows.size()) +
         "; stuart_maxwell compares more");
   }
@@ -343,7 +344,7 @@ std::vector<int> wholeAnswers(const TestData& data) {
   std::vector<int> answers;
   for (const double value : first(data)) {
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-      throw Error("the ordinal model needs answers on a scale of whole numbers");
+      throw base::UserError("the ordinal model needs answers on a scale of whole numbers");
     }
     answers.push_back(static_cast<int>(value));
   }
@@ -438,7 +439,7 @@ const StatisticalTest& statisticalTest(std::string_view id) {
   if (found != kTests.end()) return *found;
   std::vector<std::string> ids;
   for (const auto& test : kTests) ids.emplace_back(test.id);
-  throw Error(
+  throw base::UserError(
       "there is no test '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) +
       "'? 'palpate stats test --list' lists all");
 }
@@ -447,21 +448,22 @@ std::vector<TestRow> computeTest(
     const StatisticalTest& test, const TestData& data, const TestSettings& settings) {
   const bool needsBound = test.form == StatisticalTest::Form::NeedsBound;
   if (needsBound && !settings.bound) {
-    throw Error(
+    throw base::UserError(
         "the test needs --bound: differences between -bound and +bound count as none; it belongs "
         "to the plan of the study");
   }
-  if (!needsBound && settings.bound) throw Error("the test does not use --bound");
+  if (!needsBound && settings.bound) throw base::UserError("the test does not use --bound");
   const bool needsFrom = test.form == StatisticalTest::Form::RowOfEachGroup;
   if (needsFrom && !settings.from) {
-    throw Error("the test needs --from: it tells how likely this answer and all above it are");
+    throw base::UserError(
+        "the test needs --from: it tells how likely this answer and all above it are");
   }
-  if (!needsFrom && settings.from) throw Error("the test does not use --from");
+  if (!needsFrom && settings.from) throw base::UserError("the test does not use --from");
   Rows rows;
   try {
     rows = test.rows(data, settings);
   } catch (const std::invalid_argument& error) {
-    throw Error(error.what());
+    throw base::UserError(error.what());
   }
   const bool comparesTwo = test.shape == Shape::TwoGroups || test.shape == Shape::Pairs;
   for (auto& row : rows) {

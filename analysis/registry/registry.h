@@ -55,12 +55,12 @@ struct StatisticalTest {
 /// one line of this table (docs/developing.md).
 std::span<const StatisticalTest> statisticalTests() noexcept;
 
-/// @throws Error  if there is no such test; names the nearest.
+/// @throws UserError  if there is no such test; names the nearest.
 const StatisticalTest& statisticalTest(std::string_view id);
 
 /// The rows of a test, with its id and the names of what is compared.
 ///
-/// @throws Error  for data that the test is not made for, and without the bound that it needs.
+/// @throws UserError  for data that the test is not made for, and without the bound that it needs.
 std::vector<TestRow> computeTest(
     const StatisticalTest& test, const TestData& data, const TestSettings& settings);
 

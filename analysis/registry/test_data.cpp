@@ -57,7 +57,7 @@ void checkTwo(const std::vector<NamedValues>& groups, const std::string& column)
   std::string there = "no groups";
   if (names.size() == 1) there = "one group only, " + enumerated(names);
   if (names.size() > 2) there = std::to_string(names.size()) + " groups, " + enumerated(names);
-  throw Error("the column '" + column + "' has " + there + "; two are compared");
+  throw base::UserError("the column '" + column + "' has " + there + "; two are compared");
 }
 
 /// A role and the places of its columns in the file.
@@ -78,7 +78,7 @@ void checkRoles(std::span<const DataColumn> columns, const ChosenColumns& chosen
   for (const auto& [role, names] : chosen) {
     const bool isThere = std::ranges::find(columns, role, &DataColumn::role) != columns.end();
     if (!isThere && !names.empty()) {
-      throw Error("the test does not use --" + role + "; it uses " + optionsOf(columns));
+      throw base::UserError("the test does not use --" + role + "; it uses " + optionsOf(columns));
     }
   }
 }
@@ -97,7 +97,7 @@ std::vector<Placed> placed(
       for (std::size_t i = 0; i < table.columns.size(); ++i) one.places.push_back(i);
     } else if (column.isRequired) {
       if (next >= table.columns.size()) {
-        throw Error(
+        throw base::UserError(
             "the file has " + std::to_string(table.columns.size()) +
             " columns, and the test needs " + optionsOf(columns));
       }
@@ -126,7 +126,7 @@ class Reader {
 
   TestData all() {
     for (const auto& row : table_.rows) line(row);
-    if (!problems_.empty()) throw Error(problems_);
+    if (!problems_.empty()) throw errorOf(problems_);
     return std::move(data_);
   }
 
@@ -175,8 +175,9 @@ class Reader {
 
   double numberIn(std::size_t line, const std::string& cell, bool isCount) {
     constexpr double kMostCases = 1e9;
-    const auto mark = table_.separator == ';' ? DecimalMark::PointOrComma : DecimalMark::Point;
-    const auto number = decimalNumber(cell, mark);
+    const auto mark =
+        table_.separator == ';' ? base::DecimalMark::PointOrComma : base::DecimalMark::Point;
+    const auto number = base::decimalNumber(cell, mark);
     const bool isSound =
         number &&
         (!isCount || (*number >= 0.0 && *number <= kMostCases && *number == std::floor(*number)));
@@ -261,7 +262,7 @@ CrossTable crossTableOf(const TestData& data, bool isSquare) {
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen) {
   const CsvTable table = readCsv(csv);
   auto roles = placed(table, columnsOf(shape), chosen);
-  if (table.rows.empty()) throw Error("the file has a header and no rows");
+  if (table.rows.empty()) throw base::UserError("the file has a header and no rows");
   const bool isGrouped = shape == DataShape::TwoGroups || shape == DataShape::Groups;
   const auto groupColumn = isGrouped ? table.columns[roles.front().places.front()] : std::string();
   auto data = Reader(table, std::move(roles), isGrouped).all();

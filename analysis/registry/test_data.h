@@ -79,7 +79,8 @@ CrossTable crossTableOf(const TestData& data, bool isSquare);
 /// Reads a table of comma-separated values (see readCsv()) for a test. With semicolons between the
 /// cells, a decimal comma is understood.
 ///
-/// @throws Error  in words for the person at the desk: a column that is not there or that the shape
+/// @throws UserError  in words for the person at the desk: a column that is not there or that the
+/// shape
 ///     does not use, no rows, cells that are not numbers, too few or too many groups.
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen);
 

@@ -110,7 +110,7 @@ CutChoice chosenRows(const Trace& trace, const RowRange& rows, const std::string
   const std::size_t count = trace.travel.size();
   const std::string asked = std::to_string(rows.first) + " to " + std::to_string(rows.last);
   if (rows.first < 1 || rows.last > count || rows.first >= rows.last) {
-    throw Error(
+    throw base::UserError(
         "Rows " + asked + " are no part of " + named(source) + ": it has rows 1 to " +
         std::to_string(count) + ", and the first must come before the last.");
   }
@@ -124,7 +124,7 @@ CutChoice chosenClosures(
   CutChoice choice{.closures = numbers, .reason = "asked for by number"};
   for (const std::size_t number : numbers) {
     if (number < 1 || number > closures.size()) {
-      throw Error(
+      throw base::UserError(
           "There is no closure " + std::to_string(number) + " in " + named(source) + ": it has " +
           std::to_string(closures.size()) + ", numbered from 1.");
     }
@@ -145,12 +145,12 @@ std::vector<std::size_t> candidates(std::span<const Closure> closures) {
   const auto isComplete = [](const Closure& closure) { return closure.isComplete; };
   const auto complete = std::ranges::count_if(closures, isComplete);
   if (complete > 0) {
-    throw Error(
+    throw base::UserError(
         "Each of the " + std::to_string(complete) + " complete closures of " + named(source) +
         " has rows where the force sensor was saturated, so that its peak is cut off. Take another "
         "recording, or choose a closure by its number, or rows, if that will do.");
   }
-  throw Error(
+  throw base::UserError(
       "None of the " + std::to_string(closures.size()) + " closures of " + named(source) +
       " is complete (it lies within the recording and lasts at most 4 s): choose one by its "
       "number, "
@@ -168,7 +168,7 @@ CutChoice typicalClosure(
   }
   const std::optional<std::size_t> typical = mostTypical(curves);
   if (!typical) {
-    throw Error(
+    throw base::UserError(
         "The closures of " + named(source) +
         " share no travel, so that none is typical: choose one by its number, or rows.");
   }
@@ -201,7 +201,7 @@ CutChoice chooseCut(
   requireOneWish(options);
   if (options.rows) return chosenRows(trace, *options.rows, source);
   if (closures.empty()) {
-    throw Error(
+    throw base::UserError(
         "There is no closure in " + named(source) +
         ": its travel never rises above 7. Check that the recorder was told both end positions, "
         "or choose rows.");

@@ -40,7 +40,8 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   if (curves.size() == 1) return curves.front();
 
   std::optional<MeanCurve> mean = meanCurve(curves);
-  if (!mean) throw Error("The chosen closures share no travel: choose others, or only one.");
+  if (!mean)
+    throw base::UserError("The chosen closures share no travel: choose others, or only one.");
   report.deviation = std::move(mean->deviation);
   report.changes.push_back(
       "mean of " + std::to_string(curves.size()) + " closures at " +

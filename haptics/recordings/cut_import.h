@@ -82,7 +82,7 @@ struct CutChoice {
 /// Chooses as the options say; see ImportOptions and importCut().
 ///
 /// @param source  what messages call the recording.
-/// @throws Error, std::invalid_argument  as importCut() does.
+/// @throws UserError, std::invalid_argument  as importCut() does.
 CutChoice chooseCut(
     const Trace& trace,
     std::span<const Closure> closures,
@@ -131,7 +131,8 @@ struct ImportedCut {
 /// Takes a cut from a recording: calibrates, filters, chooses, makes the travel strictly rising,
 /// limits the slope, and reports all changes.
 ///
-/// @throws Error  if there is no closure, or none with a requested number; if none can be chosen
+/// @throws UserError  if there is no closure, or none with a requested number; if none can be
+/// chosen
 ///     automatically; if rows are outside the recording, or are no closure; if several closures
 ///     have no common travel.
 /// @throws std::invalid_argument  if both closures and rows are asked for, a closure twice, or the

@@ -9,8 +9,8 @@
 
 #include <Eigen/QR>
 
+#include "base/text_table.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_table.h"
 
 namespace haptics::recordings {
 namespace {
@@ -84,28 +84,26 @@ std::size_t placeOf(
   if (head.empty() && usual < heads.size()) return usual;
   const auto found = std::find(heads.begin(), heads.end(), head);
   if (!head.empty() && found != heads.end()) return static_cast<std::size_t>(found - heads.begin());
-  throw Error(
+  throw base::UserError(
       "'" + std::string(source) + "' has no column " +
       (head.empty() ? "for readings and one for loads" : "'" + head + "'") + ". Its columns are " +
-      listed(heads) + ".");
+      base::listed(heads) + ".");
 }
 
 std::string unitIn(const std::string& cell) {
-  const auto open = cell.find_first_of("[(");
-  if (open != std::string::npos) {
-    return trimmed(cell.substr(open + 1, cell.find_first_of("])", open) - open - 1));
-  }
+  std::string unit = base::headOf(cell).unit;
+  if (cell.find_first_of("[(") != std::string::npos) return unit;
   // After an underscore units are often in lower case.
-  const std::string unit = headOf(cell).unit;
+  unit = base::lowerCase(unit);
   for (const char* known : {"V", "mV", "N", "mN", "kN"}) {
-    if (unit == lowerCase(known)) return known;
+    if (unit == base::lowerCase(known)) return known;
   }
   return unit;
 }
 
 double newtonsOf(const std::string& unit, std::string_view source) {
   if (const double newtons = newtonsIn(unit); newtons > 0.0) return newtons;
-  throw Error(
+  throw base::UserError(
       "The loads in '" + std::string(source) + "' have " +
       (unit.empty() ? "no unit" : "an unknown unit, '" + unit + "'") +
       ". Write N, mN, kN, g or kg into the head, as in 'load [N]', or name the unit.");
@@ -115,12 +113,12 @@ double numberOf(
     const std::vector<std::string>& cells,
     std::size_t place,
     char separator,
-    const TextLine& line,
+    const base::TextLine& line,
     std::string_view source) {
   const auto value =
-      place < cells.size() ? numberIn(cells[place], separator) : std::optional<double>();
+      place < cells.size() ? base::numberIn(cells[place], separator) : std::optional<double>();
   if (value) return *value;
-  throw Error(
+  throw base::UserError(
       "Line " + std::to_string(line.number) + " of '" + std::string(source) + "' has " +
       (place < cells.size() ? "'" + cells[place] + "'" : "no cell") +
       " where a number must be: correct or remove the line.");
@@ -131,24 +129,23 @@ double numberOf(
 CalibrationTable readCalibrationTable(
     std::string_view text, std::string_view source, const CalibrationColumns& columns) {
   requireText(text, "'" + std::string(source) + "'");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const std::vector<TextLine> lines = linesOf(text);
-  if (lines.empty()) throw Error("'" + std::string(source) + "' is empty.");
-  const char separator = separatorOf(lines.front().text);
-  const auto heads = cellsOf(lines.front().text, separator);
+  const auto lines = base::linesOf(base::withoutByteOrderMark(text));
+  if (lines.empty()) throw base::UserError("'" + std::string(source) + "' is empty.");
+  const char separator = base::separatorOf(lines.front().text);
+  const auto heads = base::cellsOf(lines.front().text, separator);
   const std::size_t reading = placeOf(columns.reading, 0, heads, source);
   const std::size_t force = placeOf(columns.force, 1, heads, source);
   CalibrationTable table{.source = std::string(source), .readingUnit = columns.readingUnit};
   if (table.readingUnit.empty()) table.readingUnit = unitIn(heads[reading]);
   if (table.readingUnit.empty()) {
-    throw Error(
+    throw base::UserError(
         "The readings in '" + table.source +
         "' have no unit. Write one into the head, as in 'sensor [V]', or name it (V, mV, counts).");
   }
   const double newtons =
       newtonsOf(columns.forceUnit.empty() ? unitIn(heads[force]) : columns.forceUnit, source);
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const auto cells = cellsOf(lines[i].text, separator);
+    const auto cells = base::cellsOf(lines[i].text, separator);
     table.points.push_back(
         {numberOf(cells, reading, separator, lines[i], source),
          newtons * numberOf(cells, force, separator, lines[i], source)});
@@ -178,7 +175,7 @@ void requireEnough(const CalibrationTable& table, std::size_t coefficients, bool
     if (!throughZero || point.reading != 0.0) readings.insert(point.reading);
   }
   if (readings.size() >= std::max<std::size_t>(coefficients, 2)) return;
-  throw Error(
+  throw base::UserError(
       "'" + table.source + "' has " + std::to_string(readings.size()) +
       " different readings; this order needs " +
       std::to_string(std::max<std::size_t>(coefficients, 2)) +

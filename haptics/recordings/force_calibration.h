@@ -71,7 +71,7 @@ struct CalibrationColumns {
 
 /// Reads a table of readings and known loads: a head and rows, between tabs, semicolons or commas.
 ///
-/// @throws Error  if a column or a unit is not there or unknown, or a cell is no number.
+/// @throws UserError  if a column or a unit is not there or unknown, or a cell is no number.
 CalibrationTable readCalibrationTable(
     std::string_view text, std::string_view source, const CalibrationColumns& columns = {});
 
@@ -92,7 +92,7 @@ inline constexpr int kMostCalibrationOrder = 5;
 /// punch paper does. By QR factorisation, with readings scaled to ±1.
 ///
 /// @param order  1 to kMostCalibrationOrder.
-/// @throws Error  if there are fewer points with different readings than coefficients.
+/// @throws UserError  if there are fewer points with different readings than coefficients.
 /// @throws std::invalid_argument  if the order is out of range.
 CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool throughZero);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <optional>
@@ -12,6 +11,8 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "base/text_table.h"
 
 namespace haptics::recordings {
 
@@ -52,14 +53,15 @@ void requirePlainFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
-    throw Error("There is no recording " + name + ": check the name and the folder.");
+    throw base::UserError("There is no recording " + name + ": check the name and the folder.");
   }
-  if (error) throw Error("The recording " + name + " cannot be reached: " + error.message() + ".");
+  if (error)
+    throw base::UserError("The recording " + name + " cannot be reached: " + error.message() + ".");
   if (fs::is_directory(status)) {
-    throw Error(name + " is a folder: name one recording in it, a .txt file.");
+    throw base::UserError(name + " is a folder: name one recording in it, a .txt file.");
   }
   if (!fs::is_regular_file(status)) {
-    throw Error(name + " is no plain file: copy the recording into one first.");
+    throw base::UserError(name + " is no plain file: copy the recording into one first.");
   }
 }
 
@@ -67,7 +69,7 @@ void requireModestSize(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error || size <= kLargestRecording) return;
-  throw Error(
+  throw base::UserError(
       "'" + path.string() + "' is larger than 200 MB (" + std::to_string(size / 1'000'000) +
       " MB): a recording of the punch has about 1 MB a minute; check that it is one.");
 }
@@ -79,13 +81,14 @@ std::string contentOfRecording(const fs::path& path) {
   requireModestSize(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
-    throw Error("'" + path.string() + "' cannot be opened: check that you may read it.");
+    throw base::UserError("'" + path.string() + "' cannot be opened: check that you may read it.");
   }
   std::error_code error;
   std::string text(static_cast<std::size_t>(fs::file_size(path, error)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (error || stream.bad()) {
-    throw Error("'" + path.string() + "' could not be read to its end: copy it and try again.");
+    throw base::UserError(
+        "'" + path.string() + "' could not be read to its end: copy it and try again.");
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
@@ -151,25 +154,6 @@ void countEnd(std::string_view line, Recording::LineEnds& ends) {
   }
 }
 
-std::vector<std::string_view> fieldsOf(std::string_view text) {
-  std::vector<std::string_view> fields;
-  for (std::size_t begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
-    fields.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(kBlanks, end);
-  }
-  return fields;
-}
-
-std::optional<double> numberOf(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0.0;
-  const char* const end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// What a line turned out to be: a row, or the reason why not.
 struct ReadLine {
   std::optional<Recording::Row> row;
@@ -179,7 +163,7 @@ struct ReadLine {
 ReadLine readLine(std::span<const std::string_view> fields) {
   std::array<double, kColumns> values{};
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::optional<double> value = numberOf(fields[i]);
+    const std::optional<double> value = base::decimalNumber(fields[i]);
     if (!value) return {{}, quoted(fields[i]) + " is no number"};
     if (i >= kColumns) continue;
     if (*value < kRow[i].lowest || *value > kRow[i].highest) {
@@ -217,14 +201,14 @@ class Reader {
   }
 
   Recording result() {
-    if (recording_.rows.empty()) throw Error(whyNoRow());
+    if (recording_.rows.empty()) throw base::UserError(whyNoRow());
     return std::move(recording_);
   }
 
  private:
   void readLineOf(std::string_view line, bool isWhole) {
     const Core core = coreOf(line);
-    const std::vector<std::string_view> fields = fieldsOf(core.text);
+    const std::vector<std::string_view> fields = base::piecesOf(core.text, kBlanks);
     if (fields.empty()) return;
     const ReadLine read = readLine(fields);
     if (!read.row) {
@@ -238,7 +222,7 @@ class Reader {
   bool keepsTime(const Recording::Row& row, bool isWhole) {
     if (recording_.rows.empty() || row.time >= recording_.rows.back().time) return true;
     if (isWhole) {
-      throw Error(
+      throw base::UserError(
           "Time runs backwards in '" + recording_.source + "' at line " +
           std::to_string(recording_.lines) +
           ": two recordings in one file? Split it before that line and import the parts.");
@@ -277,19 +261,18 @@ class Reader {
 }  // namespace
 
 void requireText(std::string_view text, const std::string& name) {
-  if (text.empty()) throw Error(name + " is empty: copy or record it again.");
+  if (text.empty()) throw base::UserError(name + " is empty: copy or record it again.");
   const std::size_t zero = text.find('\0');
   if (zero == std::string_view::npos) return;
-  throw Error(
+  throw base::UserError(
       name + " is no text (byte " + std::to_string(zero + 1) +
       " is zero): choose the recorder's .txt file, saved as plain text and not as UTF-16.");
 }
 
 Recording readRecording(std::string_view text, std::string_view source) {
   requireText(text, "'" + std::string(source) + "'");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Reader reader(source);
-  reader.read(text);
+  reader.read(base::withoutByteOrderMark(text));
   return reader.result();
 }
 

@@ -5,21 +5,14 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/user_error.h"
 #include "haptics/recordings/force_calibration.h"
 
 namespace haptics::recordings {
-
-/// A recording that cannot be read, or holds no cut of the kind that was asked for; in words for
-/// the person at the desk: what, to what, what to do.
-class Error : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Rows of a recording, numbered from 1, the last one included. Other lines do not count.
 struct RowRange {
@@ -96,17 +89,18 @@ inline constexpr std::uintmax_t kLargestRecording = 200'000'000;
 
 /// The bytes of a recording's file.
 ///
-/// @throws Error  if the file is missing, is a folder or anything else but a plain file, cannot be
+/// @throws UserError  if the file is missing, is a folder or anything else but a plain file, cannot
+/// be
 ///     read or is larger than kLargestRecording.
 std::string contentOfRecording(const std::filesystem::path& path);
 
-/// @param name  what the message calls the text. @throws Error  if it is empty or no text.
+/// @param name  what the message calls the text. @throws UserError  if it is empty or no text.
 void requireText(std::string_view text, const std::string& name);
 
 /// Reads a recording from a file; see readRecording(). Its source is the file's name without its
 /// folder.
 ///
-/// @throws Error  where contentOfRecording() or readRecording() does.
+/// @throws UserError  where contentOfRecording() or readRecording() does.
 Recording readRecordingFile(const std::filesystem::path& path);
 
 /// Reads a recording of the punch: five numbers per line – force reading, grams, potentiometer,
@@ -121,7 +115,8 @@ Recording readRecordingFile(const std::filesystem::path& path);
 /// @param source  what messages and provenance call it.
 /// Its calibration is paperEq1(), and it saturates at kSaturatedReading.
 ///
-/// @throws Error  if there is nothing in it, if it is no text, if no line of it is a row (a file
+/// @throws UserError  if there is nothing in it, if it is no text, if no line of it is a row (a
+/// file
 ///     of four columns lacks the raw potentiometer and is told so), or if time runs backwards.
 Recording readRecording(std::string_view text, std::string_view source = "the recording");
 

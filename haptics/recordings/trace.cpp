@@ -24,7 +24,7 @@ std::vector<CurvePoint> samplesOf(const Trace& trace, const RowRange& rows) {
 
 ForceCalibration calibrationFor(const Recording& recording) {
   if (recording.calibration) return *recording.calibration;
-  throw Error(
+  throw base::UserError(
       "The forces of '" + recording.source + "' are readings in " + recording.readingUnit +
       ", and it is not known what they are in newtons. Calibrate the sensor ('palpate recording "
       "calibrate') and name its file.");
@@ -33,7 +33,7 @@ ForceCalibration calibrationFor(const Recording& recording) {
 Trace traceOf(
     const Recording& recording, const ForceCalibration& calibration, const TravelFilter& filter) {
   if (calibration.unit != recording.readingUnit) {
-    throw Error(
+    throw base::UserError(
         "The calibration '" + calibration.name + "' is for readings in " + calibration.unit +
         ", and those of '" + recording.source + "' are in " + recording.readingUnit +
         ": choose the calibration of this sensor.");
@@ -54,7 +54,7 @@ MonotoneCurve curveOf(const Trace& trace, const RowRange& rows) {
   try {
     return monotoneCurve(samplesOf(trace, rows));
   } catch (const std::invalid_argument&) {
-    throw Error(
+    throw base::UserError(
         "Rows " + std::to_string(rows.first) + " to " + std::to_string(rows.last) +
         " are no closing hand (their travel does not rise): choose other rows.");
   }
@@ -108,7 +108,8 @@ ProcessNoise processNoiseOf(const Trace& trace, std::span<const RowRange> rows, 
     }
   }
   if (force.size() < kFewest) {
-    throw Error("Two rows and fewer say nothing about a variance. Name longer ranges of rows.");
+    throw base::UserError(
+        "Two rows and fewer say nothing about a variance. Name longer ranges of rows.");
   }
   noise.samples = force.size();
   noise.force = covarianceOf(force, force);

@@ -21,13 +21,13 @@ struct Trace {
 
 /// What a recording's readings become newtons with, unless another calibration is chosen.
 ///
-/// @throws Error  if it does not say.
+/// @throws UserError  if it does not say.
 ForceCalibration calibrationFor(const Recording& recording);
 
 /// The filter runs over the whole recording, as the authors' did, and not over one cut; it is
 /// designed for samplingOf() the recording.
 ///
-/// @throws Error  if the calibration is for another unit than the recording's readings have, or
+/// @throws UserError  if the calibration is for another unit than the recording's readings have, or
 ///     filtered() cannot be done.
 Trace traceOf(
     const Recording& recording, const ForceCalibration& calibration, const TravelFilter& filter);
@@ -35,7 +35,7 @@ Trace traceOf(
 /// Some rows of a trace as a curve; see monotoneCurve().
 ///
 /// @param rows  within the trace.
-/// @throws Error  if they give fewer than two different travels.
+/// @throws UserError  if they give fewer than two different travels.
 MonotoneCurve curveOf(const Trace& trace, const RowRange& rows);
 
 /// The same of an opening hand, whose travel falls: read backwards. Nothing where it does not fall.
@@ -63,7 +63,7 @@ inline constexpr double kLeastStep = 0.0256;
 /// @param rows       within the trace, one range or more.
 /// @param leastStep  a row that has moved on by less than this, or not at all, is left out [travel
 ///                   units].
-/// @throws Error  if fewer than three rows remain.
+/// @throws UserError  if fewer than three rows remain.
 ProcessNoise processNoiseOf(
     const Trace& trace, std::span<const RowRange> rows, double leastStep = kLeastStep);
 

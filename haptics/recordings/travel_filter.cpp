@@ -29,12 +29,12 @@ int tapsAt(double rate) {
 
 void requireRate(double rate, double cutoff) {
   if (!(rate > 0.0)) {
-    throw Error(
+    throw base::UserError(
         "The times of the recording do not go on, so that it has no rate to filter for. Correct "
         "the times, or leave the travel as it is (filter 'none').");
   }
   if (rate <= 2.0 * cutoff) {
-    throw Error(
+    throw base::UserError(
         "The recording has " + decimal(rate, 1) + " rows a second; a filter of " +
         decimal(cutoff, 2) + " Hz needs more than " + decimal(2.0 * cutoff, 2) +
         ". Choose a lower cut-off (filter 'butterworth-zero-phase'), or leave the travel as it is "
@@ -47,7 +47,7 @@ KaiserLowPass::Design designAt(double rate) {
   requireRate(rate, design.cutoff);
   design.taps = tapsAt(rate);
   if (design.taps > kMostTaps) {
-    throw Error(
+    throw base::UserError(
         "The recording has " + decimal(rate, 0) +
         " rows a second, more than this filter is made for: keep every tenth row.");
   }

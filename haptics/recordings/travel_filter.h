@@ -39,7 +39,7 @@ struct TravelFilter {
 /// The travel as the filter leaves it, row for row.
 ///
 /// @param rate  of the recording [Hz]; not used by `authors-fir-333` and `none`.
-/// @throws Error  if the filter cannot be designed for that rate: it is not positive, not above
+/// @throws UserError  if the filter cannot be designed for that rate: it is not positive, not above
 ///     twice the cut-off, or (`authors-fir`) above 69 kHz.
 std::vector<double> filtered(
     std::span<const double> travel, double rate, const TravelFilter& filter);

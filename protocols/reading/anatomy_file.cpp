@@ -237,7 +237,7 @@ std::optional<Anatomy> readAnatomy(std::string_view text, Problems& problems) {
   AnatomyReader reader(found);
   try {
     for (auto& surface : readObj(text)) reader.take(std::move(surface));
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     found.add("", error.what(), "save it as OBJ, with its faces");
   }
   auto anatomy = reader.finish();

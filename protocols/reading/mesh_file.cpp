@@ -62,8 +62,7 @@ NamedSurface surfaceOf(const aiMesh& mesh, std::string name, bool hasNormals) {
     if (face.mNumIndices != 3) continue;  // lines and points are not surfaces
     for (unsigned corner = 0; corner < 3; ++corner) {
       if (face.mIndices[corner] < mesh.mNumVertices) continue;
-      throw questionnaires::Error(
-          "it has a triangle with a corner that is not there, and is damaged");
+      throw base::UserError("it has a triangle with a corner that is not there, and is damaged");
     }
     surface.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
   }
@@ -95,7 +94,7 @@ bool isFiniteMesh(const aiMesh& mesh) {
 }
 
 /// "stl", "obj" or "ply" by how the text begins.
-/// @throws questionnaires::Error  if it is none of them.
+/// @throws UserError  if it is none of them.
 std::string formatOf(std::string_view text) {
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "ply";
   constexpr std::size_t kHead =
@@ -111,7 +110,7 @@ std::string formatOf(std::string_view text) {
   const bool isText = start.find('\0') == std::string_view::npos;
   const bool hasVertex = start.starts_with("v ") || start.find("\nv ") != std::string_view::npos;
   if (isText && hasVertex) return "obj";
-  throw questionnaires::Error("it is no STL, OBJ or PLY file");
+  throw base::UserError("it is no STL, OBJ or PLY file");
 }
 
 /// The head of a PLY file says how many corners, faces and corners of faces there are, and the
@@ -127,12 +126,12 @@ void requireAsManyAsFit(std::string_view text) {
     if (word == "element" && head >> name >> count) entries += count;
     if (word != "list" || !(head >> name)) continue;
     if (kShortCounts.count(name) > 0) continue;
-    throw questionnaires::Error(
+    throw base::UserError(
         "its faces may have thousands of millions of corners ('list " + name +
         "'): save it with 'list uchar'");
   }
   if (entries <= static_cast<double>(text.size())) return;
-  throw questionnaires::Error("it says that it has more corners and faces than fit into it");
+  throw base::UserError("it says that it has more corners and faces than fit into it");
 }
 
 /// Removes all readers but that of one format. The library has dozens, and takes the one that likes
@@ -160,7 +159,7 @@ void requireFewCorners(const aiScene& scene) {
     }
   }
   if (steps <= kMostSteps) return;
-  throw questionnaires::Error(
+  throw base::UserError(
       "its faces have too many corners to be cut into triangles (one has " + std::to_string(most) +
       "): save it with triangles");
 }
@@ -178,7 +177,7 @@ void read(
 std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) {
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mNumMeshes == 0) {
-    throw questionnaires::Error(
+    throw base::UserError(
         std::string("it holds no mesh that can be read (") + importer.GetErrorString() + ")");
   }
   std::vector<bool> hasNormals;
@@ -190,7 +189,7 @@ std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) 
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kStaysAnEdge);
   if (isSound) scene = importer.ApplyPostProcessing(more | aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mNumMeshes < hasNormals.size()) {
-    throw questionnaires::Error(std::string("it is damaged (") + importer.GetErrorString() + ")");
+    throw base::UserError(std::string("it is damaged (") + importer.GetErrorString() + ")");
   }
   hasNormals.resize(scene->mNumMeshes, true);
   std::vector<NamedSurface> surfaces;
@@ -209,14 +208,14 @@ std::vector<NamedSurface> readMesh(std::string_view text) {
 std::vector<NamedSurface> readMeshFile(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    throw questionnaires::Error("it is no file, or cannot be read");
+    throw base::UserError("it is no file, or cannot be read");
   }
   if (std::filesystem::file_size(path, error) > kLargestMesh) {
-    throw questionnaires::Error("it is larger than 512 MB");
+    throw base::UserError("it is larger than 512 MB");
   }
   std::ifstream file(path, std::ios::binary);
   const auto text = base::readAll(file);
-  if (file.bad()) throw questionnaires::Error("it cannot be read");
+  if (file.bad()) throw base::UserError("it cannot be read");
   return readMesh(text);
 }
 

@@ -23,7 +23,7 @@ struct NamedSurface {
 
 /// All surfaces of a mesh: STL, OBJ or PLY, which is told by how it begins. No other format is
 /// tried, and no file is opened that is named in it.
-/// @throws questionnaires::Error  in words, if it has none that can be read, or faces with so many
+/// @throws UserError  in words, if it has none that can be read, or faces with so many
 ///     corners that cutting them into triangles would take long.
 std::vector<NamedSurface> readMesh(std::string_view text);
 

@@ -180,7 +180,7 @@ std::optional<std::string> ReferencedFiles::find(
         path,
         "there is no file '" + shown(name) + "'",
         "put it beside the protocol, or correct the name");
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     problems_.add(path, "the file '" + shown(name) + "' cannot be read", error.what());
   }
   return std::nullopt;

@@ -55,7 +55,7 @@ int lineOf(std::string_view json, std::string_view path);
 
 /// The whole file as text.
 /// @param most  bytes.
-/// @throws Error  if it is missing, unreadable, no regular file, or larger than that; in words.
+/// @throws UserError  if it is missing, unreadable, no regular file, or larger than that; in words.
 std::string readTextFile(const std::string& path, std::size_t most = kLargestFile);
 
 /// A name of a choice in a file and what it stands for: {"latinSquare", OrderType::LatinSquare}.

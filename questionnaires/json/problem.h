@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/message.h"
+#include "base/user_error.h"
 
 namespace questionnaires {
 
@@ -60,11 +60,5 @@ class Problems {
 
 /// One line a problem, as a person at a terminal reads it.
 std::string describe(const std::vector<Problem>& problems);
-
-/// A researcher's file that cannot be used; what() lists every problem.
-class Error : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 }  // namespace questionnaires

@@ -73,24 +73,25 @@ std::string readTextFile(const std::string& path, std::size_t most) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
-    throw Error("There is no file " + path + ". Check the spelling and the folder.");
+    throw base::UserError("There is no file " + path + ". Check the spelling and the folder.");
   }
   if (status.type() != fs::file_type::regular) {
-    throw Error(path + " is not a file that can be read. Give the name of a text file.");
+    throw base::UserError(path + " is not a file that can be read. Give the name of a text file.");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw Error(
+    throw base::UserError(
         path + " cannot be opened (" + std::generic_category().message(errno) +
         "). Check who may read it.");
   }
   if (fs::file_size(path, error) > most) {
-    throw Error(
+    throw base::UserError(
         path + " is larger than " + std::to_string(most / 1'000'000) +
         " MB. No researcher's file needs that; is it the right file?");
   }
   auto text = base::readAll(file);
-  if (file.bad()) throw Error(path + " could not be read to its end. Is the disk healthy?");
+  if (file.bad())
+    throw base::UserError(path + " could not be read to its end. Is the disk healthy?");
   return text;
 }
 

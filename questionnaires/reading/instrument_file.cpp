@@ -195,7 +195,8 @@ Instrument readSoundInstrument(std::string_view json, const std::string& name) {
   Problems problems;
   auto instrument = readInstrument(json, problems);
   if (!instrument) {
-    throw Error("The questionnaire " + name + " cannot be used:\n" + describe(problems.all()));
+    throw base::UserError(
+        "The questionnaire " + name + " cannot be used:\n" + describe(problems.all()));
   }
   return *std::move(instrument);
 }

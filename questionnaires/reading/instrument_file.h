@@ -53,7 +53,7 @@ std::optional<Instrument> readInstrument(
     std::string_view json, Problems& problems, BlankFiller* blanks = nullptr);
 
 /// The same, from JSON that must be valid.
-/// @throws Error  listing all problems of the instrument called @p name.
+/// @throws UserError  listing all problems of the instrument called @p name.
 Instrument readSoundInstrument(std::string_view json, const std::string& name);
 
 }  // namespace questionnaires

@@ -57,7 +57,7 @@ report::ReportSection runStudy(
     std::uint64_t seed) {
   questionnaires::Problems problems;
   const auto protocol = protocols::loadProtocolFile(protocolFile, problems);
-  if (!protocol) throw questionnaires::Error(questionnaires::describe(problems.all()));
+  if (!protocol) throw base::UserError(questionnaires::describe(problems.all()));
   SimulatedClock clock;
   auto study = Study::create(folder / name, *protocol, clock, seed);
   const int participants = plannedParticipants(protocol->protocol);

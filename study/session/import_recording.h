@@ -14,8 +14,7 @@ haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
 /// calibration file that the columns file names lies beside it.
 ///
 /// @param columns  a columns file; empty: the recorder's five columns.
-/// @throws UserError  where the columns or the calibration file is wrong;
-///     haptics::recordings::Error where the recording is.
+/// @throws UserError  where the columns file, the calibration file or the recording is wrong.
 haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
 
 /// Imports a cut under a name that a protocol can use.

@@ -21,7 +21,7 @@ namespace golden_anova_test {
 using Table = std::vector<std::vector<double>>;
 
 double numberIn(const std::string& cell) {
-  return analysis::decimalNumber(cell).value();
+  return base::decimalNumber(cell).value();
 }
 
 /// One participant a row; the first column has their names.

@@ -22,7 +22,7 @@ std::vector<double> nistValues(const std::string& dataSet) {
   const auto column = table.columnIndex("y");
   std::vector<double> values;
   for (const auto& row : table.rows) {
-    values.push_back(analysis::decimalNumber(row.cells[column]).value());
+    values.push_back(base::decimalNumber(row.cells[column]).value());
   }
   return values;
 }
@@ -59,7 +59,7 @@ TEST(NistUnivariate, ReachesWhatDoublesCanAttain) {
 std::vector<std::optional<double>> pValues(const std::string& dataSet) {
   const auto table = tests::statsTable("padj/" + dataSet + ".csv");
   std::vector<std::optional<double>> values;
-  for (const auto& row : table.rows) values.push_back(analysis::decimalNumber(row.cells.front()));
+  for (const auto& row : table.rows) values.push_back(base::decimalNumber(row.cells.front()));
   return values;
 }
 

@@ -139,8 +139,8 @@ TEST(GoldenPairs, AreAllReachedToTheirGate) {
     std::vector<double> x;
     std::vector<double> y;
     for (const auto& row : table.rows) {
-      x.push_back(analysis::decimalNumber(row.cells[table.columnIndex("x")]).value());
-      y.push_back(analysis::decimalNumber(row.cells[table.columnIndex("y")]).value());
+      x.push_back(base::decimalNumber(row.cells[table.columnIndex("x")]).value());
+      y.push_back(base::decimalNumber(row.cells[table.columnIndex("y")]).value());
     }
     const auto ours = pairedQuantities(x, y);
     tests::compareWithGolden(dataSet, golden, ours, gate, worst);

@@ -65,7 +65,7 @@ std::vector<std::vector<double>> rowsOf(const std::string& file, std::size_t fir
   for (const auto& row : tests::statsTable(file).rows) {
     std::vector<double> numbers;
     for (std::size_t i = firstColumn; i < row.cells.size(); ++i) {
-      numbers.push_back(analysis::decimalNumber(row.cells[i]).value());
+      numbers.push_back(base::decimalNumber(row.cells[i]).value());
     }
     rows.push_back(numbers);
   }

@@ -17,7 +17,7 @@ StudyAnswers studyAnswers(const std::string& cohort) {
   };
   StudyAnswers answers;
   for (const auto& score : labels("score")) {
-    answers.scores.push_back(analysis::decimalNumber(score).value());
+    answers.scores.push_back(base::decimalNumber(score).value());
   }
   const std::vector<std::string> methods{"interpolation", "fem", "kalman"};
   answers.participant = analysis::factorOf("participant", labels("participant"));

@@ -31,7 +31,7 @@ std::map<std::string, std::vector<double>> participantMeans() {
   std::map<std::string, std::map<std::string, Sum>> sums;
   for (const auto& row : table.rows) {
     auto& sum = sums[cell(row, "cohort") + " " + cell(row, "method")][cell(row, "participant")];
-    sum.sum += analysis::decimalNumber(cell(row, "score")).value();
+    sum.sum += base::decimalNumber(cell(row, "score")).value();
     sum.count += 1.0;
   }
   std::map<std::string, std::vector<double>> means;

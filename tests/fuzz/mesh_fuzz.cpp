@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t coun
         }
       }
     }
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }
   return 0;

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t coun
   try {
     const auto recording = haptics::recordings::readRecording(text);
     static_cast<void>(recording);
-  } catch (const haptics::recordings::Error& error) {
+  } catch (const base::UserError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }
   return 0;

@@ -46,7 +46,7 @@ std::set<std::string> filesIn(const fs::path& folder) {
 
 /// Whether a cell has the type in the dictionary.
 bool isA(const std::string& type, const std::string& cell) {
-  const auto number = analysis::decimalNumber(cell);
+  const auto number = base::decimalNumber(cell);
   if (type == "number") return number.has_value();
   if (type == "integer") return number && cell.find_first_of(".eE") == std::string::npos;
   if (type == "boolean") return cell == "true" || cell == "false";

@@ -11,19 +11,13 @@
 #include <vector>
 
 #include "base/file.h"
+#include "base/text_table.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_table.h"
 
 namespace haptics::reaming {
 namespace {
 
-using recordings::cellsOf;
-using recordings::ColumnHead;
-using recordings::Error;
-using recordings::headOf;
-using recordings::listed;
-using recordings::separatorOf;
-using recordings::TextLine;
+using base::TextLine;
 
 struct Unit {
   const char* name;
@@ -62,7 +56,7 @@ struct Lines {
 
 Lines linesWithoutRemarks(std::string_view text) {
   Lines lines;
-  for (const TextLine& line : recordings::linesOf(text)) {
+  for (const TextLine& line : base::linesOf(text)) {
     const bool isRemark = lines.all.empty() && line.text.starts_with('#');
     lines.isSynthetic |= isRemark && line.text.starts_with(kSyntheticMark);
     if (!isRemark) lines.all.push_back(line);
@@ -79,10 +73,10 @@ struct Column {
 double factorOf(const Quantity& quantity, const std::string& unit, const std::string& name) {
   std::string known;
   for (const auto& candidate : quantity.units) {
-    if (recordings::lowerCase(unit) == candidate.name) return candidate.factor;
+    if (base::lowerCase(unit) == candidate.name) return candidate.factor;
     known += (known.empty() ? "" : ", ") + std::string(candidate.name);
   }
-  throw Error(
+  throw base::UserError(
       unit.empty() ? name + ": the " + quantity.name +
                          " has no unit. Write one into its head, as "
                          "in '" +
@@ -99,9 +93,9 @@ std::optional<Column> columnOf(
     const std::string& name) {
   const auto given = mapping.heads.find(quantity.name);
   for (std::size_t place = 0; place < heads.size(); ++place) {
-    const ColumnHead head = headOf(heads[place]);
+    const base::ColumnHead head = base::headOf(base::lowerCase(heads[place]));
     const bool isUsual =
-        std::any_of(quantity.heads.begin(), quantity.heads.end(), [&](const char* usual) {
+        std::any_of(quantity.heads.begin(), quantity.heads.end(), [&head](const char* usual) {
           return head.name == usual;
         });
     const bool isIt = given != mapping.heads.end() ? heads[place] == given->second : isUsual;
@@ -111,12 +105,12 @@ std::optional<Column> columnOf(
         place, factorOf(quantity, unit != mapping.units.end() ? unit->second : head.unit, name)};
   }
   if (!quantity.isNeeded && given == mapping.heads.end()) return std::nullopt;
-  throw Error(
-      name + " has no column for the " + quantity.name + ". Its columns are " + listed(heads) +
-      "; say which one it is with --column " + quantity.name + "=HEAD.");
+  throw base::UserError(
+      name + " has no column for the " + quantity.name + ". Its columns are " +
+      base::listed(heads) + "; say which one it is with --column " + quantity.name + "=HEAD.");
 }
 
-/// The rate of evenly taken samples. @throws Error  where there is a gap.
+/// The rate of evenly taken samples. @throws UserError  where there is a gap.
 double rateOf(
     const std::vector<double>& time, const std::vector<TextLine>& lines, const std::string& name) {
   std::vector<double> steps;
@@ -124,11 +118,11 @@ double rateOf(
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   const double usual = *middle;
-  if (!(usual > 0.0)) throw Error(name + ": the time does not go on.");
+  if (!(usual > 0.0)) throw base::UserError(name + ": the time does not go on.");
   for (std::size_t i = 1; i < time.size(); ++i) {
     const double step = time[i] - time[i - 1];
     if (step > 0.5 * usual && step < 1.5 * usual) continue;
-    throw Error(
+    throw base::UserError(
         name + ": between lines " + std::to_string(lines[i].number) + " and " +
         std::to_string(lines[i + 1].number) + " the time goes on by " + std::to_string(step) +
         " s, usually by " + std::to_string(usual) +
@@ -142,7 +136,7 @@ void checkUnits(const Series& series) {
   constexpr double kFarthest = 0.2;    // [m]
   constexpr double kStrongest = 20e3;  // [N]
   const auto refuse = [&](const std::string& what, const char* quantity, const char* units) {
-    throw Error(
+    throw base::UserError(
         series.name + ": " + what + ". Its unit must be another one (" + units +
         "?): correct the head, or say it with --unit " + quantity + "=UNIT.");
   };
@@ -170,31 +164,30 @@ void checkUnits(const Series& series) {
 }  // namespace
 
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-  const auto found = linesWithoutRemarks(text);
+  const auto found = linesWithoutRemarks(base::withoutByteOrderMark(text));
   const auto& lines = found.all;
   constexpr std::size_t kFewestRows = 3;
   if (lines.size() < kFewestRows + 1) {
-    throw Error(
+    throw base::UserError(
         name + " has " + std::to_string(lines.empty() ? 0 : lines.size() - 1) +
         " rows below its head; that is no measurement.");
   }
-  const char separator = separatorOf(lines.front().text);
-  const auto heads = cellsOf(lines.front().text, separator);
+  const char separator = base::separatorOf(lines.front().text);
+  const auto heads = base::cellsOf(lines.front().text, separator);
   std::array<std::optional<Column>, 4> columns;
   std::array<std::vector<double>, 4> values;
   for (std::size_t q = 0; q < columns.size(); ++q) {
     columns[q] = columnOf(quantities()[q], heads, mapping, name);
   }
   for (std::size_t row = 1; row < lines.size(); ++row) {
-    const auto cells = cellsOf(lines[row].text, separator);
+    const auto cells = base::cellsOf(lines[row].text, separator);
     for (std::size_t q = 0; q < columns.size(); ++q) {
       if (!columns[q]) continue;
       const auto place = columns[q]->place;
       const auto value =
-          place < cells.size() ? recordings::numberIn(cells[place], separator) : std::nullopt;
+          place < cells.size() ? base::numberIn(cells[place], separator) : std::nullopt;
       if (!value) {
-        throw Error(
+        throw base::UserError(
             name + ", line " + std::to_string(lines[row].number) + ": the " + quantities()[q].name +
             " is '" + (place < cells.size() ? cells[place] : "") + "', which is no number.");
       }
@@ -214,7 +207,8 @@ Series readSeries(std::string_view text, const std::string& name, const SeriesMa
 
 std::string contentOfSeriesFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error("There is no series '" + path + "': check the name and the folder.");
+  if (!file)
+    throw base::UserError("There is no series '" + path + "': check the name and the folder.");
   return base::readAll(file);
 }
 

@@ -48,14 +48,14 @@ struct SeriesMapping {
 /// µm; forces in N, kN; torques in Nm, Nmm; times in s, ms. Lines above the head that begin with #
 /// are remarks; one that begins with "# SYNTHETIC" marks data that were not measured.
 ///
-/// @throws recordings::Error  in one sentence: no such column, no unit, a cell that is not a
+/// @throws UserError  in one sentence: no such column, no unit, a cell that is not a
 ///     number, a gap in time, fewer than three rows, a displacement or a force beyond what can be.
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping);
 
-/// The same from a file; @p set is not in it. @throws recordings::Error
+/// The same from a file; @p set is not in it. @throws UserError
 Series readSeriesFile(const std::string& path, TestSet set, const SeriesMapping& mapping);
 
-/// The bytes of a series' file. @throws recordings::Error
+/// The bytes of a series' file. @throws UserError
 std::string contentOfSeriesFile(const std::string& path);
 
 /// A table that readSeries() reads: time_s, displacement_mm, force_n, torque_nm; above it a remark

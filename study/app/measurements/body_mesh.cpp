@@ -28,7 +28,7 @@ reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& su
 std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   try {
     return protocols::readMeshFile(path);
-  } catch (const questionnaires::Error& error) {
+  } catch (const UserError& error) {
     throw UserError(path + " cannot be filled: " + error.what() + ". Save it as STL, OBJ or PLY.");
   }
 }

@@ -63,7 +63,7 @@ DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) 
     try {
       const auto fit = recordings::fitCalibration(table, order, throughZero);
       orders.rows.push_back({std::int64_t{order}, fit.rms, fit.standardError, fit.largest});
-    } catch (const recordings::Error&) {
+    } catch (const UserError&) {
       break;  // too few loads for this order and all higher ones
     }
   }

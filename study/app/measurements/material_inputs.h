@@ -38,8 +38,7 @@ struct ReadSeries {
   bool isSynthetic = false;                        ///< whether one of them is synthetic
 };
 
-/// @throws UserError  if no file was named; haptics::recordings::Error if a file is no valid
-///     series.
+/// @throws UserError  if no file was named, or a file is no valid series.
 ReadSeries readAll(const MaterialInputs& inputs);
 
 }  // namespace study::app

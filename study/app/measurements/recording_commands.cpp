@@ -114,7 +114,7 @@ std::optional<recordings::ImportedCut> cutFrom(
       command.out.empty() && command.rows.empty() && command.options.closures.empty();
   try {
     return importRecording(recording, command.options);
-  } catch (const recordings::Error& error) {
+  } catch (const UserError& error) {
     if (!isLookingOnly) throw;
     whyNot = error.what();
     return std::nullopt;

@@ -31,8 +31,7 @@ struct ReadRecording {
   haptics::recordings::ForceCalibration calibration;
 };
 
-/// @throws UserError  where a columns or calibration file is wrong; haptics::recordings::Error
-///     where the recording is.
+/// @throws UserError  where a columns file, a calibration file or the recording is wrong.
 ReadRecording readFrom(const RecordingInputs& inputs);
 
 }  // namespace study::app

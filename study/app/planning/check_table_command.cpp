@@ -29,7 +29,7 @@ PublishedQuestion questionOf(const CheckTableOptions& options) {
     question.fewest = options.sizes[0];
     question.most = options.sizes[1];
     if (options.sizes[0] > options.sizes[1]) {
-      throw analysis::Error("--sizes go from the fewest to the most, for instance --sizes 24 36");
+      throw base::UserError("--sizes go from the fewest to the most, for instance --sizes 24 36");
     }
   }
   if (!options.scale.empty()) {
@@ -37,7 +37,7 @@ PublishedQuestion questionOf(const CheckTableOptions& options) {
         .lowest = options.scale[0], .highest = options.scale[1], .parts = options.parts};
     const int points = (options.scale[1] - options.scale[0]) * options.parts + 1;
     if (points < 2 || points > analysis::AnswerLattice::kMostPoints) {
-      throw analysis::Error(
+      throw base::UserError(
           "--scale goes from the lowest point to the highest, for instance --scale 1 5, and has "
           "at most 101 points");
     }
@@ -54,8 +54,8 @@ int checkTable(const CheckTableOptions& options) {
     std::fputs(
         (options.json ? publishedReportAsJson(report) : publishedReportAsText(report)).c_str(),
         stdout);
-  } catch (const analysis::Error& error) {
-    throw analysis::Error(
+  } catch (const base::UserError& error) {
+    throw base::UserError(
         options.groups + " and " + options.comparisons + " cannot be checked:\n" + error.what());
   }
   return 0;

@@ -50,7 +50,7 @@ void findWholeAnswers(PublishedReport& report) {
           analysis::fittingSizes(report.table, sizes, lattice, convention));
     }
   } catch (const std::invalid_argument& error) {
-    throw analysis::Error(
+    throw base::UserError(
         std::string(error.what()) +
         ": try fewer sizes (--sizes), or leave the scale out (--scale)");
   }
@@ -61,12 +61,12 @@ void findWholeAnswers(PublishedReport& report) {
 PublishedReport examine(const PublishedTable& table, const PublishedQuestion& question) {
   const auto stated = statedSizes(table);
   if (!stated && !question.fewest) {
-    throw analysis::Error(
+    throw base::UserError(
         "the table does not state the size of every group: add a column n, or say which sizes to "
         "try, for instance --sizes 24 36");
   }
   if (question.fewest && *question.most - *question.fewest >= kMostSizes) {
-    throw analysis::Error(
+    throw base::UserError(
         "those are too many sizes to try at once: at most " + std::to_string(kMostSizes));
   }
   PublishedReport report{.table = table, .question = question};

@@ -145,8 +145,8 @@ int runTest(const TestOptions& options) {
     } else {
       print(test, data, rows, level);
     }
-  } catch (const analysis::Error& error) {
-    throw analysis::Error(options.file + " cannot be tested:\n" + error.what());
+  } catch (const base::UserError& error) {
+    throw base::UserError(options.file + " cannot be tested:\n" + error.what());
   }
   return 0;
 }

@@ -37,7 +37,7 @@ protocols::Anatomy anatomyIn(const std::string& file) {
   try {
     const auto text = questionnaires::readTextFile(file, protocols::kLargestAnatomy);
     anatomy = protocols::readAnatomy(text, problems);
-  } catch (const questionnaires::Error& error) {
+  } catch (const UserError& error) {
     problems.add("", error.what());
   }
   if (!anatomy) throw UserError(questionnaires::describe(problems.all()));

@@ -66,7 +66,7 @@ CheckedProtocol checkProtocol(const std::string& source) {
   try {
     checked.text = textOf(source);
     checked.loaded = protocols::loadProtocolFile(source, problems);
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     problems.add("$", error.what());
   }
   checked.problems = problems.all();

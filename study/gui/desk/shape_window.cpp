@@ -22,7 +22,7 @@ QWidget* boneWindow(const std::string& path, QWidget* parent) {
   questionnaires::Problems problems;
   auto bone = protocols::readPacking(
       questionnaires::readTextFile(path, protocols::kLargestPacking), problems);
-  if (!bone) throw questionnaires::Error(questionnaires::describe(problems.all()));
+  if (!bone) throw base::UserError(questionnaires::describe(problems.all()));
   const bool isFitted = !bone->average.empty();
   if (!isFitted) {
     const std::vector<float> ones(bone->packing.spheres.size(), 1.0F);
@@ -40,7 +40,7 @@ QWidget* kneeWindow(const std::string& path, QWidget* parent) {
   questionnaires::Problems problems;
   const auto knee = protocols::readAnatomy(
       questionnaires::readTextFile(path, protocols::kLargestAnatomy), problems);
-  if (!knee) throw questionnaires::Error(questionnaires::describe(problems.all()));
+  if (!knee) throw base::UserError(questionnaires::describe(problems.all()));
   auto* view = new scene::SimulationView(
       std::make_unique<scene::KneeScene>(&*knee),
       scene::openGraphics(),

@@ -7,7 +7,7 @@ namespace study::gui {
 
 /// Opens a window with a bone (a packing, coloured by density) or a knee (an anatomy as OBJ,
 /// together with the punch), drawn as in a trial.
-/// @throws questionnaires::Error  with a message for the user, if the file holds neither.
+/// @throws UserError  with a message for the user, if the file holds neither.
 QWidget* openShape(const QString& path, QWidget* parent);
 
 /// Asks for such a file and opens it. Shows a message if that fails.

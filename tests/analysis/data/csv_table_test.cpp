@@ -10,7 +10,7 @@ using Cells = std::vector<std::string>;
 std::string errorOf(std::string_view csv) {
   try {
     readCsv(csv);
-  } catch (const analysis::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "no error";
@@ -132,7 +132,7 @@ TEST(CsvTable, FindsColumnsByName) {
   const auto errorFor = [&](const char* column) -> std::string {
     try {
       table.columnIndex(column);
-    } catch (const analysis::Error& error) {
+    } catch (const base::UserError& error) {
       return error.what();
     }
     return "no error";

@@ -15,7 +15,7 @@ constexpr const char* kComparisons = "group1,group2,p\nI,F,< .017\nI,K,.021\n";
 std::string refusalOf(const std::string& groups, const std::string& comparisons) {
   try {
     readPublishedTable(groups, comparisons);
-  } catch (const analysis::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return {};

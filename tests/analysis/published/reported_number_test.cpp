@@ -23,7 +23,7 @@ TEST(ReportedNumber, RejectsOtherText) {
   for (const char* text : {"", ".", "-", "4.1.2", "4,1", "4.1 ", "1e3", "nan", "1234567890"}) {
     EXPECT_FALSE(reportedNumber(text)) << text;
   }
-  EXPECT_EQ(reportedNumber("4,1", analysis::DecimalMark::PointOrComma)->digits, 41);
+  EXPECT_EQ(reportedNumber("4,1", base::DecimalMark::PointOrComma)->digits, 41);
 }
 
 TEST(ReportedNumber, StandsForAnInterval) {

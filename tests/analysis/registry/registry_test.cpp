@@ -15,7 +15,7 @@ using analysis::StatisticalTest;
 std::string errorOf(const std::function<void()>& call) {
   try {
     call();
-  } catch (const analysis::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "no error";

@@ -23,7 +23,7 @@ std::string errorOf(
     std::string_view csv, std::string_view groupColumn = "g", std::string_view valueColumn = "x") {
   try {
     twoGroups(csv, groupColumn, valueColumn);
-  } catch (const analysis::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "no error";
@@ -120,7 +120,7 @@ TEST(TestDataOfTwoGroups, PassOnTheProblemsOfTheTable) {
 std::string errorOf(std::string_view csv, DataShape shape, const analysis::ChosenColumns& chosen) {
   try {
     readTestData(csv, shape, chosen);
-  } catch (const analysis::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "no error";

@@ -29,7 +29,7 @@ CalibrationTable goldenTable(const nlohmann::json& from) {
 std::string complaintAbout(const std::string& text, const CalibrationColumns& columns = {}) {
   try {
     readCalibrationTable(text, "loads.csv", columns);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";
@@ -80,8 +80,9 @@ TEST(CalibrationFit, NeedsAsManyDifferentReadingsAsCoefficients) {
   const CalibrationTable table{
       .source = "made", .readingUnit = "V", .points = {{0, 0}, {1, 2}, {1, 2.1}, {2, 3}}};
   EXPECT_NO_THROW(fitCalibration(table, 2, false));
-  EXPECT_THROW(fitCalibration(table, 3, false), Error);
-  EXPECT_THROW(fitCalibration(table, 3, true), Error);  // a reading of 0 says nothing then
+  EXPECT_THROW(fitCalibration(table, 3, false), base::UserError);
+  EXPECT_THROW(
+      fitCalibration(table, 3, true), base::UserError);  // a reading of 0 says nothing then
   EXPECT_THROW(fitCalibration(table, 0, false), std::invalid_argument);
   EXPECT_THROW(fitCalibration(table, 6, false), std::invalid_argument);
 }

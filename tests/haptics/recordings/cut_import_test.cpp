@@ -22,7 +22,7 @@ Recording made(const tests::MadeRecording& recording = {}) {
 std::string complaintAbout(const Recording& recording, const ImportOptions& options = {}) {
   try {
     importCut(recording, options);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";

@@ -38,7 +38,7 @@ bool survives(const std::string& text) {
     EXPECT_TRUE(std::isfinite(imported.report.survey.sampling.rate));
     EXPECT_LE(imported.cut.curve.largestSlope(), 4.39 * (1.0 + 1e-6));
     return true;
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     EXPECT_GT(std::string(error.what()).size(), 20U);
     return false;
   }

@@ -156,7 +156,7 @@ TEST_P(PublishedRecording, IsImportedOrRefusedWithAReason) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
   if (GetParam().interceptions == 0) {
-    EXPECT_THROW(importCut(recording), Error);  // every closure is saturated
+    EXPECT_THROW(importCut(recording), base::UserError);  // every closure is saturated
     return;
   }
   const ImportedCut imported = importCut(recording);

@@ -15,7 +15,7 @@ namespace recording_file_test {
 std::string complaintAbout(const std::filesystem::path& path) {
   try {
     readRecordingFile(path);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";

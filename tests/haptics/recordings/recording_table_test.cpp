@@ -22,7 +22,7 @@ const RecordingColumns kNewtons{
 std::string complaintAbout(const std::string& text, const RecordingColumns& columns) {
   try {
     readRecordingTable(text, "cut.csv", columns);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";
@@ -93,8 +93,9 @@ TEST(RecordingTable, NeedsTheCalibrationOfItsSensor) {
   columns.readingUnit = "V";
   const std::string text = "t,angle,F\n0,12,1\n1,13,2\n";
   const auto raw = readRecordingTable(text, "e.csv", columns);
-  EXPECT_THROW(calibrationFor(raw), Error);
-  EXPECT_THROW(traceOf(raw, paperEq1(), {.kind = TravelFilter::Kind::None}), Error);  // counts
+  EXPECT_THROW(calibrationFor(raw), base::UserError);
+  EXPECT_THROW(
+      traceOf(raw, paperEq1(), {.kind = TravelFilter::Kind::None}), base::UserError);  // counts
 
   columns.calibration = ForceCalibration{.name = "mine", .unit = "V", .coefficients = {0.5, 2.0}};
   const auto recording = readRecordingTable(text, "e.csv", columns);

@@ -16,7 +16,7 @@ const std::string kNextRow = "145\t99.90\t452.00\t0.51\t192040.00\t";
 std::string complaintAbout(const std::string& text) {
   try {
     readRecording(text, "cut.txt");
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";

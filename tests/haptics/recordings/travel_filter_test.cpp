@@ -40,7 +40,7 @@ std::string complaintAbout(double rate, const TravelFilter& filter) {
   const std::vector<double> travel(1000, 1.0);
   try {
     filtered(travel, rate, filter);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";

@@ -185,7 +185,7 @@ TEST(LoadedProtocol, AsksForNoFileOutsideItsFolder) {
 
 TEST(LoadedProtocol, ReportsWhyAFileCannotBeRead) {
   const FileFinder broken = [](const std::string&) -> std::optional<std::string> {
-    throw questionnaires::Error("The disk is on fire.");
+    throw base::UserError("The disk is on fire.");
   };
   const auto loading = tests::load(naming(R"(["mine.json"])"), broken);
   ASSERT_EQ(loading.problems.size(), 1U) << loading.describe();
@@ -322,10 +322,10 @@ TEST(LoadedProtocolFile, IsTheLibrarysWhereAFolderBearsItsName) {
 TEST(LoadedProtocolFile, ReportsThatItIsMissingOrNoFile) {
   const tests::ScratchFolder folder;
   Problems problems;
-  EXPECT_THROW(loadProtocolFile(folder / "nothing.json", problems), questionnaires::Error);
-  EXPECT_THROW(loadProtocolFile(folder.path().string(), problems), questionnaires::Error);
+  EXPECT_THROW(loadProtocolFile(folder / "nothing.json", problems), base::UserError);
+  EXPECT_THROW(loadProtocolFile(folder.path().string(), problems), base::UserError);
   const auto large = folder.write("large.json", std::string(10'000'000, ' '));
-  EXPECT_THROW(loadProtocolFile(large, problems), questionnaires::Error);
+  EXPECT_THROW(loadProtocolFile(large, problems), base::UserError);
   EXPECT_TRUE(problems.all().empty());
 }
 

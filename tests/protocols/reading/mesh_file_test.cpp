@@ -50,7 +50,7 @@ std::string polygon(int corners, const std::string& more = "") {
 std::string complaintAbout(const std::string& text) {
   try {
     readMesh(text);
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "";
@@ -83,7 +83,7 @@ TEST(MeshFile, RefusesOtherFormatsWhateverTheirName) {
   }
   const std::string path = folder / "bone.obj";
   std::ofstream(path) << collada;
-  EXPECT_THROW(readMeshFile(path), questionnaires::Error);
+  EXPECT_THROW(readMeshFile(path), base::UserError);
 }
 
 TEST(MeshFile, OpensNoFileThatItNames) {
@@ -99,9 +99,9 @@ TEST(MeshFile, IsAnOrdinaryFile) {
   const tests::ScratchFolder folder;
   const std::string fifo = folder / "bone.stl";
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_THROW(readMeshFile(fifo), questionnaires::Error);
-  EXPECT_THROW(readMeshFile("/dev/zero"), questionnaires::Error);
-  EXPECT_THROW(readMeshFile(folder / "missing.stl"), questionnaires::Error);
+  EXPECT_THROW(readMeshFile(fifo), base::UserError);
+  EXPECT_THROW(readMeshFile("/dev/zero"), base::UserError);
+  EXPECT_THROW(readMeshFile(folder / "missing.stl"), base::UserError);
 }
 
 TEST(MeshFile, CutsFacesOfAFewCornersAndRefusesThoseOfThousands) {

@@ -14,7 +14,7 @@ namespace text_file_test {
 std::string complaintAbout(const std::string& path) {
   try {
     readTextFile(path);
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "no complaint";

@@ -231,7 +231,7 @@ TEST(InstrumentFile, ThrowsEverythingThatIsWrong) {
   try {
     readSoundInstrument("{}", "mine.json");
     FAIL() << "nothing was thrown";
-  } catch (const Error& error) {
+  } catch (const base::UserError& error) {
     const std::string text = error.what();
     EXPECT_EQ(text.find("The questionnaire mine.json cannot be used:\n"), 0U);
     EXPECT_NE(text.find("'id' is missing"), std::string::npos);

@@ -61,7 +61,7 @@ class StatisticsTableTest : public testing::Test {
                           answer.at("included") == "true" && !answer.at("response_keyed").empty();
       if (!counts) continue;
       points[answer.at("participant_id")].push_back(
-          analysis::decimalNumber(answer.at("response_keyed")).value());
+          base::decimalNumber(answer.at("response_keyed")).value());
     }
     return points;
   }
@@ -79,7 +79,7 @@ class StatisticsTableTest : public testing::Test {
   }
 
   static void expectNumber(const Row& row, const std::string& column, double expected) {
-    const auto number = analysis::decimalNumber(row.at(column));
+    const auto number = base::decimalNumber(row.at(column));
     ASSERT_TRUE(number.has_value()) << column << ": " << row.at(column);
     EXPECT_NEAR(*number, expected, 1e-9) << column;
   }
@@ -148,7 +148,7 @@ TEST_F(StatisticsTableTest, HasEveryIntervalAroundItsEstimateAndTheAdjustedOneWi
   for (const auto* method : {"welch", "paired_t"}) {
     for (const auto& row : rowsOfMethod(method)) {
       const auto number = [&](const char* column) {
-        return analysis::decimalNumber(row.at(column)).value();
+        return base::decimalNumber(row.at(column)).value();
       };
       EXPECT_LT(number("conf_low_adj"), number("conf_low"));
       EXPECT_LT(number("conf_low"), number("estimate"));

@@ -10,7 +10,7 @@ namespace series_text_test {
 std::string complaintAbout(const std::string& text, const SeriesMapping& mapping = {}) {
   try {
     readSeries(text, "a.csv", mapping);
-  } catch (const recordings::Error& error) {
+  } catch (const base::UserError& error) {
     return error.what();
   }
   return "nothing";

@@ -62,9 +62,9 @@ TEST_F(ShapeWindow, ShowsAKneeAsInATrial) {
 }
 
 TEST_F(ShapeWindow, RejectsAnInvalidFile) {
-  EXPECT_THROW(open(folder_.write("knee.obj", "o patella\n")), questionnaires::Error);
-  EXPECT_THROW(open(folder_.write("cup.packing", "{}")), questionnaires::Error);
-  EXPECT_THROW(open(folder_ / "none.obj"), questionnaires::Error);
+  EXPECT_THROW(open(folder_.write("knee.obj", "o patella\n")), base::UserError);
+  EXPECT_THROW(open(folder_.write("cup.packing", "{}")), base::UserError);
+  EXPECT_THROW(open(folder_ / "none.obj"), base::UserError);
 }
 
 }  // namespace shape_window_test

@@ -1,13 +1,16 @@
+#include "base/text_table.h"
+
 #include <locale>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "analysis/data/csv_table.h"
+namespace text_table_test {
 
-namespace decimal_number_test {
-
-using analysis::DecimalMark;
-using analysis::decimalNumber;
+using base::DecimalMark;
+using base::decimalNumber;
+using Cells = std::vector<std::string>;
 
 TEST(DecimalNumber, IsTheNearestDouble) {
   EXPECT_EQ(decimalNumber("4"), 4.0);
@@ -71,4 +74,25 @@ TEST(DecimalNumber, DoesNotDependOnTheLocale) {
   EXPECT_EQ(number, 1234.5);
 }
 
-}  // namespace decimal_number_test
+TEST(TextTable, TrimsCellsAndCountsEmptyOnes) {
+  EXPECT_EQ(base::cellsOf(" a;\"b c\" ;;1,5\r", ';'), (Cells{"a", "b c", "", "1,5"}));
+  EXPECT_EQ(base::cellsOf(" 1 \t 2\r", ' '), (Cells{"1", "2"}));
+}
+
+TEST(TextTable, NumbersTheLinesThatHoldCells) {
+  const auto lines = base::linesOf(base::withoutByteOrderMark("\xEF\xBB\xBFt\n\n \t\r\n1"));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].text, "t");
+  EXPECT_EQ(lines[1].number, 4U);
+}
+
+TEST(TextTable, FindsTheUnitInAHead) {
+  const std::vector<Cells> heads{
+      {"Weg [mm]", "Weg", "mm"}, {"force_n", "force", "n"}, {"Zeit", "Zeit", ""}};
+  for (const auto& head : heads) {
+    EXPECT_EQ(base::headOf(head[0]).name, head[1]);
+    EXPECT_EQ(base::headOf(head[0]).unit, head[2]);
+  }
+}
+
+}  // namespace text_table_test

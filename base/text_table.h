@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The parts of a table as text that testing machines, loggers and spreadsheets agree on: one row a
+// line, cells between tabs, semicolons, commas or blanks, perhaps in quotation marks.
+namespace base {
+
+/// @p text without the mark that some programs write at the beginning of UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// Without any of @p blanks at both ends.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+
+/// The pieces between runs of @p blanks.
+std::vector<std::string_view> piecesOf(std::string_view text, std::string_view blanks);
+
+/// ASCII letters in lower case; all other bytes as they are.
+std::string lowerCase(std::string_view text);
+
+/// How a table writes the point of a decimal number.
+enum class DecimalMark {
+  Point,         ///< 4.5
+  PointOrComma,  ///< 4.5 or 4,5; never both in one number
+};
+
+/// The double nearest to a decimal number, in every locale; std::nullopt for other text, for
+/// infinities and for numbers beyond the range of a double.
+std::optional<double> decimalNumber(std::string_view text, DecimalMark mark = DecimalMark::Point);
+
+/// A line of a file and its number there, from 1.
+struct TextLine {
+  std::string_view text;
+  std::size_t number = 0;
+};
+
+/// The lines that hold anything but blanks and quotation marks.
+std::vector<TextLine> linesOf(std::string_view text);
+
+/// The first of tab, semicolon and comma that the line contains; a comma where it has none.
+char separatorOf(std::string_view line);
+
+/// The cells of a line, without blanks and quotation marks around them. With a blank as separator,
+/// runs of blanks and tabs count as one.
+std::vector<std::string> cellsOf(std::string_view line, char separator);
+
+/// The finite number in a cell, with a decimal point, or a decimal comma where commas do not
+/// separate. Nothing where the cell holds anything else.
+std::optional<double> numberIn(std::string_view cell, char separator);
+
+/// "Weg [mm]" is a name and a unit; so are "force_n" and "Kraft (kN)".
+struct ColumnHead {
+  std::string name;
+  std::string unit;  ///< empty where none is given
+};
+
+ColumnHead headOf(std::string_view cell);
+
+/// The words in quotation marks, separated by commas.
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace base
