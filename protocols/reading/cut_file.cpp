@@ -16,7 +16,6 @@ using haptics::recordings::ForceCurve;
 using Json = nlohmann::ordered_json;
 using questionnaires::Node;
 using questionnaires::Problems;
-using questionnaires::Value;
 
 constexpr std::string_view kFormat = "palpate-cut-1";
 constexpr std::string_view kUnit = "travel_unit";
@@ -44,7 +43,7 @@ void readLandmarks(const Node& node, Cut& cut) {
 }
 
 /// The curve, if travel rises from point to point; otherwise std::nullopt.
-std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems& problems) {
+std::optional<ForceCurve> readCurve(const Node& root, const char* key) {
   std::vector<CurvePoint> points;
   bool isSound = true;
   for (const auto& node : root.requiredList(key)) {
@@ -62,7 +61,7 @@ std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems&
   if (isSound && points.size() == 1) {
     root.problem(key, "one point is no curve", "list two or more");
   }
-  if (!isSound || points.size() < 2 || problems.hasErrors()) return std::nullopt;
+  if (!isSound || points.size() < 2 || !root.isSound()) return std::nullopt;
   return ForceCurve(std::move(points));
 }
 
@@ -78,8 +77,7 @@ std::string readUnit(const Node& root) {
   return unit;
 }
 
-std::optional<Cut> readRoot(const Value& value, Problems& problems) {
-  const Node root(value, "$", problems);
+std::optional<Cut> readCutRoot(const Node& root) {
   if (!root.isObjectWith(
           {"format",
            "name",
@@ -92,23 +90,20 @@ std::optional<Cut> readRoot(const Value& value, Problems& problems) {
            "provenance"})) {
     return std::nullopt;
   }
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kFormat) {
-    root.problem(
-        "format",
-        "this is no cut file of the kind that this program reads",
-        "write one with 'palpate recording import'");
-  }
-  auto curve = readCurve(root, "curve", problems);
+  root.requireFormat(
+      kFormat,
+      "this is no cut file of the kind that this program reads",
+      "write one with 'palpate recording import'");
+  auto curve = readCurve(root, "curve");
   std::optional<ForceCurve> opening;
-  if (root.has("opening_curve")) opening = readCurve(root, "opening_curve", problems);
+  if (root.has("opening_curve")) opening = readCurve(root, "opening_curve");
   Cut cut{
       .name = root.id("name"),
       .title = root.text("title"),
       .unit = readUnit(root),
       .curve = curve ? std::move(*curve) : ForceCurve({{0.0, 0.0}, {1.0, 0.0}}),
       .opening = std::move(opening),
-      .provenance = readProvenance(value, problems),
+      .provenance = readProvenance(root),
       .isSynthetic = root.flag("synthetic", false)};
   if (const auto landmarks = root.object("landmarks")) readLandmarks(*landmarks, cut);
   return cut;
@@ -142,11 +137,7 @@ Json provenanceAsJson(const haptics::recordings::Provenance& p, std::string_view
 }  // namespace
 
 std::optional<Cut> readCut(std::string_view json, Problems& problems) {
-  Problems found;
-  std::optional<Cut> cut;
-  if (const auto value = questionnaires::parseJson(json, found)) cut = readRoot(*value, found);
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::move(cut);
+  return questionnaires::readJson<Cut>(json, problems, readCutRoot);
 }
 
 std::string cutAsJson(const Cut& cut, std::string_view sha256) {

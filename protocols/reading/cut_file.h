@@ -25,9 +25,7 @@ std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha2
 std::vector<haptics::models::CurveNode<double>> nodesOf(
     const haptics::recordings::ForceCurve& curve);
 
-/// Reads the origin of a cut from a whole cut file (docs/protocol-format.md, "Cut files"); all
-/// problems are added to @p problems.
-haptics::recordings::Provenance readProvenance(
-    const questionnaires::Value& cut, questionnaires::Problems& problems);
+/// Reads the origin of a cut from a whole cut file (docs/protocol-format.md, "Cut files").
+haptics::recordings::Provenance readProvenance(const questionnaires::Node& cut);
 
 }  // namespace protocols

@@ -86,19 +86,14 @@ double deepestOf(const reaming::Material& material) {
   return deepest;
 }
 
-std::optional<reaming::Material> readMaterialRoot(
-    const questionnaires::Value& value, Problems& problems) {
-  const Node root(value, "$", problems);
+std::optional<reaming::Material> readMaterialRoot(const Node& root) {
   if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
     return std::nullopt;
   }
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kMaterialFormat) {
-    root.problem(
-        "format",
-        "this is no material file of the kind that this program reads",
-        "write one with 'palpate material fit'");
-  }
+  root.requireFormat(
+      kMaterialFormat,
+      "this is no material file of the kind that this program reads",
+      "write one with 'palpate material fit'");
   reaming::Material material{
       .name = root.id("name"),
       .title = root.text("title"),
@@ -210,13 +205,7 @@ std::string_view nameOf(haptics::filters::CutoffRule rule) noexcept {
 }
 
 std::optional<reaming::Material> readMaterial(std::string_view json, Problems& problems) {
-  Problems found;
-  std::optional<reaming::Material> material;
-  if (const auto value = questionnaires::parseJson(json, found)) {
-    material = readMaterialRoot(*value, found);
-  }
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::move(material);
+  return questionnaires::readJson<reaming::Material>(json, problems, readMaterialRoot);
 }
 
 std::string materialAsJson(

@@ -46,13 +46,10 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
            "seed"})) {
     return std::nullopt;
   }
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kPackingFormat) {
-    root.problem(
-        "format",
-        "this is no packing file of the kind that this program reads",
-        "write one with 'palpate packing build'");
-  }
+  root.requireFormat(
+      kPackingFormat,
+      "this is no packing file of the kind that this program reads",
+      "write one with 'palpate packing build'");
   Head head;
   head.bone.name = root.id("name");
   head.bone.title = root.text("title");

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,24 +9,7 @@ namespace {
 
 using haptics::recordings::RowRange;
 using questionnaires::Node;
-using questionnaires::Problems;
 using questionnaires::Value;
-
-const std::string kPath = "$.provenance";
-
-/// The member of a JSON object in a list; a Node reads by key only.
-const Value* memberOf(const Value& object, std::string_view key) {
-  const auto& members = std::get<Value::Object>(object.data);
-  const auto member =
-      std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.key == key; });
-  return member == members.end() ? nullptr : &member->value;
-}
-
-Value::Array entriesOf(const Value& object, std::string_view key) {
-  const Value* list = memberOf(object, key);
-  const auto* entries = list == nullptr ? nullptr : std::get_if<Value::Array>(&list->data);
-  return entries == nullptr ? Value::Array() : *entries;
-}
 
 /// A number that counts from 1; 0 if it is invalid.
 std::size_t countOf(const Value& value) {
@@ -35,33 +17,28 @@ std::size_t countOf(const Value& value) {
   return whole == nullptr || *whole < 1 ? 0 : static_cast<std::size_t>(*whole);
 }
 
-std::vector<RowRange> readRows(const Value& provenance, Problems& problems) {
+std::vector<RowRange> readRows(const std::vector<Node>& entries) {
   std::vector<RowRange> rows;
-  for (const auto& entry : entriesOf(provenance, "rows")) {
-    const auto* ends = std::get_if<Value::Array>(&entry.data);
+  for (const auto& entry : entries) {
+    const auto* ends = std::get_if<Value::Array>(&entry.value().data);
     const bool isPair = ends != nullptr && ends->size() == 2;
     const RowRange range = isPair ? RowRange{countOf((*ends)[0]), countOf((*ends)[1])} : RowRange{};
     if (range.first == 0 || range.last < range.first) {
-      problems.add(
-          kPath + ".rows[" + std::to_string(rows.size()) + "]",
-          "a first and a last row are expected here",
-          "write [first, last], counted from 1");
+      entry.problem(
+          "", "a first and a last row are expected here", "write [first, last], counted from 1");
     }
     rows.push_back(range);
   }
   return rows;
 }
 
-std::vector<std::size_t> readClosures(const Value& provenance, Problems& problems) {
+std::vector<std::size_t> readClosures(const std::vector<Node>& entries) {
   std::vector<std::size_t> closures;
-  for (const auto& entry : entriesOf(provenance, "closures")) {
-    if (countOf(entry) == 0) {
-      problems.add(
-          kPath + ".closures[" + std::to_string(closures.size()) + "]",
-          "the number of a closure is expected here",
-          "write a whole number, counted from 1");
-    }
-    closures.push_back(countOf(entry));
+  for (const auto& entry : entries) {
+    closures.push_back(countOf(entry.value()));
+    if (closures.back() > 0) continue;
+    entry.problem(
+        "", "the number of a closure is expected here", "write a whole number, counted from 1");
   }
   return closures;
 }
@@ -77,11 +54,10 @@ void checkHash(const Node& node) {
 
 }  // namespace
 
-haptics::recordings::Provenance readProvenance(const Value& cut, Problems& problems) {
+haptics::recordings::Provenance readProvenance(const Node& cut) {
   constexpr double kMostSlope = 1e9;  // [N/travel unit]
   haptics::recordings::Provenance provenance;
-  const Node root(cut, "$", problems);
-  const auto node = root.object("provenance");
+  const auto node = cut.object("provenance");
   if (!node || !node->isObjectWith(
                    {"statement",
                     "source_file",
@@ -105,10 +81,10 @@ haptics::recordings::Provenance readProvenance(const Value& cut, Problems& probl
     provenance.slopeLimit = node->number("slope_limit_n_per_travel_unit", 0.0, kMostSlope);
   }
   provenance.changes = node->texts("changes");
-  node->list("rows");  // reports a problem if it is not a list
-  node->list("closures");
-  provenance.rows = readRows(*memberOf(cut, "provenance"), problems);
-  provenance.closures = readClosures(*memberOf(cut, "provenance"), problems);
+  const auto rows = node->list("rows");
+  const auto closures = node->list("closures");
+  provenance.rows = readRows(rows);
+  provenance.closures = readClosures(closures);
   return provenance;
 }
 

@@ -19,17 +19,14 @@ using questionnaires::Problems;
 constexpr std::string_view kCalibrationFormat = "palpate-calibration-1";
 constexpr double kLargestCoefficient = 1e12;
 
-ForceCalibration readRoot(const Node& root) {
+ForceCalibration readCalibrationRoot(const Node& root) {
   if (!root.isObjectWith({"format", "name", "unit", "coefficients_n", "range", "provenance"})) {
     return {};
   }
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kCalibrationFormat) {
-    root.problem(
-        "format",
-        "this is no calibration file of the kind that this program reads",
-        "write one with 'palpate recording calibrate'");
-  }
+  root.requireFormat(
+      kCalibrationFormat,
+      "this is no calibration file of the kind that this program reads",
+      "write one with 'palpate recording calibrate'");
   ForceCalibration calibration{
       .name = root.id("name"),
       .unit = root.text("unit"),
@@ -56,13 +53,7 @@ ForceCalibration readRoot(const Node& root) {
 }  // namespace
 
 std::optional<ForceCalibration> readCalibration(std::string_view json, Problems& problems) {
-  Problems found;
-  ForceCalibration calibration;
-  if (const auto value = questionnaires::parseJson(json, found)) {
-    calibration = readRoot(Node(*value, "$", found));
-  }
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::optional(std::move(calibration));
+  return questionnaires::readJson<ForceCalibration>(json, problems, readCalibrationRoot);
 }
 
 std::string calibrationAsJson(
@@ -164,18 +155,16 @@ void readForce(const Node& node, RecordingColumns& columns) {
   }
 }
 
-void readRoot(const Node& root, ColumnsFile& file) {
+ColumnsFile readColumnsRoot(const Node& root) {
+  ColumnsFile file;
   if (!root.isObjectWith(
           {"format", "skip_lines", "separator", "time", "travel", "force", "calibration"})) {
-    return;
+    return file;
   }
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kColumnsFormat) {
-    root.problem(
-        "format",
-        "this is no columns file of the kind that this program reads",
-        "write \"" + std::string(kColumnsFormat) + "\"");
-  }
+  root.requireFormat(
+      kColumnsFormat,
+      "this is no columns file of the kind that this program reads",
+      "write \"" + std::string(kColumnsFormat) + "\"");
   RecordingColumns& columns = file.columns;
   columns.skippedLines =
       static_cast<std::size_t>(root.wholeNumber("skip_lines", 0, kMostSkippedLines, 0));
@@ -187,18 +176,13 @@ void readRoot(const Node& root, ColumnsFile& file) {
   if (columns.readingUnit == "N" && !file.calibrationFile.empty()) {
     root.problem("calibration", "the forces are in newtons already", "leave the calibration out");
   }
+  return file;
 }
 
 }  // namespace
 
 std::optional<ColumnsFile> readColumns(std::string_view json, Problems& problems) {
-  Problems found;
-  ColumnsFile file;
-  if (const auto value = questionnaires::parseJson(json, found)) {
-    readRoot(Node(*value, "$", found), file);
-  }
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::optional(std::move(file));
+  return questionnaires::readJson<ColumnsFile>(json, problems, readColumnsRoot);
 }
 
 }  // namespace protocols

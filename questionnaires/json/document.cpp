@@ -85,6 +85,11 @@ std::string Node::text(std::string_view key, std::string fallback) const {
   return has(key) ? at(key, *find(key)).asText() : std::move(fallback);
 }
 
+void Node::requireFormat(std::string_view format, std::string what, std::string fix) const {
+  const std::string given = text("format");
+  if (!given.empty() && given != format) problem("format", std::move(what), std::move(fix));
+}
+
 std::string Node::id(std::string_view key) const {
   const Value* value = required(key);
   if (value == nullptr) return {};

@@ -93,6 +93,7 @@ class Node {
   bool isObjectWith(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
+  const Value& value() const noexcept { return *value_; }
   bool isText() const noexcept { return std::holds_alternative<std::string>(value_->data); }
   bool isObject() const noexcept { return std::holds_alternative<Value::Object>(value_->data); }
 
@@ -103,6 +104,9 @@ class Node {
   std::string text(std::string_view key) const;
   double number(std::string_view key, double least, double most) const;
   std::int64_t wholeNumber(std::string_view key, std::int64_t least, std::int64_t most) const;
+
+  /// Refuses any text but @p format behind "format".
+  void requireFormat(std::string_view format, std::string what, std::string fix) const;
 
   /// A name for people, files and columns: a letter or digit, then up to 63 of letters, digits,
   /// '.', '_' and '-'.
@@ -177,6 +181,17 @@ class Node {
   std::string path_;
   Problems* problems_;
 };
+
+/// Reads JSON whose root @p read takes as a Node: what it returns; std::nullopt if there are
+/// errors. All problems are added to @p problems.
+template <typename T, typename Read>
+std::optional<T> readJson(std::string_view text, Problems& problems, Read read) {
+  Problems found;
+  std::optional<T> result;
+  if (const auto value = parseJson(text, found)) result = read(Node(*value, "$", found));
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::move(result);
+}
 
 /// Whether @p id is a name for people, files and columns (see Node::id()).
 bool isSoundId(std::string_view id) noexcept;

@@ -38,37 +38,36 @@ std::string whereFrom(const Source& source) {
   return source.wordingFrom.empty() ? words : words + " | " + source.wordingFrom;
 }
 
+Wording readWordingRoot(const Node& root) {
+  Wording wording;
+  if (!root.isObjectWith(
+          {"format",
+           "instrument",
+           "version",
+           "language",
+           "words_from",
+           "source",
+           "keys",
+           "texts"})) {
+    return wording;
+  }
+  readHead(root, wording);
+  root.text("words_from", "");
+  if (const auto keys = root.object("keys")) {
+    for (const auto& key : keys->members()) {
+      wording.keys[key.first] = static_cast<int>(keys->wholeNumber(key.first, -1, 1));
+    }
+  }
+  if (const auto texts = root.requiredObject("texts")) {
+    for (const auto& [place, text] : texts->members()) wording.texts[place] = text.asText();
+  }
+  return wording;
+}
+
 }  // namespace
 
 std::optional<Wording> readWording(std::string_view json, Problems& problems) {
-  Problems found;
-  Wording wording;
-  const auto value = parseJson(json, found);
-  if (value) {
-    const Node root(*value, "$", found);
-    if (root.isObjectWith(
-            {"format",
-             "instrument",
-             "version",
-             "language",
-             "words_from",
-             "source",
-             "keys",
-             "texts"})) {
-      readHead(root, wording);
-      root.text("words_from", "");
-      if (const auto keys = root.object("keys")) {
-        for (const auto& key : keys->members()) {
-          wording.keys[key.first] = static_cast<int>(keys->wholeNumber(key.first, -1, 1));
-        }
-      }
-      if (const auto texts = root.requiredObject("texts")) {
-        for (const auto& [place, text] : texts->members()) wording.texts[place] = text.asText();
-      }
-    }
-  }
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::optional(std::move(wording));
+  return readJson<Wording>(json, problems, readWordingRoot);
 }
 
 std::string wordingTemplate(const Instrument& instrument, const std::string& language) {
