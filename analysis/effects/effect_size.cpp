@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -77,7 +76,7 @@ void addAverage(
   effects.glassDelta2 = ratio(contrast, contrast.variance2);
   if (!sum.isZero()) {
     const double z = tOf(contrast, squareRoot(sum));
-    effects.commonLanguage = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+    effects.commonLanguage = normalUpperP(-z);
   }
   if (!welch.degreesOfFreedom) return;
 

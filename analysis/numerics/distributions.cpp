@@ -98,7 +98,7 @@ double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality
   const auto integrand = [&](double y) {
     const double x = squareOfS(y);
     const double density = boost::math::gamma_p_derivative(half, x) * 2.0 * x / (y + noncentrality);
-    return density * 0.5 * std::erfc(-y / std::numbers::sqrt2);
+    return density * normalUpperP(-y);
   };
   constexpr unsigned kDepth = 6;
   constexpr double kTolerance = 1e-14;

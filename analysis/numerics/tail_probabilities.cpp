@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -91,6 +92,10 @@ double normalTwoSidedP(double z) {
   return std::erfc(std::abs(z) / std::numbers::sqrt2);
 }
 
+double normalUpperP(double z) {
+  return 0.5 * std::erfc(z / std::numbers::sqrt2);
+}
+
 double log10NormalTwoSidedP(double z) {
   const double distance = std::abs(z);
   if (distance > kFarOut) {
@@ -104,8 +109,8 @@ double log10NormalTwoSidedP(double z) {
 
 double logNormalCdf(double x) {
   if (x < -kFarOut) return logFarNormalTail(-x);
-  if (x > 0.0) return std::log1p(-0.5 * std::erfc(x / std::numbers::sqrt2));
-  return std::log(0.5 * std::erfc(-x / std::numbers::sqrt2));
+  if (x > 0.0) return std::log1p(-normalUpperP(x));
+  return std::log(normalUpperP(-x));
 }
 
 double normalTwoSidedQuantile(double level) {
@@ -124,6 +129,11 @@ double log10ChiSquaredP(double x, double degreesOfFreedom) {
   const double p = chiSquaredP(x, degreesOfFreedom);
   if (p > kSmallestExactP) return std::log10(p);
   return logFarGammaTail(0.5 * degreesOfFreedom, 0.5 * x) / std::numbers::ln10;
+}
+
+double chiSquaredUpperQuantile(double p, double degreesOfFreedom) {
+  const boost::math::chi_squared law(degreesOfFreedom);
+  return boost::math::quantile(boost::math::complement(law, p));
 }
 
 double studentizedRangeP(double q, std::size_t k) {

@@ -15,6 +15,9 @@ inline constexpr double kSmallestExactP = 1e-300;
 double normalTwoSidedP(double z);
 double log10NormalTwoSidedP(double z);
 
+/// P(Z ≥ z) of the standard normal law.
+double normalUpperP(double z);
+
 /// ln P(Z ≤ x) of the standard normal law, for any finite x; to about 14 digits.
 double logNormalCdf(double x);
 
@@ -26,6 +29,9 @@ double normalTwoSidedQuantile(double level);
 /// @throws std::invalid_argument  for a negative x or degrees of freedom that are not positive.
 double chiSquaredP(double x, double degreesOfFreedom);
 double log10ChiSquaredP(double x, double degreesOfFreedom);
+
+/// The x that χ² exceeds with a probability of @p p in (0, 1).
+double chiSquaredUpperQuantile(double p, double degreesOfFreedom);
 
 /// The range of k independent standard normal values: Tukey's studentized range with infinitely
 /// many degrees of freedom, as Nemenyi's comparisons need it.

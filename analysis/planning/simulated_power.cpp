@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include <boost/math/distributions/chi_squared.hpp>
-
 #include "analysis/numerics/distributions.h"
 #include "analysis/numerics/tail_probabilities.h"
 
@@ -153,8 +151,7 @@ class Trial {
         level_(s.alpha / static_cast<double>(s.comparisons)),
         criticalT_(
             StudentDistribution(static_cast<double>(s.participants - 1)).twoSidedQuantile(level_)),
-        criticalChi_(boost::math::quantile(boost::math::complement(
-            boost::math::chi_squared(static_cast<double>(conditions_ - 1)), s.alpha))) {}
+        criticalChi_(chiSquaredUpperQuantile(s.alpha, static_cast<double>(conditions_ - 1))) {}
 
   void draw(LikertCohort& cohort, std::uint64_t participants) {
     sums_.clear();

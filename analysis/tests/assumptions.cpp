@@ -9,6 +9,7 @@
 #include <boost/math/special_functions/erf.hpp>
 
 #include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/numerics/tail_probabilities.h"
 #include "analysis/tests/anova.h"
 
 namespace analysis {
@@ -89,11 +90,6 @@ Statistic statisticOf(std::span<const double> sorted) {
   return {.w = std::min(1.0, w.high), .rest = std::max(0.0, (DoubleDouble(1.0) - w).high)};
 }
 
-/// P(Z ≥ z).
-double normalTail(double z) {
-  return 0.5 * std::erfc(z / std::numbers::sqrt2);
-}
-
 double pOf(const Statistic& statistic, std::size_t count) {
   constexpr double kSmallBound[] = {-2.273, 0.459};
   constexpr double kSmallMean[] = {0.5440, -0.39978, 0.025054, -6.714e-4};
@@ -110,12 +106,12 @@ double pOf(const Statistic& statistic, std::size_t count) {
   const double y = std::log(statistic.rest);
   if (count > kMostOfFew) {
     const double x = std::log(n);
-    return normalTail((y - polynomial(kMean, x)) / std::exp(polynomial(kDeviation, x)));
+    return normalUpperP((y - polynomial(kMean, x)) / std::exp(polynomial(kDeviation, x)));
   }
   const double bound = polynomial(kSmallBound, n);
   if (y >= bound) return 0.0;
   const double transformed = -std::log(bound - y);
-  return normalTail(
+  return normalUpperP(
       (transformed - polynomial(kSmallMean, n)) / std::exp(polynomial(kSmallDeviation, n)));
 }
 
