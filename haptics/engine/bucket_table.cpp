@@ -50,12 +50,4 @@ models::SegmentIndex<double> BucketTable::index() const noexcept {
   return index;
 }
 
-int BucketTable::worstComparisons() const noexcept {
-  std::uint32_t crowd = 0;
-  for (std::size_t i = 1; i < first_.size(); ++i) {
-    crowd = std::max(crowd, first_[i] - first_[i - 1]);
-  }
-  return std::bit_width(crowd);
-}
-
 }  // namespace haptics::engine

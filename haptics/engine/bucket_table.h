@@ -26,9 +26,6 @@ class BucketTable {
   std::size_t buckets() const noexcept { return first_.empty() ? 0 : first_.size() - 1; }
   std::size_t bytes() const noexcept { return first_.size() * sizeof(first_[0]); }
 
-  /// How many comparisons the worst position takes.
-  int worstComparisons() const noexcept;
-
  private:
   bool fill(std::span<const double> knots, std::uint32_t buckets);
 

@@ -51,9 +51,6 @@ class PunchDevice final : public WireDevice {
   /// @throws DeviceError  if it cannot: opening branches, smoothing, single stiffnesses and more
   ///                      than 128 points stay with the host.
   void renderOnDevice(const engine::SceneSpec& scene, double largestForce);
-  void renderOnHost() noexcept { sceneHash_.reset(); }
-
-  const wire::punch::Hello& hello() const noexcept { return hello_; }
 
  private:
   std::string name() const override {

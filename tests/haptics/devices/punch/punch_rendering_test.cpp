@@ -79,10 +79,6 @@ TEST_F(PunchRenderingTest, SendsEverySceneThatFits) {
   both.interpolation = recordedCut();
   EXPECT_EQ(whyNot([&] { device_->renderOnDevice({.model = recordedCut()}, 8.0); }), "");
   EXPECT_EQ(whyNot([&] { device_->renderOnDevice({.model = both}, 8.0); }), "");
-  device_->renderOnHost();
-  device_->arm();
-  EXPECT_TRUE(exchangeUntil(
-      2.0, [&](const DeviceSample&) { return std::abs(board_->force() - 2.0) < 0.001; }));
 }
 
 TEST_F(PunchRenderingTest, SaysWhichScenesStayWithTheHost) {
