@@ -6,7 +6,6 @@
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"
-#include "protocols/reading/texts_file.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 

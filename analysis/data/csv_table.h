@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,5 +42,14 @@ struct CsvTable {
 /// @throws UserError  for a file without a header, in UTF-16, with a quotation mark that is never
 ///     closed or closed too early, or with rows of too few or too many cells: all of these at once.
 CsvTable readCsv(std::string_view text);
+
+/// Which of some names a person most probably meant: the one that takes the fewest letters to
+/// insert, delete or replace (Levenshtein 1966), without regard to case. The first of several.
+///
+/// @param names  at least one.
+std::string nearestName(std::string_view meant, std::span<const std::string> names);
+
+/// 'I', 'F' and 'K'; of more than eight, the first eight.
+std::string enumerated(std::span<const std::string> names);
 
 }  // namespace analysis

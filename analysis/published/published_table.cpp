@@ -6,7 +6,6 @@
 #include <set>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/nearest_name.h"
 #include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {

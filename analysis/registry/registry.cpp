@@ -8,7 +8,6 @@
 #include <string>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/nearest_name.h"
 #include "analysis/models/cluster_robust.h"
 #include "analysis/models/cumulative_link_mixed_model.h"
 #include "analysis/numerics/exact_arithmetic.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/nearest_name.h"
 
 namespace analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/data/nearest_name.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/registry/test_rows.h"
 #include "analysis/tests/t_tests.h"
 

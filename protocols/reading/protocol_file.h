@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "protocols/model/loaded_protocol.h"
@@ -34,5 +36,11 @@ std::optional<Draft> readDraft(
     const FileFinder& find,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
+
+/// The protocol in @p json with @p texts as its "texts"; without that key if there are none.
+/// Nothing else of the file changes, neither its lines nor its spaces.
+/// @pre @p json is a JSON object without faults: a protocol that could be read.
+std::string withTexts(
+    std::string_view json, const std::map<std::string, questionnaires::LocalizedText>& texts);
 
 }  // namespace protocols

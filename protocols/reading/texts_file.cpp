@@ -1,8 +1,8 @@
-#include "protocols/reading/texts_file.h"
-
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
+
+#include "protocols/reading/protocol_file.h"
 
 namespace protocols {
 namespace {

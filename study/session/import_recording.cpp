@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "base/file.h"
-#include "haptics/recordings/published_cut.h"
+#include "haptics/recordings/cut.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/recording_file.h"
 #include "questionnaires/json/document.h"

@@ -11,7 +11,6 @@
 
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/recordings/cut.h"
-#include "haptics/recordings/published_cut.h"
 #include "protocols/load_protocol.h"
 #include "protocols/reading/cut_file.h"
 #include "study/session/import_recording.h"

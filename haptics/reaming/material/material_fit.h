@@ -7,7 +7,6 @@
 
 #include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/envelope.h"
-#include "haptics/reaming/material/exclusion.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/material/node_choice.h"
 #include "haptics/reaming/material/piecewise.h"

@@ -1,8 +1,8 @@
-#include "analysis/data/nearest_name.h"
-
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/data/csv_table.h"
 
 namespace nearest_name_test {
 

@@ -1,9 +1,9 @@
-#include "analysis/models/one_factor_model.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "analysis/reliability/reliability.h"
 
 namespace one_factor_model_test {
 

@@ -1,10 +1,9 @@
 // Blanks "[[key]]" in texts for participants, and how a protocol fills them in.
-#include "protocols/reading/texts_file.h"
-
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
+#include "protocols/reading/protocol_file.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

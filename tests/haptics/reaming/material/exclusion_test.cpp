@@ -1,10 +1,9 @@
-#include "haptics/reaming/material/exclusion.h"
-
 #include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "tests/support/long_form.h"
 
