@@ -40,7 +40,7 @@ Run runOf(int first, int last) {
   return {.mean = run.mean / points, .square = run.square / points};
 }
 
-std::vector<Run> runsAround(int peak, int lowest, int highest) {
+std::vector<Run> intervalsContaining(int peak, int lowest, int highest) {
   std::vector<Run> runs;
   for (int first = lowest; first <= peak; ++first) {
     for (int last = peak; last <= highest; ++last) runs.push_back(runOf(first, last));
@@ -117,7 +117,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean) {
   const double centred = mean - lowest;
   double largest = 0.0;
   for (int peak = 0; peak < points; ++peak) {
-    const auto runs = runsAround(peak, 0, points - 1);
+    const auto runs = intervalsContaining(peak, 0, points - 1);
     largest = std::max(largest, largestSquare(runs, centred) - centred * centred);
   }
   return largest;

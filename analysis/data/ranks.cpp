@@ -63,7 +63,7 @@ TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> 
 }
 
 Placements placementsOf(const TiedGroups& groups) {
-  if (groups.areTooLarge()) throw std::invalid_argument("the groups are too large to rank");
+  if (groups.exceedExactRanks()) throw std::invalid_argument("the groups are too large to rank");
   Placements result;
   Wide below1 = 0;
   Wide below2 = 0;

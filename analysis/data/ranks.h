@@ -34,7 +34,7 @@ struct TiedGroups {
   std::uint64_t n2 = 0;
   std::vector<TiedValue> values;  ///< from the smallest to the largest; each occurs at least once
 
-  bool areTooLarge() const noexcept { return n1 > kMostInAGroup || n2 > kMostInAGroup; }
+  bool exceedExactRanks() const noexcept { return n1 > kMostInAGroup || n2 > kMostInAGroup; }
   bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }
 };
 

@@ -244,7 +244,7 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   CliffDelta result;
   result.n1 = groups.n1;
   result.n2 = groups.n2;
-  if (groups.isEmpty() || groups.areTooLarge()) {
+  if (groups.isEmpty() || groups.exceedExactRanks()) {
     result.reason = groups.isEmpty() ? reason("a_group_is_empty") : reason("groups_too_large");
     return result;
   }

@@ -74,11 +74,11 @@ class RowSearch {
     for (const auto& comparison : table.comparisons) ranges_.push_back(rangesOf(comparison, sizes));
   }
 
-  std::optional<std::vector<RealGroup>> found() const {
+  std::optional<std::vector<GroupMoments>> found() const {
     std::vector<std::size_t> at(table_.groups.size(), 0);
     do {
       if (const auto means = meansAt(at, 0, means_)) {
-        std::vector<RealGroup> row;
+        std::vector<GroupMoments> row;
         for (std::size_t g = 0; g < at.size(); ++g) {
           row.push_back({.mean = (*means)[g + 1] - (*means)[0], .variance = variances_[g][at[g]]});
         }
@@ -144,7 +144,7 @@ class RowSearch {
 
 }  // namespace
 
-std::optional<std::vector<RealGroup>> realRow(
+std::optional<std::vector<GroupMoments>> momentsOfRow(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention) {
@@ -218,7 +218,7 @@ ConventionCheck checkAt(
     check.comparisons.push_back(
         {.attainable = attainable, .follows = overlap(attainable, p.bounds(convention.reading))});
   }
-  if (check.eachFollows()) check.row = realRow(table, sizes, convention);
+  if (check.eachFollows()) check.row = momentsOfRow(table, sizes, convention);
   return check;
 }
 

@@ -13,7 +13,7 @@
 namespace analysis {
 
 /// A group with the mean and the variance (n − 1) that it may have had.
-struct RealGroup {
+struct GroupMoments {
   double mean = 0.0;
   double variance = 0.0;
 };
@@ -28,7 +28,7 @@ struct RealGroup {
 ///
 /// @param sizes  of every group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
-std::optional<std::vector<RealGroup>> realRow(
+std::optional<std::vector<GroupMoments>> momentsOfRow(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention);
@@ -61,8 +61,8 @@ struct ComparisonCheck {
 struct ConventionCheck {
   PublishedConvention convention;
   GroupSizes sizes;
-  std::vector<ComparisonCheck> comparisons;   ///< in the order of the table
-  std::optional<std::vector<RealGroup>> row;  ///< means and variances that give all p at once
+  std::vector<ComparisonCheck> comparisons;      ///< in the order of the table
+  std::optional<std::vector<GroupMoments>> row;  ///< means and variances that give all p at once
 
   bool eachFollows() const;
 };

@@ -118,7 +118,7 @@ double RankSums::atLeast(std::int64_t doubledU) const {
   return sum.high;
 }
 
-double RankSums::asFar(std::int64_t doubledU) const {
+double RankSums::atLeastAsFar(std::int64_t doubledU) const {
   const std::int64_t distance = std::abs(doubledU - mean_);
   DoubleDouble sum;
   for (std::size_t i = 0; i < probabilities_.size(); ++i) {
@@ -132,7 +132,7 @@ namespace {
 Reason whyNotRanked(const TiedGroups& groups) {
   if (groups.n1 == 0) return reason("group_is_empty", 1);
   if (groups.n2 == 0) return reason("group_is_empty", 2);
-  if (groups.areTooLarge()) return reason("groups_too_large");
+  if (groups.exceedExactRanks()) return reason("groups_too_large");
   return {};
 }
 
@@ -146,7 +146,7 @@ void addExact(MannWhitneyResult& result, const TiedGroups& groups, Wide doubledU
   result.pLess = law.atMost(u);
   result.pGreater = law.atLeast(u);
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
-  result.pAbs = law.asFar(u);
+  result.pAbs = law.atLeastAsFar(u);
 }
 
 void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {
@@ -195,7 +195,7 @@ namespace {
 Reason whyUndefined(const TiedGroups& groups) {
   if (groups.n1 < 2) return reason("fewer_than_two", 1);
   if (groups.n2 < 2) return reason("fewer_than_two", 2);
-  if (groups.areTooLarge()) return reason("groups_too_large");
+  if (groups.exceedExactRanks()) return reason("groups_too_large");
   return {};
 }
 
@@ -247,7 +247,7 @@ BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups) {
   result.n1 = groups.n1;
   result.n2 = groups.n2;
   result.reason = whyUndefined(groups);
-  if (groups.isEmpty() || groups.areTooLarge()) return result;
+  if (groups.isEmpty() || groups.exceedExactRanks()) return result;
 
   const Placements places = placementsOf(groups);
   const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);

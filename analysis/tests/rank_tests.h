@@ -28,7 +28,7 @@ class RankSums {
   /// P(2U ≥ u)
   double atLeast(std::int64_t doubledU) const;
   /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): as far from its mean.
-  double asFar(std::int64_t doubledU) const;
+  double atLeastAsFar(std::int64_t doubledU) const;
 
  private:
   std::int64_t doubledUAt(std::size_t index) const;

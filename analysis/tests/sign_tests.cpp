@@ -135,7 +135,7 @@ struct Binary {
   int exponent = 0;
 };
 
-Binary binaryOf(double number) {
+Binary mantissaAndExponent(double number) {
   constexpr int kBits = 53;
   Binary binary;
   binary.mantissa = static_cast<Wide>(std::ldexp(std::frexp(number, &binary.exponent), kBits));
@@ -150,7 +150,7 @@ std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
   constexpr int kMostShift = 66;  // with 53 digits and sums of 2^6 numbers
   std::vector<Binary> binaries;
   binaries.reserve(numbers.size());
-  for (const double number : numbers) binaries.push_back(binaryOf(number));
+  for (const double number : numbers) binaries.push_back(mantissaAndExponent(number));
   const auto least = std::ranges::min_element(binaries, {}, &Binary::exponent)->exponent;
 
   Integers integers;

@@ -38,7 +38,7 @@ engine::SceneSpec sceneForLink(devices::Tissue tissue) {
 
 LinkLoop::LinkLoop(devices::Device& device)
     : device_(device),
-      worthTheName_(0.05 * device.capabilities().maxForce),
+      forceThatMatters_(0.05 * device.capabilities().maxForce),
       scene_(sceneForLink(device.capabilities().kind->tissue)),
       engine_(device, limitsFor(device.capabilities())) {
   engine_.setScene(&scene_);
@@ -60,11 +60,11 @@ void LinkLoop::standStill(std::int64_t duration) noexcept {
   ordered_.store(duration, std::memory_order_release);
 }
 
-bool LinkLoop::isToStand(double force) noexcept {
+bool LinkLoop::mustPause(double force) noexcept {
   constexpr std::int64_t kPatience = 3 * timing::kSecond;
   if (ordered_.load(std::memory_order_acquire) == 0) return false;
   const bool falls = std::abs(force) < std::abs(lastForce_);
-  return (falls && std::abs(force) >= worthTheName_) ||
+  return (falls && std::abs(force) >= forceThatMatters_) ||
          timing::now() - orderedAt_.load(std::memory_order_relaxed) > kPatience;
 }
 
@@ -81,9 +81,9 @@ void LinkLoop::tick(double dt, double lateness) noexcept {
     isOver_.store(true, std::memory_order_release);
     return;
   }
-  const bool isToStandStill = isToStand(sample.force);
+  const bool pauses = mustPause(sample.force);
   lastForce_ = sample.force;
-  if (!isToStandStill) return;
+  if (!pauses) return;
   const std::int64_t now = timing::now();
   stoodAt_.store(now, std::memory_order_release);
   timing::sleepUntil(now + ordered_.exchange(0, std::memory_order_relaxed));

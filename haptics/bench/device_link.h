@@ -54,11 +54,11 @@ class LinkLoop {
 
  private:
   void tick(double dt, double lateness) noexcept;
-  bool isToStand(double force) noexcept;
+  bool mustPause(double force) noexcept;
 
   devices::Device& device_;
-  double worthTheName_;     ///< [N]
-  double lastForce_ = 0.0;  ///< [N]
+  double forceThatMatters_;  ///< [N]
+  double lastForce_ = 0.0;   ///< [N]
   engine::CompiledScene scene_;
   engine::ForceEngine engine_;
   std::atomic<bool> isOver_{false};

@@ -44,7 +44,7 @@ Scenes allScenes() {
 }
 
 /// A device with prescribed samples.
-class Mouthpiece final : public devices::Device {
+class ScriptedDevice final : public devices::Device {
  public:
   const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }
   devices::DeviceSample read(double) noexcept override { return sample; }
@@ -80,7 +80,7 @@ double forceErrorAgainstEquation(double rate) {
 }
 
 /// What the space-domain filter has come to at 6 travel units, closing at 10 a second.
-double settledAtSix(double rate) {
+double forceAtSixAfterSettling(double rate) {
   engine::CompiledScene scene(
       {.model = engine::publishedFilter(models::KalmanScheme::SpaceDomain, 5)});
   double force = 0.0;
@@ -110,20 +110,20 @@ double largestStep(const engine::SceneSpec& spec, double quantum, double speed) 
 
 /// A hand that rests feels a force that rests; but for paper-text, whose limit cycle has to be
 /// found.
-void sweepRest(StabilityResult& result) {
+void sweepRestingHand(StabilityResult& result) {
   for (const auto& [name, spec] : allScenes()) {
     for (const double rate : {375.0, 1000.0}) {
       const auto slope = engine::renderedSlope(spec, devices::punchKind(), rate);
       const double amplitude = slope.limitCycle ? slope.limitCycle->amplitude : 0.0;
-      const bool takesTurns = name == "filter, paper-text";
+      const bool alternates = name == "filter, paper-text";
       result.checks.push_back(
           {"rest",
            "force that alternates on a resting hand [N], " + name,
            "",
            rate,
            amplitude,
-           takesTurns ? kPublishedChatter : 1e-3});
-      if (!takesTurns) continue;
+           alternates ? kPublishedChatter : 1e-3});
+      if (!alternates) continue;
       const double expected = rate / 2.0;
       result.checks.push_back(
           {"rest",
@@ -143,14 +143,14 @@ void sweepEncoders(StabilityResult& result) {
     const double stiffness = engine::CompiledScene(spec).largestStiffness();
     for (const double quantum : {0.0439, 0.176}) {
       for (const double speed : {0.5, 2.0}) {
-        const bool takesTurns = name == "filter, paper-text";
+        const bool alternates = name == "filter, paper-text";
         result.checks.push_back(
             {"encoder",
              "largest step [N] at " + std::string(speed < 1.0 ? "0.5" : "2") + " units/s, " + name,
              "",
              quantum,
              largestStep(spec, quantum, speed),
-             takesTurns ? kPublishedChatter : stiffness * quantum * (1.0 + 1e-9)});
+             alternates ? kPublishedChatter : stiffness * quantum * (1.0 + 1e-9)});
       }
     }
   }
@@ -159,7 +159,7 @@ void sweepEncoders(StabilityResult& result) {
 }  // namespace
 
 void sweepRates(double effort, StabilityResult& result) {
-  sweepRest(result);
+  sweepRestingHand(result);
   sweepEncoders(result);
   const auto add = [&](const std::string& what, double parameter, double measured, double bound) {
     result.checks.push_back({"rate", what, "", parameter, measured, bound});
@@ -167,11 +167,11 @@ void sweepRates(double effort, StabilityResult& result) {
   for (const double rate : {25.0, 100.0, 375.0, 1000.0, 2000.0, 4000.0, 8000.0}) {
     add("held force against K v T / 2, relative", rate, forceErrorAgainstEquation(rate), 1e-9);
   }
-  const double reference = settledAtSix(64'000.0);
+  const double reference = forceAtSixAfterSettling(64'000.0);
   for (const double rate : {375.0, 1000.0, 4000.0, 8000.0}) {
     add("space-domain: force at 6 units against 64 kHz [N]",
         rate,
-        std::abs(settledAtSix(rate) - reference),
+        std::abs(forceAtSixAfterSettling(rate) - reference),
         0.02);
   }
   // A clock that trembles between a fifth and five times its period.
@@ -226,7 +226,7 @@ void sweepBadInput(double effort, StabilityResult& result) {
       devices::DeviceStatus::Faulted,
       devices::DeviceStatus::Gone};
   for (const auto& [name, spec] : allScenes()) {
-    Mouthpiece device;
+    ScriptedDevice device;
     constexpr engine::SafetyLimits kLimits{
         .maxForce = 6.0, .maxRate = 300.0, .isPassivityControlled = true};
     engine::ForceEngine engine(device, kLimits);
@@ -253,7 +253,7 @@ void sweepBadInput(double effort, StabilityResult& result) {
     // And afterwards it feels as ever: open, then five units into the cut. The mean of two ticks,
     // because in paper-text two forces take turns, and whose turn it is depends on the number of
     // valid ticks before.
-    const auto feelAtFive = [](engine::ForceEngine& what, Mouthpiece& through) {
+    const auto feelAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};
       for (int i = 0; i < 300; ++i) what.tick(1e-3);
@@ -267,11 +267,11 @@ void sweepBadInput(double effort, StabilityResult& result) {
       return 0.5 * (before + through.commanded);
     };
     const double after = feelAtFive(engine, device);
-    Mouthpiece fresh;
-    engine::ForceEngine unspoilt(fresh, kLimits);
+    ScriptedDevice fresh;
+    engine::ForceEngine unaffected(fresh, kLimits);
     engine::CompiledScene same(spec);
-    unspoilt.setScene(&same);
-    const double usual = feelAtFive(unspoilt, fresh);
+    unaffected.setScene(&same);
+    const double usual = feelAtFive(unaffected, fresh);
     result.checks.push_back(
         {"bad input",
          "forces that are no number or too large, " + name,

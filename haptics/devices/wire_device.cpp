@@ -27,7 +27,7 @@ void WireDevice::startKeeper() {
   keeper_ = std::jthread([this](const std::stop_token& stop) {
     timing::raisePriority(timing::kLoopPriority);
     while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
-      if (pump(timing::now() + keeping_.turn)) {
+      if (waitForMessage(timing::now() + keeping_.turn)) {
         isNew_ = false;
         keepAlive();
       }
@@ -103,7 +103,7 @@ bool WireDevice::wait(std::int64_t deadline) noexcept {
     return false;
   }
   stopKeeper();  // from the first tick on the wire is the loop's
-  return pump(deadline);
+  return waitForMessage(deadline);
 }
 
 void WireDevice::resetCounts() noexcept {

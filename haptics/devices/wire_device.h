@@ -47,7 +47,7 @@ class WireDevice : public Device, private Pacer {
   /// Gives the connection up; @p isFault: where a device can be told, it is told why.
   virtual void disconnect(bool isFault) noexcept = 0;
   /// Until there is something new, which isNew_ says, or nothing before @p deadline [ns].
-  virtual bool pump(std::int64_t deadline) noexcept = 0;
+  virtual bool waitForMessage(std::int64_t deadline) noexcept = 0;
   /// The keeper's answer to a message: no force.
   virtual void keepAlive() noexcept = 0;
 

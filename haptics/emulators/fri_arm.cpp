@@ -63,7 +63,7 @@ Eigen::Matrix3d rotationFromZ(const Eigen::Vector3d& axis) {
   return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + cosine);
 }
 
-FriArm::Options sound(const FriArm::Options& options) {
+FriArm::Options validated(const FriArm::Options& options) {
   const bool hasAxis = options.reamingAxis.allFinite() && options.reamingAxis.norm() > 1e-6;
   if (!hasAxis || !(options.toolLength >= 0.0 && options.toolLength <= 2.0)) {
     throw std::invalid_argument("a tool needs a length of 0 to 2 m and an axis");
@@ -110,7 +110,7 @@ SurgeonHand::Grip gripOf(
 }  // namespace
 
 FriArm::FriArm(const Options& options)
-    : options_(sound(options)),
+    : options_(validated(options)),
       arm_(kinematicsOf(options_), vectorOf(options_.start)),
       stiff_(stiffest()),
       start_(arm_.tool()),

@@ -24,7 +24,7 @@ bool isTorque(const FriController::Options& options) noexcept {
   return options.arm.command == wire::fri::ClientCommandMode::Torque;
 }
 
-const FriController::Options& sound(const FriController::Options& options) {
+const FriController::Options& validated(const FriController::Options& options) {
   const bool hasPeriod = options.sendPeriod >= 1 && options.sendPeriod <= kLongestPeriod &&
                          options.receiveMultiplier >= 1 &&
                          options.receiveMultiplier <= kLongestPeriod / options.sendPeriod;
@@ -75,7 +75,7 @@ std::int64_t monotonicTime() noexcept {
 }
 
 FriController::FriController(const Options& options)
-    : options_(sound(options)),
+    : options_(validated(options)),
       socket_(options.local),
       impostor_({.address = options.local.address}),
       impairment_(options.impairment),

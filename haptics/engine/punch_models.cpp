@@ -65,7 +65,7 @@ double IndexedCurve::largestSlope() const noexcept {
   return largest;
 }
 
-bool IndexedCurve::endsInJump() const noexcept {
+bool IndexedCurve::hasJumpAtEnd() const noexcept {
   const double first = nodes_.front().force;
   const double last = nodes_.back().force;
   switch (options_.beyond) {
@@ -108,7 +108,7 @@ double InterpolationModel::largestStiffness() const noexcept {
 
 std::optional<double> InterpolationModel::slopeBound() const noexcept {
   const bool hasJump =
-      closing_.endsInJump() || (opening_ != nullptr && opening_->curve.endsInJump());
+      closing_.hasJumpAtEnd() || (opening_ != nullptr && opening_->curve.hasJumpAtEnd());
   return hasJump ? std::nullopt : std::optional(largestStiffness());
 }
 

@@ -25,7 +25,7 @@ class IndexedCurve {
 
   const models::Interpolation<double>& curve() const noexcept { return curve_; }
   double largestSlope() const noexcept;
-  bool endsInJump() const noexcept;
+  bool hasJumpAtEnd() const noexcept;
   std::size_t bytes() const noexcept;
 
  private:

@@ -41,7 +41,7 @@ class SequenceCheck {
   }
 
   std::uint64_t lost() const noexcept { return lost_; }
-  std::uint64_t doubledOnes() const noexcept { return doubled_; }
+  std::uint64_t duplicates() const noexcept { return doubled_; }
   std::uint64_t late() const noexcept { return late_; }
   std::uint64_t restarts() const noexcept { return restarts_; }
 

@@ -49,7 +49,7 @@ const char* wordFor(ClientCommandMode mode) noexcept {
 }
 
 /// A robot that names another command mode than the device file's never takes a force.
-CheckResult otherModeFound(ClientCommandMode mode, ClientCommandMode wanted) {
+CheckResult commandModeMismatch(ClientCommandMode mode, ClientCommandMode wanted) {
   const std::string theirs = wordFor(mode);
   const std::string ours = wordFor(wanted);
   const bool canBeOurs = mode == ClientCommandMode::Wrench || mode == ClientCommandMode::Torque;
@@ -69,7 +69,7 @@ CheckResult commandingFound(
     bool hasWaited) {
   const auto wanted =
       overlay == IiwaOverlay::JointTorque ? ClientCommandMode::Torque : ClientCommandMode::Wrench;
-  if (mode && *mode != wanted) return otherModeFound(*mode, wanted);
+  if (mode && *mode != wanted) return commandModeMismatch(*mode, wanted);
   const bool isActive =
       heard.connection && heard.connection->state == SessionState::CommandingActive;
   if (isActive && mode) return {Finding::Pass, "force overlay", "active", ""};
@@ -167,14 +167,14 @@ IiwaDevice::Listening IiwaDevice::listen(double seconds) {
   // A session takes its time to become good; listening is extended for one that is not there yet,
   // and for a silence until it has ended, or lasts.
   constexpr std::int64_t kLonger = 6 * timing::kSecond;
-  const auto goesOn = [&](std::int64_t now) {
+  const auto isWithinTime = [&](std::int64_t now) {
     const bool isSilent = now - hostTime_ > silence();
     const bool isComing = state() != SessionState::CommandingActive && report_.received > 0;
     return now < until || isSilent || (isComing && now < until + kLonger);
   };
   std::int64_t last = hostTime_ = begin;
-  while (goesOn(timing::now())) {
-    if (pump(timing::now() + 100 * timing::kMillisecond)) {
+  while (isWithinTime(timing::now())) {
+    if (waitForMessage(timing::now() + 100 * timing::kMillisecond)) {
       listening.longestGap = std::max(listening.longestGap, hostTime_ - last);
       last = hostTime_;
       if (heard_.ipoData && heard_.ipoData->commandMode) {

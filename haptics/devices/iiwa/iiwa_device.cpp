@@ -109,7 +109,7 @@ void IiwaDevice::open() {
 void IiwaDevice::awaitMessages() {
   const std::int64_t until = timing::now() + kFirstMessage;
   while (timing::now() < until) {
-    if (!pump(std::min(until, timing::now() + 100 * kMillisecond))) continue;
+    if (!waitForMessage(std::min(until, timing::now() + 100 * kMillisecond))) continue;
     isNew_ = false;
     answer(0.0, 0.0);
     const auto period = heard_.connection ? heard_.connection->sendPeriod.value_or(5) : 5;
@@ -159,7 +159,7 @@ void IiwaDevice::beginForces() noexcept {
 void IiwaDevice::awaitReadiness() {
   const std::int64_t until = timing::now() + kCommanding;
   while (timing::now() < until) {
-    if (!pump(timing::now() + 100 * kMillisecond)) continue;
+    if (!waitForMessage(timing::now() + 100 * kMillisecond)) continue;
     isNew_ = false;
     answer(0.0, 0.0);
     if (state() == SessionState::CommandingActive) return;
@@ -173,7 +173,7 @@ void IiwaDevice::awaitReadiness() {
 
 /// Receives until there is a valid message, or the deadline has passed. If there are several, the
 /// newest is used.
-bool IiwaDevice::pump(std::int64_t deadline) noexcept {
+bool IiwaDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
     auto received = socket_->receive(room_, std::max<std::int64_t>(left, 0));
@@ -206,7 +206,7 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
   using Verdict = wire::SequenceCheck<std::uint32_t>::Verdict;
   const auto verdict = sequence_.take(message.header.sequence);
   report_.lost = sequence_.lost();
-  report_.doubled = sequence_.doubledOnes();
+  report_.doubled = sequence_.duplicates();
   report_.late = sequence_.late();
   report_.restarts = sequence_.restarts();
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;

@@ -76,7 +76,7 @@ class IiwaDevice final : public WireDevice {
   bool isConnected() const noexcept override { return socket_.has_value(); }
   /// A robot without answers switches its force off.
   void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
-  bool pump(std::int64_t deadline) noexcept override;
+  bool waitForMessage(std::int64_t deadline) noexcept override;
   void keepAlive() noexcept override { answer(0.0, 0.0); }
   void awaitReadiness() override;
   void beginForces() noexcept override;

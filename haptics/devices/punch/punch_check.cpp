@@ -27,7 +27,7 @@ CheckResult rateFound(const LinkReport& link, double seconds, double nominal) {
       isNear ? "" : "Use the board's native USB port, and end other programs on this computer."};
 }
 
-CheckResult lossFound(const LinkReport& link) {
+CheckResult frameLossFinding(const LinkReport& link) {
   const auto bad = link.lost + link.doubled + link.late + link.damaged;
   const double share =
       static_cast<double>(bad) / static_cast<double>(std::max<std::uint64_t>(link.received, 1));
@@ -118,7 +118,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
     return found;
   }
   found.push_back(rateFound(report, seconds, capabilities_.rate));
-  found.push_back(lossFound(report));
+  found.push_back(frameLossFinding(report));
   found.push_back(roundTripFound(report));
   const auto& believable = settings_.kind->serial.believable;
   const bool isWithin = least >= believable.least && most <= believable.most;

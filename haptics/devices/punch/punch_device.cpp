@@ -74,7 +74,7 @@ void PunchDevice::greet() {
   int asked = 0;
   greetings_ = 0;
   while (!isGreeted_ && port_.isOpen() && timing::now() < until) {
-    say(Hello{});
+    send(Hello{});
     ++asked;
     const std::int64_t again = std::min(until, timing::now() + kHelloAgain);
     while (!isGreeted_ && port_.isOpen() && timing::now() < again) {
@@ -124,14 +124,14 @@ void PunchDevice::refuseStranger() const {
 }
 
 void PunchDevice::disconnect(bool isFault) noexcept {
-  if (port_.isOpen()) say(Stop{isFault ? StopReason::HostFault : StopReason::Asked});
+  if (port_.isOpen()) send(Stop{isFault ? StopReason::HostFault : StopReason::Asked});
   port_.close();
 }
 
 /// Armed before the engine ticks: without messages the board would disarm itself.
 void PunchDevice::keepAlive() noexcept {
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
-  if (lifecycle() == Lifecycle::Armed) say(SetForce{.voltage = 0, .expiry = expiry});
+  if (lifecycle() == Lifecycle::Armed) send(SetForce{.voltage = 0, .expiry = expiry});
 }
 
 void PunchDevice::beginForces() noexcept {
@@ -141,16 +141,16 @@ void PunchDevice::beginForces() noexcept {
   damagedBefore_ = decoder_.damaged();
   isNew_ = false;
   armedAt_ = hostTime_ = timing::now();
-  say(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
+  send(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
 }
 
 void PunchDevice::endForces() noexcept {
-  say(SetForce{.voltage = 0, .expiry = 1});
-  say(Arm{.isArmed = false, .expiry = 1});
+  send(SetForce{.voltage = 0, .expiry = 1});
+  send(Arm{.isArmed = false, .expiry = 1});
 }
 
 /// Until there is a new state, or nothing before the deadline.
-bool PunchDevice::pump(std::int64_t deadline) noexcept {
+bool PunchDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (port_.isOpen()) {
     if (drain()) return true;
     if (timing::now() >= deadline) return false;
@@ -187,7 +187,7 @@ void PunchDevice::take(const Frame& frame, std::int64_t at) noexcept {
   }
   const auto verdict = sequence_.take(frame.sequence);
   report_.lost = sequence_.lost();
-  report_.doubled = sequence_.doubledOnes();
+  report_.doubled = sequence_.duplicates();
   report_.late = sequence_.late();
   report_.restarts = sequence_.restarts();
   using Verdict = wire::SequenceCheck<std::uint16_t>::Verdict;
@@ -278,10 +278,10 @@ void PunchDevice::command(double force, double /*torque*/) noexcept {
         bounded == 0.0 ? 0.0
                        : kRoom * std::abs(millivolts) + 1000.0 * kMore / settings_.newtonsPerVolt;
     const auto volts = static_cast<std::int16_t>(std::min(ceiling, 32767.0));
-    say(Render{.hash = *sceneHash_, .expiry = expiry, .most = volts});
+    send(Render{.hash = *sceneHash_, .expiry = expiry, .most = volts});
     return;
   }
-  say(SetForce{.voltage = static_cast<std::int16_t>(std::lround(millivolts)), .expiry = expiry});
+  send(SetForce{.voltage = static_cast<std::int16_t>(std::lround(millivolts)), .expiry = expiry});
 }
 
 }  // namespace haptics::devices

@@ -58,7 +58,7 @@ class PunchDevice final : public WireDevice {
   }
   bool isConnected() const noexcept override { return port_.isOpen(); }
   void disconnect(bool isFault) noexcept override;
-  bool pump(std::int64_t deadline) noexcept override;
+  bool waitForMessage(std::int64_t deadline) noexcept override;
   void keepAlive() noexcept override;
   void beginForces() noexcept override;
   void endForces() noexcept override;
@@ -69,7 +69,7 @@ class PunchDevice final : public WireDevice {
   void refuseStranger() const;
   wire::punch::ModelTaken answerTo(std::int64_t deadline);
   template <typename Message>
-  void say(const Message& message) noexcept {
+  void send(const Message& message) noexcept {
     std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes{};
     const std::int64_t at = timing::now();
     const std::uint16_t sequence = nextSequence_++;

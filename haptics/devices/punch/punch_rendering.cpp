@@ -119,7 +119,7 @@ std::uint32_t hashOf(const Message& message, std::uint32_t before) {
 ModelTaken PunchDevice::answerTo(std::int64_t deadline) {
   while (!taken_ && port_.isOpen() && timing::now() < deadline) {
     isNew_ = false;
-    pump(deadline);
+    waitForMessage(deadline);
   }
   if (!taken_) throw DeviceError(name() + " does not answer to the scene it was sent. Try again.");
   return *taken_;
@@ -146,7 +146,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   sceneHash_.reset();
   const auto ask = [&](const auto& message) {
     taken_.reset();
-    say(message);
+    send(message);
     return answerTo(timing::now() + 500 * timing::kMillisecond);
   };
   std::uint32_t hash = hashOf(model, 0);

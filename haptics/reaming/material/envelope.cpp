@@ -32,7 +32,7 @@ double meanOf(std::span<const Member> members) {
 /// The expected extreme of a sample in which each member is with the probability of its share; one
 /// at least has a share of 1.
 template <typename Before>
-double extremeOf(std::span<const Member> members, Before before) {
+double expectedExtreme(std::span<const Member> members, Before before) {
   std::vector<Member> sorted(members.begin(), members.end());
   std::sort(sorted.begin(), sorted.end(), [&](const Member& a, const Member& b) {
     return before(a.value, b.value);
@@ -47,19 +47,19 @@ double extremeOf(std::span<const Member> members, Before before) {
   return expected;
 }
 
-double smallestOf(std::span<const Member> members) {
-  return extremeOf(members, [](double a, double b) { return a < b; });
+double expectedMinimum(std::span<const Member> members) {
+  return expectedExtreme(members, [](double a, double b) { return a < b; });
 }
-double largestOf(std::span<const Member> members) {
-  return extremeOf(members, [](double a, double b) { return a > b; });
+double expectedMaximum(std::span<const Member> members) {
+  return expectedExtreme(members, [](double a, double b) { return a > b; });
 }
 
 /// A statistic along the depth that does not fall because a specimen leaves.
-class Following {
+class StatisticAlongDepth {
  public:
   using Statistic = double (*)(std::span<const Member>);
 
-  explicit Following(Statistic statistic) : statistic_(statistic) {}
+  explicit StatisticAlongDepth(Statistic statistic) : statistic_(statistic) {}
 
   double next(const std::vector<Member>& now) {
     const double value = statistic_(now);
@@ -130,9 +130,9 @@ Envelope specimensOf(std::span<const SpecimenCurve> specimens, const std::vector
 Envelope statisticsOf(std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
   Envelope envelope;
   for (auto* curve : {&envelope.minimum, &envelope.average, &envelope.maximum}) curve->x = places;
-  Following smallest(smallestOf);
-  Following mean(meanOf);
-  Following largest(largestOf);
+  StatisticAlongDepth smallest(expectedMinimum);
+  StatisticAlongDepth mean(meanOf);
+  StatisticAlongDepth largest(expectedMaximum);
   std::vector<Member> members(specimens.size());
   for (std::size_t place = 0; place < places.size(); ++place) {
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -156,9 +156,9 @@ Envelope statisticsOfPresent(
     for (const auto& specimen : specimens) {
       if (place < specimen.curve.size()) members.push_back({specimen.curve.y[place], 1.0});
     }
-    envelope.minimum.y.push_back(smallestOf(members));
+    envelope.minimum.y.push_back(expectedMinimum(members));
     envelope.average.y.push_back(meanOf(members));
-    envelope.maximum.y.push_back(largestOf(members));
+    envelope.maximum.y.push_back(expectedMaximum(members));
   }
   return envelope;
 }

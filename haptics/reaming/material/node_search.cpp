@@ -20,7 +20,7 @@ Nodes evenNodes(std::size_t samples, std::size_t count) {
 }
 
 /// Denser where the curve bends: each piece has the same share of the integral of √|f″|.
-Nodes bentNodes(const NodeError& error, std::size_t count) {
+Nodes nodesByCurvature(const NodeError& error, std::size_t count) {
   const auto& x = error.curve().x;
   const auto& slopes = error.slopes();
   std::vector<double> sum(error.size(), 0.0);
@@ -158,7 +158,7 @@ class Evolution {
     constexpr int kGenerations = 400;
     for (int generation = 0; generation < kGenerations; ++generation) {
       const double weight = 0.3 + 0.6 * random_.uniform();
-      for (auto& member : members_) evolve(member, weight);
+      for (auto& member : members_) mutate(member, weight);
     }
     Nodes nodes = nodesOf(best().places);
     settle(nodes);
@@ -197,7 +197,7 @@ class Evolution {
 
   const Member& any() { return members_[random_.bits() % kMembers]; }
 
-  void evolve(Member& member, double weight) {
+  void mutate(Member& member, double weight) {
     constexpr double kCrossed = 0.7;
     const auto& origin = best().places;
     const auto& one = any().places;
@@ -257,7 +257,7 @@ std::vector<std::size_t> nodesOfLeastError(
   const Nodes starts[]{
       byDynamicProgramming(NodeError(error.curve(), local), count),
       worstFirst(error, count),
-      bentNodes(error, count),
+      nodesByCurvature(error, count),
       evenNodes(error.size(), count)};
   return count > 2 ? Evolution(error, starts).run() : evenNodes(error.size(), count);
 }

@@ -123,7 +123,7 @@ BoneFitReport fitTo(
   const bool isJoint = !torque.isEmpty() && !options.method;
   TorqueRows rows;
   if (isJoint) {
-    if (options.goesOn) options.goesOn("the friction");
+    if (options.onProgress) options.onProgress("the friction");
     rows.levers = experiment.levers();
     rows.friction =
         options.friction ? *options.friction : experiment.friction(force.average, torque.average);
@@ -141,7 +141,7 @@ BoneFitReport fitTo(
   BoneFitReport report;
   report.knowsOptimum = !options.method;
   for (const auto& [name, wanted, wantedTorque, densities] : all) {
-    if (options.goesOn) options.goesOn(std::string("the ") + name + " curve");
+    if (options.onProgress) options.onProgress(std::string("the ") + name + " curve");
     CurveFit curve{
         .curve = name, .depths = places, .wanted = valuesAt(wanted, places), .felt = {}, .fit = {}};
     if (options.method) {

@@ -61,7 +61,7 @@ struct BoneFitOptions {
   std::size_t depths = 400;  ///< of the force; a quarter of them of the torque
   /// μ between reamer and bone, where it is known, >= 0; otherwise it is fitted as well.
   std::optional<double> friction = {};
-  std::function<void(const std::string&)> goesOn = {};  ///< is told what is fitted
+  std::function<void(const std::string&)> onProgress = {};  ///< is told what is fitted
   /// How densities come of the force alone, and friction of them afterwards; empty: fitBone(), of
   /// force and torque.
   DensityMethod method = {};

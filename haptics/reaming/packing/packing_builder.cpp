@@ -104,8 +104,8 @@ class Builder {
 
   /// Places a sphere of at least @p radius wherever there is room. @return false if it was
   /// cancelled.
-  template <typename GoesOn>
-  bool pass(double radius, GoesOn goesOn) {
+  template <typename KeepGoing>
+  bool pass(double radius, KeepGoing keepGoing) {
     ++passes_;
     // A thread writes into the cells of its block and reads one cell beyond. Blocks of one colour
     // are never neighbours, so no thread reads what another writes: no locks, and the same packing
@@ -127,7 +127,7 @@ class Builder {
       for (int i = 1; i < options_.threads; ++i) helpers.emplace_back(work);
       work();
       for (auto& helper : helpers) helper.join();
-      if (!goesOn()) return false;
+      if (!keepGoing()) return false;
     }
     return true;
   }
@@ -339,7 +339,7 @@ bool isFull(Packing& packing, const PackingOptions& options) {
 std::optional<Packing> pack(
     const Solid& body,
     const PackingOptions& options,
-    const std::function<bool(const PackingProgress&)>& goesOn) {
+    const std::function<bool(const PackingProgress&)>& onProgress) {
   if (const auto problem = problemOf(options); !problem.empty()) {
     throw std::invalid_argument(problem);
   }
@@ -349,7 +349,8 @@ std::optional<Packing> pack(
   const double least = options.smallestRadius.value_or(kFinest * largest);
   for (double radius = largest; radius > 0.0;) {
     const PackingProgress progress{packing.spheres.size(), packing.coverage(), radius};
-    if (!builder.pass(radius, [&] { return !goesOn || goesOn(progress); })) return std::nullopt;
+    if (!builder.pass(radius, [&] { return !onProgress || onProgress(progress); }))
+      return std::nullopt;
     packing.spheres = builder.spheres();
     if (isFull(packing, options)) return packing;
     if (radius <= least) break;

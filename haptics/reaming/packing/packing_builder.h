@@ -31,13 +31,13 @@ struct PackingProgress {
 /// looked at by one block of cells, blocks of one colour of eight at a time: the same seed gives
 /// the same packing with any number of threads.
 ///
-/// @param goesOn  is called with the progress; false cancels. May be empty.
+/// @param onProgress  is called with the progress; false cancels. May be empty.
 /// @return std::nullopt if it was cancelled.
 /// @throws std::invalid_argument  if the options are not valid, or the body has no room for what is
 /// asked for, in words.
 std::optional<Packing> pack(
     const Solid& body,
     const PackingOptions& options,
-    const std::function<bool(const PackingProgress&)>& goesOn = {});
+    const std::function<bool(const PackingProgress&)>& onProgress = {});
 
 }  // namespace haptics::reaming

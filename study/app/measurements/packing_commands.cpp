@@ -260,7 +260,7 @@ int fitDensities(DensityCommand& command, const CLI::App& verb) {
   if (isSwarm) origin.material += ", by " + swarmInWords(command);
   bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
   reaming::BoneFitReport report;
-  command.options.goesOn = [](const std::string& what) {
+  command.options.onProgress = [](const std::string& what) {
     fmt::print(stderr, "fitting {}\n", what);
   };
   command.options.method = methodOf(command);

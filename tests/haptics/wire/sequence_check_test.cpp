@@ -41,7 +41,7 @@ TEST(SequenceCheck, CountsWhatIsLostDoubledAndOvertakenOverTheWrap) {
     }
   }
   EXPECT_EQ(check.lost(), lost);
-  EXPECT_EQ(check.doubledOnes(), doubled);
+  EXPECT_EQ(check.duplicates(), doubled);
   EXPECT_EQ(check.late(), late);
   EXPECT_EQ(check.restarts(), 0U);
 }
