@@ -34,7 +34,7 @@ Table blocksOf(const std::string& dataSet) {
   return blocks;
 }
 
-TEST(GoldenBlocks, AreAllReachedToTheirGate) {
+TEST(GoldenBlocks, MatchTheReferenceWithinTheirTolerance) {
   tests::WorstDigits worst("repeated measures");
   const auto gate = [](const std::string& quantity) {
     return quantity.find("_p") == std::string::npos ? 13.0 : 12.0;

@@ -72,7 +72,7 @@ std::string goldenName(analysis::Adjustment method) {
   return std::string(nameOf(method));
 }
 
-TEST(GoldenAdjustments, AreAllReached) {
+TEST(GoldenAdjustments, MatchTheReference) {
   tests::WorstDigits worst("adjusted p values");
 
   int visited = 0;

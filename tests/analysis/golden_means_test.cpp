@@ -54,7 +54,7 @@ Quantities effectsOf(const std::vector<double>& a, const std::vector<double>& b)
   return quantities;
 }
 
-TEST(GoldenEffects, OfTwoSamplesAreReached) {
+TEST(GoldenEffects, OfTwoSamplesMatchTheReference) {
   tests::WorstDigits worst("effect sizes and Bayes factors");
   int visited = 0;
   const auto all = tests::statsJson("golden.json")["two"];
@@ -80,7 +80,7 @@ TEST(GoldenEffects, GiveAReasonForMissingValues) {
   EXPECT_NE(reasonOf("t07_zero_var_both_diff").key(), "");
 }
 
-TEST(GoldenEquivalence, OfTwoSamplesIsReached) {
+TEST(GoldenEquivalence, OfTwoSamplesMatchesTheReference) {
   tests::WorstDigits worst("equivalence");
   int visited = 0;
   const auto all = tests::statsJson("golden.json")["two"];
@@ -127,7 +127,7 @@ Quantities pairedQuantities(const std::vector<double>& x, const std::vector<doub
   return quantities;
 }
 
-TEST(GoldenPairs, AreAllReachedToTheirGate) {
+TEST(GoldenPairs, MatchTheReferenceWithinTheirTolerance) {
   tests::WorstDigits worst("pairs");
   const auto gate = [](const std::string& quantity) {
     return quantity.starts_with("ci") ? 12.0 : gateOf(quantity);

@@ -82,7 +82,7 @@ void addSignedRank(Quantities& quantities, const std::string& name, const std::v
   quantities[name + "_rank_biserial"] = result.rankBiserial;
 }
 
-TEST(GoldenPairs, AreAllReachedToTheirGate) {
+TEST(GoldenPairs, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["pair"];
   tests::WorstDigits worst("signed ranks");
   for (const auto& [dataSet, truth] : golden.items()) {
@@ -129,7 +129,7 @@ Quantities rankQuantities(const std::vector<double>& a, const std::vector<double
   return quantities;
 }
 
-TEST(GoldenRankSums, AreAllReachedToTheirGate) {
+TEST(GoldenRankSums, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["two"];
   tests::WorstDigits worst("rank sums");
   for (const auto& [dataSet, truth] : golden.items()) {
@@ -143,7 +143,7 @@ TEST(GoldenRankSums, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 15 * 16 - 2 * 4 - 4 * 5);
 }
 
-TEST(GoldenBlocks, AreAllReachedToTheirGate) {
+TEST(GoldenBlocks, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["block"];
   tests::WorstDigits worst("Friedman");
   int pairs = 0;
@@ -173,7 +173,7 @@ TEST(GoldenBlocks, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 4 * 6 + 3 - 1 + pairs);  // three exact p; one F is infinite
 }
 
-TEST(GoldenVotes, AreAllReachedToTheirGate) {
+TEST(GoldenVotes, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["counts"];
   tests::WorstDigits worst("votes and their intervals");
   const auto all = tests::statsJson("counts.json");

@@ -102,7 +102,7 @@ void compare(
   }
 }
 
-TEST(GoldenTwoSamples, AreAllReachedToTheirGate) {
+TEST(GoldenTwoSamples, MatchTheReferenceWithinTheirTolerance) {
   const auto golden = tests::statsJson("golden.json")["two"];
   tests::WorstDigits worst("two samples");
 
@@ -170,7 +170,7 @@ std::vector<double> unfolded(const analysis::LikertCounts& counts) {
   return values;
 }
 
-TEST(GoldenMillion, IsReachedFromCountsAndFromValues) {
+TEST(GoldenMillion, MatchesTheReferenceFromCountsAndFromValues) {
   const auto recipe = tests::statsJson("big.json")["sets"].at(0);
   const auto golden = tests::statsJson("golden.json")["big"]["big_1e6"];
   const auto a = generated(recipe["a"]);

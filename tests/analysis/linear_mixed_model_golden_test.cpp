@@ -73,7 +73,7 @@ class StudyGolden : public testing::TestWithParam<std::pair<const char*, const c
   }
 };
 
-TEST_P(StudyGolden, IsReachedByTheFixedEffects) {
+TEST_P(StudyGolden, FixedEffectsMatchTheReference) {
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -85,7 +85,7 @@ TEST_P(StudyGolden, IsReachedByTheFixedEffects) {
   }
 }
 
-TEST_P(StudyGolden, IsReachedByVariancesAndLogLikelihood) {
+TEST_P(StudyGolden, VariancesAndLogLikelihoodMatchTheReference) {
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -100,7 +100,7 @@ TEST_P(StudyGolden, IsReachedByVariancesAndLogLikelihood) {
   check("log likelihood", model.fit.logLikelihood, logLikelihood, 11.0);
 }
 
-TEST_P(StudyGolden, IsReachedByThePairsOfMethods) {
+TEST_P(StudyGolden, DifferencesOfMethodsMatchTheReference) {
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json")[key + "_pairs_holm"];

@@ -31,7 +31,7 @@ std::string said(const Instrument& instrument) {
   return problems.all().empty() ? "nothing" : describe({problems.all().front()});
 }
 
-TEST(ProblemsOf, ASoundInstrumentAreNone) {
+TEST(ProblemsOf, AValidInstrumentAreEmpty) {
   EXPECT_EQ(said(sound()), "nothing");
 }
 

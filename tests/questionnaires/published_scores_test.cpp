@@ -164,14 +164,14 @@ TEST(Sus, CountsAMissingAnswerAsTheMiddle) {
   }
 }
 
-TEST(Sus, IsNothingWhereFewerThanHalfAreThere) {
+TEST(Sus, IsUndefinedIfFewerThanHalfAreAnswered) {
   EXPECT_TRUE(scoreOf(kSus, "sus", given(kSus, {5, 1, 5, 1, 5})).has_value());
   const auto result = computeScore(kSus, *kSus.score("sus"), given(kSus, {5, 1, 5, 1}));
   EXPECT_FALSE(result.value.has_value());
   EXPECT_EQ(result.reason, "4 of 10 items were answered; this score needs 5");
 }
 
-TEST(Sus, LearnsFromItemsFourAndTen) {
+TEST(Sus, HasLearnabilityFromItemsFourAndTen) {
   EXPECT_EQ(numbersOf(kSus, "learnability"), (std::set<int>{4, 10}));
   EXPECT_EQ(numbersOf(kSus, "usability"), (std::set<int>{1, 2, 3, 5, 6, 7, 8, 9}));
   const auto answers = given(kSus, {5, 1, 5, 5, 5, 1, 5, 1, 5, 5});
@@ -204,7 +204,7 @@ TEST(Ueq, IsThreeWhereThePositiveWordIsChosenThroughout) {
   for (const auto& score : kUeq.scores) EXPECT_EQ(scored(kUeq, score, all(kUeq, 4)), 0.0);
 }
 
-TEST(Ueq, WarnsOfWhoAlwaysTicksTheSamePoint) {
+TEST(Ueq, WarnsIfEveryAnswerIsTheSamePoint) {
   // Every scale has positive words on both sides: 7 and 8 - 7 lie 6 apart.
   const auto finding = consistencyOf(kUeq, all(kUeq, 7));
   ASSERT_TRUE(finding.has_value());
@@ -213,7 +213,7 @@ TEST(Ueq, WarnsOfWhoAlwaysTicksTheSamePoint) {
   EXPECT_NE(finding->warning.find("in 6 of 6 scales"), std::string::npos);
 }
 
-TEST(Ueq, TrustsWhoContradictsThemselvesInTwoScalesOnly) {
+TEST(Ueq, AcceptsContradictionsInTwoScales) {
   auto answers = all(kUeq, 4);
   answers[0].response = std::int64_t{7};  // attractiveness: 7 and 3, 4 apart
   answers[13].response = std::int64_t{3};
@@ -243,7 +243,7 @@ TEST(Ipq, HasFourMeansAndNoTotal) {
   EXPECT_EQ(scoreOf(kIpq, "experienced-realism", answers), 4.5);  // (0 + 3·6) / 4
 }
 
-TEST(SlaterUsohSteed, HasAMeanAndACountOfSixAndSeven) {
+TEST(SlaterUsohSteed, GivesTheMeanAndTheNumberOfAnswersOfSixOrSeven) {
   const auto answers = given(kPresence, {7, 6, 5, 1, 6, 2});
   EXPECT_EQ(scoreOf(kPresence, "presence-mean", answers), 4.5);
   EXPECT_EQ(scoreOf(kPresence, "presence-count", answers), 3.0);

@@ -100,7 +100,7 @@ TEST(AnswerProbability, IsTheMeanOverTheRandomIntercepts) {
   EXPECT_NEAR(at(0.7, 5.0) + at(-0.7, 5.0), 1.0, 1e-13);
 }
 
-TEST(AnswerProbability, TakesALevelThatNobodyAnsweredForTheNextAbove) {
+TEST(AnswerProbability, UsesTheNextLevelAboveIfALevelHasNoAnswers) {
   const auto fit = known(0.3, 1.0);
   const auto probability = [&](int level) { return answerProbability(fit, level, kIntercept); };
   EXPECT_EQ(probability(3).value().probability, probability(4).value().probability);
@@ -144,7 +144,7 @@ class StudyProbability : public testing::TestWithParam<std::pair<const char*, co
 };
 
 // R: ordinal::clm and emmeans, at the cut 3|4
-TEST_P(StudyProbability, IsReachedWithoutRandomIntercepts) {
+TEST_P(StudyProbability, MatchesTheReferenceWithoutRandomIntercepts) {
   const auto answers = tests::studyAnswers(GetParam().first);
   FixedEffects fixed(answers.scores.size());
   fixed.add(answers.method);
@@ -156,7 +156,7 @@ TEST_P(StudyProbability, IsReachedWithoutRandomIntercepts) {
 }
 
 // R: ordinal::clmm, integrate() and numDeriv::grad()
-TEST_P(StudyProbability, IsReachedWithRandomIntercepts) {
+TEST_P(StudyProbability, MatchesTheReferenceWithRandomIntercepts) {
   const auto answers = tests::studyAnswers(GetParam().first);
   FixedEffects fixed(answers.scores.size());
   fixed.add(answers.method);

@@ -55,7 +55,7 @@ class StudyOrdinal : public testing::TestWithParam<std::pair<const char*, const 
   }
 };
 
-TEST_P(StudyOrdinal, IsReachedWithRandomIntercepts) {
+TEST_P(StudyOrdinal, MatchesTheReferenceWithRandomIntercepts) {
   const auto answers = tests::studyAnswers(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -79,7 +79,7 @@ TEST_P(StudyOrdinal, IsReachedWithRandomIntercepts) {
   check("log likelihood", result.fit->logLikelihood, logLikelihood, 8.0);
 }
 
-TEST_P(StudyOrdinal, IsReachedWithoutRandomIntercepts) {
+TEST_P(StudyOrdinal, MatchesTheReferenceWithoutRandomIntercepts) {
   const auto answers = tests::studyAnswers(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");

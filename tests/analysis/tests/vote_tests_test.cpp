@@ -94,7 +94,7 @@ TEST(McNemarTest, HasThePublishedChiSquaredOfApproval) {
   EXPECT_NEAR(result.pAsymptotic.value(), std::erfc(std::sqrt(2048.0 / 236.0)), 1e-18);
 }
 
-TEST(McNemarTest, GivesAReasonIfNobodyChanged) {
+TEST(McNemarTest, GivesAReasonIfNoAnswerChanged) {
   EXPECT_EQ(mcNemarTest(0, 0).reason.key(), "nobody_changed");
   EXPECT_FALSE(mcNemarTest(std::uint64_t{1} << 40, 1).p.has_value());
   EXPECT_EQ(mcNemarTest(0, 5000).reason.key(), "p_too_small");

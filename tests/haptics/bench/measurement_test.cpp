@@ -78,7 +78,7 @@ TEST(Measurement, IsWithinItsBoundOnlyWithAnErrorThatIsANumber) {
   EXPECT_FALSE(isWithin(std::nullopt, 1.0));
 }
 
-TEST(Encoders, ChangeTheForcesAsExpected) {
+TEST(Encoders, ChangeTheForcesByTheExpectedAmount) {
   std::map<std::string, double> found;
   measureEncoders({.report = [&](const Measurement& m) {
     found[m.setting + "/" + m.method + "/" + std::to_string(m.parameter)] = *m.error;

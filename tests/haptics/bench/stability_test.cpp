@@ -19,26 +19,26 @@ void expectAllPassed(void (*sweep)(double, StabilityResult&)) {
   }
 }
 
-TEST(Stability, OfFiniteElements) {
+TEST(Stability, HoldsForFiniteElements) {
   expectAllPassed(sweepFiniteElements);
 }
-TEST(Stability, OfTheFilter) {
+TEST(Stability, HoldsForTheFilter) {
   expectAllPassed(sweepFilter);
 }
-TEST(Stability, OfSplines) {
+TEST(Stability, HoldsForSplines) {
   expectAllPassed(sweepSplines);
 }
-TEST(Stability, OfWalls) {
+TEST(Stability, HoldsForWalls) {
   expectAllPassed(sweepWalls);
 }
-TEST(Stability, AtOddRates) {
+TEST(Stability, HoldsAtOddRates) {
   expectAllPassed(sweepRates);
 }
-TEST(Stability, WithBadInput) {
+TEST(Stability, HoldsWithBadInput) {
   expectAllPassed(sweepBadInput);
 }
 
-TEST(Stability, WithBadInputOfAnyLength) {
+TEST(Stability, HoldsWithBadInputOfAnyLength) {
   // 4,000 to 20,000 ticks, so that whose turn it is in paper-text differs at their end.
   for (const double effort : {0.02, 0.021, 0.03, 0.1}) {
     StabilityResult result;

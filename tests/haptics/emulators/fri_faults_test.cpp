@@ -158,7 +158,7 @@ TEST_F(FriFaults, WrongVersionCannotBeReadUntilItIsTakenBack) {
   EXPECT_EQ(seen().malformed, 5U);
 }
 
-TEST_F(FriFaults, SpoilOneMessageEachWhenSeveralAreOrdered) {
+TEST_F(FriFaults, DamageOneMessageEachWhenSeveralAreOrdered) {
   for (const auto* line : {"drop 1", "damage 1", "six-joints 2", "nan 2", "reorder 1"}) {
     session_.order(line);
   }

@@ -138,7 +138,7 @@ TEST(SurgeonHand, AllocatesNothingOnAnArm) {
   EXPECT_EQ(allocations.count(), 0U);
 }
 
-TEST(SurgeonHand, DoesNotPoisonAnArm) {
+TEST(SurgeonHand, LeavesAnArmFiniteIfItsForceIsNaN) {
   IiwaArm arm = aFreeArm();
   SteadyHand push(std::numeric_limits<double>::quiet_NaN());
   SurgeonHand hand(gripOf(arm), push);

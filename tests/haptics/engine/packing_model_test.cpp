@@ -99,7 +99,7 @@ TEST(RemovalModel, IsReamedByAHand) {
   EXPECT_GT(deepest[2], deepest[0]);  // every stroke gets further
 }
 
-TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
+TEST(CompiledScene, KeepsOnlyThePartsOfABoneThatItNeeds) {
   const auto partsOf = [](const SceneSpec& scene) {
     std::string in;
     const CompiledScene compiled(scene);

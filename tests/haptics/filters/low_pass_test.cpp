@@ -71,7 +71,7 @@ TEST(Spectrum, ShowsALineAtItsPlaceWithItsAmplitude) {
   EXPECT_NEAR(spectrum.amplitude[highest], 3.0, 0.1);
 }
 
-TEST(Spectrum, IsNoTrapForAPrimeNumberOfSamples) {
+TEST(Spectrum, PadsAPrimeNumberOfSamples) {
   // 199,999 is prime: its own Fourier transform would take minutes, a padded one milliseconds.
   const auto samples = sine(1.0, 199'999);
   const auto spectrum = spectrumOf(samples, kRate, CutoffRule::Plain);

@@ -154,7 +154,7 @@ TEST(FirmwareModels, AgreeWithEachOther) {
   EXPECT_LE(std::sqrt(sum / static_cast<double>(single.size())), 0.15);  // [N]
 }
 
-TEST(FirmwareModels, HaveTheCutOfOurOwnMaking) {
+TEST(FirmwareModels, HaveTheParametricCut) {
   const auto cut = recordings::parametricCut();
   std::vector<models::CurveNode<double>> nodes;
   for (const auto& point : cut.curve.nodes()) nodes.push_back({point.travel, point.force});

@@ -404,7 +404,7 @@ Detector::Cut cutAlong(const std::vector<Sample>& corners, const Detector::Param
   return detector.lastCut();
 }
 
-TEST(CutDetector, BelievesALoadThatIsLostOnTheWayOnlyWhereItMay) {
+TEST(CutDetector, FindsNoYieldThatLosesTooMuchOfItsLoad) {
   EXPECT_TRUE(cutAlong(kBlow).yield.found);
   const auto cut = cutAlong(kBlow, {.yieldKeeps = 0.25});
   EXPECT_FALSE(cut.yield.found);
@@ -412,7 +412,7 @@ TEST(CutDetector, BelievesALoadThatIsLostOnTheWayOnlyWhereItMay) {
   EXPECT_TRUE(cut.interception.found);
 }
 
-TEST(CutDetector, BelievesASmallLoadOnlyWhereItMay) {
+TEST(CutDetector, FindsNoYieldBelowTheLeastLoad) {
   EXPECT_TRUE(cutAlong(kPaper).yield.found);
   const auto cut = cutAlong(kPaper, {.yieldLoad = 3.0});
   EXPECT_FALSE(cut.yield.found);

@@ -121,7 +121,7 @@ TEST(CutImport, IsNamedAfterItsFileByDefault) {
   EXPECT_EQ(importCut(made()).cut.name, "made");
 }
 
-TEST(CutImport, ReadsLessByTheRecordersOwnCubic) {
+TEST(CutImport, GivesSmallerForcesByTheRecordersOwnCalibration) {
   const double paper = importCut(made()).report.survey.maxForce;
   const double recorder = importCut(made(), {.calibration = recorder2021()}).report.survey.maxForce;
   EXPECT_LT(recorder, 0.9 * paper);
@@ -133,7 +133,7 @@ TEST(CutImport, WarnsOfAClippedPeak) {
   expectMentions(imported.report.changes.at(imported.report.changes.size() - 2), "more than 869");
 }
 
-TEST(CutImport, PassesOverClippedAndIncompleteClosuresUnasked) {
+TEST(CutImport, SkipsClippedAndIncompleteClosuresByDefault) {
   const ImportedCut imported = importCut(made({.scales = {2.5, 1.0}, .beginsClosed = true}));
   EXPECT_EQ(imported.report.survey.closures.size(), 3U);  // the first begins with the recording
   EXPECT_EQ(imported.report.closures, std::vector<std::size_t>{3});
@@ -185,7 +185,7 @@ TEST(CutImport, ReportsRowsThatDoNotClose) {
       "Rows 320 to 480 are no closing hand (their travel does not rise): choose other rows.");
 }
 
-TEST(CutImport, RefusesContradictoryWishes) {
+TEST(CutImport, RefusesContradictoryOptions) {
   const Recording recording = made();
   EXPECT_THROW(
       importCut(recording, {.closures = {1}, .rows = RowRange{1, 9}}), std::invalid_argument);

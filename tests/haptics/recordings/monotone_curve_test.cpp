@@ -39,7 +39,7 @@ TEST(MonotoneCurve, MergesAHandThatGoesBackIntoItsMean) {
   EXPECT_EQ(made.merged, 3U);
 }
 
-TEST(MonotoneCurve, IsAnyTrembleTurnedIntoACurve) {
+TEST(MonotoneCurve, TurnsAnyTremblingIntoARisingCurve) {
   std::mt19937 random(5);
   std::normal_distribution<double> tremble(0.0, 0.3);
   Points samples;

@@ -112,7 +112,7 @@ TEST_P(PublishedRecording, HasTheClosuresThatWereMeasured) {
   }
 }
 
-TEST_P(PublishedRecording, ShowsItsLandmarksInSound) {
+TEST_P(PublishedRecording, HasTheMeasuredNumberOfLandmarks) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
   const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});

@@ -185,7 +185,7 @@ TEST(Reproduction, FindsTheLandmarksOfTheReferenceCut) {
   EXPECT_FALSE(found.opening);  // the 76 rows end before the hand opens
 }
 
-TEST(Reproduction, ChoosesTheAuthorsOwnCutUnasked) {
+TEST(Reproduction, ChoosesTheAuthorsCutByDefault) {
   SKIP_WITHOUT_FETCHED_DATA(kWhole);
   const ImportReport report = importCut(readRecordingFile(tests::fetchedData(kWhole))).report;
   ASSERT_EQ(report.rows.size(), 1U);

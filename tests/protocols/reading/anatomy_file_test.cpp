@@ -120,7 +120,7 @@ TEST(AnatomyFile, NamesTheReasonWhenItRefusesAMesh) {
   EXPECT_TRUE(says(complaintAbout("o tibia\nv 0 0 0\nv 0 30 0\nl 1 2\n"), "triangle"));
 }
 
-TEST(AnatomyFile, RefusesNumbersThatAreNone) {
+TEST(AnatomyFile, RefusesNumbersThatAreNotFinite) {
   const auto sound = square("tibia", 60, 2);
   EXPECT_TRUE(says(
       complaintAbout(tests::with(sound, "v -30 -2 30\n", "v -30 nan 30\n")), "lies at no number"));
@@ -189,7 +189,7 @@ TEST(AnatomyOfAProtocol, HasItsProblemsAtItsPlace) {
   EXPECT_TRUE(says(none.describe(), "there is no file 'hip.obj'"));
 }
 
-TEST(AnatomyOfAProtocol, IsAdvisedOn) {
+TEST(AnatomyOfAProtocol, IsWarnedOf) {
   const auto find = [](const std::string&) { return std::optional(square("tibia", 60, 2)); };
   const auto other = tests::load(seeing("one.obj", "other.obj"), find);
   ASSERT_TRUE(other.loaded) << other.describe();

@@ -127,7 +127,7 @@ TEST(CutFile, RefusesWhatIsNoCurve) {
   expectRefused(cut, "$", "'curve' is missing");
 }
 
-TEST(CutFile, RefusesNumbersThatAreNone) {
+TEST(CutFile, RefusesNumbersThatAreNotFinite) {
   auto cut = soundCut();
   cut["curve"][1]["force_n"] = "4";
   expectRefused(cut, "$.curve[1].force_n", "a number is expected here");

@@ -33,7 +33,7 @@ std::string mine() {
   return tests::with(tests::corpusText("good", "instruments/comfort"), "\"comfort\"", "\"mine\"");
 }
 
-TEST(Draft, DoesNotMissAnInstrumentOfAMissingFile) {
+TEST(Draft, ReportsNoMissingInstrumentIfItsFileIsMissing) {
   EXPECT_EQ(
       saidAbout(askingMine(R"(["mine.json"])")),
       Words{"$.instrument_files[0]: there is no file 'mine.json'"});
@@ -79,7 +79,7 @@ TEST(Draft, MakesNoModelOfParametersThatCouldNotBeRead) {
       saidAbout(text), Words{"$.conditions[1].scene.parameters.colour: unknown key 'colour'"});
 }
 
-TEST(Draft, MissesNoBlockThatMayBeAPhaseOfNoReadableType) {
+TEST(Draft, ReportsNoMissingBlockIfAPhasesTypeCannotBeRead) {
   const auto text = tests::withPhases(
       {R"({"id": "seen", "type": "blok", "conditions": ["soft", "firm"]})",
        R"({"id": "best", "type": "preference", "instrument": "preference", "block": "seen"})",
@@ -88,7 +88,7 @@ TEST(Draft, MissesNoBlockThatMayBeAPhaseOfNoReadableType) {
   EXPECT_EQ(saidAbout(text), Words{"$.phases[2].type: unknown word 'blok'"});
 }
 
-TEST(Draft, MissesNoConditionOrDeviceThatHasNoReadableName) {
+TEST(Draft, ReportsNoMissingConditionOrDeviceIfANameCannotBeRead) {
   const auto text = tests::with(tests::usualProtocol(), R"("id": "firm")", R"("id": "fi rm")");
   EXPECT_EQ(saidAbout(text), Words{"$.conditions[1].id: 'fi rm' cannot be an id"});
   const auto other = tests::with(tests::usualProtocol(), R"("kind": "punch")", R"("kind": "pnch")");

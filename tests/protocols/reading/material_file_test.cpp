@@ -49,7 +49,7 @@ TEST(MaterialFile, ComesBackAsItWas) {
   EXPECT_FALSE(material->sets[0].torque.isEmpty());
 }
 
-TEST(MaterialFile, CallsTheMiddleSpecimenByItsName) {
+TEST(MaterialFile, WritesTheMiddleSpecimenUnderItsOwnKey) {
   std::vector<reaming::Series> series;
   for (const double hardness : {0.2, 0.5, 0.9}) {
     series.push_back(reaming::syntheticSeries({.hardness = hardness, .seed = 1}));

@@ -95,7 +95,7 @@ TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
   }
 }
 
-TEST(ProtocolFile, TakesWhatIsSound) {
+TEST(ProtocolFile, ReadsValidProtocols) {
   for (const auto& name : tests::corpusNames("good")) {
     const auto reading = read("good", name);
     EXPECT_TRUE(reading.loaded.has_value()) << name << "\n" << describe(reading.problems);
@@ -165,7 +165,7 @@ TEST(ProtocolFile, ReportsAllProblemsAtOnce) {
   EXPECT_EQ(places, expected);
 }
 
-TEST(ProtocolFile, OffersAMendForEveryProblemButOfTypesThatSpeakForThemselves) {
+TEST(ProtocolFile, OffersAFixForEveryProblemExceptWrongTypes) {
   const std::vector<std::string> clear{"a number is expected here", "true or false is expected"};
   for (const auto& [kind, refusals] :
        {std::pair{"bad", structuralRefusals()}, std::pair{"semantic", tests::semanticRefusals()}}) {

@@ -62,7 +62,7 @@ TEST(BlockWarnings, WarnsOfOneOrderForAll) {
   EXPECT_EQ(warningsOf(ordered("fixed", 8)), expected);
 }
 
-TEST(BlockWarnings, HasNothingAgainstAFixedOrderOfOne) {
+TEST(BlockWarnings, DoesNotWarnOfAFixedOrderOfOneCondition) {
   const auto text = tests::withPhases(
       {R"({"id": "alone", "type": "block", "conditions": ["soft"], "order": {"type": "fixed"},
            "minimum_cuts": 1})"});
@@ -109,13 +109,13 @@ TEST(BlockWarnings, SaysNothingOfBalanceWhereOrdersAreDrawnOrNoneIsPlanned) {
   EXPECT_EQ(warningsOf(ordered("complete", 0)), Words{});
 }
 
-TEST(BlockWarnings, MissesThePreviousCutWhereAnyConditionMayComeFirst) {
+TEST(BlockWarnings, WarnsOfNoPreviousCutWhereAnyConditionMayComeFirst) {
   EXPECT_EQ(
       warningsOf(published("latinSquare", R"({"soft": "1", "firm": "2"})")),
       (Words{lacksPrevious("2.3", "firm"), kUnlike}));
 }
 
-TEST(BlockWarnings, MissesThePreviousCutOfTheFirstConditionOnlyInAFixedOrder) {
+TEST(BlockWarnings, WarnsThatTheFirstConditionHasNoPreviousCutOnlyInAFixedOrder) {
   const std::string same = "$.phases[2].order: everybody feels this block in the same order";
   EXPECT_EQ(
       warningsOf(published("fixed", R"({"soft": "1", "firm": "2"})")), (Words{same, kUnlike}));
@@ -124,7 +124,7 @@ TEST(BlockWarnings, MissesThePreviousCutOfTheFirstConditionOnlyInAFixedOrder) {
       (Words{lacksPrevious("2.3", "soft"), same, kUnlike}));
 }
 
-TEST(BlockWarnings, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed) {
+TEST(BlockWarnings, WarnsThatTheLastConditionHasNoPreviousCutWhereAnOrderIsReversed) {
   const auto text = tests::with(
       published("fixed", R"({"soft": "1", "firm": "2"})"),
       "\n  ],\n  \"analysis\"",
@@ -143,7 +143,7 @@ TEST(BlockWarnings, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed
           "$.phases[2].order: everybody feels this block in the same order", expected, kUnlike}));
 }
 
-TEST(BlockWarnings, HasNothingAgainstTheSameStatementsAfterEveryCondition) {
+TEST(BlockWarnings, DoesNotWarnOfTheSameStatementsAfterEveryCondition) {
   EXPECT_EQ(warningsOf(published("random", R"({"soft": "1", "firm": "1"})")), Words{});
 }
 
@@ -167,7 +167,7 @@ TEST(BlockWarnings, LooksAtTheBlocksOfAFamilyOnly) {
   for (const auto& words : warningsOf(text)) EXPECT_EQ(words.find("$.analysis"), std::string::npos);
 }
 
-TEST(BlockWarnings, MissesAPlanOfAnalysis) {
+TEST(BlockWarnings, WarnsOfAMissingPlanOfAnalysis) {
   const auto whole = tests::usualProtocol();
   const auto text = whole.substr(0, whole.find(",\n  \"analysis\"")) + "\n}";
   EXPECT_EQ(warningsOf(text), Words{"$.analysis: no family of comparisons is declared"});
@@ -182,7 +182,7 @@ TEST(BlockWarnings, WarnsOfAConfirmatoryTestOfPooledAnswers) {
   EXPECT_EQ(problem.fix, message("pooled_answers.fix"));
 }
 
-TEST(BlockWarnings, HasNothingAgainstTestsOfParticipantsMeans) {
+TEST(BlockWarnings, DoesNotWarnOfTestsOfParticipantsMeans) {
   for (const auto* test : {"paired_t", "sign_flip", "signed_rank"}) {
     EXPECT_EQ(warningsOf(tests::with(tests::usualProtocol(), "paired_t", test)), Words{}) << test;
   }

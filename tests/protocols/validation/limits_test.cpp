@@ -28,12 +28,12 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Limits, OfShippedProtocolsAreBearable) {
+TEST(Limits, OfShippedProtocolsAreAllowed) {
   EXPECT_TRUE(has(verdict("8", "500"), "usable "));
   EXPECT_FALSE(has(verdict("8", "500"), "max_force"));
 }
 
-TEST(Limits, ThatNoHandStandsAreErrorsWithTheSourceOfTheBound) {
+TEST(Limits, TooLargeForAHandAreErrorsWithTheSourceOfTheBound) {
   const auto said = verdict("1000", "500");
   EXPECT_TRUE(has(said, "refused ")) << said;
   EXPECT_TRUE(has(said, "ISO/TS 15066:2016, table A.2")) << said;

@@ -57,7 +57,7 @@ std::string askingMine() {
       text, "\"conditions\": [\n", "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
 }
 
-TEST(ProtocolWarnings, HasNothingToSayWhereAllIsWell) {
+TEST(ProtocolWarnings, GivesNoWarningForAGoodProtocol) {
   EXPECT_EQ(warningsOf(tests::usualProtocol()), Words{});
 }
 
@@ -99,7 +99,7 @@ TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAnOwnFile) {
       "must give it a predecessor: whatever is felt first has none");
 }
 
-TEST(ProtocolWarnings, MissesTextsInALanguageOfTheStudy) {
+TEST(ProtocolWarnings, WarnsOfTextsThatALanguageLacks) {
   auto text = tests::with(tests::usualProtocol(), R"(["en"])", R"(["en", "de"])");
   text = tests::with(
       text, R"({ "policy": "random" })", R"({ "policy": "random", "prefix": {"en": "Variant"} })");
@@ -109,7 +109,7 @@ TEST(ProtocolWarnings, MissesTextsInALanguageOfTheStudy) {
             "\"…\""});
 }
 
-TEST(ProtocolWarnings, MissesTheUsualLabelInALanguageOfTheStudy) {
+TEST(ProtocolWarnings, WarnsOfALanguageWithoutTheUsualLabel) {
   const auto said = warningsOf(tests::with(tests::usualProtocol(), R"(["en"])", R"(["en", "nb"])"));
   ASSERT_EQ(said.size(), 1U);
   EXPECT_TRUE(said[0].starts_with("$.labels.prefix: there is no text in 'nb'"));
@@ -142,7 +142,7 @@ TEST(ProtocolWarnings, NamesATextForWhichThereIsNoBlank) {
       Words{"$.texts.x: no text has the blank [[x]]; remove it, or correct the name"});
 }
 
-TEST(ProtocolWarnings, MissesALanguageOfTheStudyInAnInstrument) {
+TEST(ProtocolWarnings, WarnsOfALanguageThatAnInstrumentLacks) {
   auto text = tests::with(askingMine(), R"(["en"])", R"(["en", "de"])");
   text = tests::with(
       text,

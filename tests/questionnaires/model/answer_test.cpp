@@ -97,7 +97,7 @@ TEST_F(UnansweredTest, TakesNoEmptyAnswerForAnAnswer) {
   EXPECT_EQ(unanswered(items_, empty), (Texts{"a", "b", "c"}));
 }
 
-TEST_F(UnansweredTest, IsContentWithAnswers) {
+TEST_F(UnansweredTest, ReportsNothingIfAllIsAnswered) {
   const std::vector<Answer> given{{"c", Texts{"x"}}, {"a", std::int64_t{1}}, {"b", "yes"}};
   EXPECT_TRUE(unanswered(items_, given).empty());
 }

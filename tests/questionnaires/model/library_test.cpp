@@ -23,7 +23,7 @@ using tests::isInstrument;
 using tests::shipped;
 using tests::visibleTexts;
 
-TEST(Library, IsWhatLiesInItsFolder) {
+TEST(Library, HoldsTheFilesOfItsFolder) {
   std::set<std::string> onDisk;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     onDisk.insert(entry.path().filename().string());

@@ -8,13 +8,13 @@
 namespace questionnaires {
 namespace names_test {
 
-TEST(IsSoundId, TakesWhatFilesAndColumnsTake) {
+TEST(IsSoundId, AcceptsWhatFileAndColumnNamesAllow) {
   for (const auto* id : {"a", "1.1", "realism-common", "A_b", "9"})
     EXPECT_TRUE(isSoundId(id)) << id;
   EXPECT_TRUE(isSoundId(std::string(64, 'x')));
 }
 
-TEST(IsSoundId, RefusesWhatTheyDoNot) {
+TEST(IsSoundId, RefusesWhatFileAndColumnNamesDoNotAllow) {
   for (const auto* id : {"", ".a", "-a", "_a", "a b", "a/b", "a,b", "ä", "a\n", "../a"}) {
     EXPECT_FALSE(isSoundId(id)) << id;
   }

@@ -26,7 +26,7 @@ std::vector<Answer> given(std::int64_t a, std::int64_t b, std::int64_t c, std::i
   return {{"a", a}, {"b", b}, {"c", c}, {"d", d}};
 }
 
-TEST(Consistency, HasNothingToSayWithoutARule) {
+TEST(Consistency, ReportsNothingWithoutARule) {
   EXPECT_FALSE(consistencyOf(Instrument{}, {}).has_value());
 }
 
@@ -51,7 +51,7 @@ TEST(Consistency, WarnsFromSoManyContradictionsOn) {
   EXPECT_EQ(two->warning.find("in 2 of 2 scales the answers lie more than 3 apart"), 0U);
 }
 
-TEST(Consistency, ContradictsNothingWithFewerThanTwoAnswers) {
+TEST(Consistency, FindsNoContradictionInFewerThanTwoAnswers) {
   EXPECT_TRUE(consistencyOf(twoScales(), {{"a", std::int64_t{7}}})->contradictory.empty());
   EXPECT_TRUE(consistencyOf(twoScales(), {})->contradictory.empty());
 }

@@ -57,7 +57,7 @@ TEST(RawTlx, IsAHundredWhereEverySliderIs) {
   EXPECT_EQ(scoreOf(tlx, "workload", all(tlx, 100.0)), 100.0);
 }
 
-TEST(RawTlx, LetsAFailureCountAsWork) {
+TEST(RawTlx, CountsFailureAsWorkload) {
   const auto& tlx = tests::shipped().at("nasa-tlx-raw");
   auto answers = all(tlx, 0.0);
   answers[3] = {"performance", 60.0};

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiler{"WrongVersionOf2", "wrong-version", Version::V2_7}),
     [](const auto& spoiler) { return std::string(spoiler.param.name); });
 
-TEST_P(IiwaSpoiledTest, IsNotActedUponAndEndsAsAFaultWhereItLasts) {
+TEST_P(IiwaSpoiledTest, DamagedMessagesAreIgnoredAndEndAsAFaultWhereTheyLast) {
   connect(settings(GetParam().version));
   work(10.0);
   const auto before = report();

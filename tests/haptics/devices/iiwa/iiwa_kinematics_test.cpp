@@ -63,7 +63,7 @@ double errorOf(const Pose& pose, const Eigen::Vector3d& position) {
   return (pose.position - position).norm();
 }
 
-TEST(IiwaModel, HasTheReachOfItsName) {
+TEST(IiwaModel, ReachesTheDistanceInItsName) {
   // From A2 to the wrist's centre: 800 mm and 820 mm.
   const auto reach = [](IiwaModel model) {
     return propertiesOf(model).shoulderToElbow + propertiesOf(model).elbowToWrist;

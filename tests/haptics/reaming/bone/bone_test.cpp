@@ -189,7 +189,7 @@ TEST(Bone, IsWholeAgainAfterAReset) {
   EXPECT_EQ(again.force.z, first.force.z);
 }
 
-TEST(Bone, SaysNothingToADeviceThatBeganInside) {
+TEST(Bone, GivesNoForceToADeviceThatStartsInside) {
   Bone bone(cup(), alike(), options());
   const auto plunge = plungeInto(bone.field(), 0.026);
   for (int i = 0; i < 200; ++i) ASSERT_FALSE(bone.step(plunge.at(0.008), kTick).isDefined);
@@ -216,7 +216,7 @@ TEST(Bone, StaysSoundWithAnyMotionOfTheDevice) {
   }
 }
 
-TEST(Bone, StandsDensitiesOfNothingAndOfSteel) {
+TEST(Bone, StaysFiniteForDensitiesOfZeroAndOfSteel) {
   Experiment nothing(options(), 0.0);
   EXPECT_LT(length(nothing.to(0.008, 0.01).force), options().cuttingDamping * 0.0101);
   Experiment steel(options(), 1e12);

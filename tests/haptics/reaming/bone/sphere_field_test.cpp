@@ -145,7 +145,7 @@ TEST(SphereField, RipplesLessWithMoreSpheres) {
   EXPECT_LT(many, few);
 }
 
-TEST(SphereField, TouchesNothingFromNowhereAndAllocatesNothing) {
+TEST(SphereField, GivesNoForceAtPositionsThatAreNotFiniteAndAllocatesNothing) {
   const auto packing = *pack(Acetabulum(), {.count = 2000});
   const SphereField field(packing, alike(packing, 1e5));
   const double nan = std::numeric_limits<double>::quiet_NaN();
