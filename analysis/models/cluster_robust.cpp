@@ -103,6 +103,7 @@ TEstimate estimateOf(const LeastSquares& fit, Index column, const std::string& n
   }
   estimate.t = estimate.estimate / estimate.standardError;
   estimate.degreesOfFreedom = df;
+  // Student's law needs one degree of freedom; rounding may leave a little less of exactly one.
   if (df < 1.0 - 1e-9) {
     estimate.reason = reason("too_few_clusters");
     return estimate;
@@ -130,6 +131,7 @@ ClusterRobustResult clusterRobust(
   if (!result.reason.empty()) return result;
 
   const LeastSquares fit = leastSquares(y, fixed, cluster);
+  // Residuals of 1e-12 of the spread are what rounding leaves of an exact fit.
   if (!(fit.spread > 1e-24)) {
     result.reason = reason("no_variance_beyond_fixed");
     return result;

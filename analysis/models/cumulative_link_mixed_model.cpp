@@ -86,6 +86,8 @@ struct Answers {
   }
 };
 
+/// Separation: a level of a factor whose answers are all the lowest or all the highest has an
+/// infinite effect, and the likelihood no maximum.
 Reason whySeparated(const Answers& answers, const Factor& factor) {
   for (std::size_t level = 0; level < factor.levels.size(); ++level) {
     std::set<std::size_t> given;
@@ -116,6 +118,7 @@ Minimum largestLikelihood(LaplaceLikelihood& likelihood, const VectorXd& start) 
   const Objective objective{
       .value = [&](const VectorXd& at) { return likelihood.value(at); },
       .derivatives = [&](const VectorXd& at) { return likelihood.derivatives(at); },
+      // Deviations may go below 0 on the way: the likelihood is even in them.
       .lowerBound = -std::numeric_limits<double>::infinity()};
   return minimise(objective, start);
 }
@@ -147,11 +150,13 @@ std::optional<Minimum> bestFit(
 /// The inverse of the Hessian; std::nullopt if an effect has no finite estimate.
 std::optional<Matrix> covarianceOf(const Minimum& minimum, std::size_t deviations) {
   const Matrix hessian = minimum.derivatives.hessian;
+  // No Cholesky factor: no strict maximum, thus a direction in which the likelihood is flat.
   const Eigen::LLT<Matrix> cholesky(hessian);
   if (cholesky.info() != Eigen::Success) return std::nullopt;
   const Matrix covariance = cholesky.solve(Matrix::Identity(hessian.rows(), hessian.cols()));
   const auto variances =
       covariance.diagonal().head(hessian.rows() - static_cast<Index>(deviations));
+  // Along an infinite estimate the likelihood flattens out, and its variance grows without end.
   if (!(variances.maxCoeff() < kInfiniteEffect * kInfiniteEffect)) return std::nullopt;
   return covariance;
 }
@@ -177,6 +182,7 @@ CumulativeLinkFit fitOf(
   for (Index k = thresholds + effects; k < minimum.at.size(); ++k) {
     if (minimum.at(k) < 0.0) back(k, k) = -1.0;  // the likelihood is even in every deviation
   }
+  // The same linear map takes estimates and, from both sides, their covariance back.
   const VectorXd at = back * minimum.at;
   const Matrix covariance = back * standardisedCovariance * back.transpose();
   for (Index c = 0; c < thresholds; ++c) {
@@ -237,6 +243,7 @@ WaldEstimate contrast(
         "a contrast needs one weight for each column, and none for the intercept");
   }
   const std::size_t base = fit.thresholds.size();  // where the effects are in the covariance
+  // w'β and w'Vw; thresholds replace the intercept, so that its weight is none.
   double value = 0.0;
   double variance = 0.0;
   for (std::size_t i = 0; i < size; ++i) {

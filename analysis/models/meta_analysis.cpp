@@ -204,7 +204,7 @@ MetaAnalysis pooled(std::span<const EstimateWithError> sites, double level) {
 }
 
 PooledEstimate pooledQuickly(std::span<const EstimateWithError> sites, double level) {
-  constexpr double kQuick = 1e-6;
+  constexpr double kQuick = 1e-6;  // relative, of τ²: the results keep four digits
   const Pooling pooling(sites, level, kQuick);
   return pooling.knappHartung(pooling.reml());
 }

@@ -101,7 +101,7 @@ double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality
     return density * normalUpperP(-y);
   };
   constexpr unsigned kDepth = 6;
-  constexpr double kTolerance = 1e-14;
+  constexpr double kTolerance = 1e-14;  // of a probability: some units in its last place
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   const double above = boost::math::gamma_q(half, squareOfS(high));
   return std::min(1.0, above + Rule::integrate(integrand, low, high, kDepth, kTolerance));
@@ -208,7 +208,7 @@ double logTail(double a, double b, double logOdds) {
   const double x = 1.0 / (1.0 + odds);
   const double logX = std::isfinite(odds) ? -std::log1p(odds) : -logOdds;
 
-  constexpr double kNegligible = 1e-17;
+  constexpr double kNegligible = 1e-17;  // of the sum: less than half of its last place
   double term = 1.0;
   double sum = 1.0;
   for (double n = 0.0; term > kNegligible * sum; ++n) {

@@ -36,6 +36,7 @@ double LikertModel::deviationOfDifferences() const {
 void LikertModel::check() const {
   const double least = std::min({participantShare, participantByConditionShare, residualShare});
   const double sum = participantShare + participantByConditionShare + residualShare;
+  // Shares are written as decimals, whose sum may be one but for rounding.
   if (!(least >= 0.0 && std::abs(sum - 1.0) < 1e-9)) {
     throw std::invalid_argument("shares of the variance are not negative and add up to one");
   }

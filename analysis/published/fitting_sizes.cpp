@@ -41,6 +41,7 @@ bool TWindow::holds(const LatticePoint& group1, const LatticePoint& group2) cons
     if (t < narrow.nearest - kMargin || t > wide.furthest + kMargin) return false;
   }
   const double p = pOf(difference, spread, convention_.tails);
+  // p has an error of some 1e-14, and a printed p includes the ends of its interval.
   return p_.low - 1e-12 <= p && p <= p_.high + 1e-12;
 }
 

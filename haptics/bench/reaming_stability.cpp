@@ -55,7 +55,7 @@ struct Run {
     largestForce = std::max(largestForce, std::isfinite(force) ? force : largestForce);
     isFinite &= std::isfinite(force) && std::isfinite(felt.rubbing);
     const double gap = length(device.centre - bone.tool().centre);
-    if (std::isfinite(gap)) {
+    if (std::isfinite(gap)) {  // a billionth more is rounding
       aboveCoupling = std::max(aboveCoupling, force - coupling * gap * (1.0 + 1e-9));
     }
   }

@@ -170,7 +170,7 @@ Joints FriArm::commandedPosition() const noexcept {
 Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
   const devices::IiwaJacobian jacobian = arm_.kinematics().jacobian(arm_.position());
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
-  square.diagonal().array() += 1e-9;
+  square.diagonal().array() += 1e-9;  // so that a singular pose has an inverse, too
   return square.ldlt().solve(jacobian * torque);
 }
 

@@ -89,6 +89,7 @@ Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept 
 /// they differ from axis to axis: the transposed inverse of the right Jacobian of the rotations.
 Eigen::Vector3d momentOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& pull) noexcept {
   const double angle = turn.norm();
+  // For small turns the limit: of the difference of two large numbers few digits would be left.
   const double share =
       angle < 1e-3 ? 1.0 / 12.0 : 1.0 / (angle * angle) - 0.5 / (angle * std::tan(0.5 * angle));
   const Eigen::Vector3d across = turn.cross(pull);

@@ -14,6 +14,7 @@ bool makesSense(const Impairment::Options& options) {
     if (!(share >= 0.0)) return false;
     sum += share;
   }
+  // Shares that are written as decimals may add up to one but for rounding.
   return sum <= 1.0 + 1e-12 && options.delay >= 1 && options.garbage >= 1 &&
          options.garbage <= Impairment::kLongestFrame;
 }

@@ -23,7 +23,7 @@ EnergyObserver::Settings energySettings(
       .deviceDamping = device.damping,
       .tolerance = 1e-4 * limits.maxForce * range,
       .mostDamping = limits.isPassivityControlled ? 4.0 * device.damping : 0.0,
-      .leastVelocity = 1e-6 * range};
+      .leastVelocity = 1e-6 * range};  // below it a quotient by the velocity is rounding
 }
 
 /// A reamer that is driven gives a hand energy that yields to its torque: this is observed, and not

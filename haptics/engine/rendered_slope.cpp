@@ -8,7 +8,10 @@
 namespace haptics::engine {
 namespace {
 
+// The sweep that the header describes; all speeds in shown units a second.
 constexpr int kPlaces = 40;
+constexpr double kStrokeSpeeds[]{10.0, 45.0};
+constexpr double kSlowSpeeds[]{0.1, 1.0};
 constexpr double kRest = 0.4;          // [s]
 constexpr double kSettled = 0.2;       // of it, after which the force should be still [s]
 constexpr double kStill = 1e-3;        // [N] peak to peak
@@ -22,13 +25,13 @@ class Sweep {
       : scene_(spec), rate_(rate), least_(kind.travel.least), unit_(1.0 / kind.shown.factor) {
     const double end = endOfData(spec.model).value_or(kind.travel.most);
     const double most = std::max(kind.travel.most, end);
-    most_ = most + 0.05 * (most - least_);
+    most_ = most + 0.05 * (most - least_);  // a hand overshoots the end of the travel
     travel_ = least_;
     feel();
   }
 
   RenderedSlope run() {
-    for (const double speed : {10.0, 45.0}) {
+    for (const double speed : kStrokeSpeeds) {
       moveTo(most_, speed);
       moveTo(least_, speed);
       reverseEveryTenth(speed);
@@ -77,13 +80,13 @@ class Sweep {
   }
 
   void visitPlaces(bool isOpening) noexcept {
-    constexpr double kApproach = 10.0;
+    constexpr double kApproach = kStrokeSpeeds[0];
     moveTo(isOpening ? most_ : least_, kApproach);
     for (int i = 0; i < kPlaces; ++i) {
       const double share = (i + 0.5) / kPlaces;
       moveTo(least_ + (isOpening ? 1.0 - share : share) * range(), kApproach);
       rest();
-      for (const double speed : {0.1, 1.0}) {
+      for (const double speed : kSlowSpeeds) {
         const double place = travel_;
         const double stretch = (isOpening ? -1.0 : 1.0) * speed * unit_ * kSlowStretch;
         moveTo(place + stretch, speed);

@@ -219,6 +219,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
     };
     const double first = nodes->front().travel;
     const double last = nodes->back().travel;
+    // Far above the rounding of a travel, and nearer than any ramp fades.
     const double beside = 1e-9 * (last - first);
     for (const ForceJump jump :
          {ForceJump{first, forceAt(first - beside), forceAt(first)},

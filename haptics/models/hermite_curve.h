@@ -42,6 +42,8 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
     return {a.position, b.position, a.force, a.slope, square, isFaithful ? cube : kNone};
   }
 
+  /// Within a thousandth: rounding changes less in single precision, and what underflows or
+  /// overflows changes far more.
   static constexpr bool isNear(Scalar value, Scalar wanted) noexcept {
     const Scalar slack = Scalar(1e-3) * (wanted < Scalar{0} ? -wanted : wanted);
     return value - wanted <= slack && wanted - value <= slack;

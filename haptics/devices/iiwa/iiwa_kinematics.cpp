@@ -25,6 +25,7 @@ Pose link(std::size_t index, double angle, double length) noexcept {
 }
 
 bool isRotation(const Eigen::Matrix3d& matrix) {
+  // A rotation may have been written with seven decimals.
   return matrix.allFinite() && (matrix * matrix.transpose()).isIdentity(1e-6) &&
          matrix.determinant() > 0.0;
 }

@@ -39,7 +39,8 @@ SphereField::SphereField(const Packing& packing, std::span<const double> densiti
     largest_ = std::max(largest_, double{s.radius});
     sum += s.radius;
   }
-  // Four mean diameters are best, and flat around it; never so fine that cells outnumber spheres.
+  // Four mean diameters are best, and flat around it; never so fine that cells outnumber spheres,
+  // nor more than a thousand along a diagonal, nor of no size where all spheres are in one place.
   const auto count = static_cast<double>(packing.spheres.size());
   const Vec3 size = high - low_;
   const double coarse = std::cbrt(size.x * size.y * size.z / count);

@@ -63,7 +63,9 @@ struct DensityFit {
 /// nothing the method would go astray wherever many densities leave 0 at once.
 ///
 /// @param prior   ρ₀: what spheres are that the experiment does not tell apart.
-/// @param weight  λ as a share of the mean squared row of A, > 0.
+/// @param weight  λ as a share of the mean squared row of A, > 0; so small by default that the
+/// prior
+///     decides only what the forces leave open.
 DensityFit fitNonNegative(
     const ContactMatrix& matrix,
     std::span<const double> forces,

@@ -74,6 +74,8 @@ class NearestFour {
 
 class Builder {
  public:
+  // A cell is a little wider than the largest sphere: spheres that touch lie in neighbouring cells
+  // in spite of rounding.
   Builder(const Solid& body, double largest, const PackingOptions& options)
       : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
     const Vec3 size = body.highest() - body.lowest();

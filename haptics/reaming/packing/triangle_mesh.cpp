@@ -225,6 +225,7 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
         " of neighbouring triangles face opposite ways. Make the normals consistent");
   }
   const double thickness = area > 0.0 ? mesh.volume() / area : 0.0;
+  // A surface that is folded flat has a volume of rounding errors.
   if (problems.empty() && !(thickness > 1e-9)) {
     problems.emplace_back("the mesh encloses nothing");
   }
