@@ -14,7 +14,7 @@ namespace analysis {
 ///
 ///     m = S / n,   s² = (n Q − S²) / (n (n − 1)),
 ///
-/// so that both are exactly rounded, in whatever order the answers came.
+/// so that both are exactly rounded, in any order of the answers.
 class LikertCounts {
  public:
   static constexpr int kMostPoints = 1024;

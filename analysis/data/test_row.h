@@ -48,7 +48,7 @@ struct TestRow {
   std::optional<double> p;            ///< two-sided unless docs/statistics.md says otherwise
   std::optional<double> log10P;       ///< holds also where p is too small for a double
   bool isOfFamily = false;            ///< p is held to account for the size of a family
-  std::optional<double> adjusted;     ///< the p that comes of it
+  std::optional<double> adjusted;     ///< p after the adjustment
   std::optional<bool> isSignificant;  ///< adjusted ≤ alpha
 
   NamedNumber effect;

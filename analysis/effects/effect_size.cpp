@@ -111,7 +111,7 @@ Reason whyMissing(const MeanEffects& effects, const WelchResult& welch) {
 std::optional<double> hedgesCorrection(double degreesOfFreedom) {
   if (!(degreesOfFreedom > 1.0)) return std::nullopt;
   const double half = 0.5 * degreesOfFreedom;
-  // As a ratio: each Γ for itself overflows for ν above 340.
+  // As a ratio: each Γ alone overflows for ν above 340.
   return 1.0 / (std::sqrt(half) * boost::math::tgamma_delta_ratio(half - 0.5, 0.5));
 }
 

@@ -26,7 +26,8 @@ struct AnswerProbability {
 /// emmeans weights the levels of other factors). The standard error of logit P is by the delta
 /// method, from the covariance of θ, β and all σ_k; so the interval stays between 0 and 1.
 ///
-/// @param level  an answer between the given ones counts as well: where nobody answered 4, from 4
+/// @param level  an answer between the given ones counts as well: where there is no answer of 4,
+/// from 4
 ///     on is from 5 on.
 /// @param designs  columns of the design, as FixedEffects::combinations() gives them.
 /// @return std::nullopt where all answers are below the level, or none is: no threshold is there.

@@ -16,7 +16,7 @@ namespace analysis {
 /// at one site. Sites that are lenient as a whole need no term: it cancels within people.
 struct SitePlan {
   /// Klein et al. 2018 (Adv. Methods Pract. Psychol. Sci. 1(4), 443–490,
-  /// doi:10.1177/2515245918810225) had 28 effects measured anew at 125 sites: one had a larger τ,
+  /// doi:10.1177/2515245918810225) had 28 effects measured again at 125 sites: one had a larger τ,
   /// eight one of about 0.1.
   static constexpr double kUsualDeviation = 0.2;
 

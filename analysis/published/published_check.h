@@ -18,8 +18,8 @@ struct GroupMoments {
   double variance = 0.0;
 };
 
-/// One mean and one variance for each group that give *all* printed p values at once, which is more
-/// than each comparison for itself; std::nullopt if none are found.
+/// One mean and one variance for each group that give *all* printed p values at once, which is a
+/// stronger condition than each p alone; std::nullopt if none are found.
 ///
 /// The variances are taken from a grid (nine values of each group, down to three where there are
 /// many groups). For given variances a printed p is a range of the difference of two means, and

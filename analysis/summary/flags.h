@@ -108,7 +108,7 @@ struct Flag {
   std::vector<base::Message> what;    ///< what was found: a sentence in parts
   base::Message why;                  ///< why it matters
   base::Message remedy;               ///< what to do
-  std::vector<base::Message> source;  ///< who says so
+  std::vector<base::Message> source;  ///< the source of the statement
 
   /// What was found.
   std::string inEnglish() const;

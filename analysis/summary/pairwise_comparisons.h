@@ -36,7 +36,7 @@ struct PairwiseComparisons {
 
 /// The declared comparisons, in their order.
 ///
-/// The adjusted intervals are Bonferroni's, whatever the adjustment: the other methods have none
+/// The adjusted intervals are Bonferroni's with every adjustment: the other methods have none
 /// that would always agree with them.
 ///
 /// @throws std::invalid_argument  if two groups share a name, a pair names a group that is not

@@ -35,7 +35,7 @@ struct WithinComparison {
   const TestRow& test(std::string_view id) const { return testNamed(tests, id); }
 };
 
-/// What a sound analysis of one cohort's answers to a family of questions says. The unit is the
+/// The analysis of one cohort's answers to a family of questions. The unit is the
 /// participant; what has to be pooled is averaged first, or modelled.
 struct WithinAnalysis {
   std::size_t participants = 0;  ///< who judged every method
@@ -53,7 +53,7 @@ struct WithinAnalysis {
 /// How the family is held to account, and what counts as no difference.
 struct WithinOptions {
   double alpha = 0.05;
-  std::optional<Adjustment> adjustment = Adjustment::Holm;  ///< nothing: every p for itself
+  std::optional<Adjustment> adjustment = Adjustment::Holm;  ///< nothing: p values are not adjusted
   std::optional<double> equivalenceBound;                   ///< [points of the scale]
 };
 

@@ -41,8 +41,8 @@ struct StuartMaxwellResult {
 ///
 ///     χ² = dᵀ S⁻¹ d,   dᵢ = nᵢ. − n.ᵢ,   Sᵢᵢ = nᵢ. + n.ᵢ − 2 nᵢᵢ,   Sᵢⱼ = −(nᵢⱼ + nⱼᵢ)
 ///
-/// with one option left out. Where nobody changed between some options and the others, one is left
-/// out on either side, and so for each such part.
+/// with one option left out. Where no answer changed between some options and the others, one is
+/// left out on either side, and so for each such part.
 ///
 /// @param table  at most 100 rows of as many counts below 2^32.
 /// @throws std::invalid_argument  for a table that is not square, of fewer than two options, or

@@ -27,7 +27,7 @@ struct SignTestResult {
 SignTestResult signTest(std::span<const double> differences);
 SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uint64_t zeros = 0);
 
-/// What becomes of differences of zero, which have no sign.
+/// The treatment of differences of zero, which have no sign.
 enum class Zeros {
   Dropped,           ///< before ranking, as Wilcoxon does
   RankedThenDropped  ///< after ranking, as Pratt (1959) does: zeros push the others up

@@ -66,11 +66,11 @@ struct StudentResult {
   std::optional<double> p;                 ///< two-sided
 };
 
-/// Student's t-test: Welch's elder, which trusts that both groups have the same variance.
+/// Student's t-test, which assumes that both groups have the same variance.
 ///
 ///     t = (m₁ − m₂) / √(s² (1/n₁ + 1/n₂)),   s² = ((n₁ − 1) s₁² + (n₂ − 1) s₂²) / (n₁ + n₂ − 2)
 ///
-/// For comparison with published results; welchTTest() needs less trust.
+/// For comparison with published results; welchTTest() does not assume it.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2);

@@ -42,8 +42,8 @@ class LinkLoop {
   /// Any thread: the device has failed, or is gone.
   bool isOver() const noexcept { return isOver_.load(std::memory_order_acquire); }
 
-  /// Any thread: a tick is to take @p duration [ns] longer, as soon as a force worth the name
-  /// begins to fall; after three seconds without one, any tick.
+  /// Any thread: a tick is to take @p duration [ns] longer, as soon as a force of 5 % of the
+  /// largest begins to fall; after three seconds without one, any tick.
   void standStill(std::int64_t duration) noexcept;
   /// Any thread: when it began to stand still as it was told last [ns on CLOCK_MONOTONIC]; 0: it
   /// has not yet.

@@ -174,7 +174,7 @@ void sweepRates(double effort, StabilityResult& result) {
         std::abs(forceAtSixAfterSettling(rate) - reference),
         0.02);
   }
-  // A clock that trembles between a fifth and five times its period.
+  // Clock jitter: periods between a fifth and five times the nominal one.
   for (const auto& [name, spec] : allScenes()) {
     devices::SimulatedHand hand({.variation = 0.3, .seed = 3});
     devices::SimulatedDevice device(devices::punchKind(), hand);
@@ -250,9 +250,9 @@ void sweepBadInput(double effort, StabilityResult& result) {
           std::isfinite(device.commanded) && std::abs(device.commanded) <= kLimits.maxForce;
       wrong += isSound ? 0 : 1;
     }
-    // And afterwards it feels as ever: open, then five units into the cut. The mean of two ticks,
-    // because in paper-text two forces take turns, and whose turn it is depends on the number of
-    // valid ticks before.
+    // Afterwards the force has to be as before: open, then five units into the cut. The mean of two
+    // ticks, because in paper-text two forces alternate, and which one it is depends on the number
+    // of valid ticks before.
     const auto feelAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};

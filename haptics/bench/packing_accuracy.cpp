@@ -119,7 +119,7 @@ void compareContacts(const Packing& packing, const AccuracyRun& run) {
   }
 }
 
-/// Single steps of a bone that is reamed at 2 mm/s, each timed for itself.
+/// Single steps of a bone that is reamed at 2 mm/s, each timed separately.
 void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr double kFeed = 0.002;  // [m/s]

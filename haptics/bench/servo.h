@@ -7,7 +7,7 @@
 
 namespace haptics::bench {
 
-/// How a loop asks for the processor.
+/// How a loop is scheduled.
 struct ServoMode {
   std::string name;
   bool asksForRealtime = false;

@@ -6,7 +6,7 @@
 
 namespace haptics::bench {
 
-/// What came out of an extreme case, and what had to.
+/// The result of an extreme case, and its bound.
 struct StabilityCheck {
   std::string sweep;  ///< "finite elements", "Kalman filter", "splines", "wall" …
   std::string what;
@@ -36,7 +36,7 @@ struct StabilityResult {
   std::vector<WallPoint> walls;
 };
 
-/// Runs all sweeps; deterministic. @p progress is told what comes next.
+/// Runs all sweeps; deterministic. @p progress gets the name of each sweep before it runs.
 /// @param effort  1 for all of it; less draws fewer random cases, for a quick check.
 StabilityResult runStability(
     double effort, const std::function<void(const std::string&)>& progress);

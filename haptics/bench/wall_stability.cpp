@@ -66,7 +66,7 @@ class Wall {
     point_.isStable = diesAway || point_.amplitude < std::max(1e-3, 4.0 * point_.quantum);
     const engine::Passivity passivity{
         .stiffness = point_.stiffness, .period = period_, .filterDelay = point_.delay * period_};
-    constexpr double kRounding = 1e-9;  // the equation asks for more than, not for as much as
+    constexpr double kRounding = 1e-9;  // the inequality of the equation is strict
     point_.isForeseen = passivity.neededDamping() * (1.0 + kRounding) >= point_.damping;
     point_.isNoticed = observer_.least() < -1e-3;
   }

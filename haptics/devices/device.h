@@ -11,7 +11,7 @@
 
 namespace haptics::devices {
 
-/// What sets the pace of a loop instead of a timer: a device that sends, and wants an answer.
+/// Sets the pace of a loop instead of a timer: a device that sends messages and expects answers.
 class Pacer {
  public:
   virtual ~Pacer() = default;
@@ -104,7 +104,7 @@ struct DeviceSample {
 /// What a device is ready for. A fault leads out of every state, and back only through open().
 enum class Lifecycle : std::uint8_t {
   Closed,
-  Open,     ///< speaks our language, and is who it should be
+  Open,     ///< connected: the protocol and the identity of the device are as expected
   Checked,  ///< and is fit for use
   Armed,    ///< takes forces
   Running,  ///< and gives some

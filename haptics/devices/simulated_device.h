@@ -38,7 +38,7 @@ class SimulatedDevice final : public Device {
   /// Any thread: takes the hand off the dead-man switch, or puts it back.
   void hold(bool isHeld) noexcept { isHeld_.store(isHeld, std::memory_order_relaxed); }
 
-  /// Any thread: presses the reamer's switch, or lets go of it.
+  /// Any thread: presses or releases the reamer's switch.
   void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
 
   /// What it pushes back with at present [N].

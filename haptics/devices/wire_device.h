@@ -44,9 +44,9 @@ class WireDevice : public Device, private Pacer {
   /// "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
   virtual bool isConnected() const noexcept = 0;
-  /// Gives the connection up; @p isFault: where a device can be told, it is told why.
+  /// Closes the connection; @p isFault is sent as the reason where the protocol has one.
   virtual void disconnect(bool isFault) noexcept = 0;
-  /// Until there is something new, which isNew_ says, or nothing before @p deadline [ns].
+  /// Waits for a message until @p deadline [ns]; isNew_ is set if one has come.
   virtual bool waitForMessage(std::int64_t deadline) noexcept = 0;
   /// The keeper's answer to a message: no force.
   virtual void keepAlive() noexcept = 0;

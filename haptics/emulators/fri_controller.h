@@ -46,7 +46,7 @@ class FriController {
     FriLimits limits;
     FriSession::Stay stay;
     bool queuesAgain = false;        ///< the program tries again after a motion that failed
-    Impairment::Options impairment;  ///< what goes wrong by chance, and its seed
+    Impairment::Options impairment;  ///< random faults, and their seed
     std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and zeroAt
   };
 
@@ -54,7 +54,7 @@ class FriController {
   /// @throws devices::NetworkError  if the local address cannot be had.
   explicit FriController(const Options& options);
 
-  /// One period: orders are taken, the state goes on, a message is sent, the arm moves.
+  /// One period: takes orders, advances the state, sends a message, moves the arm.
   void step() noexcept;
 
   /// Takes one datagram, if one comes before @p deadline [ns of the clock]; false if none does.

@@ -13,7 +13,7 @@
 
 namespace haptics::emulators {
 
-/// What the person at the keyboard, or a test, wants to go wrong with a controller.
+/// A fault of the controller that a test, or the user at the keyboard, requests.
 ///
 /// Any thread gives orders; the one that steps the controller takes them, once each.
 class FriOrders {

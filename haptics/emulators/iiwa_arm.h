@@ -117,7 +117,8 @@ class IiwaArm {
   /// The centre of the law in joint space [rad]. Returns false without a change if one is NaN.
   bool commandPosition(const devices::JointVector& position) noexcept;
 
-  /// Added to the torques of the law, and held. NaN sets it to zero and returns false.
+  /// Added to the torques of the control law until the next call. NaN sets it to zero and returns
+  /// false.
   bool setOverlayWrench(const devices::Wrench& wrench) noexcept;
   bool setOverlayTorque(const devices::JointVector& torque) noexcept;  ///< [N·m]
 

@@ -42,8 +42,8 @@ struct Injected {
 /// - A frame meets one fault at most. Of several orders the first in the list of faults is served
 ///   first; chance is asked only where no order waits.
 /// - The frame after one that is to be reordered meets none, so that two change places.
-/// - A frame that is held back (Reorder, Delay) is let go only after a later frame has passed
-///   undamaged: it is always seen to be out of order. It counts when it is let go.
+/// - A frame that is held back (Reorder, Delay) is sent only after a later frame has passed
+///   undamaged: it is always seen to be out of order. It counts when it is sent.
 /// - Without room to hold a frame the order waits; so it does for a frame that is empty or longer
 ///   than kLongestFrame, which passes as it is.
 ///
@@ -74,7 +74,7 @@ class Impairment {
   /// Any thread: how far Delay holds back from now on [frames], at least 1.
   void setDelay(int frames) noexcept;
 
-  /// Hands on @p frame, or what becomes of it, and what has been held back long enough.
+  /// Passes on @p frame, as it is or impaired, and the frames that have been delayed long enough.
   /// @param send  is called with a std::span<const std::uint8_t> for each frame that goes out; the
   ///              bytes are gone when it returns.
   template <typename Send>

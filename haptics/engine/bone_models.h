@@ -23,7 +23,7 @@ namespace haptics::engine {
 
 /// A sphere that has changed, for a picture of the bone. A radius of 0: it was removed.
 struct SphereChange {
-  /// A slot that is none: the bone is whole again, all spheres are as at the beginning.
+  /// Stands for no slot: the bone is whole again, all spheres are as at the beginning.
   static constexpr std::uint32_t kAllAnew = 0xffffffffU;
 
   std::uint32_t slot = 0;
@@ -107,7 +107,7 @@ class BlendedCurve {
  public:
   using Segments = std::vector<models::CubicSegment<double>>;
 
-  /// @param segments  sound.
+  /// @param segments  valid.
   explicit BlendedCurve(Segments segments);
   BlendedCurve(const BlendedCurve&) = delete;
   BlendedCurve& operator=(const BlendedCurve&) = delete;

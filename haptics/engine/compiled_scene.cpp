@@ -138,7 +138,8 @@ struct Builder {
     noBone();
   }
 
-  /// @param of  what it is made of. @param lack  why there is none though the reamer turns.
+  /// @param of  what it is made of. @param lack  the reason if there is no torque although the
+  /// reamer turns.
   void torque(const std::string& of, const char* lack) {
     if (!reamer.hasTorque) {
       out(kTorque, "release 0.1, under which this study began, rendered forces alone");

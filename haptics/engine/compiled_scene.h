@@ -17,7 +17,7 @@ namespace haptics::engine {
 ///
 ///     penetration: y_mesh = K⁻¹ c (θ − θ_contact) / (cᵀ K⁻¹ c), so that cᵀ y_mesh = θ − θ_contact:
 ///                  the tissue stays at the tool (eq. (9) to (11) of the punch paper);
-///     force:       y_mesh = K⁻¹ c f, with f the force at the handle, whatever renders it.
+///     force:       y_mesh = K⁻¹ c f, with f the force at the handle, of any rendering.
 class MeshView {
  public:
   explicit MeshView(const FiniteElementsSpec& spec, SeenTissue law = SeenTissue::Penetration);

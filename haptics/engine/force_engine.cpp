@@ -14,8 +14,8 @@ const SafetyLimits& checked(const SafetyLimits& limits) {
   return limits;
 }
 
-/// What goes wrong is told from rounding by a ten-thousandth of the work that the device can do;
-/// the controller adds no more than four times the damping that the mechanism has.
+/// Energy counts as generated, and not as rounding, from a ten-thousandth of the work that the
+/// device can do; the controller adds no more than four times the damping that the mechanism has.
 EnergyObserver::Settings energySettings(
     const devices::Capabilities& device, const SafetyLimits& limits) {
   const double range = device.mostTravel - device.leastTravel;

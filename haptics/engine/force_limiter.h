@@ -65,7 +65,7 @@ class ForceLimiter {
   /// The nearest allowed force to @p desired [N], @p dt [s] after the last one.
   Limited limit(double desired, double dt) noexcept;
 
-  /// Lets go at once: the next force starts from none.
+  /// Sets the force to zero without a ramp: the next one starts from zero.
   void release() noexcept { last_ = 0.0; }
 
  private:
@@ -117,7 +117,7 @@ class ForceGate {
   /// One step of @p dt [s].
   Output step(const Input& input, double dt) noexcept;
 
-  /// Shuts at once; what comes next starts softly.
+  /// Shuts without a ramp; the next force starts softly.
   void shut() noexcept;
 
   /// What comes next starts softly; the force that is there fades.

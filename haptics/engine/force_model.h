@@ -38,7 +38,7 @@ class ForceModel {
   /// The steepest slope of the curves that it is made of [N per travel unit].
   virtual double largestStiffness() const noexcept = 0;
 
-  /// The same where it bounds what is rendered, whatever the motion: |ΔF| ≤ K |Δx|. std::nullopt if
+  /// The same where it bounds what is rendered in every motion: |ΔF| ≤ K |Δx|. std::nullopt if
   /// that is not proved, as for a filter: renderedSlope() then measures it.
   virtual std::optional<double> slopeBound() const noexcept { return largestStiffness(); }
 

@@ -12,8 +12,8 @@ struct LimitCycle {
   double travel = 0.0;     ///< of the largest value [travel units]
 };
 
-/// What a sampled force adds to the hand's energy, and what keeps it from that: eq. (25) of the
-/// punch paper, b > K T / 2 (Colgate & Schenkel 1997).
+/// The energy that a sampled force adds to the hand, and the damping that prevents it: eq. (25) of
+/// the punch paper, b > K T / 2 (Colgate & Schenkel 1997).
 ///
 /// A force that is held for a period while the tool moves on is too small on the way in and too
 /// large on the way out. Damping of at least K T / 2, of the mechanism and the hand together, takes

@@ -73,7 +73,7 @@ void touchStack() noexcept {
   for (std::size_t i = 0; i < kEnough; i += 1024) stack[i] = 0;
 }
 
-/// Asks for what helps. Timer slack needs no privilege; the rest may be refused.
+/// Requests real-time scheduling. Timer slack needs no privilege; the rest may be refused.
 bool requestRealtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
   if (!timing::raisePriority(timing::kLoopPriority)) return false;

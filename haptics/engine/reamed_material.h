@@ -24,7 +24,7 @@ class ReamedMaterialModel final : public ForceModel {
       MaterialSpec::kCoupling;                       ///< K, as of a bone of spheres [N/m]
   static constexpr double kCuttingDamping = 2000.0;  ///< b of the default reamer [N·s/m]
 
-  /// @param spec  sound, as the reamer.
+  /// @param spec  valid, like the reamer.
   ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;

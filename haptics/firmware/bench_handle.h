@@ -28,8 +28,8 @@ class BenchHandle {
   }
 
  private:
-  /// Where the hand wants the handle [travel units]: 0.4 s open, 0.6 s closing, 0.15 s closed, 0.5
-  /// s opening.
+  /// The position that the hand aims at [travel units]: 0.4 s open, 0.6 s closing, 0.15 s closed,
+  /// 0.5 s opening.
   float target() noexcept {
     constexpr float kClosed = 13.8F;
     constexpr float kWhole = 1.65F;

@@ -87,7 +87,8 @@ class FactoredCovariance {
 };
 
 /// The same as a textbook writes it, with all four entries: for Q as it is printed in eq. (22),
-/// which is not symmetric. For replaying what was published; nothing keeps it sound.
+/// which is not symmetric. For replaying what was published; nothing keeps it positive
+/// semi-definite.
 template <typename Scalar>
 class TextbookCovariance {
  public:

@@ -52,7 +52,7 @@ enum class Yielding {
 ///
 /// K is never formed: for springs in a row, K⁻¹ᵢⱼ = S_min R_max / (S_min + s + R_max) with S the
 /// flexibility (1/k) summed from the left end, R from the right one, s what lies between. Sums and
-/// products of positive numbers lose no digits, whatever the contrast of the elements; forming
+/// products of positive numbers lose no digits for any contrast of the elements; forming
 /// kᵢ + kᵢ₊₁ loses the softer one. A stiffness of nothing is a flexibility without end, and the
 /// other way round. The force costs the same for 5 elements and for 5,000.
 template <typename Scalar>

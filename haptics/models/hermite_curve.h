@@ -68,7 +68,7 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
 
 /// Force over displacement by cubic Hermite splines, as the reaming paper models the acetabulum:
 /// on every interval the cubic that has the given forces and slopes at both ends (its eq. (1),
-/// (3)). Value and slope are continuous, the second derivative is not, whatever the paper's eq. (3)
+/// (3)). Value and slope are continuous, the second derivative is not, although the paper's eq. (3)
 /// says.
 ///
 /// Before the first node there is no force: the reamer is not yet in contact. Beyond the last one

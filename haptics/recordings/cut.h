@@ -45,7 +45,7 @@ inline constexpr double kLeastYieldLoad = 3.0;
 /// A force that rises and falls while nothing is cut is no yield: where less than a quarter of the
 /// load is left while the tool goes on, the finger has only lost the handle.
 ///
-/// @param yieldLoad  the load from interception to yield, at least [N]; 0 believes each.
+/// @param yieldLoad  the load from interception to yield, at least [N]; 0 accepts every one.
 CutLandmarks landmarksAlong(
     std::span<const double> travel,
     std::span<const double> force,

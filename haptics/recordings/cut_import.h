@@ -95,11 +95,11 @@ struct RecordingSurvey {
   Sampling sampling{};
   std::size_t saturatedRows = 0;     ///< force sensor at its end: clipped peaks, not plateaus
   std::size_t uncalibratedRows = 0;  ///< outside of the calibration; saturated ones among them
-  double minForce = 0.0;             ///< a bias, if the hand ever let go [N]
-  double maxForce = 0.0;             ///< [N]
-  double minTravel = 0.0;            ///< as recorded [travel units]
-  double maxTravel = 0.0;            ///< as recorded [travel units]
-  std::size_t distinctTravels = 0;   ///< as recorded: how coarse the potentiometer is
+  double minForce = 0.0;   ///< the sensor's bias, if the hand released the tool at some time [N]
+  double maxForce = 0.0;   ///< [N]
+  double minTravel = 0.0;  ///< as recorded [travel units]
+  double maxTravel = 0.0;  ///< as recorded [travel units]
+  std::size_t distinctTravels = 0;  ///< as recorded: how coarse the potentiometer is
   std::size_t refusedLines = 0;
   std::vector<Closure> closures{};
 };

@@ -51,8 +51,8 @@ struct MonotoneCurve {
 /// Wherever the travel falls or stays, neighbouring samples are merged into their mean – of
 /// travel and of force – and go on being merged with what lies before them until the means rise:
 /// pooling adjacent violators, which yields that rising sequence which is nearest to the travel in
-/// least squares. No sample is thrown away; a hand that trembles about one place becomes one node
-/// there. Travels nearer than 1e-6 units count as the same. O(n).
+/// least squares. No sample is discarded; samples of a hand that trembles about one place become
+/// one node there. Travels nearer than 1e-6 units count as the same. O(n).
 ///
 /// @param samples  in the order of time.
 /// @throws std::invalid_argument  if fewer than two nodes remain, or a number is not finite.

@@ -13,7 +13,7 @@
 namespace haptics::wire::fri {
 namespace {
 
-/// Writes fields into a buffer. What goes wrong once ends it.
+/// Writes fields into a buffer. After the first error it writes nothing more.
 class Writer {
  public:
   Writer(std::span<std::uint8_t> out, Version version) noexcept : out_(out), version_(version) {}

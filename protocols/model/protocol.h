@@ -231,7 +231,7 @@ struct Protocol {
   StudyMetadata study;
   std::vector<std::string> languages;
   std::optional<std::uint64_t> seed;
-  bool isBlindingOpen = false;  ///< nobody is to be kept from knowing conditions
+  bool isBlindingOpen = false;  ///< conditions are not hidden from anyone
   std::vector<Cohort> cohorts;
   std::vector<DeviceNeed> devices;
   std::vector<std::string> instrumentFiles;  ///< beside the protocol; the library needs no entry

@@ -102,7 +102,7 @@ using questionnaires::Item;
 using questionnaires::Referent;
 using questionnaires::shown;
 
-/// What one phase asks, and where its protocol says so.
+/// The items that one phase asks, and their place in the protocol.
 struct Asked {
   std::string instrument;
   std::string path;
@@ -183,7 +183,7 @@ std::optional<base::Message> lackOf(const Condition& condition, const Item& item
   return std::nullopt;
 }
 
-/// Tells of each item once, with the first condition that does not render it.
+/// Reports each item once, with the first condition that does not render it.
 void adviseOn(
     const Protocol& protocol,
     const Block& block,

@@ -80,7 +80,7 @@ struct Disclosure {
 /// A blinded export shows of each answer its block, its position there, the number of the
 /// alternative and the statement. A reader who has the protocol as well must not learn the
 /// condition from these (docs/decisions/0033). What answers themselves say is not judged.
-/// @param protocol  sound.
+/// @param protocol  valid.
 std::vector<Disclosure> disclosuresOf(const Protocol& protocol);
 
 }  // namespace protocols

@@ -16,9 +16,9 @@
 
 namespace questionnaires {
 
-/// How many characters (code points) @p text has; std::nullopt if it is no sound UTF-8.
+/// How many characters (code points) @p text has; std::nullopt if it is no valid UTF-8.
 ///
-/// Sound means what the Unicode standard means: no overlong forms, no surrogates, nothing beyond
+/// Valid as the Unicode standard defines it: no overlong forms, no surrogates, nothing beyond
 /// U+10FFFF. An emoji with a skin tone counts as two, a letter with a combining accent as well.
 std::optional<std::size_t> charactersIn(std::string_view text) noexcept;
 
@@ -29,7 +29,7 @@ struct Value {
   using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> data;
-  int line = 0;  ///< of the file, from 0: where its key stands, or the value where it has none
+  int line = 0;  ///< of the file, from 0: of its key, or of the value where it has no key
 };
 
 struct Value::Member {
@@ -65,7 +65,7 @@ struct Choice {
   Enum value;
 };
 
-/// A place in a researcher's file: knows its path and where to complain.
+/// A place in a researcher's file, with its path and the list that problems are added to.
 ///
 /// Every read answers with a value of the right type. Where the file has none, that is a problem in
 /// the list, the fallback goes on, and everything else is read too: so all problems of a file come

@@ -39,7 +39,7 @@ constexpr std::array kLeads{
     Lead{0xF4, 0xF4, 4, 0x80, 0x8F},
 };
 
-/// The length of the sound character that @p text begins with; 0 where it begins with none.
+/// The length of the valid UTF-8 character that @p text begins with; 0 where there is none.
 std::size_t soundLength(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   for (const auto& lead : kLeads) {

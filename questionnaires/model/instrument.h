@@ -129,7 +129,7 @@ enum class Reference {
   Previous,  ///< with what was felt just before ("than the previous cut")
 };
 
-/// What a question is about that a study need not have: without it nobody can answer.
+/// The referent of a question, which not every study has: without it the question has no answer.
 enum class Referent {
   None,
   Benchmark,  ///< cuts with the physical tool, made before

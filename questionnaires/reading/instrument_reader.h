@@ -16,7 +16,8 @@ namespace questionnaires {
 /// Reads texts that may stand in several languages: "…" for English, or {"en": "…", "de": "…"}.
 ///
 /// What cannot be read is a problem once, and a dash in every language stands in for it: so that
-/// problemsOf(), which looks at the instrument afterwards, speaks about nothing that was said.
+/// problemsOf(), which looks at the instrument afterwards, reports no place that has a problem
+/// already.
 class TextReader {
  public:
   explicit TextReader(std::vector<std::string> languages) : languages_(std::move(languages)) {}
@@ -39,7 +40,7 @@ bool isLanguageTag(std::string_view tag) noexcept;
 /// their labels are those of the ends.
 Scale readScale(const Node& node, const TextReader& texts);
 
-/// A scale that is none, in the place of one that could not be read.
+/// A placeholder for a scale that could not be read.
 Scale defaultScale(const TextReader& texts);
 
 /// What stands for a number that could not be read.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFarthestPoint = 1000;  // from zero, either way
 
-/// The points that @p node asks for; 0, and a problem, where it asks for none.
+/// The number of points of @p node; 0, and a problem, where it has none.
 int readPoints(const Node& node) {
   if (node.has("points")) {
     return static_cast<int>(node.wholeNumber("points", kFewestPoints, kMostPoints, 0));

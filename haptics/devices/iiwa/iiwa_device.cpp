@@ -241,7 +241,7 @@ void IiwaDevice::follow(std::int64_t at) noexcept {
   }
   if (!data || !data->measuredPosition) return;
   const JointVector joints = asVector(*data->measuredPosition);
-  // No two messages are closer than a period: a stamp that says so was made in a hurry.
+  // No two messages are closer than a period: such a time stamp is late.
   const std::int64_t apart = deviceTime_ - before;
   const double dt = apart > 0 ? 1e-9 * static_cast<double>(std::max(apart, period_)) : 0.0;
   constexpr double kShare = 0.3;  // of the newest in the velocity: a low-pass of some messages
@@ -335,7 +335,7 @@ void IiwaDevice::command(double force, double torque) noexcept {
   if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }
 
-/// The one answer to the message that came last, if it wants one.
+/// Answers the newest message once, if it is due an answer.
 void IiwaDevice::answer(double force, double torque) noexcept {
   if (!isUnanswered_ || !socket_) return;
   isUnanswered_ = false;
@@ -366,7 +366,7 @@ void IiwaDevice::answer(double force, double torque) noexcept {
   if (count == 0 || !socket_->send({bytes.data(), count}, robot_)) ++report_.unsent;
 }
 
-/// The force against advancing and the torque about the axis, as the robot wants them.
+/// The force against advancing and the torque about the axis, as the robot expects them.
 void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noexcept {
   bool isClipped = false;
   const auto within = [&](double asked, double most) {

@@ -102,7 +102,8 @@ class IiwaKinematics {
 
   /// @param tool  as seen from the flange, whose z points away from the arm; the default is the
   ///              flange itself.
-  /// @throws std::invalid_argument  if the tool is not finite, or its rotation is none (to 1e-6).
+  /// @throws std::invalid_argument  if the tool is not finite, or its rotation is no rotation (to
+  /// 1e-6).
   explicit IiwaKinematics(IiwaModel model, const Pose& tool = {});
 
   /// The flange as seen from the base, joints @p q [rad].

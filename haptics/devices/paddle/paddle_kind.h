@@ -5,7 +5,7 @@
 namespace haptics::devices {
 
 /// A paddle on a sector pulley with one degree of freedom, as the Hapkit has it: a finger presses
-/// it from 0 to 30 degrees. It speaks on the punch's wire (docs/punch-protocol.md), and nothing is
+/// it from 0 to 30 degrees. It uses the punch's protocol (docs/punch-protocol.md), and nothing is
 /// seen while it is felt.
 const DeviceKind& paddleKind();
 

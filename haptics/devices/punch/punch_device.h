@@ -33,7 +33,7 @@ struct PunchSettings {
 };
 
 /// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry; or another kind
-/// of device that speaks as it does.
+/// of device with the same protocol.
 ///
 /// More than 50 ms of silence are a fault.
 class PunchDevice final : public WireDevice {
@@ -85,7 +85,7 @@ class PunchDevice final : public WireDevice {
   wire::punch::FrameDecoder decoder_;
   wire::punch::Hello hello_;
   bool isGreeted_ = false;
-  int greetings_ = 0;  ///< how often it has said Hello
+  int greetings_ = 0;  ///< number of Hello messages received
   std::optional<wire::punch::ModelTaken> taken_;
   std::optional<std::uint32_t> sceneHash_;
 

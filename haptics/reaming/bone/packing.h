@@ -72,7 +72,7 @@ struct Packing {
   double coverage() const noexcept { return filled() / volume; }  ///< share of the body
 };
 
-/// The worst of a packing, each as a share of a radius: what tests and people ask for.
+/// The worst of a packing, each as a share of a radius: for tests and reports.
 struct PackingFlaws {
   double overlap = 0.0;     ///< of the smaller of two; 0 where no two overlap
   double protrusion = 0.0;  ///< out of the body

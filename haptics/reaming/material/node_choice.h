@@ -42,10 +42,10 @@ constexpr bool isLocal(SplineKind kind) noexcept {
   return kind == SplineKind::HermiteDataSlope || kind == SplineKind::Linear;
 }
 
-/// Why no nodes can be chosen so; std::nullopt if they can. Optimal wants a kind that is local.
+/// Why no nodes can be chosen so; std::nullopt if they can. Optimal needs a local kind of spline.
 std::optional<std::string> problemOf(const NodeWish& wish);
 
-/// Nodes until the error is met. Greedy always gets there; Thinned may not, and says so.
+/// Nodes until the error is met. Greedy always reaches it; Thinned may not, and then reports it.
 ///
 /// @param wish  without a problem.
 NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish);

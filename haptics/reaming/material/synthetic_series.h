@@ -7,7 +7,7 @@
 
 namespace haptics::reaming {
 
-/// What goes wrong in a test on purpose.
+/// A fault that is put into a synthetic test.
 enum class Mishap {
   None,
   FeedChange,     ///< the feed is changed during the test

@@ -251,7 +251,7 @@ BoneFit fitInLayers(
   return fit;
 }
 
-/// Rows of force and torque, each divided by what it wants and multiplied by |F|.
+/// Rows of force and torque, each divided by the norm of its target and multiplied by |F|.
 struct JointProblem {
   ContactMatrix matrix;
   std::vector<double> wanted;

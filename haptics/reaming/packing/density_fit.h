@@ -59,8 +59,8 @@ struct DensityFit {
 
 /// min ½|A ρ − F|² + ½ λ |ρ − ρ₀|², ρ ≥ 0, by Newton's method on its dual, which has as many
 /// unknowns as there are depths: F·y − ½|y|² + ½ λ|ρ(y) − ρ₀|² − y·A ρ(y), ρ(y) = max(0, ρ₀ +
-/// Aᵀy/λ). From a large λ down to the wanted one, each time from where the last has led: from
-/// nothing the method would go astray wherever many densities leave 0 at once.
+/// Aᵀy/λ). From a large λ down to the wanted one, each time from the last solution: started
+/// from zero, the method diverges where many densities leave 0 in one step.
 ///
 /// @param prior   ρ₀: what spheres are that the experiment does not tell apart.
 /// @param weight  λ as a share of the mean squared row of A, > 0; so small by default that the
@@ -134,7 +134,7 @@ double bestFriction(const ContactMatrix& matrix, std::span<const double> forces,
 /// NaN.
 ///
 /// @param layers  by depth, each of one density; the spheres that are never touched are as the
-///                deepest. 0: every sphere that is touched for itself, the others as their mean.
+///                deepest. 0: each touched sphere has its own density, the others their mean.
 BoneFit fitBoneBySwarm(
     const ContactMatrix& matrix,
     std::span<const double> forces,

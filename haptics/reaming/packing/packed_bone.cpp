@@ -72,7 +72,7 @@ struct VirtualExperiment {
   ContactMatrix levers() const {
     return leverMatrix(packing, packing.coverage(), plunge, torqueDepths);
   }
-  /// By a quarter of the depths, since it asks for a fit a dozen times.
+  /// By a quarter of the depths, since it takes a dozen fits.
   double friction(const CurveNodes& force, const CurveNodes& torque) const {
     return bestFriction(
         forces(torqueDepths),

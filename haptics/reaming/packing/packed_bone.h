@@ -61,7 +61,8 @@ struct BoneFitOptions {
   std::size_t depths = 400;  ///< of the force; a quarter of them of the torque
   /// μ between reamer and bone, where it is known, >= 0; otherwise it is fitted as well.
   std::optional<double> friction = {};
-  std::function<void(const std::string&)> onProgress = {};  ///< is told what is fitted
+  std::function<void(const std::string&)> onProgress =
+      {};  ///< called with the name of what is fitted next
   /// How densities come of the force alone, and friction of them afterwards; empty: fitBone(), of
   /// force and torque.
   DensityMethod method = {};
@@ -90,7 +91,7 @@ struct FrictionFit {
 /// The friction with which the intact bone has the torque of a material at @p depths evenly over
 /// the longest curve: least squares over the minimum, average and maximum together.
 ///
-/// @param bone  with densities. @param torque  sound [N·m].
+/// @param bone  with densities. @param torque  valid [N·m].
 /// @throws std::invalid_argument  if there is no torque, or nothing is touched.
 FrictionFit fitFriction(
     const PackedBone& bone, const HardnessCurves& torque, std::size_t depths = 200);

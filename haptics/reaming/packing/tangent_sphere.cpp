@@ -9,7 +9,7 @@ namespace {
 /// Four equations in four unknowns, with their right side.
 using System = std::array<std::array<double, 5>, 4>;
 
-/// By Gauss and Jordan with pivots; false where a pivot is none. The right side becomes the
+/// Gauss–Jordan elimination with pivots; false where a pivot is 0. The right side becomes the
 /// solution.
 bool solve(System& a) noexcept {
   constexpr double kLeastPivot = 1e-6;  // of equations whose normals are unit vectors
