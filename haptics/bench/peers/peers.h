@@ -69,13 +69,16 @@ struct KalmanNumbers {
   double start11 = 6.1024, start22 = 7.0275;  ///< P at the beginning, without a covariance
 };
 
+/// How a textbook filter corrects P: P − K H P, or Joseph's (I − K H) P (I − K H)ᵀ + K R Kᵀ.
+enum class Correction { Standard, Joseph };
+
 /// The `sequential` filter as textbooks write it; P has its three different entries.
-template <typename Scalar>
-struct StandardFilter {
+template <typename Scalar, Correction kForm>
+struct TextbookFilter {
   Scalar f{}, z{}, p11{}, p12{}, p22{};
   KalmanNumbers n;
 
-  explicit StandardFilter(const KalmanNumbers& numbers) : n(numbers) {
+  explicit TextbookFilter(const KalmanNumbers& numbers) : n(numbers) {
     p11 = Scalar(n.start11);
     p22 = Scalar(n.start22);
   }
@@ -98,49 +101,25 @@ struct StandardFilter {
     const Scalar innovation = measured - f;
     f += k1 * innovation;
     z += k2 * innovation;
-    p22 -= k2 * p12;
-    p12 -= k2 * p11;
-    p11 -= k1 * p11;
+    if constexpr (kForm == Correction::Standard) {
+      p22 -= k2 * p12;
+      p12 -= k2 * p11;
+      p11 -= k1 * p11;
+    } else {
+      const Scalar a = Scalar(1) - k1;
+      const Scalar old11 = p11;
+      const Scalar old12 = p12;
+      p11 = a * a * old11 + k1 * k1 * r;
+      p12 = a * (old12 - k2 * old11) + k1 * k2 * r;
+      p22 = p22 - Scalar(2) * k2 * old12 + k2 * k2 * old11 + k2 * k2 * r;
+    }
   }
 };
 
-/// The same with Joseph's form of the correction, (I − K H) P (I − K H)ᵀ + K R Kᵀ.
 template <typename Scalar>
-struct JosephFilter {
-  Scalar f{}, z{}, p11{}, p12{}, p22{};
-  KalmanNumbers n;
-
-  explicit JosephFilter(const KalmanNumbers& numbers) : n(numbers) {
-    p11 = Scalar(n.start11);
-    p22 = Scalar(n.start22);
-  }
-  Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
-    f += z * d;
-    p11 += d * (Scalar(2) * p12 + d * p22) + Scalar(n.q11);
-    p12 += d * p22 + Scalar(n.q12);
-    p22 += Scalar(n.q22);
-    correct(elastic, Scalar(n.rElastic));
-    correct(recorded, Scalar(n.rRecorded));
-    return f;
-  }
-  bool hasNegativeVariance() const { return p11 < Scalar(0) || p22 < Scalar(0); }
-
- private:
-  void correct(Scalar measured, Scalar r) {
-    const Scalar inverse = Scalar(1) / (p11 + r);
-    const Scalar k1 = p11 * inverse;
-    const Scalar k2 = p12 * inverse;
-    const Scalar innovation = measured - f;
-    f += k1 * innovation;
-    z += k2 * innovation;
-    const Scalar a = Scalar(1) - k1;
-    const Scalar old11 = p11;
-    const Scalar old12 = p12;
-    p11 = a * a * old11 + k1 * k1 * r;
-    p12 = a * (old12 - k2 * old11) + k1 * k2 * r;
-    p22 = p22 - Scalar(2) * k2 * old12 + k2 * k2 * old11 + k2 * k2 * r;
-  }
-};
+using StandardFilter = TextbookFilter<Scalar, Correction::Standard>;
+template <typename Scalar>
+using JosephFilter = TextbookFilter<Scalar, Correction::Joseph>;
 
 /// Eigen's matrices of a fixed size, and of a size that is known at run time only: many @p steps of
 /// @p travelled between 3 N and 2 N; the last force.
