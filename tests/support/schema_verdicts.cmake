@@ -14,7 +14,7 @@ function(schema_verdicts room verdict schema)
       COMMAND ${NODE_PROGRAM} ${PROJECT_SOURCE_DIR}/tests/support/schema_verdicts.mjs ${PALPATE_AJV} $<TARGET_FILE:${verdict}>
               ${PROJECT_SOURCE_DIR}/${room}/library ${schema} ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/mutations)
   else()
-    add_test(NAME ${name} COMMAND sh -c "echo 'skipped: there is no node on this machine'; exit 77")
+    add_test(NAME ${name} COMMAND sh -c "echo 'Skipped: needs Node: ./setup --check'; exit 77")
   endif()
   set_tests_properties(${name} PROPERTIES LABELS ${room} TIMEOUT 1200 SKIP_RETURN_CODE 77)
 endfunction()

@@ -26,7 +26,7 @@ function loadAjv() {
     return createRequire(path.join(path.resolve(nodeModules), "any.js"))("ajv/dist/2020").default;
   } catch {
     console.log(
-      `skipped: there is no ajv in ${nodeModules}; run 'npm install ajv' beside it or set PALPATE_AJV`,
+      `Skipped: there is no ajv in ${nodeModules}; run ./setup --check or set PALPATE_AJV`,
     );
     process.exit(kSkipped);
   }

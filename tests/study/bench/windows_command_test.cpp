@@ -52,7 +52,7 @@ TEST_F(WindowsCommand, DrawsOnTheProcessorWithoutADisplay) {
 
 TEST_F(WindowsCommand, DrawsWithOpenGlOnADisplay) {
   if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty()) {
-    GTEST_SKIP() << "no xvfb-run";
+    GTEST_SKIP() << "needs xvfb-run: ./setup --check";
   }
   const auto knee = folder_ / "knee.obj";
   ASSERT_EQ(tests::run({tests::releaseStudio(), "--write-knee", knee}).status, 0);

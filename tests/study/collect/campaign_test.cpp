@@ -1,5 +1,5 @@
 // Stations, pushes and a server that are killed while a study goes on: what arrives is what was
-// recorded, once. With PALPATE_LONG six stations with 6,000 events each.
+// recorded, once. With PALPATE_CAMPAIGN six stations with 6,000 events each.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
