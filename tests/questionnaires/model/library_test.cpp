@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -106,6 +107,41 @@ TEST(Library, SaysWhereEverythingComesFrom) {
     EXPECT_FALSE(instrument.source.licence.empty()) << id;
   }
   EXPECT_EQ(shipped().at("ueq-s").source.doi, "10.9781/ijimai.2017.09.001");
+}
+
+/// The paragraphs of a file in Debian's format that are about files: per path, its other lines.
+std::map<std::string, std::string> licencesIn(const std::filesystem::path& file) {
+  std::map<std::string, std::string> licences;
+  std::istringstream lines(tests::contentOf(file));
+  std::vector<std::string> paths;
+  bool areFiles = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) paths.clear();
+    if (line.empty() || line[0] != ' ') areFiles = line.rfind("Files: ", 0) == 0;
+    if (!areFiles) {
+      for (const auto& path : paths) licences[path] += line + "\n";
+      continue;
+    }
+    std::istringstream words(line.substr(line[0] == ' ' ? 0 : std::string("Files:").size()));
+    for (std::string path; words >> path;) paths.push_back(path);
+  }
+  return licences;
+}
+
+TEST(Library, HasTheLicencesThatThePackageAndReuseGiveIt) {
+  const auto reuse = licencesIn(tests::repository() / ".reuse/dep5");
+  EXPECT_EQ(licencesIn(tests::repository() / "study/app/install/copyright"), reuse);
+  for (const auto& [id, instrument] : shipped()) {
+    const auto found = reuse.find("questionnaires/library/" + id + ".json");
+    ASSERT_NE(found, reuse.end()) << id << " is under the licence of the program";
+    const auto& terms = found->second;
+    const bool isAllOurs = instrument.source.licence.rfind("CC0-1.0", 0) == 0;
+    const std::string holder = "Copyright: 2026 The Palpate authors";
+    EXPECT_EQ(terms.rfind(holder + (isAllOurs ? "\n" : ", for what is theirs\n"), 0), 0U)
+        << id << ": " << instrument.source.licence << "\n"
+        << terms;
+    EXPECT_NE(terms.find("License: CC0-1.0\n"), std::string::npos) << id << "\n" << terms;
+  }
 }
 
 /// Table 1 of the punch paper; the sign says which statements the paper turned round.
