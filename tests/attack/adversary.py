@@ -112,9 +112,20 @@ def guesses(block, laws):
                key=lambda order: sum(score[truth] for score, truth in zip(scores, order)))
 
 
-def attack(known, others, seed):
-    """@p known, @p others: the cases of two studies. @return  (p, share of right guesses, share by chance, the most telling
-    features)"""
+def by_chance(sizes, right):
+    """The probability that so many of all guesses or more are right, where blocks of these sizes are guessed by chance."""
+    law = {0: 1.0}
+    for size in sizes:
+        orders = list(itertools.permutations(range(size)))
+        of_block = Counter(sum(place == at for at, place in enumerate(order)) for order in orders)
+        law = {count: sum(law.get(count - more, 0.0) * ways / len(orders) for more, ways in of_block.items())
+               for count in range(max(law) + size + 1)}
+    return sum(share for count, share in law.items() if count >= right)
+
+
+def attack(known, others, seed, is_exact=False):
+    """@p known, @p others: the cases of two studies. @p is_exact: p is computed, not drawn: it can be as small as it is.
+    @return  (p, share of right guesses, share by chance, the most telling features)"""
     draw = random.Random(seed)
     centred(known)
     laws = learnt(known)
@@ -129,6 +140,9 @@ def attack(known, others, seed):
 
     found = right(truths)
     total = sum(len(block) for block in truths)
+    if is_exact:
+        sizes = [len(block) for block in truths]
+        return by_chance(sizes, found), found / total, len(sizes) / total, list(laws)
     as_good = 0
     chance = 0
     for _ in range(PERMUTATIONS):

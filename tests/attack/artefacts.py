@@ -7,7 +7,7 @@ import datetime
 import json
 import re
 import sqlite3
-from collections import defaultdict
+from collections import Counter, defaultdict
 
 from adversary import Case
 
@@ -36,6 +36,17 @@ class Truth:
             "JOIN participant AS p ON p.id = n.participant_id")}
         self.names = sorted({condition for _, condition in self.steps.values()})
         connection.close()
+
+
+class ToldTruth:
+    """The same of a study whose conditions are sealed, from an export that is not blinded."""
+
+    def __init__(self, folder):
+        tables = tables_of(folder)
+        rows = [row for name in ("trials", "responses") for row in tables[name] if row["condition"]]
+        self.steps = {(row["participant_id"], int(row["step_num"])): (row["block"], row["condition"]) for row in rows}
+        self.answers = [(condition, row["response"]) for row in tables["responses"] if (condition := row["condition"])]
+        self.names = sorted({condition for _, condition in self.steps.values()})
 
 
 def person(text):
@@ -142,6 +153,18 @@ class Artefact:
             if step and row["condition_code"] not in ("", "n/a"):
                 known[row["condition_code"]] = step[1]
         return known
+
+    @staticmethod
+    def codes_by_answers(tables, answers):
+        """The same for a folder with other codes and people, by what was answered. @p answers: (condition, response)"""
+        seen = defaultdict(Counter)
+        for row in tables["responses"]:
+            if row["condition_code"] not in ("", "n/a"):
+                seen[row["condition_code"]][row["response"]] += 1
+        said = defaultdict(Counter)
+        for condition, response in answers:
+            said[condition][response] += 1
+        return {code: condition for code in seen for condition in said if seen[code] == said[condition]}
 
     def case_of(self, row):
         code = row.get("condition_code")
