@@ -116,6 +116,25 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
   });
 }
 
+/// What operators typed, notes and reasons, in sessions of a participant and not in those of
+/// others.
+std::set<std::string> typedAbout(Study& study, const std::string& participant) {
+  std::set<SessionId> theirs;
+  for (const auto& row : sessionsOf(study, participant)) theirs.insert(row.id);
+  std::set<std::string> texts;
+  std::set<std::string> others;
+  for (const auto& event : study.events().read()) {
+    if (!event.visit || event.actor != storage::Actor::Operator) continue;
+    auto& found = theirs.count(event.visit->session) > 0 ? texts : others;
+    found.insert(event.detail);
+    if (const auto* reason = event.value("reason")) {
+      if (const auto* text = std::get_if<std::string>(reason)) found.insert(*text);
+    }
+  }
+  for (const auto& text : others) texts.erase(text);
+  return texts;
+}
+
 /// Everything that the participant wrote, and that was written about the participant.
 storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   storage::ByteSearch search;
@@ -128,10 +147,8 @@ storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   for (const auto& text : storage::textsAbout(study.database(), request.participant)) {
     search.add(text, kShortestText);
   }
-  for (const auto& row : sessionsOf(study, request.participant)) {
-    for (const auto& event : study.events().read(row.id)) {
-      if (event.kind == EventKind::Note) search.add(event.detail, kShortestText);
-    }
+  for (const auto& text : typedAbout(study, request.participant)) {
+    search.add(text, kShortestText);
   }
   return search;
 }

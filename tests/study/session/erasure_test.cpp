@@ -1,5 +1,7 @@
 #include "study/session/erasure.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -13,6 +15,7 @@
 #include "study/session/backup.h"
 #include "study/session/erasure_copies.h"
 #include "study/session/study_key.h"
+#include "study/session/unblinding.h"
 #include "study/session/verification.h"
 #include "study/storage/map/study_keys.h"
 #include "study/storage/records.h"
@@ -201,9 +204,62 @@ TEST_F(ErasureTest, NamesTheFilesThatStillHoldAText) {
   fs::create_directories(study_.file("exports/table"));
   std::ofstream(study_.file("exports/table/responses.csv"))
       << "P001,\"" << planted("story") << "\"";
+  std::ofstream(study_.file("exports/table/events.csv")) << planted("a pause");
   std::ofstream(study_.file("exports/table/other.csv")) << "P002,nothing";
-  const auto report = eraseThem();
-  EXPECT_EQ(report.filesWithTexts, std::vector<std::string>{"exports/table/responses.csv"});
+  auto found = eraseThem().filesWithTexts;
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(
+      found, (std::vector<std::string>{"exports/table/events.csv", "exports/table/responses.csv"}));
+}
+
+TEST_F(ErasureTest, LeavesNoReasonWithWhichASessionEnded) {
+  // Each with all that an operator can type in a session before.
+  constexpr std::array kEndings{&Session::withdraw, &Session::reject, &Session::giveUpOnDevice};
+  const auto ended = [&](auto end) {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+    session.note(planted("a note"));
+    tests::walkTo(session, StepKind::Trial);
+    session.beginTrial();
+    session.breakOffTrial({.ending = TrialEnding::Stopped, .ticks = 500});
+    if (end != &Session::giveUpOnDevice) {
+      session.skipStep(planted("a skipped step"));
+      session.pause(planted("a pause"));
+      session.resumeAfterPause();
+    }
+    (session.*end)(planted("an end"));
+    return session.participant();
+  };
+  for (const auto end : kEndings) {
+    const auto report = erase(*study_, {.participant = ended(end), .reason = "asked"});
+    EXPECT_TRUE(report.filesWithTexts.empty());
+  }
+  eraseThem();
+  EXPECT_TRUE(filesWithSentinel().empty());
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, LeavesNoReasonOfASessionThatWasTakenOver) {
+  eraseThem();
+  study_.close();
+  tests::Sql(study_.file("study.db"))
+      .run(
+          "INSERT INTO lease (session_id, station, pid, process, taken_utc) "
+          "VALUES (2, 'another-computer', 4711, 'boot/1#1', 'earlier')");
+  study_.reopen();
+  Session::resume(*study_, SessionId{2}, planted("a session that was taken over"));
+  fs::create_directories(study_.file("exports"));
+  std::ofstream(study_.file("exports/events.csv")) << planted("a session that was taken over");
+  const auto report = erase(*study_, {.participant = "P002", .reason = "asked"});
+  EXPECT_EQ(report.filesWithTexts, std::vector<std::string>{"exports/events.csv"});
+  EXPECT_EQ(filesWithSentinel(), std::vector<std::string>{"events.csv"});
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, SaysThatAReasonOfTheStudyNamesTheParticipant) {
+  // Such an event is of no session and cannot be erased: docs/privacy.md asks for reasons without
+  // names.
+  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, kName + " wants to know it");
+  EXPECT_EQ(eraseThem().filesWithTexts, std::vector<std::string>{"study.db"});
 }
 
 /// The study as it was before, in another folder.
