@@ -19,7 +19,6 @@
 #include "study/collect/server/schema.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
-#include "study/session/verification.h"
 
 namespace study::collect {
 namespace {
@@ -105,14 +104,13 @@ int demo(const DemoArguments& given) {
   Connection server(postgres.server());
   const auto all = out / "all";
   const auto pulled = pull(server, {.folder = all, .reason = "the demonstration"}, clock);
-  auto study = Study::open(all, clock, storage::Database::Access::ReadOnly);
-  const bool isSound = verify(study).isSound();
+  const bool isSound = pulled.isSound();
   fmt::print(
       "{} has {} sessions of {} stations, and is {}. The server is stopped again.\n"
       "Next: palpate report {} --run-mode simulated --out report.html\n",
       all.string(),
-      pulled.sessions,
-      pulled.stations,
+      pulled.sessions(),
+      pulled.stations.size(),
       isSound ? "sound" : "NOT sound: palpate study verify says why",
       all.string());
   return isSound ? 0 : 1;

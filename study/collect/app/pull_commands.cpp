@@ -26,45 +26,81 @@ struct PullArguments {
   std::string reason;
 };
 
+/// What was left out, and why. @return  whether all is as the stations signed it
+bool tellProblems(const Pulled& pulled) {
+  for (const auto& station : pulled.stations) {
+    for (const auto& session : station.incomplete) {
+      fmt::print(
+          stderr,
+          "{}: {} is not complete, and left out. The station has to push again.\n",
+          station.label,
+          session);
+    }
+    for (const auto& problem : station.problems) {
+      fmt::print(stderr, "{}: {}\n", station.label, problem);
+    }
+  }
+  for (const auto& problem : pulled.problems) fmt::print(stderr, "{}\n", problem);
+  if (!pulled.isSound()) {
+    fmt::print(
+        stderr,
+        "The server has data that no station signed. docs/collecting.md, \"What happens when\", "
+        "says what to do.\n");
+  }
+  return pulled.isSound();
+}
+
 int pullStudy(const PullArguments& given) {
   SystemClock clock;
   Connection server(given.server);
   const auto pulled =
       pull(server, {.study = given.study, .folder = given.folder, .reason = given.reason}, clock);
+  std::int64_t events = 0;
+  std::uint64_t traceBytes = 0;
+  std::size_t erased = 0;
+  for (const auto& station : pulled.stations) {
+    events += station.events;
+    traceBytes += station.traceBytes;
+    erased += station.erased;
+  }
   fmt::print(
       "{} has {} of {}, {} events, {:.1f} MB of samples{}.\n",
       given.folder,
-      words::counted(pulled.sessions, "session"),
-      words::counted(pulled.stations, "station"),
-      pulled.events,
-      static_cast<double>(pulled.traceBytes) / 1e6,
-      pulled.erased == 0
-          ? ""
-          : "; " + words::counted(pulled.erased, "session was", "sessions were") + " erased");
-  for (const auto& session : pulled.incomplete) {
-    fmt::print("not complete, and left out: {}. Its station has to push again.\n", session);
-  }
+      words::counted(pulled.sessions(), "session"),
+      words::counted(pulled.stations.size(), "station"),
+      events,
+      static_cast<double>(traceBytes) / 1e6,
+      erased == 0 ? "" : "; " + words::counted(erased, "session was", "sessions were") + " erased");
+  const bool isSound = tellProblems(pulled);
   fmt::print(
       "Next: palpate study verify {0}, palpate report {0} --out report.html\n", given.folder);
-  return 0;
+  return isSound ? 0 : 1;
 }
 
-/// Pulls, and runs 'palpate stats run' on what came; nothing of it stays on this computer.
-/// @param words  the options of 'stats run'
-int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
-  const TemporaryFolder folder;
-  const Account account(folder / "account");
-  const auto study = folder / "study";
-  SystemClock clock;
-  {
+/// What was pulled for one command; nothing of it stays on this computer.
+class PassingPull {
+ public:
+  explicit PassingPull(const PullArguments& given) : account_(folder_ / "account") {
+    SystemClock clock;
     Connection server(given.server);
-    const auto pulled =
-        pull(server, {.study = given.study, .folder = study, .reason = given.reason}, clock);
-    for (const auto& session : pulled.incomplete) {
-      fmt::print(stderr, "not complete, and left out: {}\n", session);
-    }
+    pulled_ =
+        pull(server, {.study = given.study, .folder = study(), .reason = given.reason}, clock);
   }
-  words.insert(words.begin(), {"stats", "run", study.string(), "--reason", given.reason});
+
+  std::filesystem::path study() const { return folder_ / "study"; }
+  const Pulled& pulled() const noexcept { return pulled_; }
+
+ private:
+  TemporaryFolder folder_;
+  Account account_;
+  Pulled pulled_;
+};
+
+/// @param words  the options of 'palpate stats run', which is run on what came
+int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
+  const PassingPull all(given);
+  const bool isSound = tellProblems(all.pulled());
+  words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", given.reason});
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   CLI::App program("palpate collect stats");
   app::Action run;
@@ -75,23 +111,21 @@ int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
     throw UserError(
         std::string(error.what()) + " ('palpate stats run --help' has all further options.)");
   }
-  return run();
+  const int status = run();
+  return isSound ? status : std::max(status, 1);
 }
 
 int checkStudy(const PullArguments& given) {
-  Connection server(given.server);
-  bool isSound = true;
-  for (const auto& station : check(server, given.study, given.reason)) {
+  const PassingPull all(given);
+  for (const auto& station : all.pulled().stations) {
     fmt::print(
         "{}  {}: {} events, {}\n",
         station.problems.empty() ? "PASS" : "FAIL",
-        station.station,
+        station.label,
         station.events,
         words::counted(station.sessions, "session"));
-    for (const auto& problem : station.problems) fmt::print("      {}\n", problem);
-    isSound = isSound && station.problems.empty();
   }
-  return isSound ? 0 : 1;
+  return tellProblems(all.pulled()) ? 0 : 1;
 }
 
 }  // namespace
@@ -119,7 +153,7 @@ void addPullCommands(CLI::App& program, Action& action) {
   });
 
   auto* look = program.add_subcommand(
-      "check", "Compute all audit trails on the server again, with signatures and hashes");
+      "check", "Pull into a temporary folder, to see whether all is as the stations signed it");
   addServerOption(*look, given->server);
   look->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");

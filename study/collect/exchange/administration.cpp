@@ -9,6 +9,8 @@
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/collect/exchange/push.h"
+#include "study/collect/exchange/server_reader.h"
+#include "study/collect/exchange/station_trail.h"
 #include "study/model/user_error.h"
 #include "study/session/study.h"
 #include "study/storage/protocol_repository.h"
@@ -69,6 +71,32 @@ void inTransaction(Connection& server, const Action& action) {
     throw;
   }
   server.execute("COMMIT");
+}
+
+/// What of a bundle that was taken in does not agree with the audit trail of its station.
+std::optional<std::string> problemIn(
+    Connection& server, const std::string& study, const Bundle& bundle) {
+  ServerReader reader(server, study, "a bundle is checked");
+  const auto stations = reader.stations();
+  const auto station = std::find_if(stations.begin(), stations.end(), [&](const auto& row) {
+    return row.station.uuid == bundle.station;
+  });
+  if (station == stations.end()) return "its station is not of this study";
+  StationTrail trail(
+      reader.beginning(), *station, reader.events(*station), reader.keys(*station), bundle.last);
+  if (!trail.problems().empty()) return trail.problems().front();
+  std::optional<std::string> found;
+  reader.forEachSession(*station, [&](const SessionOnServer& session) {
+    if (found || session.asOf < bundle.first) return;
+    const auto problems = trail.problemsOf(
+        session.number,
+        session.asOf,
+        factsIn(session.facts),
+        reader.chunks(*station, session.number));
+    if (problems.empty()) return;
+    found = "session " + std::to_string(session.number) + ": " + problems.front();
+  });
+  return found;
 }
 
 }  // namespace
@@ -155,25 +183,38 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
     throw UserError(file.string() + " is of a station that this server does not know.");
   }
   TakenBundle taken{.station = rows.text(0, 1)};
-  const auto secret = secretOf(findStudy(server, rows.text(0, 2)));
+  const auto study = findStudy(server, rows.text(0, 2));
+  Answer answer;
   const auto take = [&](const auto& text, const auto& chunks) {
-    const auto answer = ingest(server, text, chunks);
+    answer = ingest(server, text, chunks);
     if (answer.refused == "gap") {
-      throw UserError(
+      throw Refused(
+          answer.refused,
           file.string() + " begins with event " + std::to_string(bundle.first) + " of '" +
-          taken.station + "', and the server has only " + std::to_string(answer.have) +
-          ": an earlier bundle is missing. Take it in first, or make one of everything: palpate "
-          "collect bundle --after " +
-          std::to_string(answer.have) + ".");
+              taken.station + "', and the server has only " + std::to_string(answer.have) +
+              ": an earlier bundle is missing. Take it in first, or make one of everything: "
+              "palpate collect bundle --after " +
+              std::to_string(answer.have) + ".");
     }
-    if (!answer.refused.empty()) throw UserError(wordsFor(answer));
+    if (!answer.refused.empty()) throw Refused(answer.refused, wordsFor(answer));
     taken.have = answer.have;
     return true;
   };
   try {
-    readBundle(file, secret, rows.text(0, 0), take);
+    inTransaction(server, [&] {
+      readBundle(file, secretOf(study), rows.text(0, 0), take);
+      if (const auto problem = problemIn(server, study.name, bundle)) {
+        throw UnsoundBundle(
+            file.string() + " cannot be taken in: " + *problem +
+            ". The study was changed on its station, or its disk is damaged: 'palpate study "
+            "verify' says more there.");
+      }
+    });
   } catch (const UnsoundBundle& error) {
     addIncident(server, bundle.station, "bundle", error.what());
+    throw;
+  } catch (const Refused&) {
+    addIncident(server, bundle.station, answer.refused, answer.detail);
     throw;
   }
   return taken;

@@ -1,39 +1,277 @@
 #include "study/collect/exchange/station_trail.h"
 
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "study/collect/exchange/hexadecimal.h"
+#include "study/model/event_kind.h"
+#include "study/model/session_state.h"
+#include "study/storage/content_hash.h"
 #include "study/storage/evidence/trail_heads.h"
+#include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
+#include "study/storage/trace_store.h"
 
 namespace study::collect {
+namespace {
 
-std::vector<std::string> problemsIn(
-    const std::vector<storage::StoredEvent>& trail,
-    const std::string& study,
-    const std::string& key) {
-  // In a study without sessions, by the same code that verifies one.
-  auto database = storage::Database::inMemory(storage::studySchema());
-  database.execute("PRAGMA foreign_keys = OFF; BEGIN");
-  storage::Statement row(
-      database,
+using storage::Statement;
+
+/// A study without sessions that has these events.
+std::unique_ptr<storage::Database> trailOf(
+    const std::string& study, std::span<const storage::StoredEvent> events) {
+  auto database =
+      std::make_unique<storage::Database>(storage::Database::inMemory(storage::studySchema()));
+  database->execute("PRAGMA foreign_keys = OFF");
+  storage::Transaction transaction(*database);
+  Statement row(
+      *database,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, '', 0, '', '')");
   row.bind(1, study);
   row.run();
-  storage::EventLog log(database);
-  for (const auto& event : trail) log.putStored(event);
-  database.execute("COMMIT");
-  std::vector<std::string> problems;
-  if (const auto broken = log.firstBreak()) problems.push_back(*broken);
-  const storage::TrailHeads heads(database);
-  for (const auto& problem : heads.checkSignatures(key).problems) problems.push_back(problem);
-  for (const auto& each : heads.all()) {
-    if (each.head.key == key) continue;
-    problems.push_back(
-        "event " + std::to_string(each.seq) +
-        " is signed by another station than the one that "
-        "was enrolled");
+  storage::EventLog log(*database);
+  for (const auto& event : events) log.putStored(event);
+  transaction.commit();
+  return database;
+}
+
+storage::IdentityStore storeOf(const std::vector<SentKey>& keys) {
+  storage::IdentityStore identities(storage::Database::inMemory(storage::identitySchema()));
+  storage::Transaction transaction(identities.database());
+  for (const auto& key : keys) identities.putContentKey(key.participant, key.key);
+  transaction.commit();
+  return identities;
+}
+
+std::string textOf(const base::NamedArguments& values, std::string_view name) {
+  for (const auto& [key, value] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (key == name && text != nullptr) return *text;
   }
+  return {};
+}
+
+std::string nameOf(const VisitKey& visit) {
+  return "step " + std::to_string(visit.step + 1) + ", attempt " + std::to_string(visit.attempt);
+}
+
+}  // namespace
+
+StationTrail::StationTrail(
+    const CollectedStudy::Beginning& study,
+    const StationRow& station,
+    std::vector<storage::StoredEvent> events,
+    const std::vector<SentKey>& keys,
+    std::int64_t vouchedUpTo)
+    : station_(station.station),
+      conditionKey_(study.secret.of(station.station.label).bytes()),
+      events_(std::move(events)),
+      identities_(storeOf(keys)) {
+  judge(study, station, vouchedUpTo);
+  for (std::int64_t i = 0; i < signedUpTo_; ++i) {
+    const auto& event = events_[static_cast<std::size_t>(i)];
+    if (event.session) lastEvents_[*event.session] = event.seq;
+    if (event.kind == study::nameOf(EventKind::AmendedProtocol)) ++versions_;
+  }
+  storage::Transaction transaction(*database_);
+  storage::ProtocolRepository protocols(*database_);
+  for (const auto& protocol : study.protocols) protocols.add(protocol, "", "");
+  transaction.commit();
+}
+
+void StationTrail::judge(
+    const CollectedStudy::Beginning& study, const StationRow& station, std::int64_t vouchedUpTo) {
+  database_ = trailOf(study.uuid, events_);
+  const storage::EventLog log(*database_);
+  const auto broken = log.firstBreak();
+  if (broken) problems_.push_back(*broken);
+  if (static_cast<std::int64_t>(events_.size()) != station.have) {
+    problems_.push_back(
+        std::to_string(events_.size()) + " of " + std::to_string(station.have) +
+        " events that the server acknowledged are there");
+  }
+  const auto made = log.madeStudy();
+  const bool isOurs = textOf(made, "site") == station_.site &&
+                      textOf(made, "station") == station_.label &&
+                      textOf(made, "station_uuid") == station_.uuid;
+  if (!isOurs && !events_.empty()) {
+    problems_.emplace_back("its trail did not begin with the enrolment of this station");
+  }
+  const storage::TrailHeads heads(*database_);
+  for (const auto& problem : heads.checkSignatures(station.key).problems) {
+    problems_.push_back(problem);
+  }
+  std::vector<std::int64_t> ends;
+  for (const auto& each : heads.all()) {
+    if (each.head.key != station.key) {
+      problems_.push_back(
+          "event " + std::to_string(each.seq) +
+          " is signed by another station than the one that was enrolled");
+    } else if (each.isSound && isOurs) {
+      ends.push_back(each.seq);
+    }
+  }
+  if (isOurs && vouchedUpTo > (ends.empty() ? 0 : ends.back())) ends.push_back(vouchedUpTo);
+  const auto upTo = [&](std::int64_t end) {
+    return trailOf(study.uuid, std::span(events_).first(static_cast<std::size_t>(end)));
+  };
+  // What comes before a break is as the station signed it.
+  const auto isUnbroken = [&](std::int64_t end) {
+    return !storage::EventLog(*upTo(end)).firstBreak();
+  };
+  const auto end = broken ? std::partition_point(ends.begin(), ends.end(), isUnbroken) : ends.end();
+  if (end != ends.begin()) signedUpTo_ = *std::prev(end);
+  if (signedUpTo_ < static_cast<std::int64_t>(events_.size())) database_ = upTo(signedUpTo_);
+}
+
+std::string StationTrail::unsignedPart() const {
+  const auto last = static_cast<std::int64_t>(events_.size());
+  if (last == signedUpTo_) return {};
+  return "events " + std::to_string(signedUpTo_ + 1) + " to " + std::to_string(last) +
+         " have no sound signature of the station, and are left out";
+}
+
+std::string StationTrail::head() const {
+  return signedUpTo_ == 0 ? std::string("-")
+                          : hexadecimalOf(events_[static_cast<std::size_t>(signedUpTo_ - 1)].hash);
+}
+
+std::vector<storage::StoredEvent> StationTrail::takeEvents() {
+  events_.resize(static_cast<std::size_t>(signedUpTo_));
+  return std::move(events_);
+}
+
+std::vector<std::string> StationTrail::problemsOf(
+    std::int64_t session,
+    std::int64_t asOf,
+    const storage::SessionFacts& facts,
+    const std::vector<storage::TraceChunk>& chunks) {
+  std::vector<std::string> problems;
+  const bool isHere =
+      storage::textIn(facts, "session", "site") == station_.site &&
+      storage::textIn(facts, "session", "station") == station_.label &&
+      storage::textIn(facts, "participant", "code").starts_with(station_.label + "_");
+  if (!isHere) problems.emplace_back("its rows are of another site, station or code");
+  // Its conditions are sealed at the station, unless it was simulated or nobody is kept blind.
+  std::vector<const storage::SealingKey*> ways{nullptr};
+  if (storage::textIn(facts, "session", "run_mode") != study::nameOf(RunMode::Simulated)) {
+    ways.insert(ways.begin(), &conditionKey_);
+  }
+  const auto& said = events_.at(static_cast<std::size_t>(asOf - 1));
+  std::optional<std::string> ofTraces;
+  const bool isSame = std::any_of(ways.begin(), ways.end(), [&](const auto* key) {
+    const storage::Transaction rolledBack(*database_);
+    storage::addFactsAs(*database_, facts, SessionId{session}, key);
+    if (key == ways.front()) ofTraces = firstProblemOfTraces(session, chunks);
+    return agrees(session, said);
+  });
+  if (!isSame) problems.emplace_back("its rows do not agree with the audit trail");
+  if (ofTraces) problems.push_back(*ofTraces);
   return problems;
+}
+
+/// The trail's hash of a session's rows covers the numbers that participant and protocol have in
+/// the station's file. These do not travel: they count from 1, and are found by trying.
+bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& said) {
+  if (said.content.empty()) return false;
+  Statement row(
+      *database_,
+      "SELECT s.participant_id, p.code, v.sha256 FROM session AS s JOIN participant AS p "
+      "ON p.id = s.participant_id JOIN protocol AS v ON v.id = s.protocol_id WHERE s.id = ?");
+  row.bind(1, session);
+  row.step();
+  auto participant = row.number(0);
+  const auto code = row.text(1);
+  const auto hash = row.text(2);
+  row.reset();
+  std::vector<std::int64_t> people;
+  if (const auto known = participants_.find(code); known != participants_.end()) {
+    people.push_back(known->second);
+  } else {
+    std::int64_t next = 1;
+    for (const auto& [name, number] : participants_) next = std::max(next, number + 1);
+    people.push_back(next);
+    for (std::int64_t i = session; i >= 1; --i) people.push_back(i);
+  }
+  for (const auto person : people) {
+    Statement(*database_, "UPDATE participant SET id = ? WHERE id = ?")
+        .bind(1, person)
+        .bind(2, participant)
+        .run();
+    participant = person;
+    for (std::int64_t version = 1; version <= versions_; ++version) {
+      const auto other = protocols_.find(version);
+      if (other != protocols_.end() && other->second != hash) continue;
+      Statement(*database_, "UPDATE session SET participant_id = ?, protocol_id = ? WHERE id = ?")
+          .bind(1, person)
+          .bind(2, version)
+          .bind(3, session)
+          .run();
+      if (!agreesWithNumbers(session, said)) continue;
+      participants_[code] = person;
+      protocols_[version] = hash;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool StationTrail::agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said) {
+  const storage::EventLog log(*database_, &identities_);
+  const auto key = said.sealed.empty() ? std::nullopt : log.keyOf(SessionId{session});
+  if (!said.sealed.empty() && !key) return false;
+  return storage::asBytes(storage::contentHash(
+             *database_, SessionId{session}, key ? &*key : nullptr)) == said.content;
+}
+
+/// Samples against their trials, and against the digests in the trail.
+std::optional<std::string> StationTrail::firstProblemOfTraces(
+    std::int64_t session, const std::vector<storage::TraceChunk>& chunks) {
+  std::map<VisitKey, std::string> kept;
+  for (const auto& event : storage::EventLog(*database_, &identities_).read(SessionId{session})) {
+    if (event.kind == EventKind::KeptTrace && event.visit && !event.isErased) {
+      kept[*event.visit] = event.detail;
+    }
+  }
+  storage::TraceStore traces(storage::Database::inMemory(storage::traceSchema()));
+  std::set<VisitKey> visits;
+  for (const auto& chunk : chunks) {
+    const VisitKey visit{SessionId{session}, chunk.step, chunk.attempt};
+    if (storage::asBytes(storage::hashOf(chunk.data)) != chunk.hash) {
+      return nameOf(visit) + ": samples differ from their hash";
+    }
+    visits.insert(visit);
+  }
+  {
+    storage::Transaction transaction(traces.database());
+    for (const auto& chunk : chunks) {
+      storage::addChunk(traces.database(), SessionId{session}, chunk);
+    }
+    transaction.commit();
+  }
+  for (const auto& visit : visits) {
+    const auto said = kept.find(visit);
+    if (said == kept.end()) return nameOf(visit) + ": samples that the audit trail does not know";
+    if (traces.digest(visit) != said->second) {
+      return nameOf(visit) + ": the samples are not those that were recorded";
+    }
+  }
+  Statement trials(
+      *database_, "SELECT step, attempt, trace_samples FROM trial WHERE session_id = ?");
+  trials.bind(1, session);
+  while (trials.step()) {
+    const VisitKey visit{
+        SessionId{session}, static_cast<int>(trials.number(0)), static_cast<int>(trials.number(1))};
+    if (traces.sampleCount(visit) != trials.number(2)) {
+      return nameOf(visit) + ": not all samples are there";
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace study::collect

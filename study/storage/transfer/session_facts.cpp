@@ -1,6 +1,7 @@
 #include "study/storage/transfer/session_facts.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -204,7 +205,45 @@ void addAllocation(
   }
 }
 
+/// @param as  the number of its row; std::nullopt: the next one
+SessionId addRows(
+    Database& study,
+    const SessionFacts& facts,
+    std::optional<SessionId> as,
+    const SealingKey* key) {
+  FactRow session = onlyRow(facts, "session");
+  const auto protocol = protocolIn(study, textIn(session, "protocol"));
+  session.erase("protocol");
+  const auto participant = participantIn(study, onlyRow(facts, "participant"));
+  std::vector<std::pair<std::string, std::int64_t>> keys{
+      {"participant_id", participant}, {"protocol_id", protocol}};
+  if (as) keys.emplace_back("id", static_cast<std::int64_t>(*as));
+  insert(study, "session", kSessionColumns, {session}, keys);
+  const SessionId id{study.lastInsertedId()};
+  for (const auto& table : kTables) {
+    const auto rows = facts.find(std::string(table.name));
+    if (rows == facts.end()) refuse("it has no rows of " + std::string(table.name));
+    insert(
+        study,
+        table.name,
+        table.columns,
+        rows->second,
+        {{"session_id", static_cast<std::int64_t>(id)}});
+  }
+  addAllocation(study, id, facts, key);
+  return id;
+}
+
 }  // namespace
+
+std::string textIn(const SessionFacts& facts, const std::string& table, const std::string& column) {
+  const auto rows = facts.find(table);
+  if (rows == facts.end() || rows->second.empty()) return {};
+  const auto found = rows->second.front().find(column);
+  if (found == rows->second.front().end()) return {};
+  const auto* text = std::get_if<std::string>(&found->second);
+  return text == nullptr ? std::string() : *text;
+}
 
 SessionFacts factsOf(const Database& study, SessionId session) {
   SessionFacts facts;
@@ -239,25 +278,13 @@ SessionFacts factsOf(const Database& study, SessionId session) {
 }
 
 SessionId addFacts(Database& study, const SessionFacts& facts) {
-  FactRow session = onlyRow(facts, "session");
-  const auto protocol = protocolIn(study, textIn(session, "protocol"));
-  session.erase("protocol");
-  const auto participant = participantIn(study, onlyRow(facts, "participant"));
-  insert(
-      study,
-      "session",
-      kSessionColumns,
-      {session},
-      {{"participant_id", participant}, {"protocol_id", protocol}});
-  const auto id = study.lastInsertedId();
-  for (const auto& table : kTables) {
-    const auto rows = facts.find(std::string(table.name));
-    if (rows == facts.end()) refuse("it has no rows of " + std::string(table.name));
-    insert(study, table.name, table.columns, rows->second, {{"session_id", id}});
-  }
-  const bool isSealed = textIn(session, "run_mode") != nameOf(RunMode::Simulated);
-  addAllocation(study, SessionId{id}, facts, isSealed ? study.key() : nullptr);
-  return SessionId{id};
+  const bool isSealed = textIn(onlyRow(facts, "session"), "run_mode") != nameOf(RunMode::Simulated);
+  return addRows(study, facts, {}, isSealed ? study.key() : nullptr);
+}
+
+void addFactsAs(
+    Database& study, const SessionFacts& facts, SessionId session, const SealingKey* key) {
+  addRows(study, facts, session, key);
 }
 
 std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit) {

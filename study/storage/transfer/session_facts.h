@@ -22,6 +22,9 @@ using FactRow = std::map<std::string, FactValue>;
 /// allocation, visit, answer, trial, cut. The session names its protocol by hash.
 using SessionFacts = std::map<std::string, std::vector<FactRow>>;
 
+/// A text of the first row of a table; empty if there is none.
+std::string textIn(const SessionFacts& facts, const std::string& table, const std::string& column);
+
 /// The conditions are in the open, whether or not they are sealed in this file.
 /// @throws StorageError  if there is no such session, or the key of its conditions is not here.
 SessionFacts factsOf(const Database& study, SessionId session);
@@ -31,6 +34,12 @@ SessionFacts factsOf(const Database& study, SessionId session);
 /// @throws StorageError  if its protocol is not there, or a row or column is not as this program
 ///     knows it.
 SessionId addFacts(Database& study, const SessionFacts& facts);
+
+/// The same with the number that the session has in the file that it comes from, to be compared
+/// with what the audit trail of that file says. @param key  with which its conditions are sealed
+/// there; nullptr: they are not
+void addFactsAs(
+    Database& study, const SessionFacts& facts, SessionId session, const SealingKey* key);
 
 /// Raw chunks of samples, to be written to another file as they are.
 struct TraceChunk {

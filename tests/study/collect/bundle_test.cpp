@@ -7,6 +7,7 @@
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/server/registry.h"
 #include "study/model/user_error.h"
+#include "study/storage/study_schema.h"
 #include "tests/study/collect/collected_study_at.h"
 
 namespace bundle_test {
@@ -90,6 +91,23 @@ TEST_F(Bundles, OfAnotherStationsKeyAreRefused) {
   const auto home = study::collect::homeServerOf(folderOf("oslo"));
   study::collect::writeBundle(outbox, other, home.bundleKey, 0, scratch_ / "forged");
   expectRefused(scratch_ / "forged");
+}
+
+TEST_F(Bundles, OfAStudyThatWasChangedOnItsStationAreRefused) {
+  addStation("oslo");
+  runSession("oslo");
+  const auto file = bundleOf("oslo", 0, "sound.bundle");
+  {
+    auto database = study::storage::Database::open(
+        folderOf("oslo") + "/study.db",
+        study::storage::studySchema(),
+        study::storage::Database::Access::ReadWrite);
+    database.execute("UPDATE visit SET reason = 'another' WHERE step = 2");
+  }
+  expectRefused(bundleOf("oslo", 0, "changed.bundle"));
+  EXPECT_TRUE(contentOfServer().empty());
+  EXPECT_EQ(incidents(), std::vector<std::string>{"bundle"});
+  EXPECT_EQ(take(file), last_) << "the control: as it was before it is taken";
 }
 
 TEST_F(Bundles, TellNothingToWhoeverFindsThem) {

@@ -420,9 +420,13 @@ class Campaign : public tests::CollectTest {
       auto server = admin();
       const auto pulled = study::collect::pull(
           server, {.folder = scratch_ / "union", .reason = "to evaluate"}, clock_);
-      if (!pulled.incomplete.empty()) found.emplace_back("incomplete sessions");
-      traceBytes_ = pulled.traceBytes;
-      sessions_ = pulled.sessions;
+      traceBytes_ = 0;
+      for (const auto& station : pulled.stations) {
+        if (!station.incomplete.empty()) found.emplace_back("incomplete sessions");
+        for (const auto& problem : station.problems) found.push_back(problem);
+        traceBytes_ += station.traceBytes;
+      }
+      sessions_ = pulled.sessions();
     } catch (const std::exception& error) {
       found.push_back(std::string("nothing was pulled: ") + error.what());
       return found;

@@ -42,6 +42,13 @@ class Collection : public tests::CollectTest {
     return problems;
   }
 
+  std::vector<std::string> problemsOfStation(const std::string& label) const {
+    for (const auto& station : result_.stations) {
+      if (station.label == label) return station.problems;
+    }
+    return {"it was not pulled"};
+  }
+
   std::int64_t count(const std::string& table) {
     auto server = admin();
     return server.query("SELECT count(*) FROM palpate." + table).number(0, 0);
@@ -66,8 +73,9 @@ TEST_F(Collection, StationsServerAndPulledFolderHaveTheSameContent) {
   EXPECT_EQ(contentOfServer(), stations);
   EXPECT_EQ(contentOf({pulled()}), stations);
   EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
-  EXPECT_EQ(result_.sessions, 9U);
-  EXPECT_EQ(result_.stations, 3U);
+  EXPECT_EQ(result_.sessions(), 9U);
+  EXPECT_EQ(result_.stations.size(), 3U);
+  EXPECT_TRUE(result_.isSound());
 }
 
 TEST_F(Collection, ThePulledStudyKnowsTheSiteOfEachSession) {
@@ -255,7 +263,7 @@ TEST_F(Collection, ALostBatchIsNoticed) {
   admin().execute("DELETE FROM palpate.session WHERE number = 2");
   EXPECT_NE(contentOfServer(), contentOf({folderOf("oslo")}));
   pulled();
-  EXPECT_EQ(result_.incomplete.size(), 1U);
+  EXPECT_EQ(result_.stations.at(0).incomplete.size(), 1U);
 }
 
 TEST_F(Collection, WithoutTheChecksOfIngestEventsAreDoubled) {
@@ -295,7 +303,7 @@ TEST_F(Collection, AnErasureTravelsToTheServerAndToEveryLaterPull) {
   auto server = admin();
   EXPECT_EQ(server.query("SELECT count(*) FROM palpate.answer WHERE number = 1").number(0, 0), 0);
   EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
-  EXPECT_EQ(result_.erased, 1U);
+  EXPECT_EQ(result_.stations.at(0).erased, 1U);
   EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
   // A folder that was pulled before forgets as well, when it is opened on that computer.
   const auto account = accountOf("analyst");
@@ -313,19 +321,95 @@ TEST_F(Collection, SessionsOfACollectedStudyCannotGoOn) {
   EXPECT_THROW(study::Session::resume(study, study::SessionId{1}), study::UserError);
 }
 
+// What the owner of the server can change is noticed. What is signed by others is pulled.
+
 TEST_F(Collection, ATrailThatWasRewrittenOnTheServerIsNotPulled) {
   addStation("oslo");
+  addStation("bergen");
+  runSession("oslo");
+  runSession("bergen");
+  push("oslo");
+  push("bergen");
+  admin().execute(
+      "ALTER TABLE palpate.event DISABLE TRIGGER an_event_is_never_changed;"
+      "UPDATE palpate.event SET utc = '2031-01-01T00:00:00.000Z' WHERE seq = 3 AND station = "
+      "(SELECT id FROM palpate.station WHERE label = 'oslo')");
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("bergen")}));
+  EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
+  EXPECT_FALSE(result_.isSound());
+  EXPECT_TRUE(problemsOfStation("bergen").empty());
+  EXPECT_FALSE(problemsOfStation("oslo").empty());
+}
+
+TEST_F(Collection, WhatCameBeforeARewrittenEventIsPulled) {
+  addStation("oslo");
+  const auto first = runSession("oslo");
   runSession("oslo");
   push("oslo");
   admin().execute(
       "ALTER TABLE palpate.event DISABLE TRIGGER an_event_is_never_changed;"
-      "UPDATE palpate.event SET utc = '2031-01-01T00:00:00.000Z' WHERE seq = 3");
-  EXPECT_THROW(pulled(), study::storage::StorageError);
-  EXPECT_FALSE(std::filesystem::exists(scratch_ / "union"));
+      "UPDATE palpate.event SET utc = '2031-01-01T00:00:00.000Z' WHERE seq = "
+      "(SELECT max(seq) - 5 FROM palpate.event)");
+  const auto content = contentOf({pulled()});
+  EXPECT_EQ(result_.sessions(), 1U);
+  EXPECT_EQ(content.count(first + "/1"), 1U);
+  EXPECT_FALSE(result_.isSound());
+}
+
+TEST_F(Collection, RowsThatWereChangedWithTheirHashOnTheServerAreNotPulled) {
+  const std::vector<std::string> changes{
+      R"(replace(facts, '"status":"finished"', '"status":"repeated"'))",
+      R"(replace(facts, '"site":"oslo"', '"site":"bergen"'))",
+      R"(replace(facts, '"state":"completed"', '"state":"withdrawn"'))",
+      R"(replace(facts, '"language":"en"', '"language":"de"'))",
+      R"(regexp_replace(facts, '"device":"[^"]+"', '"device":"another"'))",
+      R"(regexp_replace(facts, '"peak_n":[0-9.]+', '"peak_n":1.5'))",
+      R"(regexp_replace(facts, '"duration_s":[0-9.]+', '"duration_s":9.5'))",
+      R"(regexp_replace(facts, '"point":[0-9]', '"point":null'))",
+      R"(regexp_replace(facts, '"condition":"[^"]+"', '"condition":"other"'))",
+      R"(regexp_replace(facts, '"slot":[0-9]+', '"slot":17'))",
+      R"(replace(facts, '_P001', '_P009'))",
+      R"(regexp_replace(facts, '"trial":\[.*\],"visit"', '"trial":[],"visit"'))",
+  };
+  addStation("oslo");
+  runSession("oslo");
+  simulate("oslo", 1);
+  push("oslo");
+  const auto sound = contentOf({pulled("control")});
+  EXPECT_TRUE(result_.isSound()) << "the control: unchanged it is pulled";
+  EXPECT_EQ(sound, contentOf({folderOf("oslo")}));
   auto server = admin();
-  const auto checks = study::collect::check(server, "short", "why it is not pulled");
-  ASSERT_EQ(checks.size(), 1U);
-  EXPECT_FALSE(checks[0].problems.empty());
+  server.execute("CREATE TABLE kept AS SELECT number, facts, sha256 FROM palpate.session");
+  int number = 0;
+  for (const auto& change : changes) {
+    const auto rows = server.query(
+        "UPDATE palpate.session AS s SET facts = x.facts, sha256 = sha256(convert_to(x.facts, "
+        "'UTF8')) FROM (SELECT number, " +
+        change +
+        " AS facts FROM kept) AS x WHERE x.number = s.number AND x.facts <> s.facts "
+        "RETURNING s.number");
+    EXPECT_FALSE(rows.isEmpty()) << change << " changed nothing";
+    pulled("changed-" + std::to_string(++number));
+    EXPECT_EQ(result_.sessions(), 2U - static_cast<std::size_t>(rows.count())) << change;
+    EXPECT_FALSE(result_.isSound()) << change;
+    server.execute(
+        "UPDATE palpate.session AS s SET facts = k.facts, sha256 = k.sha256 FROM kept AS k "
+        "WHERE k.number = s.number");
+  }
+  EXPECT_EQ(contentOf({pulled("again")}), sound);
+}
+
+TEST_F(Collection, SamplesThatWereExchangedOnTheServerAreNotPulled) {
+  addStation("oslo");
+  simulate("oslo", 2);
+  push("oslo");
+  admin().execute(
+      "UPDATE palpate.chunk AS c SET data = o.data, hash = o.hash, samples = o.samples "
+      "FROM palpate.chunk AS o WHERE c.session = 1 AND c.number = 0 AND o.session = 2 "
+      "AND o.number = 0 AND o.step = c.step");
+  pulled();
+  EXPECT_EQ(result_.sessions(), 1U);
+  EXPECT_FALSE(result_.isSound());
 }
 
 }  // namespace collection_test

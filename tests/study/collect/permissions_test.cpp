@@ -1,8 +1,12 @@
 // Who may do what on the server: everything else is denied.
+#include <cstring>
+#include <filesystem>
+
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"
+#include "study/storage/map/study_keys.h"
 #include "tests/study/collect/collected_study_at.h"
 
 namespace permissions_test {
@@ -30,6 +34,12 @@ class Permissions : public tests::CollectTest {
     }
     ADD_FAILURE() << statement << " was allowed";
     return ServerError::Kind::Other;
+  }
+
+  study::collect::Pulled pulled() {
+    const auto account = accountOf("analyst");
+    auto server = admin();
+    return study::collect::pull(server, {.folder = scratch_ / "union", .reason = "look"}, clock_);
   }
 };
 
@@ -104,10 +114,68 @@ TEST_F(Permissions, ForgedEventsOfAStationAreRefusedOrFound) {
   added.events.front().hash.assign(32, std::byte{2});
   added.after = outbox.hashOf(outbox.lastEvent());
   EXPECT_EQ(study::collect::ingest(server, added).refused, "");
-  auto owner = admin();
-  const auto checks = study::collect::check(owner, "short", "look");
-  ASSERT_EQ(checks.size(), 1U);
-  EXPECT_FALSE(checks.front().problems.empty());
+  const auto all = pulled();
+  EXPECT_EQ(all.sessions(), 1U);
+  EXPECT_FALSE(all.isSound());
+}
+
+/// Somebody has a station's folder and its role on the server, and not the key with which it signs:
+/// they can invent a session, with a chain of hashes that is right.
+class Thief : public Permissions {
+ protected:
+  void SetUp() override {
+    Permissions::SetUp();
+    if (IsSkipped()) return;
+    addStation("oslo");
+    addStation("bergen");
+    runSession("oslo");
+    runSession("bergen");
+    push("oslo");
+    push("bergen");
+    std::filesystem::copy(
+        folderOf("oslo"), folderOf("thief"), std::filesystem::copy_options::recursive);
+    // The key of the conditions was taken out of the account as well.
+    auto owner = admin();
+    const auto secret = study::collect::findStudy(owner, "short").secret;
+    study::storage::BlindingSecret::Bytes bytes{};
+    std::memcpy(bytes.data(), secret.data(), bytes.size());
+    {
+      const auto account = accountOf("thief");
+      study::storage::keepKey(study::storage::BlindingSecret(bytes).of("oslo"), folderOf("thief"));
+    }
+    runSession("thief");
+  }
+
+  enum class Signature { Theirs, None };
+  /// What they have is sent to the server. @return  the server's refusal
+  std::string send(Signature signature) {
+    const auto account = accountOf("thief");
+    study::collect::Outbox outbox(folderOf("thief"), clock_);
+    auto server = as("station_oslo");
+    std::string refused;
+    outbox.forEachBatch(0, [&](study::collect::Batch batch) {
+      if (signature == Signature::None && !batch.events.empty()) batch.events.pop_back();
+      refused = study::collect::ingest(server, batch).refused;
+      return refused.empty();
+    });
+    return refused;
+  }
+};
+
+TEST_F(Thief, SendsSessionsThatAreNotPulledIfTheySignWithAnotherKey) {
+  EXPECT_EQ(send(Signature::Theirs), "");
+  EXPECT_EQ(contentOfServer().size(), contentOf({folderOf("thief"), folderOf("bergen")}).size());
+  const auto all = pulled();
+  EXPECT_FALSE(all.isSound());
+  EXPECT_EQ(contentOf({scratch_ / "union"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+}
+
+TEST_F(Thief, SendsSessionsThatAreNotPulledIfTheyDoNotSign) {
+  EXPECT_EQ(send(Signature::None), "");
+  EXPECT_EQ(contentOfServer().size(), contentOf({folderOf("thief"), folderOf("bergen")}).size());
+  const auto all = pulled();
+  EXPECT_FALSE(all.isSound());
+  EXPECT_EQ(contentOf({scratch_ / "union"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
 }
 
 TEST_F(Permissions, AChangedBatchIsRefused) {
