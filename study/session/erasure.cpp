@@ -9,6 +9,7 @@
 #include "study/session/verification.h"
 #include "study/storage/erasure/byte_search.h"
 #include "study/storage/erasure/erased_rows.h"
+#include "study/storage/evidence/station_heads.h"
 #include "study/storage/hasher.h"
 #include "study/storage/lease.h"
 #include "study/storage/statement.h"
@@ -19,6 +20,7 @@ namespace {
 
 using Key = storage::IdentityStore::Key;
 using storage::Erasure;
+using storage::StationStore;
 using storage::StorageError;
 
 // Shorter texts stand in other people's answers, too.
@@ -84,6 +86,28 @@ std::set<std::string> people(Study& study) {
   return codes;
 }
 
+/// Signs that the trail ends here, because it is sealed again now.
+std::optional<storage::SignedHead> signedEnd(Study& study) {
+  try {
+    return storage::signHead(
+        study.database(),
+        StationStore::findOrMake(StationStore::usualFolder()),
+        nameOf(EventKind::ResealedTrail),
+        asUtc(study.clock().now().wall));
+  } catch (const StorageError&) {
+    return std::nullopt;  // signTrail() says so
+  }
+}
+
+/// For this station's list alone: it tells an older copy from the trail that was sealed again.
+void noteEnd(Study& study, const storage::SignedHead& head) {
+  try {
+    storage::noteHead(StationStore::findOrMake(StationStore::usualFolder()), head, study.folder());
+  } catch (const StorageError&) {
+    return;  // what is signed of the new trail is noted all the same
+  }
+}
+
 void sealTrailAgain(Study& study, const ErasureRequest& request) {
   // What was changed before must not look sound afterwards.
   if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
@@ -103,6 +127,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
   const auto head = events.head();
   storage::Hash hash{};
   std::copy_n(head.begin(), std::min(head.size(), hash.size()), hash.begin());
+  const auto end = signedEnd(study);
   study.transact([&] {
     study.events().sealAgain(
         {.when = study.clock().now(),
@@ -114,6 +139,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
              {"reason", request.reason}}});
     study.signTrail(nameOf(EventKind::ResealedTrail));
   });
+  if (end) noteEnd(study, *end);
 }
 
 /// What operators typed, notes and reasons, in sessions of a participant and not in those of

@@ -97,9 +97,9 @@ int restored(const EvidenceArguments& options) {
     return 0;
   }
   fmt::print(
-      "Noted: {} is an older copy, and {} that this station signed {} given up.\n",
+      "Noted: {} is right, and {} that this station signed of another copy {} given up.\n",
       options.folder,
-      words::counted(givenUp, "later head", "later heads"),
+      words::counted(givenUp, "head", "heads"),
       givenUp == 1 ? "is" : "are");
   return 0;
 }
@@ -188,7 +188,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   auto* restored = addVerb(
       noun,
       "restored",
-      "Note that an older copy took the study's place on purpose",
+      "Note that an older copy took the study's place on purpose, or the same study from elsewhere",
       options,
       action,
       app::restored);

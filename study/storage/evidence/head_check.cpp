@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "study/model/event_kind.h"
+
 namespace study::storage {
 namespace {
 
@@ -38,13 +40,42 @@ void addMissing(
       "study restored --reason \"…\"");
 }
 
-std::vector<NotedHead> ofThisBeginning(
-    const TrailHeads& trail, const std::vector<NotedHead>& noted) {
-  std::vector<NotedHead> found;
-  std::copy_if(noted.begin(), noted.end(), std::back_inserter(found), [&](const auto& each) {
+/// Whether a station vouched for the first event, too. Nothing that is done with a study day by day
+/// has such a purpose.
+bool vouchesForTheBeginning(const SignedHead& head) {
+  using enum EventKind;
+  const auto is = [&](EventKind kind) { return head.purpose == study::nameOf(kind); };
+  return is(MadeStudy) || is(CollectedStudy) || is(ResealedTrail) || is(RestoredCopy);
+}
+
+/// What a station's list says of one trail. There may be several of a uuid: a study that was made
+/// again, one that was collected, one that was sealed again.
+struct OwnHeads {
+  /// It began, or was taken over on purpose, at this station.
+  bool hasBeginning = false;
+  /// That, or it is the first of its uuid that the station ever signed. If not, what lies here is
+  /// not what the station signed.
+  bool isKnown = false;
+  std::vector<NotedHead> heads = {};  ///< that the trail has to account for
+};
+
+OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) {
+  const auto isOfTrail = [&](const NotedHead& each) {
     return each.head.first == trail.firstHash();
+  };
+  OwnHeads own;
+  own.hasBeginning = std::any_of(noted.begin(), noted.end(), [&](const auto& each) {
+    return isOfTrail(each) && vouchesForTheBeginning(each.head);
   });
-  return found;
+  own.isKnown = own.hasBeginning || noted.empty() || isOfTrail(noted.front());
+  const auto last = std::find_if(noted.begin(), noted.end(), [&](const auto& each) {
+    return trail.isLastOfTheTrailBefore(each.head);
+  });
+  const auto before = last == noted.end() ? std::string() : last->head.first;
+  std::copy_if(noted.begin(), noted.end(), std::back_inserter(own.heads), [&](const auto& each) {
+    return !own.isKnown || isOfTrail(each) || each.head.first == before || trail.gaveUp(each.head);
+  });
+  return own;
 }
 
 }  // namespace
@@ -89,19 +120,26 @@ Findings checkHeads(
 
 Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy) {
   const auto [all, unsound] = notedHeads(station, trail.study());
-  const auto noted = ofThisBeginning(trail, all);
-  if (noted.empty() && !all.empty()) {
+  const auto own = ownHeads(trail, all);
+  const auto& noted = own.heads;
+  if (!own.isKnown) {
     return {
         .problems = {
-            "this station made a study of this uuid with another first event, and goes on from " +
-            asWords(all.back()) +
-            ": the trail was written anew, or the study comes from elsewhere"}};
+            "this station signed a study of this uuid with another first event, and goes on from " +
+                asWords(all.back()) +
+                ": the trail was written anew, or the study comes from elsewhere. It is not signed "
+                "here",
+            "If it is right that this study is here: palpate study restored --reason \"…\""}};
   }
   auto findings = checkHeads(trail, noted, isOlderCopy);
-  if (noted.empty()) {
+  if (all.empty()) {
     findings.remarks.push_back(
         "this station has noted nothing of this study: compare it with a head or a witness file "
         "from where it was made (--expect, --witness)");
+  } else if (!own.hasBeginning) {
+    findings.remarks.push_back(
+        "this station did not note how the study began. What was before " + asWords(all.front()) +
+        " is proven only by a head or a witness file of then (--expect, --witness)");
   }
   if (unsound > 0) {
     findings.remarks.push_back(
@@ -122,9 +160,12 @@ Findings checkStation(const TrailHeads& trail, const StationStore& station, bool
 }
 
 std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore& station) {
+  const auto own = ownHeads(trail, notedHeads(station, trail.study()).heads);
   std::vector<SignedHead> missing;
-  for (const auto& each : ofThisBeginning(trail, notedHeads(station, trail.study()).heads)) {
-    if (!trail.holds(each.head) && !trail.gaveUp(each.head)) missing.push_back(each.head);
+  for (const auto& [head, folder] : own.heads) {
+    const bool isAccountedFor =
+        trail.holds(head) || trail.gaveUp(head) || trail.isOfTheTrailBefore(head);
+    if (!own.isKnown || !isAccountedFor) missing.push_back(head);
   }
   return missing;
 }

@@ -20,6 +20,10 @@ std::string textIn(const base::NamedArguments& values, std::string_view name) {
   return {};
 }
 
+bool isSealedAgain(const SignedHead& head) {
+  return head.purpose == study::nameOf(EventKind::ResealedTrail);
+}
+
 std::int64_t numberIn(const base::NamedArguments& values, std::string_view name) {
   for (const auto& [key, value] : values) {
     const auto* number = std::get_if<std::int64_t>(&value);
@@ -69,7 +73,9 @@ std::string TrailHeads::hashOf(std::int64_t seq) const {
 
 void TrailHeads::readResealed() {
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::ResealedTrail))) {
-    if (seq == 1) eventsBefore_ = numberIn(values, "events");
+    if (seq != 1) continue;
+    eventsBefore_ = numberIn(values, "events");
+    headBefore_ = textIn(values, "head");
   }
   // Heads that stations signed are of their trails. They were checked when the study was collected.
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::CollectedStudy))) {
@@ -114,7 +120,8 @@ void TrailHeads::readGivenUp() {
   for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
     // The station that signed the heads has to sign that they were given up, too.
     const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
-      return each.isSound && each.head.events == event.first;
+      return each.isSound && each.head.events == event.first &&
+             each.head.purpose == study::nameOf(EventKind::RestoredCopy);
     });
     if (signature == signed_.end()) continue;
     std::istringstream names(textIn(event.second, "given_up"));
@@ -127,19 +134,35 @@ bool TrailHeads::holds(const SignedHead& head) const {
   const bool isElsewhereOnly =
       head.purpose == kWitness || head.purpose == study::nameOf(EventKind::MadeStudy);
   return isElsewhereOnly || std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
-           return each.seq == head.events + 1 && each.head.signature == head.signature;
+           const bool isIt = each.seq == head.events + 1 && each.head.signature == head.signature;
+           // A copy of this trail was sealed again, and the station knows that this one went on.
+           const bool wentOn = isSealedAgain(head) && each.isSound && each.head.key == head.key &&
+                               each.head.events > head.events;
+           return isIt || wentOn;
          });
 }
 
 bool TrailHeads::endsBefore(const SignedHead& head) const {
+  const bool isOfAnother = eventsBefore_ > 0 && head.first != first_;
+  if (isOfAnother) return head.events > eventsBefore_;
+  if (isSealedAgain(head) && hashOf(head.events) == head.hash) return true;
   return head.events > ownEnd_ || (head.events == ownEnd_ && hashOf(ownEnd_) == head.hash);
 }
 
 bool TrailHeads::isOfTheTrailBefore(const SignedHead& head) const {
-  return eventsBefore_ > 0 && head.first != first_ && head.events <= eventsBefore_ &&
-         std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
-           return each.isSound && each.head.key == head.key;
-         });
+  if (eventsBefore_ == 0 || head.first == first_ || head.events > eventsBefore_) return false;
+  // Any later signature of the station would not do: it signs sessions of a study that somebody
+  // gave another beginning.
+  const auto purpose =
+      study::nameOf(isCollected_ ? EventKind::CollectedStudy : EventKind::ResealedTrail);
+  return std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
+    return each.isSound && each.head.key == head.key && each.head.purpose == purpose &&
+           each.head.events == eventsBefore_ + 1;
+  });
+}
+
+bool TrailHeads::isLastOfTheTrailBefore(const SignedHead& head) const {
+  return isSealedAgain(head) && head.events == eventsBefore_ && head.hash == headBefore_;
 }
 
 bool TrailHeads::gaveUp(const SignedHead& head) const {

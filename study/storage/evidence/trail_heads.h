@@ -37,8 +37,11 @@ class TrailHeads {
   bool endsBefore(const SignedHead& head) const;
 
   /// Whether @p head is of the trail that was there before this one was sealed again (event
-  /// resealed_trail), and the station that signed it has signed this one, too.
+  /// resealed_trail) or collected, and the station that signed it has signed that, too.
   bool isOfTheTrailBefore(const SignedHead& head) const;
+
+  /// Whether @p head is what a station signed of the trail before when it sealed it again.
+  bool isLastOfTheTrailBefore(const SignedHead& head) const;
 
   /// Whether an event that the same station signed says that @p head was given up.
   bool gaveUp(const SignedHead& head) const;
@@ -59,6 +62,7 @@ class TrailHeads {
   std::string first_;
   std::int64_t last_ = 0;
   std::int64_t eventsBefore_ = 0;  ///< that were sealed again; they stand behind the first event
+  std::string headBefore_;         ///< hash of the last of them, until then
   bool isCollected_ = false;       ///< it repeats the trails of several stations
   /// The last event before a copy was erased from: those after it are not of the study.
   std::int64_t ownEnd_ = 0;

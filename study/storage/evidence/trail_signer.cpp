@@ -6,6 +6,7 @@
 #include "study/model/event_kind.h"
 #include "study/model/storage_error.h"
 #include "study/storage/event_log.h"
+#include "study/storage/evidence/head_check.h"
 #include "study/storage/evidence/station_heads.h"
 
 namespace study::storage {
@@ -19,11 +20,30 @@ std::optional<StationStore> thisStation() {
   }
 }
 
+/// Whether an event of this purpose says itself why the trail is not the one that was signed
+/// before. The program writes these only when it has looked at that trail, or was told a reason.
+bool explainsAnotherTrail(std::string_view purpose) {
+  using enum EventKind;
+  return purpose == nameOf(RestoredCopy) || purpose == nameOf(ResealedTrail) ||
+         purpose == nameOf(CollectedStudy);
+}
+
+/// A signature vouches for everything before it. Of a trail that somebody wrote again, or cut, it
+/// would make one that this station signed.
+bool maySign(const Database& study, const StationStore& station, std::string_view purpose) {
+  if (explainsAnotherTrail(purpose)) return true;
+  try {
+    return missingHeads(TrailHeads(study), station).empty();
+  } catch (const StorageError&) {
+    return false;  // the list cannot be read
+  }
+}
+
 }  // namespace
 
 void TrailSigner::sign(Database& study, std::string_view purpose, const Moment& now) {
   const auto station = thisStation();
-  if (!station) {
+  if (!station || !maySign(study, *station, purpose)) {
     EventLog(study).append(
         {.when = now, .kind = EventKind::HeadNotSigned, .detail = std::string(purpose)});
     return;

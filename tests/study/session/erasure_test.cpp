@@ -510,6 +510,29 @@ TEST_F(OldStudy, ErasesOnlyAfterItsTrailWasSealedAgain) {
   EXPECT_EQ(filesWith(folder_, kSentinel), std::vector<std::string>{});
 }
 
+TEST_F(OldStudy, IsAnOlderCopyOnceItsTrailWasSealedAgain) {
+  const std::string early = scratch_ / "early";
+  const std::string last = scratch_ / "last";
+  backUp(folder_, early);
+  backUp(folder_, last);
+  {
+    auto study = Study::open(folder_, clock_);
+    erase(study, {.participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true});
+    EXPECT_EQ(problemsOf(study), "");
+  }
+  {
+    auto copy = Study::open(early, clock_);  // is erased from, and sealed again as it was then
+    ASSERT_EQ(copy.events().read().front().kind, EventKind::ResealedTrail);
+    EXPECT_NE(problemsOf(copy).find("an older copy is in its place"), std::string::npos);
+    EXPECT_EQ(problemsOf(copy, {.isOlderCopy = true}), "");
+  }
+  fs::remove(fs::path(scratch_ / "station") / "erasures");
+  auto copy = Study::open(last, clock_);
+  ASSERT_NE(copy.events().read().front().kind, EventKind::ResealedTrail);
+  EXPECT_NE(problemsOf(copy).find("an older copy is in its place"), std::string::npos);
+  EXPECT_EQ(problemsOf(copy, {.isOlderCopy = true}), "");
+}
+
 TEST_F(OldStudy, KeepsNamesBehindAPassphraseAndErasesLater) {
   constexpr const char* kPassphrase = "twelve grey horses";
   const auto setPassphrase = [](Study& study) {

@@ -54,6 +54,11 @@ class Evidence : public testing::Test {
         "      BEGIN SELECT RAISE(ABORT, 'events are never removed'); END;");
   }
 
+  /// As if everything, from the first event on, had been computed again.
+  void writeAgain() {
+    edit("DROP TRIGGER an_event_is_never_changed; UPDATE event SET hash = randomblob(32)");
+  }
+
   /// What is wrong with the study.
   std::string problems(const VerifyOptions& options = {}) {
     std::string text;
@@ -135,9 +140,48 @@ TEST_F(Evidence, FindsASignatureOfSomethingElse) {
 }
 
 TEST_F(Evidence, KnowsTheBeginningOfAStudy) {
-  // As if everything, from the first event on, had been written again with another key.
-  edit("DROP TRIGGER an_event_is_never_changed; UPDATE event SET hash = zeroblob(32)");
+  writeAgain();
   EXPECT_NE(problems().find("with another first event"), std::string::npos);
+}
+
+TEST_F(Evidence, IsNotSignedOnceItWasWrittenAgainFromTheFirstEventOn) {
+  const auto before = noted();
+  writeAgain();
+  takePart();
+  exportStudy(*study_, study_.scratch() / "out", {.runMode = RunMode::Live});
+  EXPECT_EQ(study_->events().read().back().name(), "head_not_signed");
+  EXPECT_EQ(noted(), before);
+  EXPECT_NE(problems().find("with another first event"), std::string::npos);
+  EXPECT_NE(problems({.isOlderCopy = true}).find("with another first event"), std::string::npos);
+}
+
+TEST_F(Evidence, IsNotSignedOnceItsEndWasCutOff) {
+  study_->note(EventKind::UnblindedExport, "a reason");
+  cutOff(2);
+  const auto before = noted();
+  takePart();
+  EXPECT_EQ(noted(), before);
+  EXPECT_NE(problems().find("the trail is not the one"), std::string::npos);
+}
+
+TEST_F(Evidence, OfAnotherBeginningIsAcceptedWithAReasonOnly) {
+  writeAgain();
+  EXPECT_GT(headsMissingIn(*study_), 0U);
+  EXPECT_EQ(noteRestoredCopy(*study_, "put together at the office"), 2U);
+  EXPECT_EQ(noted(), "made_study finished_session restored_copy");
+  takePart();
+  EXPECT_EQ(noted(), "made_study finished_session restored_copy finished_session");
+  EXPECT_EQ(problems().find("this station signed"), std::string::npos);
+  EXPECT_NE(remarks().find("2 noted heads were given up"), std::string::npos);
+}
+
+TEST_F(Evidence, SaysForEverThatAStudyBeganElsewhere) {
+  const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
+  StationStore::findOrMake(StationStore::usualFolder());
+  takePart();
+  takePart();
+  EXPECT_EQ(problems(), "");
+  EXPECT_NE(remarks().find("did not note how the study began"), std::string::npos);
 }
 
 TEST_F(Evidence, IsNotDisturbedByAStudyThatIsMadeAgain) {

@@ -28,6 +28,10 @@ class TrailHeadsTest : public testing::Test {
         "'operator', 'resealed_trail', '{\"events\":3}', randomblob(32))");
   }
 
+  void signFor(EventKind purpose) {
+    study_->transact([&] { study_->signTrail(study::nameOf(purpose)); });
+  }
+
   static std::string keyHere() {
     return StationStore::find(StationStore::usualFolder())->publicKey();
   }
@@ -54,7 +58,7 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
     EXPECT_FALSE(trail.isOfTheTrailBefore(before)) << "no one signed that it was sealed again";
     EXPECT_FALSE(checkHeads(trail, {{before, "/"}}).problems.empty());
   }
-  study_->note(EventKind::Note, "after");
+  signFor(EventKind::ResealedTrail);
   const TrailHeads trail(study_->database());
   const auto found = trail.checkSignatures(keyHere());
   EXPECT_TRUE(found.problems.empty());
@@ -69,8 +73,33 @@ TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
   const auto before = TrailHeads(study_->database()).all().at(0).head;
   sealAgain();
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
-  study_->note(EventKind::Note, "after");
+  signFor(EventKind::ResealedTrail);
   EXPECT_FALSE(TrailHeads(study_->database()).isOfTheTrailBefore(before));
+}
+
+TEST_F(TrailHeadsTest, AreNotOfTheTrailBeforeBecauseTheStationSignedSomethingElse) {
+  const auto before = TrailHeads(study_->database()).all().at(0).head;
+  sealAgain();
+  tests::forgetWhatWasSigned();  // so that this station signs it at all
+  signFor(EventKind::Exported);
+  const TrailHeads trail(study_->database());
+  ASSERT_EQ(trail.all().size(), 1U);
+  EXPECT_FALSE(trail.isOfTheTrailBefore(before));
+  EXPECT_FALSE(checkHeads(trail, {{before, "/"}}).problems.empty());
+}
+
+TEST_F(TrailHeadsTest, AreNotGivenUpByAnEventThatAnotherPurposeSigned) {
+  const auto head = TrailHeads(study_->database()).all().at(0).head;
+  const auto giveUp = [&](EventKind purpose) {
+    study_->transact([&] {
+      study_->events().append(
+          {.kind = EventKind::RestoredCopy, .values = {{"given_up", nameOf(head)}}});
+      study_->signTrail(study::nameOf(purpose));
+    });
+    return TrailHeads(study_->database()).gaveUp(head);
+  };
+  EXPECT_FALSE(giveUp(EventKind::Exported));
+  EXPECT_TRUE(giveUp(EventKind::RestoredCopy));
 }
 
 }  // namespace trail_heads_test
