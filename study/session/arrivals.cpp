@@ -1,5 +1,6 @@
 #include "study/session/arrivals.h"
 
+#include <algorithm>
 #include <exception>
 #include <sstream>
 
@@ -11,6 +12,10 @@ namespace {
 
 std::string listOf(const std::string& study) {
   return "collected-" + study;
+}
+
+std::string listOfReceipts(const std::string& study, const std::string& station) {
+  return "receipts-" + study + "-" + station;
 }
 
 }  // namespace
@@ -54,6 +59,34 @@ void notePush(
   } catch (const std::exception&) {
     return;
   }
+}
+
+void noteReceipt(
+    const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept {
+  try {
+    const auto store = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+    const auto list = listOfReceipts(study, station);
+    const auto line = receipt.utc + " " + std::to_string(receipt.session) + " " +
+                      std::to_string(receipt.left) + " " + receipt.participant;
+    const auto noted = store.lines(list);
+    if (std::find(noted.begin(), noted.end(), line) == noted.end()) store.append(list, line);
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
+std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station) {
+  std::vector<ErasureReceipt> receipts;
+  const auto store = storage::StationStore::find(storage::StationStore::usualFolder());
+  if (!store) return receipts;
+  for (const auto& line : store->lines(listOfReceipts(study, station))) {
+    std::istringstream words(line);
+    ErasureReceipt receipt;
+    if (!(words >> receipt.utc >> receipt.session >> receipt.left >> std::ws)) continue;
+    std::getline(words, receipt.participant);
+    receipts.push_back(std::move(receipt));
+  }
+  return receipts;
 }
 
 }  // namespace study

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "study/session/study.h"
 
@@ -31,5 +32,19 @@ struct NotedPush {
 NotedPush lastPush(const std::string& study, const std::string& station);
 /// Does nothing if the account's list cannot be written: the server is asked anyway.
 void notePush(const std::string& study, const std::string& station, const NotedPush& push) noexcept;
+
+/// What the server says of a session that this station erased.
+struct ErasureReceipt {
+  std::int64_t session = 0;
+  std::string participant;
+  std::string utc;        ///< when it was erased there
+  std::int64_t left = 0;  ///< answers, samples and keys that are there all the same
+};
+
+/// Keeps a receipt in the account, once. Does nothing if the account's list cannot be written.
+void noteReceipt(
+    const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept;
+/// All that were kept, the oldest first.
+std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station);
 
 }  // namespace study

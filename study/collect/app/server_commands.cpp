@@ -118,11 +118,24 @@ int revoke(const ServerArguments& given) {
   return 0;
 }
 
+int setAside(const ServerArguments& given) {
+  Connection server(given.server);
+  requireSchema(server);
+  setAsideStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  fmt::print(
+      "What was here of '{}' is set aside, and pulled no more. On the station: palpate collect "
+      "push "
+      "FOLDER, or palpate collect bundle FOLDER --after 0 --out FILE, sends all of it again.\n",
+      given.station);
+  return 0;
+}
+
 int takeIn(const ServerArguments& given) {
   Connection server(given.server);
   requireSchema(server);
   const auto taken = takeBundle(server, given.file);
   fmt::print("The server has all events of '{}' up to {}.\n", taken.station, taken.have);
+  for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));
   return 0;
 }
 
@@ -163,6 +176,14 @@ void addServerCommands(CLI::App& program, Action& action) {
   out->add_option("--station", given->station, "Name of the station")->required();
   out->add_option("--reason", given->reason, "Why; the station is told")->required();
   out->callback([&action, given] { action = [given] { return revoke(*given); }; });
+
+  auto* aside = program.add_subcommand(
+      "set-aside", "Begin again with a station of which the server has what it did not record");
+  addServerOption(*aside, given->server);
+  aside->add_option("--study", given->study, "Name of the study on the server");
+  aside->add_option("--station", given->station, "Name of the station")->required();
+  aside->add_option("--reason", given->reason, "Why; it is kept")->required();
+  aside->callback([&action, given] { action = [given] { return setAside(*given); }; });
 }
 
 }  // namespace study::collect

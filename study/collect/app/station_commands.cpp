@@ -128,6 +128,10 @@ int pushStudy(const StationArguments& given) {
                                      sent.have - sent.before,
                                      static_cast<double>(sent.traceBytes) / 1e6),
       arrivedInWords(sent.sessions));
+  for (const auto& receipt : sent.erased) {
+    noteReceipt(outbox.study(), outbox.station().uuid, receipt);
+    fmt::print("{}\n", wordsFor(receipt));
+  }
   return 0;
 }
 
@@ -151,6 +155,9 @@ int statusOfStation(const StationArguments& given) {
     reason = error.what();
   }
   fmt::print("{}\n", arrivedInWords(outbox.arrivalsBy(have)));
+  for (const auto& receipt : receiptsOf(outbox.study(), outbox.station().uuid)) {
+    fmt::print("{}\n", wordsFor(receipt));
+  }
   if (reason.empty()) return 0;
   fmt::print(
       "as of {}: {}\n", noted.utc.empty() ? "never, nothing was sent yet" : noted.utc, reason);
@@ -200,7 +207,9 @@ int statusOfServer(const StationArguments& given) {
         station.events,
         station.incidents,
         station.lastContact.empty() ? "never" : station.lastContact,
-        station.isRevoked ? ", shut out" : "");
+        station.isSetAside  ? ", set aside"
+        : station.isRevoked ? ", shut out"
+                            : "");
   }
   printIncidents(server);
   return 0;

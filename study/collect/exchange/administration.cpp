@@ -198,6 +198,7 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
     }
     if (!answer.refused.empty()) throw Refused(answer.refused, wordsFor(answer));
     taken.have = answer.have;
+    taken.erased.insert(taken.erased.end(), answer.erased.begin(), answer.erased.end());
     return true;
   };
   try {

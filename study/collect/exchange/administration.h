@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocols/model/loaded_protocol.h"
+#include "study/collect/exchange/batch.h"
 #include "study/collect/server/registry.h"
 
 namespace study::collect {
@@ -50,6 +52,7 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request);
 struct TakenBundle {
   std::string station;    ///< label
   std::int64_t have = 0;  ///< the server has all events up to this one
+  std::vector<ErasureReceipt> erased;
 };
 
 /// Takes in what a station without a network put into a file. Twice is the same as once.

@@ -47,6 +47,10 @@ constexpr std::array kRefusals{
         "Whoever runs the study adds it there: palpate collect init --protocol FILE."},
     Refusal{"code", "A participant's code does not begin with the name of this station."},
     Refusal{
+        "place",
+        "A session was recorded at another site or station than the one that was enrolled. "
+        "'palpate study verify' says more."},
+    Refusal{
         "traces",
         "The samples of a trial are not complete on this computer. 'palpate study verify' says "
         "more."},
@@ -63,6 +67,16 @@ std::string wordsFor(const Answer& answer) {
   }
   return "The server refused what was sent: " + answer.refused + " (" + answer.detail +
          "). Install the release of the server here.";
+}
+
+std::string wordsFor(const ErasureReceipt& receipt) {
+  const auto what = "session " + std::to_string(receipt.session) + " of " + receipt.participant;
+  if (receipt.left == 0) {
+    return "erased on the server: " + what + ", on " + receipt.utc +
+           ". No answer, no sample and no key of it is left there.";
+  }
+  return "NOT erased on the server: of " + what + " " + std::to_string(receipt.left) +
+         " answers, samples or keys are left. Tell the server's administrator.";
 }
 
 }  // namespace study::collect

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/session/arrivals.h"
 #include "study/storage/event_log.h"
 #include "study/storage/keys/sealing_key.h"
 #include "study/storage/transfer/session_facts.h"
@@ -61,6 +62,7 @@ struct Answer {
   std::string head;          ///< hash of event `have`, hexadecimal; empty: there is none
   std::string refused;       ///< why the batch was not taken ("fork"); empty: it was
   std::string detail;
+  std::vector<ErasureReceipt> erased = {};  ///< of the batch's sessions
 };
 
 /// @throws storage::StorageError  if it is none.
@@ -68,5 +70,8 @@ Answer answerIn(const std::string& text);
 
 /// What a refusal means, and what to do about it.
 std::string wordsFor(const Answer& answer);
+
+/// For the person who erases, and for whoever asked for it.
+std::string wordsFor(const ErasureReceipt& receipt);
 
 }  // namespace study::collect

@@ -169,12 +169,21 @@ Answer answerIn(const std::string& text) {
     const auto found = said.find(key);
     return found != said.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
+  std::vector<ErasureReceipt> erased;
+  for (const auto& receipt : said.value("erased", json::array())) {
+    erased.push_back(
+        {.session = receipt.value("session", std::int64_t{0}),
+         .participant = receipt.value("participant", std::string()),
+         .utc = receipt.value("utc", std::string()),
+         .left = receipt.value("left", std::int64_t{0})});
+  }
   return {
       .have = said["have"].get<std::int64_t>(),
       .pending = said.value("pending", std::int64_t{0}),
       .head = textOf("head"),
       .refused = textOf("refused"),
-      .detail = textOf("detail")};
+      .detail = textOf("detail"),
+      .erased = std::move(erased)};
 }
 
 }  // namespace study::collect

@@ -60,6 +60,7 @@ Pushed push(Outbox& outbox, Connection& server, const std::function<void(const A
     if (!answer.refused.empty()) refuseIn(answer);
     pushed.have = answer.have;
     ++pushed.batches;
+    pushed.erased.insert(pushed.erased.end(), answer.erased.begin(), answer.erased.end());
     for (const auto& chunk : batch.chunks) pushed.traceBytes += chunk.chunk.data.size();
     if (sent) sent(answer);
     return true;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "study/collect/exchange/outbox.h"
 #include "study/collect/server/connection.h"
@@ -18,6 +19,7 @@ struct Pushed {
   std::uint64_t batches = 0;
   std::uint64_t traceBytes = 0;
   Arrivals sessions;
+  std::vector<ErasureReceipt> erased;
 };
 
 /// The server refuses what a station sends. what() says why, and what to do.

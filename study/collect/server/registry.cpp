@@ -109,10 +109,21 @@ void revokeStation(
     const std::string& label,
     const std::string& reason) {
   const auto rows = server.query(
-      "UPDATE palpate.station SET revoked = now(), revoked_reason = $3 "
+      "UPDATE palpate.station SET revoked = now(), revoked_reason = $3, revoked_by = "
+      "session_user "
       "WHERE study = $1 AND label = $2 RETURNING id",
       {study, label, reason});
   if (rows.isEmpty()) throw UserError("There is no station named '" + label + "' in this study.");
+}
+
+void setAsideStation(
+    Connection& server,
+    const std::string& study,
+    const std::string& label,
+    const std::string& reason) {
+  const auto rows = server.query("SELECT palpate.set_aside($1, $2, $3)", {study, label, reason});
+  if (rows.text(0, 0) == "t") return;
+  throw UserError("There is no station named '" + label + "' in this study.");
 }
 
 std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName) {
@@ -120,7 +131,8 @@ std::vector<StationStatus> stationsOf(Connection& server, const std::string& stu
       std::string("SELECT site, station, events, sessions, incidents, to_char(last_contact AT TIME "
                   "ZONE 'UTC', ") +
           kUtc +
-          "), revoked IS NOT NULL FROM palpate.stations WHERE $1 IN ('', study_name) "
+          "), revoked IS NOT NULL, set_aside IS NOT NULL FROM palpate.stations WHERE $1 IN ('', "
+          "study_name) "
           "ORDER BY study_name, station",
       {studyName});
   std::vector<StationStatus> stations;
@@ -132,7 +144,8 @@ std::vector<StationStatus> stationsOf(Connection& server, const std::string& stu
          .sessions = rows.number(i, 3),
          .incidents = rows.number(i, 4),
          .lastContact = rows.text(i, 5),
-         .isRevoked = rows.text(i, 6) == "t"});
+         .isRevoked = rows.text(i, 6) == "t",
+         .isSetAside = rows.text(i, 7) == "t"});
   }
   return stations;
 }

@@ -59,6 +59,15 @@ void revokeStation(
     const std::string& label,
     const std::string& reason);
 
+/// Sets aside what is there of a station, because it is not what the station recorded: all of it
+/// stays under another name, is pulled no more, and the station sends everything again.
+/// @throws UserError  if there is no such station.
+void setAsideStation(
+    Connection& server,
+    const std::string& study,
+    const std::string& label,
+    const std::string& reason);
+
 /// What arrived from a station, for its owner, analysts and whoever pulls.
 struct StationStatus {
   std::string site;
@@ -68,6 +77,7 @@ struct StationStatus {
   std::int64_t incidents = 0;
   std::string lastContact;  ///< empty: it never pushed
   bool isRevoked = false;
+  bool isSetAside = false;
 };
 std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName);
 

@@ -6,6 +6,7 @@
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"
+#include "study/session/erasure.h"
 #include "study/storage/map/study_keys.h"
 #include "tests/study/collect/collected_study_at.h"
 
@@ -36,10 +37,10 @@ class Permissions : public tests::CollectTest {
     return ServerError::Kind::Other;
   }
 
-  study::collect::Pulled pulled() {
+  study::collect::Pulled pulled(const std::string& name = "union") {
     const auto account = accountOf("analyst");
     auto server = admin();
-    return study::collect::pull(server, {.folder = scratch_ / "union", .reason = "look"}, clock_);
+    return study::collect::pull(server, {.folder = scratch_ / name, .reason = "look"}, clock_);
   }
 };
 
@@ -78,6 +79,9 @@ TEST_F(Permissions, AStationMayCallIngestAndNothingElse) {
         "pull_keys(1, 1)",
         "refuse('a', 'b')",
         "take_keys(NULL, NULL)",
+        "set_aside('a', 'oslo', 'b')",
+        "forget(NULL, 1, 'oslo_P001', 1)",
+        "receipts(NULL, NULL)",
         "opened(1)"}) {
     EXPECT_EQ(kindOf(station, std::string("SELECT palpate.") + call), kDenied) << call;
   }
@@ -176,6 +180,65 @@ TEST_F(Thief, SendsSessionsThatAreNotPulledIfTheyDoNotSign) {
   const auto all = pulled();
   EXPECT_FALSE(all.isSound());
   EXPECT_EQ(contentOf({scratch_ / "union"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+}
+
+TEST_F(Thief, IsSetAsideAndTheTrueStationGoesOn) {
+  EXPECT_EQ(send(Signature::None), "");
+  runSession("oslo");
+  EXPECT_THROW(push("oslo"), study::UserError) << "the server has other events";
+  auto owner = admin();
+  const auto id = study::collect::findStudy(owner, "short").uuid;
+  study::collect::revokeStation(owner, id, "oslo", "the certificate was stolen");
+  study::collect::setAsideStation(owner, id, "oslo", "forged sessions");
+  EXPECT_THROW(study::collect::setAsideStation(owner, id, "tromso", "none"), study::UserError);
+  push("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto all = pulled();
+  EXPECT_TRUE(all.isSound());
+  EXPECT_EQ(contentOf({scratch_ / "union"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+  // What was forged is kept, and nobody who counts sees it.
+  EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.session").number(0, 0), 6);
+  EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.sessions").number(0, 0), 4);
+  auto olav = as(person("olav", "operator_oslo"));
+  EXPECT_EQ(olav.query("SELECT participant FROM palpate.session").count(), 3);
+}
+
+TEST_F(Thief, WhoErasesOnTheServerDoesNotEraseWhatTheStationHas) {
+  {
+    const auto account = accountOf("thief");
+    auto study = study::Study::open(folderOf("thief"), clock_);
+    study::erase(study, {.participant = "oslo_P001", .reason = "malice"});
+  }
+  EXPECT_EQ(send(Signature::Theirs), "");
+  EXPECT_EQ(pulled().sessions(), 1U) << "of bergen: the rows of oslo are gone";
+  auto owner = admin();
+  study::collect::setAsideStation(
+      owner, study::collect::findStudy(owner, "short").uuid, "oslo", "forged erasure");
+  push("oslo");
+  EXPECT_TRUE(pulled("again").isSound());
+  EXPECT_EQ(contentOf({scratch_ / "again"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+}
+
+TEST_F(Permissions, ASessionOfAnotherSiteIsRefused) {
+  addStation("oslo");
+  runSession("oslo");
+  admin().execute("UPDATE palpate.station SET site = 'bergen'");
+  EXPECT_THROW(push("oslo"), study::UserError);
+  EXPECT_EQ(incidents(), std::vector<std::string>{"place"});
+}
+
+TEST_F(Permissions, WhoEnrolledAndWhoRevokedAStationIsKept) {
+  addStation("oslo");
+  auto owner = admin();
+  owner.execute("CREATE ROLE ida_" + database() + " LOGIN IN ROLE palpate_owner");
+  auto ida = as("ida_" + database());
+  const auto study = study::collect::findStudy(ida, "short");
+  study::collect::revokeStation(ida, study.uuid, "oslo", "stolen");
+  const auto kept =
+      owner.query("SELECT enrolled_by = session_user, revoked_by FROM palpate.station");
+  EXPECT_EQ(kept.text(0, 0), "t");
+  EXPECT_EQ(kept.text(0, 1), "ida_" + database());
 }
 
 TEST_F(Permissions, AChangedBatchIsRefused) {
