@@ -19,6 +19,7 @@
 #include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
+#include "study/export/export.h"
 #include "study/export/statistics_table.h"
 #include "study/model/user_error.h"
 #include "study/results/results_text.h"
@@ -350,6 +351,25 @@ class Campaign : public tests::CollectTest {
     all.add(trail, std::move(events));
   }
 
+  /// All tables of an export, for readers who may see everything, and for blinded ones.
+  std::string exportsOf(const std::string& folder) {
+    const auto account = accountOf("analyst");
+    auto study = Study::open(folder, clock_, kReadOnly);
+    std::string text;
+    for (const bool isBlinded : {false, true}) {
+      const study::ExportOptions options{
+          .isBlinded = isBlinded, .isExact = !isBlinded, .hasTexts = true, .codes = "codes"};
+      for (const auto& table : study::exportTables(study, options)) {
+        text += table.name + "\n";
+        for (const auto& row : table.rows) {
+          for (const auto& cell : row) text += asWords(cell) + " ";
+          text += "\n";
+        }
+      }
+    }
+    return text;
+  }
+
   /// Statistics in full precision, in both profiles, and as they are printed.
   std::string statisticsOf(const std::string& folder) {
     const auto account = accountOf("analyst");
@@ -437,6 +457,9 @@ class Campaign : public tests::CollectTest {
     const auto statistics = statisticsOf(whole);
     EXPECT_GT(statistics.size(), 1000U);
     compare(statisticsOf(scratch_ / "union"), statistics, "statistics");
+    const auto exports = exportsOf(whole);
+    EXPECT_GT(exports.size(), 1000U);
+    compare(exportsOf(scratch_ / "union"), exports, "exports");
     const auto account = accountOf("analyst");
     auto study = Study::open(scratch_ / "union", clock_, kReadOnly);
     for (const auto& check : study::verify(study).checks) {
