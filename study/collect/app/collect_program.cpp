@@ -1,7 +1,11 @@
 #include "study/collect/app/collect_program.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
+#include "study/app/commands.h"
+#include "study/model/user_error.h"
 #include "study/session/study.h"
 
 namespace study::collect {
@@ -21,6 +25,22 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action) {
   addStationCommands(*program, action);
   addPullCommands(*program, action);
   return program;
+}
+
+int runPalpate(std::vector<std::string> words) {
+  const auto command = words.front();
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  CLI::App program;
+  app::Action run;
+  app::addStatsCommands(program, run);
+  app::addReportCommand(program, run);
+  try {
+    program.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw UserError(
+        std::string(error.what()) + " ('palpate " + command + " --help' has all options.)");
+  }
+  return run();
 }
 
 }  // namespace study::collect

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -16,8 +18,12 @@ using Action = std::function<int()>;
 /// of the command that was called. @param action  must outlive the program.
 std::unique_ptr<CLI::App> makeCollectProgram(Action& action);
 
+/// Runs a command of palpate that reads a study: {"stats", "run", "all"}. @return  its exit status
+/// @throws UserError  if it does not know an option
+int runPalpate(std::vector<std::string> words);
+
 // Each adds its commands to the program.
-void addServerCommands(CLI::App& program, Action& action);   // init, ingest, revoke
+void addServerCommands(CLI::App& program, Action& action);   // init, ingest, revoke, set-aside
 void addStationCommands(CLI::App& program, Action& action);  // key, join, push, bundle, status
 void addPullCommands(CLI::App& program, Action& action);     // pull, stats, check
 void addDemoCommand(CLI::App& program, Action& action);

@@ -106,13 +106,15 @@ int demo(const DemoArguments& given) {
   const auto pulled = pull(server, {.folder = all, .reason = "the demonstration"}, clock);
   const bool isSound = pulled.isSound();
   fmt::print(
-      "{} has {} sessions of {} stations, and is {}. The server is stopped again.\n"
-      "Next: palpate report {} --run-mode simulated --out report.html\n",
+      "{} has {} sessions of {} stations, and is {}. The server is stopped again.\n",
       all.string(),
       pulled.sessions(),
       pulled.stations.size(),
-      isSound ? "sound" : "NOT sound: palpate study verify says why",
-      all.string());
+      isSound ? "sound" : "NOT sound: palpate study verify says why");
+  const auto report = out / "report.html";
+  runPalpate({"report", all.string(), "--run-mode", "simulated", "--out", report.string()});
+  fmt::print(
+      "It compares the sites. Next: palpate stats run {} --run-mode simulated\n", all.string());
   return isSound ? 0 : 1;
 }
 

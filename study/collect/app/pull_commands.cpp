@@ -8,12 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
 #include "study/collect/app/collect_program.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/pull.h"
 #include "study/model/new_file.h"
-#include "study/model/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::collect {
@@ -101,17 +99,7 @@ int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
   const PassingPull all(given);
   const bool isSound = tellProblems(all.pulled());
   words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", given.reason});
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
-  CLI::App program("palpate collect stats");
-  app::Action run;
-  app::addStatsCommands(program, run);
-  try {
-    program.parse(words);
-  } catch (const CLI::ParseError& error) {
-    throw UserError(
-        std::string(error.what()) + " ('palpate stats run --help' has all further options.)");
-  }
-  const int status = run();
+  const int status = runPalpate(std::move(words));
   return isSound ? status : std::max(status, 1);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "study/session/erasure.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/support/child_process.h"
 
@@ -11,15 +12,22 @@ namespace program_test {
 class CollectProgram : public tests::CollectTest {
  protected:
   /// What it prints, with its errors.
-  std::string call(std::vector<std::string> words, int status = 0) {
+  std::string call(
+      std::vector<std::string> words, int status = 0, const std::string& account = "account") {
     const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     words.insert(words.begin(), folder / "palpate-collect");
     const auto finished = tests::run(
         words,
         {"PALPATE_SERVER=" + postgres().server(database()),
-         "PALPATE_STATION=" + (scratch_ / "account")});
+         "PALPATE_STATION=" + (scratch_ / account)});
     EXPECT_EQ(finished.status, status) << words.at(1) << ": " << finished.error;
     return finished.out + finished.error;
+  }
+
+  /// Where a role is let in without a password: over the socket.
+  static std::string way(const std::string& database) {
+    return fmt::format(
+        "host={} port={} dbname={}", postgres().folder().string(), postgres().port(), database);
   }
 
   static void expectWords(const std::string& said, const std::string& words) {
@@ -42,9 +50,7 @@ TEST_F(CollectProgram, EnrolsByAMarkAndShowsWhatWasRefused) {
       call({"join", file, folderOf("oslo"), "--mark", "0000 0000 0000 0000 0000"}, 1),
       "has the mark " + mark);
   expectWords(call({"join", file, folderOf("oslo"), "--mark", mark}), "is ready");
-  // Over the socket every role is let in.
-  const auto way = fmt::format(
-      "host={} port={} dbname={}", postgres().folder().string(), postgres().port(), database());
+  const auto way = CollectProgram::way(database());
   expectWords(call({"push", folderOf("oslo"), "--server", way}), "new events sent");
   expectWords(
       call({"revoke", "--study", "realism", "--station", "oslo", "--reason", "stolen"}), "");
@@ -61,6 +67,77 @@ TEST_F(CollectProgram, SaysWhatTheServersLogIsMissing) {
   EXPECT_EQ(call(words).find("log_line_prefix"), std::string::npos);
   admin().execute("ALTER DATABASE " + database() + " SET log_min_error_statement = 'panic'");
   expectWords(call(words), "log_line_prefix");
+}
+
+TEST_F(CollectProgram, BringsABundleToTheServerAndEverythingBack) {
+  const std::string oslo = "account-oslo";
+  const auto folder = folderOf("oslo");
+  const auto file = scratch_ / "oslo.enrol";
+  auto key = call({"key"}, 0, oslo);
+  key.pop_back();
+  call({"init", "--station", file, "--site", "oslo", "--key", key});
+  call({"join", file, folder}, 0, oslo);
+  const auto code = runSession("oslo");
+  simulate("oslo", 2);
+  const auto bundle = scratch_ / "oslo.bundle";
+  expectWords(call({"bundle", folder, "--out", bundle}, 0, oslo), "sealed for the server's");
+  call({"bundle", folder, "--out", bundle}, 1, oslo);  // it is there already
+  for (int times = 0; times < 2; ++times) {
+    expectWords(call({"ingest", bundle}), "has all events of 'oslo' up to");
+  }
+  call({"ingest", scratch_.write("none", "no bundle")}, 1);
+  expectWords(
+      call({"status", folder, "--server", way(database())}, 0, oslo), "3 sessions here, 3 arrived");
+  expectWords(call({"check", "--reason", "to look"}), "PASS  oslo: ");
+  call({"check"}, 2);  // a reason is required
+  const auto all = scratch_ / "all";
+  expectWords(
+      call({"pull", "--out", all, "--reason", "to evaluate"}, 0, "account-analyst"),
+      "3 sessions of 1 station");
+  expectWords(call({"pull", "--out", all, "--reason", "again"}, 1), "is there already");
+  EXPECT_EQ(contentOf({all}), contentOf({folder}));
+  const std::vector<std::string> stats{
+      "stats", "--reason", "to evaluate", "--run-mode", "simulated"};
+  expectWords(call(stats), "Surgeons: 1 enrolled, 1 completed");
+  expectWords(call({"stats", "--reason", "x", "--no-such-option"}, 1), "--no-such-option");
+
+  // What was changed on the server is said, and left out.
+  admin().execute(
+      "UPDATE palpate.session AS s SET facts = x.facts, sha256 = sha256(convert_to(x.facts, "
+      "'UTF8')) FROM (SELECT replace(facts, '\"language\":\"en\"', '\"language\":\"de\"') AS "
+      "facts, number FROM palpate.session) AS x WHERE x.number = 1 AND s.number = 1");
+  expectWords(call({"check", "--reason", "to look"}, 1), "FAIL  oslo: ");
+  const auto said = call({"pull", "--out", scratch_ / "less", "--reason", "to evaluate"}, 1);
+  expectWords(said, "oslo: session 1 is left out: its rows do not agree with the audit trail");
+  expectWords(said, "2 sessions of 1 station");
+  expectWords(call(stats, 1), "session 1 is left out");
+  expectWords(
+      call({"set-aside", "--station", "oslo", "--reason", "rows were changed"}), "is set aside");
+  expectWords(
+      call({"push", folder, "--server", way(database())}, 0, oslo), "3 sessions here, 3 arrived");
+  expectWords(call({"status"}), "set aside");
+  expectWords(call({"check", "--reason", "to look"}), "PASS  oslo: ");
+
+  // Whoever is erased gets a receipt.
+  {
+    const auto account = accountOf("oslo");
+    auto study = study::Study::open(folder, clock_);
+    study::erase(study, {.participant = code, .reason = "asked for it"});
+  }
+  const auto receipt = "erased on the server: session 1 of " + code;
+  expectWords(call({"push", folder, "--server", way(database())}, 0, oslo), receipt);
+  expectWords(call({"status", folder, "--server", way(database())}, 0, oslo), receipt);
+}
+
+TEST_F(CollectProgram, DemonstratesAllOfItOnThisComputerAlone) {
+  const auto out = scratch_ / "sites";
+  const auto said = call({"demo", "--out", out, "--participants", "1"});
+  expectWords(said, "has 4 sessions of 4 stations, and is sound");
+  const auto report = tests::contentOf(out + "/report.html");
+  for (const auto* site : {"oslo", "bergen", "tromso"}) {
+    EXPECT_NE(report.find(site), std::string::npos) << site;
+  }
+  expectWords(call({"demo", "--out", out}, 1), "is there already");
 }
 
 }  // namespace program_test
