@@ -15,6 +15,11 @@ using haptics::devices::Device;
 using haptics::devices::Finding;
 using haptics::devices::Lifecycle;
 
+bool isOpen(const Device& device) noexcept {
+  const auto state = device.lifecycle();
+  return state != Lifecycle::Closed && state != Lifecycle::Faulted;
+}
+
 }  // namespace
 
 HardwareDeviceSet::HardwareDeviceSet(
@@ -56,16 +61,13 @@ Device& HardwareDeviceSet::device(const protocols::DeviceNeed& need) {
         need.id,
         device->capabilities().kind->name));
   }
-  const auto state = device->lifecycle();
-  if (state == Lifecycle::Closed || state == Lifecycle::Faulted) device->open();
+  if (!study::isOpen(*device)) device->open();
   return *device;
 }
 
 bool HardwareDeviceSet::isOpen(const std::string& id) const {
   const auto found = devices_.find(id);
-  if (found == devices_.end()) return false;
-  const auto state = found->second->lifecycle();
-  return state != Lifecycle::Closed && state != Lifecycle::Faulted;
+  return found != devices_.end() && study::isOpen(*found->second);
 }
 
 void HardwareDeviceSet::prepare(
@@ -95,6 +97,7 @@ std::vector<CheckResult> preflight(
   if (need == nullptr) return found;
   const auto& can = device.capabilities();
   const bool isKind = can.kind == need->kind;
+  if (isKind && !isOpen(device)) return found;  // a device that is not there passes nothing
   found.push_back(
       {isKind ? Finding::Pass : Finding::Fail,
        "instrument",

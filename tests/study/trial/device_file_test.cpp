@@ -205,5 +205,16 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   expectIn(found.back().fix, "force_scale");
 }
 
+TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
+  questionnaires::Problems problems;
+  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
+    return simulatedHandFor(need, 1, {}, 0);
+  });
+  const protocols::DeviceNeed need{.id = "punch", .kind = &punchKind(), .maxForce = 1.0};
+  for (const auto& result : preflight(*deviceSet.find("punch"), &need, 0.1)) {
+    EXPECT_EQ(result.finding, haptics::devices::Finding::Fail) << result.what;
+  }
+}
+
 }  // namespace device_file_test
 }  // namespace study
