@@ -55,12 +55,24 @@ class DiskTest : public testing::Test {
   std::string disk_ = study_.scratch() / "disk";
 };
 
-class FullDiskTest : public DiskTest, public testing::WithParamInterface<const char*> {};
+/// What a folder takes on a disk [KiB]. Of each file, whole blocks.
+std::uintmax_t kibibytesOf(const fs::path& folder) {
+  constexpr std::uintmax_t kBlock = 4096;
+  std::uintmax_t blocks = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) blocks += (entry.file_size() + kBlock - 1) / kBlock;
+  }
+  return blocks * kBlock / 1024;
+}
+
+/// The parameter: how much larger than the new study the disk is [KiB]. The opened databases need
+/// shared memory and logs besides.
+class FullDiskTest : public DiskTest, public testing::WithParamInterface<unsigned> {};
 
 TEST_P(FullDiskTest, LosesNoAcknowledgedAnswerAndContinuesWhenThereIsSpaceAgain) {
   const std::string after = study_.scratch() / "after";
   const auto finished = onASmallDisk(
-      GetParam(),
+      std::to_string(kibibytesOf(study_.folder()) + GetParam()) + "k",
       "cp -r '" + study_.folder() + "' '" + disk_ + "/study'; " +
           asShell(tests::simulation(disk_ + "/study", 500)) + "; status=$?; cp -r '" + disk_ +
           "/study' '" + after + "'; exit $status");
@@ -76,8 +88,8 @@ TEST_P(FullDiskTest, LosesNoAcknowledgedAnswerAndContinuesWhenThereIsSpaceAgain)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, FullDiskTest, testing::Values("4600k", "4900k", "5m", "5500k"), [](const auto& size) {
-      return std::string(size.param);
+    By, FullDiskTest, testing::Values(320U, 620U, 840U, 1220U), [](const auto& size) {
+      return std::to_string(size.param) + "KiB";
     });
 
 TEST_F(DiskTest, ThatIsFullHoldsNoUnfinishedExport) {
