@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+
 namespace tests {
 
 /// Runs all tests. When PALPATE_JUDGE_MACHINE is set, a run that fails on a machine that stood
@@ -8,5 +10,8 @@ namespace tests {
 int runAllTests();
 
 inline constexpr int kMachineStoodStill = 77;
+
+/// The exit status of a run that ended with @p status on a machine that stood still for @p longest.
+int judged(int status, std::chrono::milliseconds longest) noexcept;
 
 }  // namespace tests

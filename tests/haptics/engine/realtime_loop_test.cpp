@@ -82,7 +82,12 @@ class ThreadPacer final : public devices::Pacer {
     const auto until = std::chrono::steady_clock::time_point(std::chrono::nanoseconds(deadline));
     const bool came = condition_.wait_until(lock, until, [&] { return pending_ > 0; });
     if (came) --pending_;
+    ++waits_;
     return came;
+  }
+  std::uint64_t waits() {
+    const std::lock_guard lock(mutex_);
+    return waits_;
   }
   void signal() {
     const std::lock_guard lock(mutex_);
@@ -94,22 +99,31 @@ class ThreadPacer final : public devices::Pacer {
   std::mutex mutex_;
   std::condition_variable condition_;
   int pending_ = 0;
+  std::uint64_t waits_ = 0;
 };
 
 TEST(RealtimeLoop, FollowsThePaceOfADevice) {
+  using Clock = std::chrono::steady_clock;
   ThreadPacer pacer;
   std::atomic<std::uint64_t> calls{0};
+  Clock::time_point last = Clock::now();
+  int soon = 0;  // ticks that came much sooner after the one before than a timer's
   RealtimeLoop loop({.rate = 20.0, .pacer = &pacer}, [&](double dt, double) {
     EXPECT_EQ(dt, 0.05);
+    const auto now = Clock::now();
+    if (now - last < std::chrono::milliseconds(25)) ++soon;
+    last = now;
     ++calls;
   });
-  // Far faster than the timer would: one tick for each signal.
   for (int i = 0; i < 50; ++i) {
     pacer.signal();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   while (calls < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_LE(loop.finish().seconds, 2.0);
+  EXPECT_EQ(loop.finish().ticks, pacer.waits()) << "one tick for each wait";
+  EXPECT_EQ(calls, pacer.waits());
+  // Where the machine stands still, signals gather, and their ticks follow at once.
+  EXPECT_GE(soon, 10);
 }
 
 TEST(RealtimeLoop, TicksOnWhenTheDeviceStopsSoThatTheFaultIsNoticed) {

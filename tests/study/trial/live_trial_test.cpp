@@ -33,9 +33,10 @@ class LiveTrialTest : public testing::Test {
     kept_.insert(kept_.end(), samples.begin(), samples.end());
   }
 
-  /// Waits until @p isThere holds, at most five seconds.
+  /// Waits until @p isThere holds; a minute is no measure of time, but the end of a test that
+  /// hangs.
   static bool wait(const std::function<bool()>& isThere) {
-    const auto end = std::chrono::steady_clock::now() + 5s;
+    const auto end = std::chrono::steady_clock::now() + 60s;
     while (!isThere() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
     return isThere();
   }
@@ -76,7 +77,8 @@ TEST_F(LiveTrialTest, SwitchesTheForceOffWhenStopIsPressed) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
   live.stop();
-  std::this_thread::sleep_for(5ms);  // one tick may have been in progress
+  const auto stopped = live.status().ticks + 1;  // one tick may have been in progress
+  ASSERT_TRUE(wait([&] { return live.status().ticks > stopped; }));
   const auto record = live.finish(TrialEnding::Stopped);
   EXPECT_EQ(record.ending, TrialEnding::Stopped);
   EXPECT_EQ(device_.commandedForce(), 0.0);
