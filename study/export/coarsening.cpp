@@ -88,6 +88,11 @@ void Coarsening::addOptions(const Item& item, std::string_view language) {
   }
 }
 
+std::optional<double> Coarsening::bandWidth() const {
+  if (levels_.empty() || levels_.front().width <= 0.0) return std::nullopt;
+  return levels_.front().width;
+}
+
 std::string Coarsening::band(double from, double width) const {
   // nine decimals remove the rounding errors of sums of widths; + 0.0 makes -0 a plain 0
   const auto rounded = [](double value) { return exactly(std::round(value * 1e9) / 1e9 + 0.0); };

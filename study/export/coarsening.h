@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,11 @@ class Coarsening {
   Coarsening(const questionnaires::Item& item, std::string_view language);
 
   std::size_t levelCount() const noexcept { return levels_.size(); }
+
+  /// Of the first level's bands, in the item's unit; std::nullopt: it has no bands.
+  std::optional<double> bandWidth() const;
+  /// Whether bands are told by their whole steps, "20 to 24", and not as "20 to <25".
+  bool isWhole() const noexcept { return isWhole_; }
 
   /// The values of a level in order; empty if there is no closed list.
   const std::vector<Level>& values(std::size_t level) const { return levels_.at(level).values; }

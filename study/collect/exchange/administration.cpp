@@ -11,6 +11,7 @@
 #include "study/collect/exchange/push.h"
 #include "study/collect/exchange/server_reader.h"
 #include "study/collect/exchange/station_trail.h"
+#include "study/export/coarsening.h"
 #include "study/model/user_error.h"
 #include "study/session/study.h"
 #include "study/storage/protocol_repository.h"
@@ -53,6 +54,25 @@ storage::BlindingSecret secretOf(const StudyOnServer& study) {
     return std::to_integer<unsigned char>(b);
   });
   return storage::BlindingSecret(bytes);
+}
+
+/// What analysts see of a form in bands, as an export tells it (docs/decisions/0048).
+std::vector<BackgroundItem> backgroundOf(const protocols::LoadedProtocol& loaded) {
+  std::vector<BackgroundItem> items;
+  for (const auto& phase : loaded.protocol.phases) {
+    const auto* instrument = loaded.instrument(phase.instrument);
+    if (phase.type != protocols::PhaseType::Form || instrument == nullptr) continue;
+    for (const auto& item : instrument->items) {
+      if (item.isIdentifying || !isAboutThePerson(item)) continue;
+      const Coarsening bands(item, loaded.protocol.languages.front());
+      items.push_back(
+          {.phase = phase.id,
+           .item = item.id,
+           .width = bands.bandWidth(),
+           .isWhole = bands.isWhole()});
+    }
+  }
+  return items;
 }
 
 /// 128 random bits.
@@ -109,7 +129,11 @@ bool putStudy(
   requireName(name, "a study");
   const auto sent = asSent(protocol);
   if (!server.query("SELECT 1 FROM palpate.study WHERE name = $1", {name}).isEmpty()) {
-    addProtocol(server, findStudy(server, name).uuid, sent);
+    const auto uuid = findStudy(server, name).uuid;
+    inTransaction(server, [&] {
+      addProtocol(server, uuid, sent);
+      putBackground(server, uuid, backgroundOf(protocol));
+    });
     return false;
   }
   const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
@@ -122,6 +146,7 @@ bool putStudy(
   inTransaction(server, [&] {
     addStudy(server, study);
     addProtocol(server, study.uuid, sent);
+    putBackground(server, study.uuid, backgroundOf(protocol));
   });
   return true;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "study/model/user_error.h"
 
 namespace study::collect {
@@ -48,6 +50,22 @@ void addProtocol(Connection& server, const std::string& study, const ProtocolOnS
       "INSERT INTO palpate.protocol (study, sha256, text, files) VALUES ($1, $2, $3, $4::json) "
       "ON CONFLICT DO NOTHING",
       {study, protocol.sha256, protocol.text, protocol.files});
+}
+
+void putBackground(
+    Connection& server, const std::string& study, const std::vector<BackgroundItem>& items) {
+  for (const auto& item : items) {
+    server.query(
+        "INSERT INTO palpate.background_item (study, phase, item, width, whole) "
+        "VALUES ($1, $2, $3, $4::double precision, $5::boolean) "
+        "ON CONFLICT (study, phase, item) DO UPDATE SET width = excluded.width, whole = "
+        "excluded.whole",
+        {study,
+         item.phase,
+         item.item,
+         item.width ? Parameter(fmt::format("{}", *item.width)) : Parameter::null(),
+         item.isWhole ? "true" : "false"});
+  }
 }
 
 ProtocolOnServer protocolOf(Connection& server, const std::string& study) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,16 @@ struct ProtocolOnServer {
 void addStudy(Connection& server, const StudyOnServer& study);
 /// Does nothing if the version is there.
 void addProtocol(Connection& server, const std::string& study, const ProtocolOnServer& protocol);
+/// A question that participants answer about themselves, as analysts may see what was said.
+struct BackgroundItem {
+  std::string phase;
+  std::string item;
+  std::optional<double> width;  ///< of the bands of a number, in its unit
+  bool isWhole = false;         ///< "20 to 24", otherwise "20 to <25"
+};
+/// Takes the place of what was known of these questions.
+void putBackground(
+    Connection& server, const std::string& study, const std::vector<BackgroundItem>& items);
 /// The newest one.
 ProtocolOnServer protocolOf(Connection& server, const std::string& study);
 /// By its name; the only one if @p name is empty.
