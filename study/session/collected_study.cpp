@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 using storage::Database;
 using storage::Transaction;
 
+constexpr const char* kWaiting = "waiting.db";  ///< in the folder, until its trail is written
+
 Database made(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
 }
@@ -84,6 +86,7 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Beginning& b
     files_->study.giveKey(storage::SealingKey(beginning.secret.bytes()));
   }
   files_->begin();
+  events_ = std::make_unique<storage::EventSpool>((folder_ / kWaiting).string());
   storage::ProtocolRepository protocols(files_->study);
   for (const auto& protocol : beginning.protocols) {
     protocols.add(protocol, "collected", asUtc(clock.now().wall));
@@ -103,6 +106,7 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Beginning& b
 CollectedStudy::~CollectedStudy() {
   if (files_ == nullptr) return;
   files_.reset();
+  events_.reset();
   std::error_code ignored;
   fs::remove_all(folder_, ignored);  // it was never complete
 }
@@ -139,7 +143,8 @@ void CollectedStudy::addKey(const std::string& participant, const storage::Seali
 void CollectedStudy::add(const Trail& trail, std::vector<storage::StoredEvent> events) {
   for (auto& event : events) {
     if (event.session) event.session = static_cast<std::int64_t>(sessions_.at(*event.session));
-    events_.push_back(std::move(event));
+    lastOf_[event.session] = events_->count();
+    events_->put(event);
   }
   trails_.push_back(trail);
   sessions_.clear();
@@ -160,21 +165,23 @@ void CollectedStudy::appendTrail(const std::string& reason) {
        .values = {
            {"sessions", static_cast<std::int64_t>(sessionCount_)},
            {"stations", static_cast<std::int64_t>(trails_.size())},
-           {"events", static_cast<std::int64_t>(events_.size()) + 1},
+           {"events", static_cast<std::int64_t>(events_->count()) + 1},
            {"trails", trails},
            {"reason", reason}}});
   log.append(
       {.when = now,
        .kind = EventKind::MadeStudy,
        .values = {{"study", protocolName_}, {"secret", commitment_}}});
-  std::map<std::optional<std::int64_t>, std::size_t> lastOf;
-  for (std::size_t i = 0; i < events_.size(); ++i) lastOf[events_[i].session] = i;
-  for (std::size_t i = 0; i < events_.size(); ++i) {
-    const auto& event = events_[i];
-    const auto key =
-        event.session ? log.keyOf(SessionId{*event.session}) : std::optional<storage::SealingKey>();
-    log.appendFrom(event, key ? &*key : nullptr, lastOf.at(event.session) == i);
-  }
+  std::size_t place = 0;
+  std::optional<std::int64_t> session;  // whose key is known: its events come together
+  std::optional<storage::SealingKey> key;
+  events_->forEach([&](const storage::StoredEvent& event) {
+    if (event.session != session) {
+      session = event.session;
+      key = session ? log.keyOf(SessionId{*session}) : std::nullopt;
+    }
+    log.appendFrom(event, key ? &*key : nullptr, lastOf_.at(event.session) == place++);
+  });
 }
 
 void CollectedStudy::finish(const std::string& reason) {
@@ -182,6 +189,8 @@ void CollectedStudy::finish(const std::string& reason) {
     storage::ProtocolRepository(files_->study).freeze(id, asUtc(clock_.now().wall));
   }
   appendTrail(reason);
+  events_.reset();
+  fs::remove(folder_ / kWaiting);
   files_->commit();
   files_.reset();
   {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "study/session/study.h"
 #include "study/storage/event_log.h"
 #include "study/storage/keys/sealing_key.h"
+#include "study/storage/transfer/event_spool.h"
 #include "study/storage/transfer/session_facts.h"
 
 namespace study {
@@ -71,7 +73,9 @@ class CollectedStudy {
   std::map<std::int64_t, SessionId> sessions_;  ///< of the present station, by their number there
   std::size_t sessionCount_ = 0;
   std::vector<Trail> trails_;
-  std::vector<storage::StoredEvent> events_;  ///< with the sessions' new numbers
+  std::unique_ptr<storage::EventSpool> events_;  ///< with the sessions' new numbers
+  /// The place of the last event of each session, and of the stations themselves.
+  std::map<std::optional<std::int64_t>, std::size_t> lastOf_;
 };
 
 }  // namespace study

@@ -157,6 +157,13 @@ void insert(
   insert.run();
 }
 
+/// The number of the next event, and the hash of the last one.
+std::pair<std::int64_t, std::vector<std::byte>> end(const Database& database) {
+  Statement last(database, "SELECT seq, hash FROM event ORDER BY seq DESC LIMIT 1");
+  if (!last.step()) return {1, {}};
+  return {last.number(0) + 1, last.blob(1)};
+}
+
 /// The keys of sessions, each looked up once.
 class Keys {
  public:
@@ -272,13 +279,7 @@ void EventLog::append(const Event& event) {
   row.content = asBytes(
       event.visit ? contentHash(database_, event.visit->session, key ? &*key : nullptr)
                   : contentHash(database_));
-  std::int64_t seq = 1;
-  std::vector<std::byte> previous;
-  Statement last(database_, "SELECT seq, hash FROM event ORDER BY seq DESC LIMIT 1");
-  if (last.step()) {
-    seq = last.number(0) + 1;
-    previous = last.blob(1);
-  }
+  const auto [seq, previous] = end(database_);
   if (key) row.seal(seq, *keyOf(event.visit->session, event.kind));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
@@ -352,9 +353,9 @@ void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool 
         row.session ? contentHash(database_, SessionId{*row.session}, isToBeSealed ? key : nullptr)
                     : contentHash(database_));
   }
-  const auto seq = last() + 1;
+  const auto [seq, previous] = end(database_);
   if (isToBeSealed) row.seal(seq, *key);
-  insert(database_, seq, row, row.hashAfter(seq, head()));
+  insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
 std::vector<std::byte> EventLog::head() const {

@@ -1,0 +1,70 @@
+#include "study/storage/transfer/event_spool.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace study::storage {
+namespace {
+
+constexpr std::int32_t kApplicationId = 0x50414c53;  // "PALS"
+
+// The columns of study.db, without what it requires of them: sequence numbers repeat.
+constexpr std::array<std::string_view, 1> kSteps{R"sql(
+  CREATE TABLE event (
+    place INTEGER PRIMARY KEY, seq INTEGER, session_id INTEGER, step INTEGER, attempt INTEGER, utc TEXT,
+    monotonic_ns INTEGER, actor TEXT, kind TEXT, detail TEXT, hash BLOB, content_hash BLOB, sealed BLOB) STRICT;
+)sql"};
+
+}  // namespace
+
+EventSpool::EventSpool(const std::string& path)
+    : database_(Database::create(
+          path, {.applicationId = kApplicationId, .name = "a list of events", .steps = kSteps})),
+      insert_(
+          database_,
+          "INSERT INTO event (seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, "
+          "detail, content_hash, sealed, hash) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)") {
+  database_.execute("BEGIN");  // never committed: nothing waits for the disk
+}
+
+void EventSpool::put(const StoredEvent& event) {
+  insert_.bind(1, event.seq)
+      .bind(2, event.session)
+      .bind(3, event.step)
+      .bind(4, event.attempt)
+      .bind(5, event.utc)
+      .bind(6, event.monotonic)
+      .bind(7, event.actor)
+      .bind(8, event.kind)
+      .bind(9, event.detail)
+      .bind(10, std::span<const std::byte>(event.content))
+      .bind(11, std::span<const std::byte>(event.sealed))
+      .bind(12, std::span<const std::byte>(event.hash));
+  insert_.run();
+  ++count_;
+}
+
+void EventSpool::forEach(const std::function<void(const StoredEvent& event)>& take) const {
+  Statement select(
+      database_,
+      "SELECT seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, "
+      "content_hash, sealed, hash FROM event ORDER BY place");
+  while (select.step()) {
+    take(
+        {.seq = select.number(0),
+         .session = select.optionalNumber(1),
+         .step = select.optionalNumber(2),
+         .attempt = select.optionalNumber(3),
+         .utc = select.text(4),
+         .monotonic = select.number(5),
+         .actor = select.text(6),
+         .kind = select.text(7),
+         .detail = select.text(8),
+         .content = select.blob(9),
+         .sealed = select.blob(10),
+         .hash = select.blob(11)});
+  }
+}
+
+}  // namespace study::storage
