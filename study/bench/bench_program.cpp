@@ -23,6 +23,9 @@ std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action) {
 #ifdef PALPATE_HAS_WINDOWS
   addWindowsCommand(*program, action);
 #endif
+#ifdef PALPATE_HAS_COLLECT
+  addCollectCommand(*program, action);
+#endif
   return program;
 }
 

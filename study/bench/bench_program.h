@@ -16,6 +16,7 @@ void addServoCommand(CLI::App& program, Action& action);
 void addDevicesCommand(CLI::App& program, Action& action);
 void addStatsCommand(CLI::App& program, Action& action);
 void addWindowsCommand(CLI::App& program, Action& action);  // in builds with windows
+void addCollectCommand(CLI::App& program, Action& action);  // in builds with libpq
 
 /// The command line of palpate-bench. Parsing it sets the action of the command that was called.
 /// @param action  must outlive the program.

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +12,7 @@
 
 #include "haptics/timing/stopwatch.h"
 #include "study/bench/bench_program.h"
+#include "study/bench/memory.h"
 #include "study/bench/result.h"
 #include "study/bench/synthetic_study.h"
 #include "study/model/new_file.h"
@@ -30,21 +29,6 @@ struct StatsOptions {
   std::int64_t answers = 1'000'000;
   int repetitions = 20;
 };
-
-/// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
-double peakMemory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    constexpr std::string_view kMost = "VmHWM:";
-    if (line.starts_with(kMost)) return std::stod(line.substr(kMost.size())) * 1024.0 / 1e6;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-/// See proc(5), clear_refs: 5 resets the peak.
-void resetPeakMemory() {
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
 
 struct StatsMeasurement {
   std::int64_t sessions = 0;

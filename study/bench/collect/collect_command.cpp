@@ -1,0 +1,229 @@
+// palpate-bench collect: a server that stations send to, beside the same rows by plain COPY and
+// SQL.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/bench/bench_program.h"
+#include "study/bench/collect/collected_speed.h"
+#include "study/bench/result.h"
+
+namespace study::bench {
+namespace {
+
+struct CollectOptions {
+  std::string out;
+  CollectSize size;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.at(values.size() / 2);
+}
+
+IngestSpeed sumOf(const std::vector<IngestSpeed>& parts) {
+  IngestSpeed sum;
+  for (const auto& part : parts) {
+    sum.sent.answers += part.sent.answers;
+    sum.sent.events += part.sent.events;
+    sum.sent.reading += part.sent.reading;
+    sum.sent.taking += part.sent.taking;
+    sum.copying += part.copying;
+    sum.copyingAll += part.copyingAll;
+  }
+  return sum;
+}
+
+DataTable ingestTable(const CollectMeasurement& measured) {
+  const auto sum = sumOf(measured.parts);
+  const auto answers = static_cast<double>(sum.sent.answers);
+  const double megabytes = static_cast<double>(measured.recorded.traceBytes) / 1e6;
+  const double copyingTraces = median(measured.copyingTraces);
+  const auto row = [](const char* what, const char* unit, double amount, double ours, double peer) {
+    return std::vector<Cell>{
+        std::string(what), std::string(unit), amount / ours, amount / peer, ours / peer};
+  };
+  return {
+      .name = "ingest",
+      .description = "Into the server, beside plain COPY of the same rows",
+      .columns =
+          {{"what", "What"},
+           {"unit", "Unit"},
+           {"ingest", "ingest()"},
+           {"copy", "COPY"},
+           {"times", "Times as long"}},
+      .rows = {
+          row("answers, with all that travels; COPY of the answers",
+              "answers/s",
+              answers,
+              sum.sent.taking,
+              sum.copying),
+          row("… COPY of all rows", "answers/s", answers, sum.sent.taking, sum.copyingAll),
+          row("… ingest() and what the station does before",
+              "answers/s",
+              answers,
+              sum.sent.taking + sum.sent.reading,
+              sum.copyingAll),
+          row("samples", "MB/s", megabytes, measured.recorded.traces, copyingTraces)}};
+}
+
+DataTable growthTable(const CollectMeasurement& measured) {
+  DataTable table{
+      .name = "growth",
+      .description = {},
+      .columns = {
+          {"answers_before", "Answers there"},
+          {"ingest_answers_per_s", "ingest() [answers/s]"},
+          {"copy_answers_per_s", "COPY of all rows [answers/s]"}}};
+  for (const auto& part : measured.parts) {
+    const auto answers = static_cast<double>(part.sent.answers);
+    table.rows.push_back({part.before, answers / part.sent.taking, answers / part.copyingAll});
+  }
+  return table;
+}
+
+report::Chart growthChart(const CollectMeasurement& measured) {
+  report::Chart chart{
+      .x = {.title = "answers on the server"},
+      .y = {.title = "answers/s", .isLogarithmic = true},
+      .series = {{.title = "ingest()"}, {.title = "COPY of the same rows"}}};
+  for (const auto& part : measured.parts) {
+    const auto before = static_cast<double>(part.before);
+    const auto answers = static_cast<double>(part.sent.answers);
+    chart.series[0].points.push_back({.x = before, .y = answers / part.sent.taking});
+    chart.series[1].points.push_back({.x = before, .y = answers / part.copyingAll});
+  }
+  return chart;
+}
+
+DataTable countTable(const CollectMeasurement& measured) {
+  const double ours = median(measured.counts.ours);
+  const double bare = median(measured.counts.bare);
+  return {
+      .name = "counts",
+      .description = "Counts for the pairwise table, by cohort, code and point",
+      .columns =
+          {{"answers", "Answers"},
+           {"sites", "Sites"},
+           {"groups", "Groups"},
+           {"view_ms", "Analyst's view [ms]"},
+           {"bare_ms", "Bare table [ms]"},
+           {"times", "Times as long"}},
+      .rows = {
+          {measured.answers,
+           static_cast<std::int64_t>(measured.sites),
+           static_cast<std::int64_t>(measured.groups),
+           1e3 * ours,
+           1e3 * bare,
+           ours / bare}}};
+}
+
+DataTable pullTable(const CollectMeasurement& measured) {
+  return {
+      .name = "pull",
+      .description = "All of it as a folder ('palpate collect pull')",
+      .columns =
+          {{"sessions", "Sessions"},
+           {"events", "Events"},
+           {"seconds", "Time [s]"},
+           {"answers_per_s", "Answers/s"},
+           {"folder_mb", "Folder [MB]"},
+           {"memory_before_mb", "Memory before [MB]"},
+           {"memory_mb", "… at most [MB]"}},
+      .rows = {
+          {measured.sessions,
+           measured.events,
+           measured.pulling,
+           static_cast<double>(measured.answers) / measured.pulling,
+           measured.pulledMegabytes,
+           measured.memoryBefore,
+           measured.memory}}};
+}
+
+DataTable sizeTable(const CollectMeasurement& measured) {
+  DataTable table{
+      .name = "sizes",
+      .description = "Tables on the server",
+      .columns = {
+          {"table", "Table"},
+          {"rows", "Rows"},
+          {"mb", "Rows [MB]"},
+          {"indexes_mb", "Indexes [MB]"},
+          {"bytes_per_answer", "Bytes an answer"}}};
+  for (const auto& each : measured.tables) {
+    table.rows.push_back(
+        {each.table,
+         each.rows,
+         static_cast<double>(each.bytes) / 1e6,
+         static_cast<double>(each.indexes) / 1e6,
+         static_cast<double>(each.bytes + each.indexes) / static_cast<double>(measured.answers)});
+  }
+  return table;
+}
+
+DataTable planTable(const CollectMeasurement& measured) {
+  DataTable table{
+      .name = "plan",
+      .description = "How PostgreSQL counts in the view (EXPLAIN ANALYZE)",
+      .columns = {{"plan", "Plan"}}};
+  for (const auto& line : measured.plan) table.rows.push_back({line});
+  return table;
+}
+
+int benchCollect(const CollectOptions& options) {
+  const auto measured = measureCollection(options.size);
+  present(
+      options.out,
+      "collect",
+      {.title = "Many sites into one server: how fast",
+       .lead =
+           {"A private PostgreSQL server, one station with samples of simulated participants, and "
+            "many that repeat its sessions. All of it was removed again. docs/benchmarks.md "
+            "explains the columns."},
+       .parts = {
+           {.heading = "In",
+            .figures =
+                {{.name = "growth",
+                  .caption = "Answers a second, while the tables grow.",
+                  .chart = growthChart(measured)}},
+            .tables = {ingestTable(measured), growthTable(measured)}},
+           {.heading = "Counting", .tables = {countTable(measured), planTable(measured)}},
+           {.heading = "Out", .tables = {pullTable(measured)}},
+           {.heading = "Sizes", .tables = {sizeTable(measured)}}}});
+  for (const auto& problem : measured.problems) fmt::print("FAIL  {}.\n", problem);
+  return measured.problems.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void addCollectCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<CollectOptions>();
+  options->size.folder = std::filesystem::temp_directory_path();
+  auto* command = program.add_subcommand(
+      "collect", "Many sites into one PostgreSQL server: ingest, counts, pull");
+  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
+  auto& size = options->size;
+  command->add_option("--answers", size.answers, "Of all sites together")
+      ->check(CLI::Range(std::int64_t{100}, std::int64_t{10'000'000}))
+      ->capture_default_str();
+  command->add_option("--sites", size.sites, "Each with a station")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--participants", size.participants, "Simulated ones with samples, 1 MB of each")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command->add_option("--repetitions", size.repetitions, "Of counts, and of COPY of samples")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--disk", size.folder, "A folder for stations' folders (default: temporary files)")
+      ->check(CLI::ExistingDirectory);
+  command->callback([&action, options] { action = [options] { return benchCollect(*options); }; });
+}
+
+}  // namespace study::bench

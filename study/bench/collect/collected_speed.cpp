@@ -1,0 +1,276 @@
+#include "study/bench/collect/collected_speed.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "haptics/timing/stopwatch.h"
+#include "study/bench/memory.h"
+#include "study/collect/app/options.h"
+#include "study/collect/exchange/pull.h"
+#include "study/model/new_file.h"
+#include "study/storage/statement.h"
+
+namespace study::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using collect::Connection;
+
+constexpr int kMostParts = 20;
+constexpr std::array kTables{"event", "session", "fact", "progress", "answer"};
+
+/// By cohort, code or condition, and point.
+using Counts = std::map<std::tuple<std::string, std::string, std::int64_t>, std::int64_t>;
+
+template <typename Action>
+double timeOf(const Action& action) {
+  const auto start = std::chrono::steady_clock::now();
+  action();
+  return haptics::timing::secondsSince(start);
+}
+
+/// What the pairwise table is computed from.
+std::string countsOf(const std::string& table, const std::string& instrument) {
+  return "SELECT cohort, code, point, count(*) FROM " + table +
+         " WHERE run_mode = 'simulated' AND state = 'completed' AND instrument = '" + instrument +
+         "' GROUP BY 1, 2, 3";
+}
+
+/// The rows of a station once more, by COPY out of a file: the least that it takes to store them.
+class PlainCopy {
+ public:
+  PlainCopy(Connection& owner, const fs::path& folder) : owner_(owner), folder_(folder) {
+    owner_.execute("CREATE SCHEMA bare");
+    for (const std::string table : kTables) {
+      owner_.execute("CREATE TABLE bare." + table + " (LIKE palpate." + table + ")");
+    }
+    owner_.execute("CREATE TABLE bare.chunk (LIKE palpate.chunk INCLUDING STORAGE)");
+  }
+
+  /// Times the COPY of a station's answers, and of all of its rows.
+  void copy(const std::string& label, IngestSpeed& part) {
+    for (const std::string table : kTables) write(table, label, "");
+    part.copyingAll += timeOf([&] {
+      owner_.execute("BEGIN");
+      for (const std::string table : kTables) read(table, "");
+      owner_.execute("COMMIT");
+    });
+    owner_.execute("TRUNCATE bare.answer");  // those of the last station are copied again
+    part.copying += timeOf([&] { read("answer", ""); });
+  }
+
+  /// … of the samples of a station.
+  double copyTraces(const std::string& label) {
+    write("chunk", label, " (FORMAT binary)");
+    owner_.execute("TRUNCATE bare.chunk");
+    return timeOf([&] { read("chunk", " (FORMAT binary)"); });
+  }
+
+ private:
+  std::string file(const std::string& table) const {
+    return owner_.quotedText((folder_ / (table + ".copy")).string());
+  }
+  void write(const std::string& table, const std::string& label, const char* how) {
+    owner_.execute(
+        "COPY (SELECT * FROM palpate." + table +
+        " WHERE station = (SELECT id FROM palpate.station WHERE label = '" + label + "')) TO " +
+        file(table) + how);
+  }
+  void read(const std::string& table, const char* how) {
+    owner_.execute("COPY bare." + table + " FROM " + file(table) + how);
+  }
+
+  Connection& owner_;
+  fs::path folder_;
+};
+
+void addTo(StationPush& sum, const StationPush& sent) {
+  sum.answers += sent.answers;
+  sum.events += sent.events;
+  sum.traceBytes += sent.traceBytes;
+  sum.reading += sent.reading;
+  sum.taking += sent.taking;
+  sum.traces += sent.traces;
+}
+
+void send(
+    const CollectSize& size,
+    ManyStations& stations,
+    PlainCopy& plain,
+    CollectMeasurement& measured) {
+  const int parts = std::min(kMostParts, size.sites);
+  std::int64_t sent = 0;
+  int number = 0;
+  for (int part = 1; part <= parts; ++part) {
+    std::fprintf(stderr, "sites: %d of %d\n", number, size.sites);
+    auto& speed = measured.parts.emplace_back();
+    speed.before = sent;
+    while (number < size.sites * part / parts) {
+      ++number;
+      const auto share = size.answers * number / size.sites - sent;
+      if (share <= 0) continue;
+      const auto push = stations.add(number, share);
+      sent += push.answers;
+      addTo(speed.sent, push);
+      plain.copy(ManyStations::labelOf(number), speed);
+    }
+  }
+}
+
+Counts countsIn(Connection& server, const std::string& query) {
+  const auto rows = server.query(query);
+  Counts counts;
+  for (int i = 0; i < rows.count(); ++i) {
+    counts[{rows.text(i, 0), rows.text(i, 1), rows.number(i, 2)}] = rows.number(i, 3);
+  }
+  return counts;
+}
+
+/// Named by conditions, as the owner of the server alone can.
+Counts named(Connection& owner, const Counts& counts) {
+  const auto rows = owner.query(
+      "SELECT code, condition FROM palpate.condition_code WHERE run_mode = 'simulated'");
+  std::map<std::string, std::string> names;
+  for (int i = 0; i < rows.count(); ++i) names[rows.text(i, 0)] = rows.text(i, 1);
+  Counts result;
+  for (const auto& [place, count] : counts) {
+    const auto& [cohort, code, point] = place;
+    result[{cohort, names[code], point}] = count;
+  }
+  return result;
+}
+
+/// The same counts in a study's folder.
+Counts countsAt(const fs::path& folder, const std::string& instrument) {
+  SystemClock clock;
+  auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+  storage::Statement select(
+      study.database(),
+      "SELECT s.cohort, l.condition, a.point, count(*) FROM answer AS a "
+      "JOIN session AS s ON s.id = a.session_id "
+      "JOIN step AS t ON t.session_id = a.session_id AND t.step = a.step "
+      "JOIN allocation AS l ON l.session_id = a.session_id AND l.step = a.step "
+      "JOIN visit AS v ON v.session_id = a.session_id AND v.step = a.step AND v.attempt = "
+      "a.attempt "
+      "WHERE s.state = 'completed' AND t.instrument = ? AND l.condition <> '' "
+      "AND v.status = 'finished' AND a.point IS NOT NULL GROUP BY 1, 2, 3");
+  select.bind(1, instrument);
+  Counts counts;
+  while (select.step()) {
+    counts[{select.text(0), select.text(1), select.number(2)}] = select.number(3);
+  }
+  return counts;
+}
+
+void count(
+    const collect::PrivateServer& postgres,
+    const std::string& instrument,
+    int repetitions,
+    CollectMeasurement& measured) {
+  Connection owner(postgres.server());
+  owner.execute("CREATE TABLE bare.points AS SELECT * FROM palpate.answers");
+  owner.execute(
+      "GRANT USAGE ON SCHEMA bare TO palpate_analyst; GRANT SELECT ON bare.points TO "
+      "palpate_analyst");
+  owner.execute("VACUUM ANALYZE");
+  Connection analyst(postgres.server());
+  analyst.execute("SET ROLE palpate_analyst");
+  const auto ours = countsOf("palpate.answers", instrument);
+  const auto bare = countsOf("bare.points", instrument);
+  if (countsIn(analyst, ours) != countsIn(analyst, bare)) {
+    measured.problems.emplace_back("the analyst's view counts other answers than its own rows");
+  }
+  for (int i = 0; i < repetitions; ++i) {
+    measured.counts.ours.push_back(timeOf([&] { analyst.query(ours); }));
+    measured.counts.bare.push_back(timeOf([&] { analyst.query(bare); }));
+  }
+  const auto plan = owner.query("EXPLAIN (ANALYZE, BUFFERS) " + ours);
+  for (int i = 0; i < plan.count(); ++i) measured.plan.push_back(plan.text(i, 0));
+}
+
+double megabytesOf(const fs::path& folder) {
+  double bytes = 0.0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
+  }
+  return bytes / 1e6;
+}
+
+void pullAll(
+    const collect::PrivateServer& postgres,
+    const CollectSize& size,
+    const std::string& instrument,
+    CollectMeasurement& measured) {
+  const TemporaryFolder own(size.folder);
+  const collect::Account account(own / "account");
+  SystemClock clock;
+  Connection server(postgres.server());
+  resetPeakMemory();
+  measured.memoryBefore = peakMemory();
+  measured.pulling = timeOf([&] {
+    const auto pulled =
+        collect::pull(server, {.folder = own / "study", .reason = "benchmark"}, clock);
+    measured.sessions = static_cast<std::int64_t>(pulled.sessions);
+    measured.events = pulled.events;
+    if (!pulled.incomplete.empty()) measured.problems.emplace_back("a session is not complete");
+  });
+  measured.memory = peakMemory();
+  measured.pulledMegabytes = megabytesOf(own / "study");
+  const auto counts = named(server, countsIn(server, countsOf("palpate.answers", instrument)));
+  measured.groups = counts.size();
+  if (counts.empty() || counts != countsAt(own / "study", instrument)) {
+    measured.problems.emplace_back("the pulled folder has other counts than the analyst's view");
+  }
+}
+
+void weigh(Connection& owner, CollectMeasurement& measured) {
+  for (const std::string table : {"answer", "session", "event", "fact", "progress", "chunk"}) {
+    const auto rows = owner.query(
+        "SELECT (SELECT count(*) FROM palpate." + table + "), pg_table_size('palpate." + table +
+        "'), pg_indexes_size('palpate." + table + "')");
+    measured.tables.push_back(
+        {.table = table,
+         .rows = rows.number(0, 0),
+         .bytes = rows.number(0, 1),
+         .indexes = rows.number(0, 2)});
+  }
+}
+
+}  // namespace
+
+CollectMeasurement measureCollection(const CollectSize& size) {
+  CollectMeasurement measured;
+  const collect::PrivateServer postgres;
+  std::fprintf(stderr, "%d simulated participants with samples\n", size.participants);
+  ManyStations stations(postgres, size.folder, size.participants);
+  measured.recorded = stations.recorded();
+  Connection owner(postgres.server());
+  PlainCopy plain(owner, postgres.folder());
+  for (int i = 0; i < size.repetitions; ++i) {
+    measured.copyingTraces.push_back(plain.copyTraces(ManyStations::kRecorded));
+  }
+  send(size, stations, plain, measured);
+  const auto& instrument = stations.protocol().protocol.analysis.families.at(0).instrument;
+  std::fprintf(stderr, "counts\n");
+  count(postgres, instrument, size.repetitions, measured);
+  std::fprintf(stderr, "pull\n");
+  pullAll(postgres, size, instrument, measured);
+  weigh(owner, measured);
+  measured.sites = size.sites;
+  measured.answers = measured.tables.front().rows;
+  auto sent = measured.recorded.answers;
+  for (const auto& part : measured.parts) sent += part.sent.answers;
+  if (sent != measured.answers) {
+    measured.problems.push_back(
+        fmt::format("{} answers were sent, and {} are there", sent, measured.answers));
+  }
+  return measured;
+}
+
+}  // namespace study::bench

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "protocols/model/loaded_protocol.h"
+#include "study/collect/server/private_server.h"
+#include "study/session/study.h"
+#include "study/storage/event_log.h"
+#include "study/storage/transfer/session_facts.h"
+
+namespace study::bench {
+
+/// What a station sent, and how long each part of it took.
+struct StationPush {
+  std::int64_t answers = 0;
+  std::int64_t events = 0;
+  std::uint64_t traceBytes = 0;
+  double reading = 0.0;  ///< its folder, and writing batches [s]
+  double taking = 0.0;   ///< ingest() of events and sessions [s]
+  double traces = 0.0;   ///< ingest() of samples [s]
+};
+
+/// A study on a private server, and stations that send to it what simulated participants did: one
+/// with samples, and any number of others that repeat its sessions without them, each with an
+/// account, a folder, an audit trail and a signature of its own.
+class ManyStations {
+ public:
+  /// The name of the station with samples.
+  static constexpr const char* kRecorded = "recorded";
+
+  /// @param folder  for the stations' folders, each as long as it sends
+  /// @param participants  of the station with samples
+  ManyStations(
+      const collect::PrivateServer& postgres, std::filesystem::path folder, int participants);
+
+  const protocols::LoadedProtocol& protocol() const noexcept { return protocol_; }
+  /// What the station with samples sent.
+  const StationPush& recorded() const noexcept { return recorded_; }
+
+  /// One more station, at a site of its own, with at least so many answers. @param number  from 1
+  StationPush add(int number, std::int64_t answers);
+
+  static std::string labelOf(int number);
+
+ private:
+  struct Recorded {
+    storage::SessionFacts facts;
+    std::vector<storage::StoredEvent> events;
+  };
+
+  /// Makes a station, lets @p work fill its folder, and sends everything.
+  StationPush run(const std::string& label, const std::function<void(Study&)>& work) const;
+  void record(Study& study, int participants);
+  void repeat(Study& study, const std::string& label, std::int64_t answers) const;
+
+  const collect::PrivateServer& postgres_;
+  std::filesystem::path folder_;
+  protocols::LoadedProtocol protocol_;
+  std::vector<Recorded> sessions_;
+  StationPush recorded_;
+};
+
+}  // namespace study::bench

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace study::bench {
+
+/// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
+double peakMemory();
+
+/// See proc(5), clear_refs.
+void resetPeakMemory();
+
+}  // namespace study::bench
