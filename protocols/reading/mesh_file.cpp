@@ -113,23 +113,48 @@ std::string formatOf(std::string_view text) {
   throw base::UserError("it is no STL, OBJ or PLY file");
 }
 
+/// A number of elements in the head of a PLY file. @throws base::UserError  if it is none.
+double countIn(const std::string& word) {
+  constexpr std::size_t kMostDigits = 15;
+  const bool isCount = !word.empty() && word.size() <= kMostDigits &&
+                       word.find_first_not_of("0123456789") == std::string::npos;
+  if (isCount) return std::stod(word);
+  throw base::UserError("its head says '" + word + "' where a number of elements should be");
+}
+
 /// The head of a PLY file says how many corners, faces and corners of faces there are, and the
-/// library allocates memory for as many before it reads them.
+/// library allocates memory for as many before it reads them. Only a head that can be read in one
+/// way is let through: the library finds elements between control characters, too.
 void requireAsManyAsFit(std::string_view text) {
+  static const std::set<std::string> kStatements{
+      "ply", "format", "comment", "obj_info", "element", "property"};
   static const std::set<std::string> kShortCounts{
       "char", "uchar", "int8", "uint8", "short", "ushort", "int16", "uint16"};
-  std::istringstream head(std::string(text.substr(0, text.find("end_header"))));
   double entries = 0.0;
-  for (std::string word; head >> word;) {
+  while (!text.empty()) {
+    const auto size = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string line(text.substr(0, size));
+    text.remove_prefix(std::min(size + 1, text.size()));
+    std::istringstream words(line);
+    std::string statement;
+    if (!(words >> statement)) continue;  // between \r and \n
+    if (statement == "end_header") break;
+    const bool isText = std::all_of(line.begin(), line.end(), [](unsigned char c) {
+      return c == '\t' || (c >= ' ' && c != 0x7F);
+    });
+    if (!isText || kStatements.count(statement) == 0) {
+      throw base::UserError("its head is damaged");
+    }
     std::string name;
-    double count = 0.0;
-    if (word == "element" && head >> name >> count) entries += count;
-    if (word != "list" || !(head >> name)) continue;
-    if (kShortCounts.count(name) > 0) continue;
+    std::string count;
+    words >> name >> count;
+    if (statement == "element") entries += countIn(count);
+    if (statement != "property" || name != "list" || kShortCounts.count(count) > 0) continue;
     throw base::UserError(
-        "its faces may have thousands of millions of corners ('list " + name +
+        "its faces may have thousands of millions of corners ('list " + count +
         "'): save it with 'list uchar'");
   }
+  // What is left is its data.
   if (entries <= static_cast<double>(text.size())) return;
   throw base::UserError("it says that it has more corners and faces than fit into it");
 }

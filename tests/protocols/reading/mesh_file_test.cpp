@@ -123,5 +123,27 @@ TEST(MeshFile, AllocatesNoMoreThanFitsIntoIt) {
   EXPECT_EQ(trianglesIn(with("list uchar", "list uint8")), 1U);
 }
 
+TEST(MeshFile, HasAHeadThatCanBeReadInOneWayOnly) {
+  // Found by the fuzzer: the library reads an element between control characters, and goes through
+  // thousands of millions of them.
+  const std::string many = " vertex 4000000000\n";
+  const auto with = [](const std::string& line) {
+    auto text = kPly;
+    return text.insert(text.find("element"), line);
+  };
+  ASSERT_EQ(trianglesIn(with("comment an element of ours\n")), 1U) << "control";
+  for (const auto& line :
+       {"elemen\x1b\x1bt" + many,
+        "comment \f element" + many,
+        "Element" + many,
+        std::string("element other -4000000000\n"),
+        std::string("element other\n 3\n")}) {
+    EXPECT_NE(complaintAbout(with(line)).find("its head"), std::string::npos) << line;
+  }
+  for (const auto* before : {"comment \r", "comment end_header\n", "  ", "\t"}) {
+    EXPECT_NE(complaintAbout(with(before + ("element" + many))).find("more"), std::string::npos);
+  }
+}
+
 }  // namespace mesh_file_test
 }  // namespace protocols
