@@ -88,7 +88,7 @@ void orWords(const Action& action) {
     require(error);
   } catch (const study::UserError& error) {
     require(error);
-  } catch (const questionnaires::Error& error) {
+  } catch (const base::UserError& error) {
     require(error);
   }
 }
