@@ -1,6 +1,8 @@
 // A computer becomes a station of a study: its file, its orders, its codes.
 #include "study/collect/exchange/enrolment.h"
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -182,6 +184,36 @@ TEST(OrdersOfStations, EachStationIsBalancedByItself) {
   for (const auto& order : oslo) ++times[order];
   EXPECT_EQ(times.size(), 6U);
   for (const auto& [order, count] : times) EXPECT_EQ(count, 2) << order;
+}
+
+TEST(OrdersOfStations, AllStationsAreBalancedToAsManyPlacesAsThereAre) {
+  tests::MadeStudy made;
+  std::vector<std::vector<std::string>> orders;
+  for (const auto* label : {"oslo", "oslo-2", "bergen", "tromso"}) {
+    orders.push_back(ordersAt(label, *made));
+  }
+  const std::map<std::string, int> none = [&] {
+    std::map<std::string, int> all;
+    for (const auto& order : orders.front()) all[order] = 0;
+    return all;
+  }();
+  int largest = 0;
+  // However many have come to each: the stations know nothing of each other.
+  std::mt19937 random(20261125);
+  for (int tries = 0; tries < 2000; ++tries) {
+    auto times = none;
+    for (const auto& station : orders) {
+      const auto people = random() % (station.size() + 1);
+      for (std::size_t slot = 0; slot < people; ++slot) ++times[station[slot]];
+    }
+    const auto [least, most] =
+        std::minmax_element(times.begin(), times.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    largest = std::max(largest, most->second - least->second);
+  }
+  EXPECT_LE(largest, static_cast<int>(orders.size()));
+  EXPECT_GE(largest, 2) << "the control: one station alone is balanced to one place";
 }
 
 TEST(OrdersOfStations, ASecretOfAStationTellsNothingOfTheOthers) {
