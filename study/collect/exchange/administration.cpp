@@ -174,7 +174,6 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
   storage::StationStore::sealFor("", request.key);  // is it a key, before anything is written?
   if (!request.address.empty()) requireAddress(request.address);
   const auto study = findStudy(server, request.study);
-  const auto protocol = protocolOf(server, study.uuid);
   StationEnrolment enrolment{
       .study = study.uuid,
       .title = study.title,
@@ -182,9 +181,10 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
       .secret = secretOf(study).of(label),
       .station = {.site = request.site, .label = label, .uuid = drawnUuid()},
       .server = request.address.empty() ? server.address() : request.address,
-      .bundleKey = bundleKeyOf(secretOf(study)),
-      .protocol = protocol.text,
-      .files = filesIn(protocol.files)};
+      .bundleKey = bundleKeyOf(secretOf(study))};
+  for (const auto& protocol : protocolsOf(server, study.uuid)) {
+    enrolment.protocols.push_back({.text = protocol.text, .files = filesIn(protocol.files)});
+  }
   EnrolledStation enrolled{.study = study.name, .label = label, .mark = markOf(secretOf(study))};
   inTransaction(server, [&] {
     const auto added = addStation(

@@ -13,7 +13,7 @@
 
 namespace study::collect {
 
-/// All that a computer needs to become a station of a study: its protocol, its place, and what its
+/// All that a computer needs to become a station of a study: its protocols, its place, and what its
 /// own orders are drawn from. It travels sealed for that computer.
 struct StationEnrolment {
   std::string study;  ///< uuid
@@ -25,9 +25,12 @@ struct StationEnrolment {
   std::string role;
   std::string bundleKey;  ///< for which bundles are sealed (bundleKeyOf())
   std::string expiresUtc;
-  std::string protocol;  ///< its text
-  std::vector<protocols::SourceFile> files;
-  std::string mark = {};  ///< of whoever signed the file (markOf()), once it was read
+  struct Protocol {
+    std::string text;
+    std::vector<protocols::SourceFile> files;
+  };
+  std::vector<Protocol> protocols;  ///< all versions, the oldest first: the study is named by it
+  std::string mark = {};            ///< of whoever signed the file (markOf()), once it was read
 };
 
 /// What tells one study's signature from all others, to be read out on the telephone: the first 80

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 2;  // 1 was not signed
+constexpr int kFormat = 3;  // 1 was not signed, 2 had one version of the protocol
 constexpr const char* kHomeFile = "collect.json";
 
 [[noreturn]] void refuseEnrolment(const std::string& why) {
@@ -89,6 +89,25 @@ std::string signatureOf(const json& outside, const SigningKey& key) {
   return hexOf(signature);
 }
 
+std::vector<StationEnrolment::Protocol> protocolsIn(const json& inside) {
+  const auto found = inside.find("protocols");
+  const bool isList = found != inside.end() && found->is_array() && !found->empty();
+  if (!isList) refuseEnrolment("it is damaged.");
+  std::vector<StationEnrolment::Protocol> protocols;
+  for (const auto& each : *found) {
+    if (!each.is_object()) refuseEnrolment("it is damaged.");
+    const auto files = each.find("files");
+    if (files == each.end() || !files->is_object()) refuseEnrolment("it is damaged.");
+    auto& protocol = protocols.emplace_back();
+    protocol.text = textIn(each, "protocol");
+    for (const auto& [name, content] : files->items()) {
+      if (!content.is_string()) refuseEnrolment("it is damaged.");
+      protocol.files.push_back({name, content.get<std::string>()});
+    }
+  }
+  return protocols;
+}
+
 }  // namespace
 
 std::string markOf(const storage::BlindingSecret& secret) {
@@ -106,8 +125,12 @@ std::string asText(
       enrolment.secret.bytes().data(),
       enrolment.secret.bytes().size());
   secret.pop_back();
-  json files = json::object();
-  for (const auto& file : enrolment.files) files[file.name] = file.text;
+  json protocols = json::array();
+  for (const auto& protocol : enrolment.protocols) {
+    json files = json::object();
+    for (const auto& file : protocol.files) files[file.name] = file.text;
+    protocols.push_back({{"protocol", protocol.text}, {"files", std::move(files)}});
+  }
   const json inside{
       {"study", enrolment.study},
       {"title", enrolment.title},
@@ -120,8 +143,7 @@ std::string asText(
       {"role", enrolment.role},
       {"bundle_key", enrolment.bundleKey},
       {"expires_utc", enrolment.expiresUtc},
-      {"protocol", enrolment.protocol},
-      {"files", std::move(files)}};
+      {"protocols", std::move(protocols)}};
   const auto key = signingKeyOf(studySecret);
   json outside{
       {"palpate_enrolment", kFormat},
@@ -141,7 +163,9 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
   if (!outside.is_object() || !outside.contains("palpate_enrolment")) {
     refuseEnrolment("'palpate collect init --station' writes one.");
   }
-  if (outside["palpate_enrolment"] != kFormat) refuseEnrolment("a later release wrote it.");
+  if (outside["palpate_enrolment"] != kFormat) {
+    refuseEnrolment("another release wrote it. Ask for a new one.");
+  }
   if (textIn(outside, "for_key") != station.publicKey()) {
     refuseEnrolment(
         "it is for another computer or account. 'palpate collect key' prints the key of this one.");
@@ -156,8 +180,6 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
   const auto opened = station.openSealed(*sealed);
   const auto inside = opened ? json::parse(*opened, nullptr, false) : json();
   if (!inside.is_object()) refuseEnrolment("it was changed on its way.");
-  const auto files = inside.find("files");
-  if (files == inside.end() || !files->is_object()) refuseEnrolment("it is damaged.");
   StationEnrolment enrolment{
       .study = textIn(inside, "study"),
       .title = textIn(inside, "title"),
@@ -171,12 +193,8 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
       .role = textIn(inside, "role"),
       .bundleKey = textIn(inside, "bundle_key"),
       .expiresUtc = textIn(inside, "expires_utc"),
-      .protocol = textIn(inside, "protocol")};
+      .protocols = protocolsIn(inside)};
   enrolment.mark = markOfKey(signer);
-  for (const auto& [name, content] : files->items()) {
-    if (!content.is_string()) refuseEnrolment("it is damaged.");
-    enrolment.files.push_back({name, content.get<std::string>()});
-  }
   return enrolment;
 }
 

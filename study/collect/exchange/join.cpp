@@ -85,14 +85,23 @@ StationEnrolment join(
         enrolment.expiresUtc,
         now));
   }
-  const auto protocol = protocolOf(enrolment.protocol, enrolment.files);
-  const auto hash = storage::sha256(protocol.text, protocol.files);
-  if (studyUuid(enrolment.seed, hash) != enrolment.study) {
+  std::vector<protocols::LoadedProtocol> versions;
+  for (const auto& version : enrolment.protocols) {
+    versions.push_back(protocolOf(version.text, version.files));
+  }
+  const auto& first = versions.at(0);
+  if (studyUuid(enrolment.seed, storage::sha256(first.text, first.files)) != enrolment.study) {
     throw UserError(
         "This version of palpate reads the study's protocol in another way than the server did. "
         "Install the release of the study's administrator.");
   }
-  Study::create(folder, protocol, clock, enrolment.seed, enrolment.secret, enrolment.station);
+  {
+    auto study =
+        Study::create(folder, first, clock, enrolment.seed, enrolment.secret, enrolment.station);
+    for (auto version = std::next(versions.begin()); version != versions.end(); ++version) {
+      study.amend(*version, "as on the server");
+    }
+  }
   write(
       {.server = enrolment.server, .role = enrolment.role, .bundleKey = enrolment.bundleKey},
       folder);

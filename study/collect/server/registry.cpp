@@ -68,13 +68,17 @@ void putBackground(
   }
 }
 
-ProtocolOnServer protocolOf(Connection& server, const std::string& study) {
+std::vector<ProtocolOnServer> protocolsOf(Connection& server, const std::string& study) {
   const auto rows = server.query(
-      "SELECT sha256, text, files FROM palpate.protocol WHERE study = $1 ORDER BY added DESC LIMIT "
-      "1",
+      "SELECT sha256, text, files FROM palpate.protocol WHERE study = $1 ORDER BY added, sha256",
       {study});
   if (rows.isEmpty()) throw UserError("The study on the server has no protocol.");
-  return {.sha256 = rows.text(0, 0), .text = rows.text(0, 1), .files = rows.text(0, 2)};
+  std::vector<ProtocolOnServer> protocols;
+  for (int i = 0; i < rows.count(); ++i) {
+    protocols.push_back(
+        {.sha256 = rows.text(i, 0), .text = rows.text(i, 1), .files = rows.text(i, 2)});
+  }
+  return protocols;
 }
 
 StudyOnServer findStudy(Connection& server, const std::string& name) {

@@ -42,8 +42,8 @@ struct BackgroundItem {
 /// Takes the place of what was known of these questions.
 void putBackground(
     Connection& server, const std::string& study, const std::vector<BackgroundItem>& items);
-/// The newest one.
-ProtocolOnServer protocolOf(Connection& server, const std::string& study);
+/// All versions, the oldest first.
+std::vector<ProtocolOnServer> protocolsOf(Connection& server, const std::string& study);
 /// By its name; the only one if @p name is empty.
 /// @throws UserError  if there is none, or more than one.
 StudyOnServer findStudy(Connection& server, const std::string& name);

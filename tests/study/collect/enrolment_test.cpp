@@ -36,8 +36,7 @@ class JoinTest : public testing::Test {
         .server = "host=/nowhere dbname=study",
         .role = "station_oslo",
         .expiresUtc = "2060-01-01T00:00:00.000Z",
-        .protocol = protocol.text,
-        .files = protocol.files};
+        .protocols = {{.text = protocol.text, .files = protocol.files}}};
   }
 
   static StationStore station() { return StationStore::findOrMake(StationStore::usualFolder()); }

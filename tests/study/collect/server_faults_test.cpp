@@ -15,6 +15,7 @@
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"
 #include "study/session/verification.h"
+#include "study/storage/protocol_repository.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/study/walk.h"
 
@@ -181,6 +182,38 @@ TEST_F(ServerFaults, AServerOfTheFirstReleaseIsBroughtUpToDateWithWhatIsInIt) {
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
   EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
   EXPECT_TRUE(isSound(scratch_ / "union"));
+}
+
+TEST_F(ServerFaults, AStationThatIsEnrolledAfterTheProtocolWasChangedHasTheNewestOne) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  auto text = tests::shortProtocol();
+  const std::string version = R"("version": "1")";
+  text.replace(text.find(version), version.size(), R"("version": "2")");
+  const auto newest = tests::protocolFrom(text);
+  auto owner = admin();
+  EXPECT_FALSE(study::collect::putStudy(owner, "short", newest, std::nullopt));
+  addStation("bergen");
+  runSession("bergen");
+  push("bergen");
+  // The other one takes it over later.
+  {
+    const auto account = accountOf("oslo");
+    auto study = Study::open(folderOf("oslo"), clock_);
+    study.amend(newest, "as at the other sites");
+  }
+  runSession("oslo");
+  push("oslo");
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+  EXPECT_TRUE(isSound(scratch_ / "union"));
+  const auto versions = owner.query(
+      "SELECT x.participant, x.protocol = $1 FROM palpate.session AS x ORDER BY 1",
+      {study::storage::sha256(newest.text, newest.files)});
+  ASSERT_EQ(versions.count(), 3);
+  EXPECT_EQ(versions.text(0, 1), "t") << versions.text(0, 0);
+  EXPECT_EQ(versions.text(1, 1), "f") << versions.text(1, 0);
+  EXPECT_EQ(versions.text(2, 1), "t") << versions.text(2, 0);
 }
 
 TEST_F(ServerFaults, AClockThatIsAYearOffChangesNoOrder) {
