@@ -27,6 +27,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
+#include "study/gui/widgets/written_file.h"
 #include "study/model/user_error.h"
 
 namespace study::gui {
@@ -127,6 +128,8 @@ void ProtocolWindow::prepareProblems() {
   heads->setSectionResizeMode(2, QHeaderView::Stretch);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   problems_->setColumnWidth(1, 240);
+  // A scroll bar that appears leaves the columns less room, and the rows then need more.
+  connect(heads, &QHeaderView::sectionResized, problems_, &QTableWidget::resizeRowsToContents);
   heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
@@ -150,7 +153,7 @@ void ProtocolWindow::reload() {
   readAt_->setText(
       filesToWatch().isEmpty()
           ? tr("%1 ships with the program").arg(source_)
-          : tr("%1, read at %2; read again whenever it changes").arg(source_, now));
+          : tr("%1, read at %2; read again whenever it changes").arg(shownPath(source_), now));
   showVerdict();
   showText();
   showProblems();
@@ -190,6 +193,7 @@ void ProtocolWindow::fillInTexts() {
     }
   });
   if (!isSaved) return;
+  tellWritten(this, file);
   source_ = file;
   setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
   reload();

@@ -112,8 +112,8 @@ void KeyDialog::saveKey() {
   if (!isSaved) return clear();
   showState();
   target_->setPath(newPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
-  showOutcome(
-      Outcome::Good,
+  showWritten(
+      target,
       tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target),
       state_);
 }

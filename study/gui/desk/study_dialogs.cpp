@@ -175,7 +175,8 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
       figures_(new QCheckBox(tr("Each figure as SVG, PDF and PNG"), this)),
       width_(new QSpinBox(this)),
-      font_(new QDoubleSpinBox(this)) {
+      font_(new QDoubleSpinBox(this)),
+      writtenFigures_(new WrittenFile(this)) {
   for (const auto& language : words::languages()) {
     const QString tag = QString::fromStdString(language);
     language_->addItem(nativeName(tag), tag);
@@ -220,6 +221,8 @@ void ReportDialog::addFigures() {
   form().addRow(tr("For a journal"), figures_);
   form().addRow(tr("Width of figures [mm]"), width_);
   form().addRow(tr("Font size in figures [pt]"), font_);
+  form().addRow(tr("Figures"), writtenFigures_);
+  form().setRowVisible(writtenFigures_, false);
 }
 
 void ReportDialog::updateChoices() {
@@ -245,6 +248,8 @@ void ReportDialog::work() {
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
   const bool isDone = BackgroundTask::run(
       this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
+  form().setRowVisible(writtenFigures_, isDone && !order.figures.empty());
+  writtenFigures_->show(QString::fromStdString(order.figures));
   if (!isDone) return clear();
   const QString path = target_->path();
   rememberDocument(QString::fromStdString(folder_), path);

@@ -12,6 +12,7 @@
 #include "study/gui/desk/study_summary.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
+#include "study/gui/widgets/written_file.h"
 #include "study/session/verification.h"
 
 namespace study::gui {
@@ -73,6 +74,7 @@ class ReportDialog final : public WorkDialog {
   QCheckBox* figures_;
   QSpinBox* width_;
   QDoubleSpinBox* font_;
+  WrittenFile* writtenFigures_;
 };
 
 /// All checks, one line each, such as "✓ the audit trail is unbroken", with the errors below a

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/written_file.h"
 #include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
 #include "study/report/marked_text.h"
@@ -32,7 +33,8 @@ void saveConsentCopy(Study& study, const std::string& participant, QWidget* pare
       QFileDialog::DontConfirmOverwrite);  // existing files are never overwritten
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
-  attempt(parent, [&] { writeConsentCopy(study, participant, path.toStdString()); });
+  const auto write = [&] { writeConsentCopy(study, participant, path.toStdString()); };
+  if (attempt(parent, write)) tellWritten(parent, path);
 }
 
 }  // namespace study::gui

@@ -1,15 +1,38 @@
 #include "study/gui/widgets/written_file.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QUrl>
 
 namespace study::gui {
 
+QString shownPath(const QString& path) {
+  const QString home = QDir::homePath() + QLatin1Char('/');
+  return path.startsWith(home) ? QStringLiteral("~/") + path.mid(home.size()) : path;
+}
+
 void openOnDesktop(const QString& path) {
   QDesktopServices::openUrl(QUrl::fromLocalFile(path));
+}
+
+void tellWritten(QWidget* parent, const QString& path) {
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon,
+      WrittenFile::tr("Saved"),
+      WrittenFile::tr("Saved: %1").arg(shownPath(path)),
+      QMessageBox::Close,
+      parent);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  auto* written = new WrittenFile(box);
+  written->show(path);
+  auto* grid = qobject_cast<QGridLayout*>(box->layout());
+  grid->addWidget(written, grid->rowCount(), 0, 1, grid->columnCount());
+  box->open();
 }
 
 WrittenFile::WrittenFile(QWidget* parent) : QWidget(parent) {

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
+#include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/made_study.h"
 
@@ -47,6 +48,7 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   go.click();
   EXPECT_TRUE(std::filesystem::exists(file_));
   EXPECT_FALSE(summary().isKeyAlone);
+  EXPECT_EQ(dialog.findChild<WrittenFile*>()->path().toStdString(), file_);
 }
 
 TEST_F(KeyDialogTest, TakesItOnAnotherComputer) {

@@ -1,5 +1,6 @@
 #include "study/gui/desk/study_dialogs.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -214,6 +215,10 @@ TEST_F(StudyDialogsTest, ReportWritesFiguresInTheSizeOfAJournal) {
   EXPECT_TRUE(width->isVisible());
   width->setValue(120);
   press(dialog, out_ / "report.html");
+  const auto written = dialog.findChildren<WrittenFile*>();
+  EXPECT_TRUE(std::any_of(written.begin(), written.end(), [](const WrittenFile* each) {
+    return each->isVisible() && QFileInfo(each->path()).isDir();
+  })) << "the figures' folder can be opened, too";
   EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("; figures: ")))
       << outcome(dialog).toStdString();
   const std::filesystem::path folder =
