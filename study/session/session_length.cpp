@@ -35,6 +35,7 @@ void add(std::vector<PartOfSession>& parts, const PartOfSession& part) {
   found->items += part.items;
   found->cuts += part.cuts;
   found->seconds += part.seconds;
+  found->secondsOfForce += part.secondsOfForce;
 }
 
 }  // namespace
@@ -43,7 +44,9 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
   PartOfSession part{.kind = step.kind, .steps = 1, .seconds = step.seconds};
   if (step.kind == StepKind::Trial || step.kind == StepKind::Benchmark) {
     part.cuts = std::max(step.minimumCuts, 1);
-    part.seconds += part.cuts * pace.perCut + pace.perChange;
+    const double touching = part.cuts * pace.perCut;
+    part.seconds += touching + pace.perChange;
+    if (step.kind == StepKind::Trial) part.secondsOfForce = touching;
   }
   const auto* instrument = step.hasItems() ? loaded.instrument(step.instrument) : nullptr;
   if (instrument == nullptr) return part;
@@ -67,7 +70,7 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
     const auto part = partOf(loaded, step, pace);
     add(length.parts, part);
     length.seconds += part.seconds;
-    if (step.kind == StepKind::Trial) length.secondsOfForce += part.cuts * pace.perCut;
+    length.secondsOfForce += part.secondsOfForce;
   }
   return length;
 }

@@ -24,6 +24,7 @@ struct PartOfSession {
   std::size_t items = 0;
   int cuts = 0;
   double seconds = 0.0;
+  double secondsOfForce = 0.0;  ///< of these, in trials on the device
 };
 
 /// The expected duration of a session and of its parts.

@@ -10,7 +10,9 @@
 namespace study::gui {
 namespace {
 
-constexpr int kBarHeight = 54;  // [px]
+constexpr int kNameHeight = 30;  // [px]
+constexpr int kFilledHeight = 24;
+constexpr int kBarHeight = kNameHeight + kFilledHeight;
 constexpr int kScaleHeight = 26;
 constexpr int kTickLength = 6;
 
@@ -26,6 +28,12 @@ int minutesBetweenMarks(double perMinute) {
 
 }  // namespace
 
+double TimelineBar::Part::seconds() const noexcept {
+  double sum = 0.0;
+  for (const auto& stretch : stretches) sum += stretch.seconds;
+  return sum;
+}
+
 TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(kBarHeight + kScaleHeight);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -40,8 +48,8 @@ void TimelineBar::show(std::vector<Part> parts) {
   whole_ = 0.0;
   QString words;
   for (const auto& part : parts_) {
-    whole_ += part.seconds;
-    words += tr("%1: %2 minutes. ").arg(part.name).arg(part.seconds / 60.0, 0, 'f', 1);
+    whole_ += part.seconds();
+    words += tr("%1: %2 minutes. ").arg(part.name).arg(part.seconds() / 60.0, 0, 'f', 1);
   }
   setAccessibleName(tr("Timeline of a session"));
   setAccessibleDescription(words);
@@ -54,17 +62,25 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const double perSecond = (width() - 1.0) / whole_;
   double begin = 0.0;
+  int number = 0;
   for (const auto& part : parts_) {
-    const QRectF box(begin * perSecond, 0.0, part.seconds * perSecond, kBarHeight);
-    const auto& fill = part.isFelt ? colours.accent : colours.field;
+    const QRectF box(begin * perSecond, 0.0, part.seconds() * perSecond, kBarHeight);
+    painter.fillRect(box, colours.field.background);
+    for (const auto& [seconds, isFelt] : part.stretches) {
+      const QRectF below(begin * perSecond, kNameHeight, seconds * perSecond, kFilledHeight);
+      if (isFelt) painter.fillRect(below, colours.accent.background);
+      begin += seconds;
+    }
     painter.setPen(colours.border);
-    painter.setBrush(fill.background);
     painter.drawRect(box);
-    painter.setPen(fill.text);
-    const auto inside = box.adjusted(4, 2, -4, -2);
-    const int wide = painter.fontMetrics().horizontalAdvance(part.name);
-    if (wide < inside.width()) painter.drawText(inside, Qt::AlignCenter, part.name);
-    begin += part.seconds;
+    painter.setPen(colours.field.text);
+    const QRectF above(box.left(), 0.0, box.width(), kNameHeight);
+    const QString digits = QString::number(++number);
+    for (const QString& words : {digits + QLatin1Char(' ') + part.name, digits}) {
+      if (painter.fontMetrics().horizontalAdvance(words) >= above.width()) continue;
+      painter.drawText(above, Qt::AlignCenter, words);
+      break;
+    }
   }
   painter.setPen(colours.quiet);
   const int step = minutesBetweenMarks(60.0 * perSecond);

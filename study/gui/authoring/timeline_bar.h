@@ -7,21 +7,27 @@
 
 namespace study::gui {
 
-/// A session as a bar whose segments are as long as the phases last. Phases on the device are
-/// filled, phases of reading and answering are outlined. A label below names each.
+/// A session as a bar whose segments are as long as the phases last. The time on the device is
+/// filled. A segment has the name of its phase, or only its number where the name has no room.
 class TimelineBar final : public QWidget {
   Q_OBJECT
 
  public:
+  struct Stretch {
+    double seconds = 0.0;
+    bool isFelt = false;  ///< on the device
+  };
   struct Part {
     QString name;
-    double seconds = 0.0;
-    bool isFelt = false;
+    std::vector<Stretch> stretches;  ///< one after the other
+
+    double seconds() const noexcept;
   };
 
   explicit TimelineBar(QWidget* parent = nullptr);
 
   void show(std::vector<Part> parts);
+  const std::vector<Part>& parts() const noexcept { return parts_; }
   using QWidget::show;
 
   QSize sizeHint() const override;

@@ -50,8 +50,7 @@ TimelinePage::TimelinePage(QWidget* parent)
   layout->addWidget(total_);
   layout->addWidget(bar_);
   layout->addWidget(quietLabel(
-      tr("Filled: time on the device or the real tool. The rest is for reading, answers and "
-         "breaks. "
+      tr("Filled: touching the device. The rest is for reading, answers, the real tool and breaks. "
          "Estimated with eight seconds for each item and each stroke."),
       this));
   layout->addWidget(steps_, 1);
@@ -81,7 +80,7 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
   for (std::size_t p = 0; p < protocol.phases.size(); ++p) {
     const auto& phase = protocol.phases[p];
     TimelineBar::Part whole{.name = QString::fromStdString(phase.id)};
-    auto* top = new QTreeWidgetItem(steps_, {whole.name});
+    auto* top = new QTreeWidgetItem(steps_, {QStringLiteral("%1 %2").arg(p + 1).arg(whole.name)});
     top->setData(0, Qt::UserRole, static_cast<int>(p));
     int count = 0;
     for (const auto& step : steps) {
@@ -89,11 +88,12 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
       const auto part = partOf(loaded, step);
       const auto words = describedStep(step, part);
       new QTreeWidgetItem(top, {QString::number(++count), words, asMinutes(part.seconds)});
-      whole.seconds += part.seconds;
-      whole.isFelt |= step.kind == StepKind::Trial || step.kind == StepKind::Benchmark;
+      if (step.isOffered) continue;  // few participants accept the offer
+      whole.stretches.push_back({.seconds = part.seconds - part.secondsOfForce});
+      whole.stretches.push_back({.seconds = part.secondsOfForce, .isFelt = true});
     }
     top->setText(1, count == 1 ? top->child(0)->text(1) : tr("%1 steps").arg(count));
-    top->setText(2, asMinutes(whole.seconds));
+    top->setText(2, asMinutes(whole.seconds()));
     parts.push_back(std::move(whole));
   }
   for (int i = 0; i < steps_->topLevelItemCount(); ++i) {

@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 
 #include "protocols/load_protocol.h"
+#include "study/gui/authoring/timeline_bar.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
@@ -61,6 +62,24 @@ TEST_F(ProtocolWindowTest, ShowsTheMinutesOfThePlan) {
   }
   EXPECT_NEAR(minutes, lengthOf(loaded, {}).seconds / 60.0, 0.05 * steps->topLevelItemCount());
   tests::photographInAllThemes(window, QStringLiteral("protocol"));
+}
+
+TEST_F(ProtocolWindowTest, FillsOfTheBarWhatTheSentenceNamesAsTimeOnTheDevice) {
+  ProtocolWindow window(QStringLiteral("punch-face-validity"));
+  const auto& loaded = *window.checked().loaded;
+  const auto length = lengthOf(loaded, {});
+  double seconds = 0.0;
+  double felt = 0.0;
+  for (const auto& part : window.findChild<TimelineBar*>()->parts()) {
+    seconds += part.seconds();
+    for (const auto& stretch : part.stretches) felt += stretch.isFelt ? stretch.seconds : 0.0;
+  }
+  EXPECT_NEAR(seconds, length.seconds, 1e-6);
+  EXPECT_NEAR(felt, length.secondsOfForce, 1e-6);
+  EXPECT_GT(felt, 0.0);
+  EXPECT_TRUE(
+      window.findChild<QTreeWidget*>()->topLevelItem(1)->text(0).startsWith(QStringLiteral("2 ")))
+      << "the number by which the bar names a short phase";
 }
 
 TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
