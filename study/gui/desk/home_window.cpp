@@ -173,7 +173,10 @@ void HomeWindow::makeMenus() {
   measured->addAction(tr("&Fit a material…"), this, &HomeWindow::openTool<FitMaterialDialog>);
   measured->addAction(
       tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
-  measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { chooseAndOpenShape(this); });
+  auto* shapes = measured->addMenu(tr("&Look at a bone or a knee"));
+  shapes->addAction(tr("Built-in &bone"), this, [this] { openBuiltInBone(this); });
+  shapes->addAction(tr("Built-in &knee"), this, [this] { openBuiltInKnee(this); });
+  shapes->addAction(tr("From a &file…"), this, [this] { chooseAndOpenShape(this); });
   auto* view = menuBar()->addMenu(tr("&View"));
   addThemesTo(*view->addMenu(tr("&Theme")));
   addLanguagesTo(*view->addMenu(tr("&Language")));

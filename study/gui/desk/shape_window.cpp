@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "haptics/engine/built_in_models.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
@@ -14,35 +15,29 @@
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 namespace {
 
-QWidget* boneWindow(const std::string& path, QWidget* parent) {
-  questionnaires::Problems problems;
-  auto bone = protocols::readPacking(
-      questionnaires::readTextFile(path, protocols::kLargestPacking), problems);
-  if (!bone) throw base::UserError(questionnaires::describe(problems.all()));
+QWidget* boneWindow(std::shared_ptr<const haptics::reaming::PackedBone> bone, QWidget* parent) {
   const bool isFitted = !bone->average.empty();
   if (!isFitted) {
+    auto uniform = std::make_shared<haptics::reaming::PackedBone>(*bone);
     const std::vector<float> ones(bone->packing.spheres.size(), 1.0F);
-    bone->minimum = bone->average = bone->maximum = ones;
+    uniform->minimum = uniform->average = uniform->maximum = ones;
+    bone = uniform;
   }
-  const haptics::engine::PackingSpec spec{
-      .bone = std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone))};
+  const haptics::engine::PackingSpec spec{.bone = std::move(bone)};
   auto* window = new scene::CupWindow(spec, {}, parent);
   window->removeColours(scene::SphereColours::Removal);
   if (!isFitted) window->removeColours(scene::SphereColours::Density);
   return window;
 }
 
-QWidget* kneeWindow(const std::string& path, QWidget* parent) {
-  questionnaires::Problems problems;
-  const auto knee = protocols::readAnatomy(
-      questionnaires::readTextFile(path, protocols::kLargestAnatomy), problems);
-  if (!knee) throw base::UserError(questionnaires::describe(problems.all()));
+QWidget* kneeWindow(const protocols::Anatomy* knee, QWidget* parent) {
   auto* view = new scene::SimulationView(
-      std::make_unique<scene::KneeScene>(&*knee),
+      std::make_unique<scene::KneeScene>(knee),
       scene::openGraphics(),
       scene::SimulationView::Pace::Display,
       parent);
@@ -52,15 +47,40 @@ QWidget* kneeWindow(const std::string& path, QWidget* parent) {
   return view;
 }
 
+QWidget* windowOfFile(const std::string& path, QWidget* parent) {
+  questionnaires::Problems problems;
+  const bool isBone = path.ends_with(protocols::kPackingEnding);
+  const auto largest = isBone ? protocols::kLargestPacking : protocols::kLargestAnatomy;
+  const auto text = questionnaires::readTextFile(path, largest);
+  if (isBone) {
+    if (auto bone = protocols::readPacking(text, problems)) {
+      return boneWindow(
+          std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone)), parent);
+    }
+  } else if (const auto knee = protocols::readAnatomy(text, problems)) {
+    return kneeWindow(&*knee, parent);
+  }
+  throw base::UserError(questionnaires::describe(problems.all()));
+}
+
+QWidget* shown(QWidget* window, const QString& title) {
+  window->setWindowTitle(title);
+  window->show();
+  return window;
+}
+
 }  // namespace
 
 QWidget* openShape(const QString& path, QWidget* parent) {
-  const bool isBone = path.toStdString().ends_with(protocols::kPackingEnding);
-  auto* window =
-      isBone ? boneWindow(path.toStdString(), parent) : kneeWindow(path.toStdString(), parent);
-  window->setWindowTitle(QFileInfo(path).fileName());
-  window->show();
-  return window;
+  return shown(windowOfFile(path.toStdString(), parent), QFileInfo(path).fileName());
+}
+
+QWidget* openBuiltInBone(QWidget* parent) {
+  return shown(boneWindow(haptics::engine::parametricBone(), parent), spoken("Built-in bone"));
+}
+
+QWidget* openBuiltInKnee(QWidget* parent) {
+  return shown(kneeWindow(nullptr, parent), spoken("Built-in knee"));
 }
 
 void chooseAndOpenShape(QWidget* parent) {

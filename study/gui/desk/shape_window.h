@@ -10,7 +10,11 @@ namespace study::gui {
 /// @throws UserError  with a message for the user, if the file holds neither.
 QWidget* openShape(const QString& path, QWidget* parent);
 
-/// Asks for such a file and opens it. Shows a message if that fails.
+/// The same with the bone or the knee that the program has built in.
+QWidget* openBuiltInBone(QWidget* parent);
+QWidget* openBuiltInKnee(QWidget* parent);
+
+/// Asks for a file and opens it. Shows a message if that fails.
 void chooseAndOpenShape(QWidget* parent);
 
 }  // namespace study::gui

@@ -61,6 +61,16 @@ TEST_F(ShapeWindow, ShowsAKneeAsInATrial) {
   EXPECT_NE(dynamic_cast<scene::KneeScene*>(&view->scene()), nullptr);
 }
 
+TEST_F(ShapeWindow, ShowsTheBuiltInBoneAndKneeWithoutAFile) {
+  window_.reset(openBuiltInBone(nullptr));
+  EXPECT_NE(window_->findChild<scene::ColourLegend*>(), nullptr);
+  EXPECT_EQ(window_->findChild<QComboBox*>()->count(), 2);
+  window_.reset(openBuiltInKnee(nullptr));
+  auto* view = dynamic_cast<scene::SimulationView*>(window_.get());
+  ASSERT_NE(view, nullptr);
+  EXPECT_NE(dynamic_cast<scene::KneeScene*>(&view->scene()), nullptr);
+}
+
 TEST_F(ShapeWindow, RejectsAnInvalidFile) {
   EXPECT_THROW(open(folder_.write("knee.obj", "o patella\n")), base::UserError);
   EXPECT_THROW(open(folder_.write("cup.packing", "{}")), base::UserError);
