@@ -12,7 +12,7 @@ namespace {
 using haptics::engine::CutDetector;
 using haptics::engine::TickSample;
 
-enum Column { kContact, kYield, kBottom, kOpening, kPeak, kColumns };
+enum Column { kContact, kYield, kBottom, kOpening, kDepth, kPeak, kTime, kColumns };
 
 QString describe(const CutDetector::Landmark& landmark, const TravelScale& travel) {
   if (!landmark.found) return QStringLiteral("—");
@@ -42,7 +42,13 @@ int columnOf(CutDetector::Event event) {
 CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName(QStringLiteral("cuts"));
   setHorizontalHeaderLabels(
-      {tr("Contact"), tr("Yield"), tr("Bottom"), tr("Opening"), tr("Largest force")});
+      {tr("Contact"),
+       tr("Yield"),
+       tr("Bottom"),
+       tr("Opening"),
+       tr("Depth"),
+       tr("Largest force"),
+       tr("Time")});
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);
@@ -53,12 +59,14 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   detector_ = CutDetector(device.stroke);
   rate_ = rate;
   travel_ = travelScaleOf(device);
-  // Yield, bottom and opening are landmarks of a cut through a meniscus; bone has none of them.
+  // A cut through a meniscus has landmarks; a stroke in bone has a depth and takes a time.
   const bool isCut = device.tissue == haptics::devices::Tissue::Meniscus;
-  for (const int column : {kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
+  for (const int column : {kContact, kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
+  for (const int column : {kDepth, kTime}) setColumnHidden(column, isCut);
   setAccessibleName(
       tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in(deskLanguage())))));
   cut_ = 0;
+  contact_.reset();
   setRowCount(0);
 }
 
@@ -67,8 +75,9 @@ void CutTable::add(const TickSample& sample) {
   const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
   const auto event = detector_.feed(sample.travel, sample.force, isSettling);
   if (event == CutDetector::Event::Nothing) return;
+  const double time = static_cast<double>(sample.tick) / rate_;
+  if (event == CutDetector::Event::Interception) contact_ = time;
   if (event != CutDetector::Event::CutCompleted) {
-    const double time = static_cast<double>(sample.tick) / rate_;
     write(columnOf(event), tr("after %1 s").arg(time, 0, 'f', 2));
     return;
   }
@@ -77,7 +86,10 @@ void CutTable::add(const TickSample& sample) {
   write(kYield, describe(cut.yield, travel_));
   write(kBottom, describe(cut.bottomOut, travel_));
   write(kOpening, describe(cut.opening, travel_));
+  write(kDepth, tr("%1%2").arg(travel_.factor * cut.largestTravel, 0, 'f', 1).arg(travel_.suffix));
   write(kPeak, tr("%1 N").arg(cut.peakForce, 0, 'f', 2));
+  write(kTime, contact_ ? tr("%1 s").arg(time - *contact_, 0, 'f', 2) : QStringLiteral("—"));
+  contact_.reset();
   ++cut_;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <QTableWidget>
 
 #include "haptics/engine/force_engine.h"
@@ -7,8 +9,8 @@
 
 namespace study::gui {
 
-/// The cuts of a running trial. Each landmark appears as soon as it is detected, with its force and
-/// travel once the cut is complete.
+/// The strokes of a running trial, with what a stroke of the device has. Each landmark of a cut
+/// appears as soon as it is detected, with its force and travel once the cut is complete.
 class CutTable final : public QTableWidget {
   Q_OBJECT
 
@@ -26,6 +28,7 @@ class CutTable final : public QTableWidget {
   double rate_ = 1000.0;
   TravelScale travel_;
   int cut_ = 0;
+  std::optional<double> contact_;  ///< of the current cut, since the trial began [s]
 };
 
 }  // namespace study::gui

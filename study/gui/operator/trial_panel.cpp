@@ -72,8 +72,12 @@ TrialPanel::TrialPanel(QWidget* parent)
 void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
-  // Removes the previous session's trial.
-  clearTrial(*haptics::deviceKinds().front(), kNominalRate);
+  // Removes the previous session's trial. The first device that the protocol declares says nothing
+  // of what comes first.
+  const auto* devices =
+      controller == nullptr ? nullptr : &controller->session().protocol().protocol.devices;
+  const bool isFelt = devices != nullptr && !devices->empty();
+  clearTrial(isFelt ? *devices->front().kind : *haptics::deviceKinds().front(), kNominalRate);
   cup_->follow(controller);
   updateSteps();
 }

@@ -150,7 +150,7 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
     return heads.join(u' ').toStdString();
   };
   table.begin(haptics::devices::reamerKind(), 1000.0);
-  EXPECT_EQ(shown(), "Contact Largest force");
+  EXPECT_EQ(shown(), "Depth Largest force Time");
   table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(shown(), "Contact Yield Bottom Opening Largest force");
 }
@@ -219,7 +219,7 @@ TEST(CutTable, FillsARowForEachCut) {
   ASSERT_EQ(table.rowCount(), 3);
   EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" N at 4")))
       << table.item(0, 0)->text().toStdString();
-  const double largest = table.item(1, 4)->text().split(u' ').front().toDouble();
+  const double largest = table.item(1, 5)->text().split(u' ').front().toDouble();
   EXPECT_NEAR(largest, 4.8, 0.1);
   table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(table.rowCount(), 0);
