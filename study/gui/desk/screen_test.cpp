@@ -16,16 +16,11 @@ constexpr int kLeastWide = 1280;
 constexpr int kLeastHigh = 800;
 constexpr double kLeastRefresh = 50.0;  // [Hz]
 
-CheckResult judgeScreen(const QScreen& screen) {
+SelfTestLine judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
       .what = screen.name().isEmpty() ? "screen" : screen.name().toStdString(),
-      .measured = said(
-          "{} × {} points, scale {:g}, {:.0f} Hz",
-          size.width(),
-          size.height(),
-          screen.devicePixelRatio(),
-          screen.refreshRate()),
+      .measured = said("{} × {} points", size.width(), size.height()),
       .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
@@ -34,17 +29,23 @@ CheckResult judgeScreen(const QScreen& screen) {
     found.finding = Finding::Warn;
     found.fix = "Pictures come late: choose a refresh rate of 50 Hz or more.";
   }
-  return found;
+  return {
+      "screen",
+      found,
+      said("scale {:g}, {:.0f} Hz", screen.devicePixelRatio(), screen.refreshRate())};
 }
 
 /// Tests which renderer is available by opening one.
-CheckResult judgeGraphics() {
+SelfTestLine judgeGraphics() {
   const auto graphics = scene::openGraphics();
+  const bool isFast = graphics.remark.isEmpty();
   return {
-      graphics.remark.isEmpty() ? Finding::Pass : Finding::Warn,
-      "simulation",
-      said("drawn by {}", graphics.renderer->name().toStdString()),
-      graphics.remark.toStdString()};
+      "screen",
+      {isFast ? Finding::Pass : Finding::Warn,
+       "pictures of simulations",
+       isFast ? "drawn by the graphics card" : "drawn by the processor",
+       graphics.remark.toStdString()},
+      said("drawn by {}", graphics.renderer->name().toStdString())};
 }
 
 }  // namespace
@@ -52,16 +53,17 @@ CheckResult judgeGraphics() {
 std::vector<SelfTestLine> testScreens() {
   std::vector<SelfTestLine> lines;
   const auto screens = QGuiApplication::screens();
-  for (const auto* screen : screens) lines.push_back({"screen", judgeScreen(*screen)});
+  for (const auto* screen : screens) lines.push_back(judgeScreen(*screen));
   if (screens.size() < 2) {
     lines.push_back(
         {"screen",
          {Finding::Warn,
           "participant's screen",
           "there is one screen only",
-          "Connect a second one: the participant's window goes there by itself."}});
+          "Connect a second one: the participant's window goes there by itself."},
+         ""});
   }
-  lines.push_back({"screen", judgeGraphics()});
+  lines.push_back(judgeGraphics());
   return lines;
 }
 

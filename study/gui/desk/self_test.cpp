@@ -32,7 +32,8 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
          {Finding::Pass,
           "device file",
           "none: devices are virtual, moved with the mouse or the space bar",
-          ""}}};
+          ""},
+         ""}};
   }
   std::vector<SelfTestLine> lines;
   const auto anyHand = [](const protocols::DeviceNeed& need) {
@@ -44,12 +45,12 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
       tell(progress, kUnknownShare, said("listening to {}", entry.id));
       for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, order.seconds)) {
         result.what = entry.id + ": " + said(result.what);
-        lines.push_back({"devices", std::move(result)});
+        lines.push_back({"devices", std::move(result), ""});
       }
     }
   } catch (const UserError& error) {
     lines.push_back(
-        {"devices", {Finding::Fail, "device file", error.what(), "Correct the device file."}});
+        {"devices", {Finding::Fail, "device file", error.what(), "Correct the device file."}, ""});
   }
   return lines;
 }
@@ -70,12 +71,14 @@ SelfTestLine testCommits(const std::filesystem::path& folder) {
     return judgeCommits(storage::measureCommits(folder, kCommits), folder.string());
   } catch (const storage::StorageError& error) {
     return {
-        "database",
-        {Finding::Fail, "writing", error.what(), "Choose a folder that may be written."}};
+        "saving",
+        {Finding::Fail, "saving an answer", error.what(), "Choose a folder that may be written."},
+        ""};
   }
 }
 
-SelfTestLine testFile(const std::string& file, const storage::Schema& schema) {
+SelfTestLine testFile(
+    const std::string& what, const std::string& file, const storage::Schema& schema) {
   const auto name = std::filesystem::path(file).filename().string();
   std::string problems;
   try {
@@ -84,10 +87,14 @@ SelfTestLine testFile(const std::string& file, const storage::Schema& schema) {
   } catch (const storage::StorageError& error) {
     problems = error.what();
   }
-  if (problems.empty()) return {"database", {Finding::Pass, name, "whole", ""}};
+  if (problems.empty()) return {"saving", {Finding::Pass, what, "no damage found", ""}, name};
   return {
-      "database",
-      {Finding::Fail, name, problems, "Do not go on with it: restore the study from a copy."}};
+      "saving",
+      {Finding::Fail,
+       what,
+       said("the file {} is damaged", name),
+       "Do not go on with it: restore the study from a copy."},
+      problems};
 }
 
 }  // namespace
@@ -96,51 +103,54 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
   constexpr double kRoughShare = 0.05;
   const auto ticks = static_cast<std::int64_t>(report.ticks);
   const auto late = static_cast<std::int64_t>(report.lateTicks);
-  CheckResult found{
-      .what = said("{:g} Hz for {:.1f} s", rate, report.seconds),
-      .measured = said(
-          "late by {:.0f} µs (median), {:.0f} µs (99 of 100), {:.0f} µs (latest); {} of {} ticks "
-          "missed; {}",
-          report.lateness.quantile(0.5),
-          report.lateness.quantile(0.99),
-          report.lateness.largest(),
-          late,
-          ticks,
-          said(isRealtime ? "real-time priority" : "ordinary priority")),
-      .fix = ""};
+  CheckResult found{.what = "timing of forces", .measured = "", .fix = ""};
+  const char* words = "good: {} of {} updates of the force came late";
   if (static_cast<double>(late) > kRoughShare * static_cast<double>(ticks)) {
+    words = "poor: {} of {} updates of the force came late";
     found.finding = Finding::Fail;
     found.fix = "Forces would feel rough. Close other programs, or use another computer.";
   } else if (isOftenLate(late, ticks)) {
+    words = "fair: {} of {} updates of the force came late";
     found.finding = Finding::Warn;
     found.fix = "Trials would be marked. Close other programs; leave power saving off.";
   } else if (!isRealtime) {
     found.finding = Finding::Warn;
     found.fix =
-        "Allow real-time priority: the three lines of /etc/security/limits.d/palpate.conf stand in "
-        "docs/devices.md, \"Real time\".";
+        "Other programs can delay forces. Allow real-time priority: docs/devices.md, \"Real "
+        "time\", says how.";
   }
-  return {"clock", found};
+  found.measured = said(words, late, ticks);
+  return {
+      "timing",
+      found,
+      said(
+          "{:g} Hz for {:.1f} s: late by {:.0f} µs (median), {:.0f} µs (99 of 100), {:.0f} µs "
+          "(latest); {}",
+          rate,
+          report.seconds,
+          report.lateness.quantile(0.5),
+          report.lateness.quantile(0.99),
+          report.lateness.largest(),
+          said(isRealtime ? "real-time priority" : "ordinary priority"))};
 }
 
 SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
-  CheckResult found{
-      .what = "an answer to the disk",
-      .measured = said(
-          "{:.1f} ms (median of {}), {:.1f} ms (longest), in {}",
-          1e3 * times.median,
-          times.commits,
-          1e3 * times.longest,
-          folder),
-      .fix = ""};
+  CheckResult found{.what = "saving an answer", .measured = "", .fix = ""};
+  const char* words = "fast: {:.1f} ms";
   if (times.median > kSlowCommit) {
+    words = "very slow: {:.0f} ms";
     found.finding = Finding::Fail;
     found.fix = "Every page would wait. Put the study on a disk inside this computer.";
   } else if (times.median > kPromptCommit) {
+    words = "slow: {:.0f} ms";
     found.finding = Finding::Warn;
     found.fix = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
   }
-  return {"database", found};
+  found.measured = said(words, 1e3 * times.median);
+  return {
+      "saving",
+      found,
+      said("median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
 }
 
 std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progress& progress) {
@@ -154,9 +164,9 @@ std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progres
   if (order.study.empty()) return lines;
   tell(progress, kUnknownShare, "looking through the databases");
   const StudyFiles files{order.study};
-  lines.push_back(testFile(files.study(), storage::studySchema()));
-  lines.push_back(testFile(files.traces(), storage::traceSchema()));
-  lines.push_back(testFile(files.identity(), storage::identitySchema()));
+  lines.push_back(testFile("answers", files.study(), storage::studySchema()));
+  lines.push_back(testFile("recordings", files.traces(), storage::traceSchema()));
+  lines.push_back(testFile("names", files.identity(), storage::identitySchema()));
   return lines;
 }
 

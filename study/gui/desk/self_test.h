@@ -12,10 +12,11 @@
 
 namespace study::gui {
 
-/// One line of a self-test: the part and its finding.
+/// One line of a self-test: the part and its finding, in everyday words.
 struct SelfTestLine {
-  std::string part;  ///< "clock"
+  std::string part;  ///< "timing"
   haptics::devices::CheckResult found;
+  std::string details;  ///< what was measured, for readers who know the units; may be empty
 };
 
 /// The scope of a self-test.

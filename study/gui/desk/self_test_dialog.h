@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QDialog>
 #include <QLabel>
 #include <QPushButton>
@@ -9,8 +10,8 @@
 
 namespace study::gui {
 
-/// Tests whether this computer is ready for a study: devices, clock, database and screen. Shows for
-/// each the measured value and what to do.
+/// Tests whether this computer is ready for a study: devices, timing, saving and screen. Says for
+/// each in everyday words what was found and what to do, and on demand what was measured.
 class SelfTestDialog final : public QDialog {
   Q_OBJECT
 
@@ -21,11 +22,13 @@ class SelfTestDialog final : public QDialog {
   void test();
 
  private:
-  void fill(const std::vector<SelfTestLine>& lines);
+  void fill();
 
   SelfTestOrder order_;
+  std::vector<SelfTestLine> lines_;  ///< of the last test
   QLabel* outcome_;
   QTableWidget* table_;
+  QCheckBox* details_;
 };
 
 }  // namespace study::gui

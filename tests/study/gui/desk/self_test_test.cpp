@@ -32,11 +32,17 @@ TEST(SelfTest, JudgesTheClockByMissedTicksAndPriority) {
   EXPECT_EQ(rough.finding, Finding::Fail);
   EXPECT_NE(rough.measured.find("200 of 2000"), std::string::npos) << rough.measured;
   EXPECT_FALSE(rough.fix.empty());
+  EXPECT_NE(
+      judgeClock(reportOf(2000, 200), true, 1000.0).details.find("µs (median)"), std::string::npos);
 }
 
 TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
   const auto judge = [](double median) {
-    return judgeCommits({.commits = 40, .median = median, .longest = 2.0 * median}, "/x").found;
+    const auto line =
+        judgeCommits({.commits = 40, .median = median, .longest = 2.0 * median}, "/x");
+    EXPECT_EQ(line.found.measured.find("/x"), std::string::npos) << "the folder is a detail";
+    EXPECT_NE(line.details.find("/x"), std::string::npos);
+    return line.found;
   };
   EXPECT_EQ(judge(0.002).finding, Finding::Pass);
   EXPECT_EQ(judge(0.05).finding, Finding::Warn);
@@ -77,9 +83,9 @@ TEST_F(StudySelfTest, TestsEveryPartAndLeavesNoFiles) {
     EXPECT_FALSE(line.found.measured.empty()) << line.found.what;
     EXPECT_EQ(line.found.fix.empty(), line.found.finding == Finding::Pass) << line.found.what;
   }
-  EXPECT_EQ(parts, (std::set<std::string>{"clock", "database", "devices"}));
-  ASSERT_NE(about(lines, "study.db"), nullptr);
-  EXPECT_EQ(about(lines, "study.db")->found.finding, Finding::Pass);
+  EXPECT_EQ(parts, (std::set<std::string>{"devices", "saving", "timing"}));
+  ASSERT_NE(about(lines, "answers"), nullptr);
+  EXPECT_EQ(about(lines, "answers")->found.finding, Finding::Pass);
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "study")) {
     EXPECT_EQ(entry.path().filename().string().find("self-test"), std::string::npos)
         << entry.path();
@@ -89,8 +95,8 @@ TEST_F(StudySelfTest, TestsEveryPartAndLeavesNoFiles) {
 TEST_F(StudySelfTest, FindsADamagedDatabase) {
   std::filesystem::resize_file(folder_ / "study/traces.db", 5000);
   const auto lines = test();
-  ASSERT_NE(about(lines, "traces.db"), nullptr);
-  EXPECT_EQ(about(lines, "traces.db")->found.finding, Finding::Fail);
+  ASSERT_NE(about(lines, "recordings"), nullptr);
+  EXPECT_EQ(about(lines, "recordings")->found.finding, Finding::Fail);
 }
 
 TEST_F(StudySelfTest, TestsTheDevicesOfTheDeviceFile) {
@@ -114,8 +120,18 @@ TEST_F(StudySelfTest, ShowsOneLineForEachPart) {
   for (int row = 0; row < table->rowCount(); ++row) {
     parts.insert(table->item(row, 0)->text().toStdString());
   }
-  EXPECT_EQ(parts, (std::set<std::string>{"clock", "database", "devices", "screen"}));
+  EXPECT_EQ(parts, (std::set<std::string>{"Devices", "Saving", "Screen", "Timing"}));
   EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->isVisible());
+  const auto findings = [&] {
+    QString words;
+    for (int row = 0; row < table->rowCount(); ++row) words += table->item(row, 3)->text();
+    return words;
+  };
+  auto* details = dialog.findChild<QCheckBox*>();
+  EXPECT_FALSE(findings().contains(QStringLiteral("µs"))) << findings().toStdString();
+  details->click();
+  EXPECT_TRUE(findings().contains(QStringLiteral("µs"))) << findings().toStdString();
+  details->click();
   tests::photographInAllThemes(dialog, QStringLiteral("self-test"));
 }
 
