@@ -19,7 +19,7 @@ WorkDialog::WorkDialog(
     const QString& title, const QString& what, const QString& verb, QWidget* parent)
     : QDialog(parent),
       scroll_(new QScrollArea(this)),
-      form_(new QFormLayout),
+      form_(new FieldForm),
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
       more_(new QTextBrowser(this)),

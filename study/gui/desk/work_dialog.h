@@ -1,13 +1,14 @@
 #pragma once
 
 #include <QDialog>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+
+#include "study/gui/widgets/field_form.h"
 
 namespace study::gui {
 
@@ -23,7 +24,7 @@ class WorkDialog : public QDialog {
  protected:
   WorkDialog(const QString& title, const QString& what, const QString& verb, QWidget* parent);
 
-  QFormLayout& form() noexcept { return *form_; }
+  FieldForm& form() noexcept { return *form_; }
   QPushButton& go() noexcept { return *go_; }
 
   /// Shows the result in one line, and details below.
@@ -46,7 +47,7 @@ class WorkDialog : public QDialog {
   QHBoxLayout* makeButtons();
 
   QScrollArea* scroll_;
-  QFormLayout* form_;
+  FieldForm* form_;
   QLabel* line_;
   class WrittenFile* written_;
   QTextBrowser* more_;

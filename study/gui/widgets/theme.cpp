@@ -38,6 +38,7 @@ QLabel[role="warn"] { color: @warn.text; background: @warn; border-radius: 6px; 
 QLabel[role="bad"] { color: @bad.text; background: @bad; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
 QPushButton { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
               padding: 8px 18px; min-height: 34px; }
+QPushButton, QCheckBox, QRadioButton { outline: none; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border: 3px solid @focus; }
 QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }

@@ -1,0 +1,32 @@
+#include "study/gui/widgets/field_form.h"
+
+#include <algorithm>
+
+#include <QLabel>
+
+namespace study::gui {
+namespace {
+
+class FieldLabel final : public QLabel {
+ public:
+  FieldLabel(const QString& words, QWidget* field) : QLabel(words) { setBuddy(field); }
+
+  QSize sizeHint() const override { return asHighAsTheField(QLabel::sizeHint()); }
+  QSize minimumSizeHint() const override { return asHighAsTheField(QLabel::minimumSizeHint()); }
+
+ private:
+  QSize asHighAsTheField(QSize own) const {
+    constexpr int kMostLines = 3;  // the label of a higher field is at its top
+    if (buddy() == nullptr) return own;
+    const int field = std::max(buddy()->sizeHint().height(), buddy()->minimumHeight());
+    return field > kMostLines * own.height() ? own : own.expandedTo({0, field});
+  }
+};
+
+}  // namespace
+
+void FieldForm::addRow(const QString& words, QWidget* field) {
+  QFormLayout::addRow(words.isEmpty() ? nullptr : new FieldLabel(words, field), field);
+}
+
+}  // namespace study::gui
