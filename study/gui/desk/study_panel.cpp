@@ -4,10 +4,10 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QProgressBar>
 #include <QScrollArea>
 
 #include "study/gui/desk/recent_studies.h"
+#include "study/gui/widgets/cohort_bar.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/written_file.h"
@@ -61,8 +61,9 @@ StudyPanel::StudyPanel(QWidget* parent)
   arrivals_->setObjectName(QStringLiteral("arrivals"));
   for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
     layout->addWidget(label);
-  layout->addLayout(buttons_);
+  layout->addWidget(open_);
   layout->addWidget(scroll, 1);
+  layout->addLayout(buttons_);
   makeButtons();
   fitInto(0);
   clear();
@@ -105,8 +106,7 @@ void StudyPanel::fitInto(int width) {
   const int gap = buttons_->horizontalSpacing();
   const int columns = std::clamp((room + gap) / (widest + gap), 1, kMostColumns);
   while (buttons_->count() > 0) delete buttons_->takeAt(0);
-  buttons_->addWidget(open_, 0, 0, 1, columns);
-  int place = columns;  // below
+  int place = 0;
   for (auto* button : actions_) {
     buttons_->addWidget(button, place / columns, place % columns);
     ++place;
@@ -141,7 +141,7 @@ void StudyPanel::show(const StudySummary& summary) {
   arrivals_->setText(arrivals);
   arrivals_->setVisible(!arrivals.isEmpty());
   setRole(*arrivals_, isArrivalOverdue(summary) ? "warn" : "body");
-  folder_->setText(QString::fromStdString(summary.folder));
+  folder_->setText(shownPath(QString::fromStdString(summary.folder)));
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
@@ -159,9 +159,9 @@ void StudyPanel::show(const StudySummary& summary) {
     delete item->widget();
     delete item;
   }
+  showUnfinished(summary);
   showProgress(summary);
   showDocuments(summary);
-  showUnfinished(summary);
   parts_->addStretch(1);
 }
 
@@ -174,19 +174,8 @@ void StudyPanel::addHeading(const QString& text) {
 /// A bar for each cohort: as in "Orthopaedic surgeons: 3 of 12 completed".
 void StudyPanel::showProgress(const StudySummary& summary) {
   for (const auto& cohort : summary.cohorts) {
-    const QString title = QString::fromStdString(cohort.title);
-    const QString words =
-        cohort.planned > 0
-            ? tr("%1: %2 of %3 completed").arg(title).arg(cohort.completed).arg(cohort.planned)
-            : tr("%1: %2 completed").arg(title).arg(cohort.completed);
-    parts_->addWidget(bodyLabel(words, place_));
-    if (cohort.planned == 0) continue;
-    auto* bar = new QProgressBar(place_);
-    bar->setTextVisible(false);
-    bar->setRange(0, cohort.planned);
-    bar->setValue(std::min(cohort.completed, cohort.planned));
-    bar->setAccessibleName(words);
-    parts_->addWidget(bar);
+    parts_->addWidget(new CohortBar(
+        QString::fromStdString(cohort.title), cohort.completed, cohort.planned, place_));
   }
 }
 

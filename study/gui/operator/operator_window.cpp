@@ -88,6 +88,15 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
   layout->addWidget(pages_, 1);
+  // Only the page that is shown needs room.
+  const auto giveRoom = [this](int shown) {
+    for (int i = 0; i < pages_->count(); ++i) {
+      const auto high = i == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+      pages_->widget(i)->setSizePolicy(QSizePolicy::Preferred, high);
+    }
+  };
+  connect(pages_, &QStackedWidget::currentChanged, this, giveRoom);
+  giveRoom(pages_->currentIndex());
   setCentralWidget(new FittingScroll(inside, this));
   constexpr QSize kComfortable(1280, 860);
   const QSize available = screen()->availableSize();

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/cohort_bar.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
@@ -41,7 +42,7 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
       columns_(new QHBoxLayout(this)),
       table_(new QTableWidget(0, kSessionColumns, this)),
       details_(quietLabel({}, this)),
-      coming_(quietLabel({}, this)),
+      coming_(new QVBoxLayout),
       cohort_(new QComboBox(this)),
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
@@ -77,7 +78,6 @@ QWidget* SessionsPage::makeList() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   makeReadOnly(*table_);
   details_->setObjectName(QStringLiteral("session-details"));
-  resume_->setProperty("role", QStringLiteral("main"));
 
   auto* list = new QWidget(this);
   auto* layout = new QVBoxLayout(list);
@@ -104,7 +104,7 @@ QWidget* SessionsPage::makeEnrolment() {
 
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
-  constexpr int kCardWidth = 380;  // [px]
+  constexpr int kCardWidth = 400;  // [px]
   card->setFixedWidth(kCardWidth);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
@@ -112,6 +112,7 @@ QWidget* SessionsPage::makeEnrolment() {
   layout->addWidget(sectionHeading(tr("Who is next"), card));
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // the titles of cohorts are long
   const std::array<std::pair<QString, QComboBox*>, 3> rows{
       {{tr("Cohort"), cohort_}, {tr("Run mode"), mode_}, {tr("Language"), language_}}};
   for (const auto& [words, box] : rows) {
@@ -121,8 +122,7 @@ QWidget* SessionsPage::makeEnrolment() {
   }
   layout->addLayout(form);
   layout->addWidget(enrol_);
-  layout->addWidget(coming_);
-  coming_->setObjectName(QStringLiteral("still-to-come"));
+  layout->addLayout(coming_);
   return card;
 }
 
@@ -172,18 +172,17 @@ void SessionsPage::fillTable(
 /// Shows how many participants of each cohort have completed.
 void SessionsPage::fillCohorts(
     const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
-  QStringList lines;
+  while (auto* item = coming_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
   for (const auto& cohort : protocol.cohorts) {
     const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
       return s.cohort == cohort.id && s.runMode == RunMode::Live && s.isCompleted();
     });
-    const QString title = cohortTitle(protocol, cohort.id);
-    lines
-        << (cohort.planned > 0
-                ? tr("%1: %2 of %3 completed").arg(title).arg(done).arg(cohort.planned)
-                : tr("%1: %2 completed").arg(title).arg(done));
+    coming_->addWidget(new CohortBar(
+        cohortTitle(protocol, cohort.id), static_cast<int>(done), cohort.planned, this));
   }
-  coming_->setText(lines.join(u'\n'));
 }
 
 void SessionsPage::goOnWith(const UnfinishedSession& session) {

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include "study/session/session.h"
@@ -54,7 +55,7 @@ class SessionsPage final : public QWidget {
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
   QLabel* details_;
-  QLabel* coming_;
+  QVBoxLayout* coming_;  ///< how far each cohort has come
   QComboBox* cohort_;
   QComboBox* mode_;
   QComboBox* language_;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+namespace study::gui {
+
+/// How far a cohort has come, in words and as a bar: "Orthopaedic surgeons: 3 of 12 completed".
+class CohortBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param planned  0: no number is planned, and there is no bar.
+  CohortBar(const QString& title, int completed, int planned, QWidget* parent = nullptr);
+};
+
+}  // namespace study::gui
