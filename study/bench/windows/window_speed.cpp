@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -23,6 +25,8 @@
 #include "haptics/reaming/packing/solids.h"
 #include "protocols/load_protocol.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/gui/desk/home_window.h"
+#include "study/gui/desk/recent_studies.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/scene/knee_scene.h"
@@ -142,6 +146,29 @@ std::vector<double> measurePageChanges(const std::string& folder) {
     measureSession(window, waits);
   }
   return waits;
+}
+
+double measureHome(const std::string& folder, int studies) {
+  const QTemporaryDir place(
+      QString::fromStdString(folder) + QStringLiteral("/palpate-bench-XXXXXX"));
+  if (!place.isValid()) throw UserError(folder + " takes no folder for the measurement.");
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, place.path());
+  SystemClock clock;
+  questionnaires::Problems problems;
+  const auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
+  const auto first = place.filePath(QStringLiteral("study")).toStdString();
+  Study::create(first, *protocol, clock, 1);
+  for (int i = 0; i < studies; ++i) {
+    const auto copy = place.filePath(QStringLiteral("study-%1").arg(i));
+    std::filesystem::copy(first, copy.toStdString(), std::filesystem::copy_options::recursive);
+    gui::rememberStudy(copy, QString::fromStdString(protocol->protocol.study.title));
+  }
+  QElapsedTimer time;
+  time.start();
+  gui::HomeWindow home;
+  home.show();
+  home.grab();
+  return 1e-6 * static_cast<double>(time.nsecsElapsed());
 }
 
 namespace {

@@ -24,6 +24,13 @@ PlotSpeed measurePlots(double seconds);
 /// @throws UserError  if the folder cannot hold a study.
 std::vector<double> measurePageChanges(const std::string& folder);
 
+/// The time from making the home page until it is drawn, with @p studies studies in its list. They
+/// are made in @p folder and removed. From then on the program's settings are in that folder, too:
+/// call it last.
+/// @return the time [ms].
+/// @throws UserError  if the folder cannot hold the studies.
+double measureHome(const std::string& folder, int studies);
+
 struct SimulationOptions {
   double seconds = 8.0;  ///< of each simulation
   std::size_t spheres = 201'532;

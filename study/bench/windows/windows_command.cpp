@@ -23,6 +23,8 @@ namespace {
 using gui::scene::RendererChoice;
 using gui::scene::SphereColours;
 
+constexpr int kStudies = 200;
+
 struct WindowsOptions {
   std::string anatomy;
   std::string colours = "neutral";
@@ -110,6 +112,14 @@ DataTable pageTable(std::vector<double> waits, const std::string& folder) {
       .rows = {{static_cast<std::int64_t>(waits.size()), at(0.5), at(0.99), disk}}};
 }
 
+DataTable homeTable(double drawn) {
+  return {
+      .name = "home",
+      .description = "The home page",
+      .columns = {{"studies", "Studies in its list"}, {"drawn_ms", "Made and drawn in [ms]"}},
+      .rows = {{static_cast<std::int64_t>(kStudies), drawn}}};
+}
+
 int windows(const WindowsOptions& options) {
   auto simulation = options.simulation;
   simulation.colours = options.colours == "density"   ? SphereColours::Density
@@ -136,6 +146,7 @@ int windows(const WindowsOptions& options) {
   const auto folder = simulation.folder.empty() ? std::filesystem::temp_directory_path().string()
                                                 : simulation.folder;
   const auto waits = measurePageChanges(folder);
+  const auto home = measureHome(folder, kStudies);
   present(
       simulation.folder,
       "windows",
@@ -145,7 +156,8 @@ int windows(const WindowsOptions& options) {
             simulations.front().remark},
        .parts = {
            {.heading = "Simulations", .tables = {simulationTable(simulations)}},
-           {.heading = "Desk", .tables = {plotTable(plots), pageTable(waits, folder)}}}});
+           {.heading = "Desk",
+            .tables = {plotTable(plots), pageTable(waits, folder), homeTable(home)}}}});
   if (!simulations.front().remark.empty()) fmt::print("{}\n", simulations.front().remark);
   const bool isSparing = simulations.back().sendsChangesOnly();
   if (!isSparing)

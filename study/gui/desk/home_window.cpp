@@ -1,5 +1,6 @@
 #include "study/gui/desk/home_window.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -10,9 +11,11 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenuBar>
+#include <QPainter>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
-#include <QTimer>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "protocols/load_protocol.h"
@@ -39,6 +42,58 @@
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
+namespace {
+
+/// Paints how far a study has come below the words of its cell.
+class ProgressDelegate final : public QStyledItemDelegate {
+ public:
+  static constexpr int kShare = Qt::UserRole;  ///< of the planned sessions, 0 to 1; none: no bar
+
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index)
+      const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    const auto share = index.data(kShare);
+    if (!share.isValid()) return;
+    const auto& colours = themeOf(*option.widget);
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const QColor ink = isSelected ? colours.selection.text : colours.accent.background;
+    QRectF track = QRectF(option.rect).adjusted(kMargin + 3.0, 0.0, -kMargin, -kMargin);
+    track.setTop(track.bottom() - kHeight);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(ink);
+    painter->drawRoundedRect(track, kHeight / 2, kHeight / 2);
+    track.setWidth(track.width() * share.toDouble());
+    painter->setBrush(ink);
+    if (track.width() > 0.0) painter->drawRoundedRect(track, kHeight / 2, kHeight / 2);
+    painter->restore();
+  }
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const auto own = QStyledItemDelegate::sizeHint(option, index);
+    const bool hasBar = index.data(kShare).isValid();
+    return hasBar ? own + QSize(0, static_cast<int>(kHeight + kMargin)) : own;
+  }
+
+ private:
+  static constexpr double kHeight = 6.0;  // [px]
+  static constexpr double kMargin = 6.0;
+};
+
+/// The share of the planned sessions that are completed; invalid if no number is planned.
+QVariant shareOf(const StudySummary& study) {
+  int completed = 0;
+  int planned = 0;
+  for (const auto& cohort : study.cohorts) {
+    completed += std::min(cohort.completed, cohort.planned);
+    planned += cohort.planned;
+  }
+  return planned == 0 ? QVariant() : QVariant(static_cast<double>(completed) / planned);
+}
+
+}  // namespace
 
 /// A study and its window. Each member uses those before it.
 struct HomeWindow::OpenStudy {
@@ -53,6 +108,8 @@ struct HomeWindow::OpenStudy {
 HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
     : QMainWindow(parent), deviceFile_(std::move(deviceFile)) {
   setWindowTitle(tr("Palpate"));
+  reading_.setSingleShot(true);
+  connect(&reading_, &QTimer::timeout, this, &HomeWindow::readNextInSight);
   makeContents();
   resize(1240, 740);
 }
@@ -94,6 +151,7 @@ void HomeWindow::arrange() {
 void HomeWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   arrange();
+  reading_.start();
 }
 
 void HomeWindow::changeEvent(QEvent* event) {
@@ -129,6 +187,9 @@ QWidget* HomeWindow::makeList() {
   heads->setSectionResizeMode(1, QHeaderView::Interactive);
   heads->setSectionResizeMode(2, QHeaderView::ResizeToContents);
   list_->setColumnWidth(1, 190);
+  list_->setItemDelegateForColumn(1, new ProgressDelegate(list_));
+  connect(
+      list_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { reading_.start(); });
   connect(list_, &QTableWidget::itemSelectionChanged, this, &HomeWindow::showChosen);
   connect(list_, &QTableWidget::cellDoubleClicked, this, [this] {
     const auto* study = chosen();
@@ -274,45 +335,73 @@ void HomeWindow::refresh() {
   list_->setRowCount(static_cast<int>(recent.size()));
   int row = 0;
   for (const auto& study : recent) {
-    studies_.push_back(summaryOf(study.folder.toStdString()));
-    if (studies_.back().title.empty()) studies_.back().title = study.title.toStdString();
+    studies_.push_back(
+        {.summary = {.folder = study.folder.toStdString(), .title = study.title.toStdString()}});
     const QString opened = study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     list_->setItem(row, 2, new QTableWidgetItem(opened));
     fillRow(row++);
   }
+  reading_.start();
   select(QString::fromStdString(folder));
 }
 
 void HomeWindow::select(const QString& folder) {
   int row = 0;
   for (; row < list_->rowCount(); ++row) {
-    if (studies_[static_cast<std::size_t>(row)].folder == folder.toStdString()) break;
+    if (studies_[static_cast<std::size_t>(row)].summary.folder == folder.toStdString()) break;
   }
   list_->selectRow(row < list_->rowCount() ? row : 0);
   showChosen();
 }
 
+void HomeWindow::read(int row) {
+  auto& [summary, isRead] = studies_[static_cast<std::size_t>(row)];
+  if (isRead) return;
+  const auto titleWhenLastOpened = summary.title;
+  summary = summaryOf(summary.folder);
+  if (summary.title.empty()) summary.title = titleWhenLastOpened;
+  isRead = true;
+  fillRow(row);
+}
+
+/// Reads one study, so that the window answers to the hand between two of them.
+void HomeWindow::readNextInSight() {
+  const auto sight = list_->viewport()->rect();
+  for (int row = 0; row < static_cast<int>(studies_.size()); ++row) {
+    if (studies_[static_cast<std::size_t>(row)].isRead) continue;
+    if (!list_->visualRect(list_->model()->index(row, 0)).intersects(sight)) continue;
+    read(row);
+    return reading_.start();
+  }
+}
+
 void HomeWindow::fillRow(int row) {
-  const auto& study = studies_[static_cast<std::size_t>(row)];
+  const auto& [study, isRead] = studies_[static_cast<std::size_t>(row)];
   const QString folder = QString::fromStdString(study.folder);
   auto* title = new QTableWidgetItem(
       QString::fromStdString(study.title) + QLatin1Char('\n') + QDir(folder).dirName());
   title->setToolTip(folder);
   const QString sign = study.problem.empty() ? QString() : QStringLiteral("✕ ");
   const QString words = QString::fromStdString(sessionsInWords(study));
+  auto* sessions = new QTableWidgetItem(isRead ? sign + words : QStringLiteral("…"));
+  sessions->setData(ProgressDelegate::kShare, shareOf(study));
   list_->setItem(row, 0, title);
-  list_->setItem(row, 1, new QTableWidgetItem(sign + words));
+  list_->setItem(row, 1, sessions);
+  for (int column = 0; column < list_->columnCount(); ++column) {
+    list_->item(row, column)->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+  }
 }
 
 const StudySummary* HomeWindow::chosen() const {
   const int row = list_->currentRow();
   const bool isThere = row >= 0 && row < static_cast<int>(studies_.size());
-  return isThere ? &studies_[static_cast<std::size_t>(row)] : nullptr;
+  return isThere ? &studies_[static_cast<std::size_t>(row)].summary : nullptr;
 }
 
 void HomeWindow::showChosen() {
   const auto* study = chosen();
   if (study == nullptr) return panel_->clear();
+  read(list_->currentRow());
   panel_->show(*study);
 }
 

@@ -7,6 +7,7 @@
 #include <QBoxLayout>
 #include <QMainWindow>
 #include <QTableWidget>
+#include <QTimer>
 
 #include "study/gui/desk/study_panel.h"
 #include "study/gui/operator/operator_window.h"
@@ -59,6 +60,8 @@ class HomeWindow final : public QMainWindow {
   /// Selects a study in the list; the first one if it is not there.
   void select(const QString& folder);
   void showChosen();
+  void read(int row);
+  void readNextInSight();
   void closeStudy();
   void forgetChosen();
   void askForProtocol();
@@ -71,8 +74,14 @@ class HomeWindow final : public QMainWindow {
   void openTool();  ///< a dialog that needs no study
 
   std::string deviceFile_;
-  std::vector<StudySummary> studies_;  ///< in the order of the list
-  std::string language_;               ///< of what is shown
+  /// A study of the list. Its database is opened once its row comes into sight.
+  struct Row {
+    StudySummary summary;
+    bool isRead = false;
+  };
+  std::vector<Row> studies_;  ///< in the order of the list
+  QTimer reading_;            ///< of the next row in sight that was not read yet
+  std::string language_;      ///< of what is shown
   QBoxLayout* columns_ = nullptr;
   QTableWidget* list_ = nullptr;
   StudyPanel* panel_ = nullptr;

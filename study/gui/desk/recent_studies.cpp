@@ -57,7 +57,7 @@ std::vector<RecentStudy> without(const QString& folder) {
 std::vector<RecentStudy> recentStudies() {
   auto settings = studioSettings();
   std::vector<RecentStudy> studies;
-  const int count = std::min(settings.beginReadArray(QLatin1String(kRecentKey)), kMostRecent);
+  const int count = settings.beginReadArray(QLatin1String(kRecentKey));
   for (int i = 0; i < count; ++i) {
     settings.setArrayIndex(i);
     studies.push_back(
@@ -75,7 +75,6 @@ void rememberStudy(const QString& folder, const QString& title) {
   studies.insert(
       studies.begin(),
       {.folder = plain, .title = title, .opened = QDateTime::currentDateTimeUtc()});
-  if (studies.size() > kMostRecent) studies.resize(kMostRecent);
   store(studies);
 }
 

@@ -14,7 +14,7 @@ struct RecentStudy {
   QDateTime opened;
 };
 
-/// The studies that this user opened, latest first; at most kMostRecent.
+/// All studies that this user opened, latest first.
 std::vector<RecentStudy> recentStudies();
 
 /// Puts a study at the top of the list.
@@ -37,6 +37,5 @@ std::vector<WrittenDocument> documentsOf(const QString& study);
 void rememberDocument(const QString& study, const QString& path);
 
 inline constexpr int kMostDocuments = 100;
-inline constexpr int kMostRecent = 20;
 
 }  // namespace study::gui

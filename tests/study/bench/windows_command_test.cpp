@@ -46,6 +46,8 @@ TEST_F(WindowsCommand, DrawsOnTheProcessorWithoutADisplay) {
   EXPECT_NE(finished.out.find("three channels at 1 kHz"), std::string::npos) << finished.out;
   EXPECT_NE(
       tests::contentOf(folder_ / "pictures/windows-pages.csv").find("\n260,"), std::string::npos);
+  EXPECT_NE(
+      tests::contentOf(folder_ / "pictures/windows-home.csv").find("\n200,"), std::string::npos);
   EXPECT_GT(bright("knee-1.png"), 30);
   EXPECT_GT(bright("hip-1.png"), 15);
 }

@@ -250,6 +250,32 @@ TEST_F(HomeTest, ListsTheLastOpenedStudyFirstAlsoAfterARestart) {
   EXPECT_EQ(recent[1].folder, two);
 }
 
+TEST_F(HomeTest, ListsEveryStudyAndReadsOnlyThoseInSight) {
+  constexpr int kStudies = 200;
+  for (int i = 0; i < kStudies; ++i) {
+    rememberStudy(
+        QString::fromStdString(folder_ / std::to_string(i)), QStringLiteral("Study %1").arg(i));
+  }
+  HomeWindow home;
+  home.show();
+  const auto* list = listOf(home);
+  ASSERT_EQ(list->rowCount(), kStudies);
+  const auto readRows = [&] {
+    int read = 0;
+    for (int row = 0; row < kStudies; ++row) {
+      read += list->item(row, 1)->text() != QStringLiteral("…") ? 1 : 0;
+    }
+    return read;
+  };
+  EXPECT_EQ(readRows(), 1) << "the chosen one; the others wait until the window is there";
+  const auto isRead = [&](int row) { return list->item(row, 1)->text() != QStringLiteral("…"); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(5); }));
+  EXPECT_FALSE(isRead(kStudies - 1));
+  listOf(home)->scrollToBottom();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(kStudies - 1); }));
+  EXPECT_LT(readRows(), kStudies / 2);
+}
+
 TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
   const QString folder = makeStudy("one");
   {
@@ -270,6 +296,8 @@ TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
   EXPECT_TRUE(summary.lastSessionUtc.empty()) << "simulated sessions have a time of their own";
   EXPECT_EQ(summary.blanks, 10U);
   EXPECT_EQ(home.findChildren<QProgressBar*>().size(), 2);
+  EXPECT_NEAR(listOf(home)->item(0, 1)->data(Qt::UserRole).toDouble(), 2.0 / 11.0, 1e-6)
+      << "the bar in the list";
   const auto documents = home.findChildren<WrittenFile*>();
   ASSERT_EQ(documents.size(), 1) << "a file that is gone is not offered";
   EXPECT_EQ(documents.front()->path().toStdString(), report);
