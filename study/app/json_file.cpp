@@ -29,6 +29,7 @@ Json asJson(const haptics::recordings::Closure& closure) {
   return {
       {"first_row", closure.rows.first},
       {"last_row", closure.rows.last},
+      {"closing_rows", {closure.closing.first, closure.closing.last}},
       {"start_s", closure.start},
       {"duration_s", closure.duration},
       {"complete", closure.isComplete},

@@ -88,12 +88,15 @@ void printSurvey(
       survey.uncalibratedRows,
       survey.distinctTravels,
       filter);
-  fmt::print("  cut        rows          seconds  peak [N]\n");
+  // the closing rows are those that a cut file is made of
+  fmt::print("  cut    closing rows      whole cut      seconds  peak [N]\n");
   for (std::size_t i = 0; i < survey.closures.size(); ++i) {
     const auto& c = survey.closures[i];
     fmt::print(
-        "  {:>3} {:>7}–{:<7} {:>9.2f} {:>9.2f}  {}, {}, {}, {}{}\n",
+        "  {:>3} {:>7}–{:<7} {:>7}–{:<7} {:>9.2f} {:>9.2f}  {}, {}, {}, {}{}\n",
         i + 1,
+        c.closing.first,
+        c.closing.last,
         c.rows.first,
         c.rows.last,
         c.duration,

@@ -101,6 +101,22 @@ TEST_F(RecordingCommands, ImportsATableInNewtonsAndDesignsTheFilterForItsRate) {
       << words;
 }
 
+TEST_F(RecordingCommands, ListsTheRowsThatACutIsMadeOf) {
+  const auto table = file("cuts.csv", foreignCuts(false));
+  const auto columns = file("columns.json", kColumns);
+  const Words import{"recording", "import", table, "--columns", columns, "--cut", "2"};
+  auto asJson = import;
+  asJson.push_back("--json");
+  const auto report = json::parse(palpate(asJson).out);
+  ASSERT_EQ(report["chosen"]["rows"].size(), 1U) << report["chosen"];
+  const auto& rows = report["chosen"]["rows"][0];
+  EXPECT_EQ(report["cuts"][1]["closing_rows"], rows);
+  const auto range = std::to_string(rows[0].get<int>()) + "–" + std::to_string(rows[1].get<int>());
+  const auto text = palpate(import).out;
+  EXPECT_NE(text.find("  2 "), std::string::npos) << text;
+  EXPECT_NE(text.find(range + " "), std::string::npos) << range << "\n" << text;
+}
+
 TEST_F(RecordingCommands, CalibratesASensorAndImportsWhatItRead) {
   const auto loads = file("loads.csv", "U [V],load [N]\n0.1,0\n0.6,1\n1.1,2\n2.6,5\n5.1,10\n");
   const std::string sensor = folder_ / "cell.json";
