@@ -90,10 +90,7 @@ std::optional<Cut> readCutRoot(const Node& root) {
            "provenance"})) {
     return std::nullopt;
   }
-  root.requireFormat(
-      kFormat,
-      "this is no cut file of the kind that this program reads",
-      "write one with 'palpate recording import'");
+  root.requireFormat("format", kFormat, "write one with 'palpate recording import'");
   auto curve = readCurve(root, "curve");
   std::optional<ForceCurve> opening;
   if (root.has("opening_curve")) opening = readCurve(root, "opening_curve");

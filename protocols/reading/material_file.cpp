@@ -90,10 +90,7 @@ std::optional<reaming::Material> readMaterialRoot(const Node& root) {
   if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
     return std::nullopt;
   }
-  root.requireFormat(
-      kMaterialFormat,
-      "this is no material file of the kind that this program reads",
-      "write one with 'palpate material fit'");
+  root.requireFormat("format", kMaterialFormat, "write one with 'palpate material fit'");
   reaming::Material material{
       .name = root.id("name"),
       .title = root.text("title"),

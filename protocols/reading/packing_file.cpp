@@ -46,10 +46,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
            "seed"})) {
     return std::nullopt;
   }
-  root.requireFormat(
-      kPackingFormat,
-      "this is no packing file of the kind that this program reads",
-      "write one with 'palpate packing build'");
+  root.requireFormat("format", kPackingFormat, "write one with 'palpate packing build'");
   Head head;
   head.bone.name = root.id("name");
   head.bone.title = root.text("title");

@@ -23,10 +23,7 @@ ForceCalibration readCalibrationRoot(const Node& root) {
   if (!root.isObjectWith({"format", "name", "unit", "coefficients_n", "range", "provenance"})) {
     return {};
   }
-  root.requireFormat(
-      kCalibrationFormat,
-      "this is no calibration file of the kind that this program reads",
-      "write one with 'palpate recording calibrate'");
+  root.requireFormat("format", kCalibrationFormat, "write one with 'palpate recording calibrate'");
   ForceCalibration calibration{
       .name = root.id("name"),
       .unit = root.text("unit"),
@@ -161,10 +158,7 @@ ColumnsFile readColumnsRoot(const Node& root) {
           {"format", "skip_lines", "separator", "time", "travel", "force", "calibration"})) {
     return file;
   }
-  root.requireFormat(
-      kColumnsFormat,
-      "this is no columns file of the kind that this program reads",
-      "write \"" + std::string(kColumnsFormat) + "\"");
+  root.requireFormat("format", kColumnsFormat);
   RecordingColumns& columns = file.columns;
   columns.skippedLines =
       static_cast<std::size_t>(root.wholeNumber("skip_lines", 0, kMostSkippedLines, 0));

@@ -85,9 +85,17 @@ std::string Node::text(std::string_view key, std::string fallback) const {
   return has(key) ? at(key, *find(key)).asText() : std::move(fallback);
 }
 
-void Node::requireFormat(std::string_view format, std::string what, std::string fix) const {
-  const std::string given = text("format");
-  if (!given.empty() && given != format) problem("format", std::move(what), std::move(fix));
+void Node::requireFormat(std::string_view key, std::string_view format, std::string fix) const {
+  const std::string name(key);
+  const std::string wanted(format);
+  if (!has(key)) {
+    problem("", "'" + name + "' is missing", "write \"" + name + "\": \"" + wanted + "\"");
+    return;
+  }
+  const auto written = text(key);
+  if (written.empty() || written == format) return;
+  if (fix.empty()) fix = "this program reads " + wanted;
+  problem(key, "this is written for '" + shown(written) + "'", std::move(fix));
 }
 
 std::string Node::id(std::string_view key) const {

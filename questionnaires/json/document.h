@@ -105,8 +105,9 @@ class Node {
   double number(std::string_view key, double least, double most) const;
   std::int64_t wholeNumber(std::string_view key, std::int64_t least, std::int64_t most) const;
 
-  /// Refuses any text but @p format behind "format".
-  void requireFormat(std::string_view format, std::string what, std::string fix) const;
+  /// Refuses a file that does not say under @p key that it is written in @p format.
+  /// @param fix  what to do with a file of another format; empty: only another release wrote it
+  void requireFormat(std::string_view key, std::string_view format, std::string fix = {}) const;
 
   /// A name for people, files and columns: a letter or digit, then up to 63 of letters, digits,
   /// '.', '_' and '-'.

@@ -55,15 +55,6 @@ constexpr std::array kOccasions{
     Choice<Occasions>{"before_and_after", Occasions::BeforeAndAfter},
 };
 
-void readSchema(const Node& root) {
-  const std::string schema = root.text("$schema");
-  if (schema.empty() || schema == kSchema) return;
-  root.problem(
-      "$schema",
-      "this is written for '" + shown(schema) + "'",
-      "this program reads " + std::string(kSchema));
-}
-
 std::vector<std::string> readLanguages(const Node& root) {
   std::vector<std::string> languages;
   for (const auto& node : root.requiredList("languages")) {
@@ -135,7 +126,7 @@ void readLists(const Node& root, const TextReader& texts, Instrument& instrument
 
 Instrument readRoot(const Node& root) {
   Instrument instrument;
-  readSchema(root);
+  root.requireFormat("$schema", kSchema);
   instrument.id = idOrGenerated(root, "id", 0);
   instrument.version = root.id("version");
   instrument.languages = readLanguages(root);

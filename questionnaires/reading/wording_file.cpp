@@ -12,13 +12,7 @@ namespace {
 constexpr std::string_view kFormat = "wording-1";
 
 void readHead(const Node& root, Wording& wording) {
-  const std::string format = root.text("format");
-  if (!format.empty() && format != kFormat) {
-    root.problem(
-        "format",
-        "this is written for '" + shown(format) + "'",
-        "this program reads " + std::string(kFormat));
-  }
+  root.requireFormat("format", kFormat);
   wording.instrument = root.id("instrument");
   wording.version = root.id("version");
   wording.language = root.text("language");

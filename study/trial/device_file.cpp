@@ -340,13 +340,7 @@ std::optional<std::vector<DeviceEntry>> readDevices(std::string_view json, Probl
   if (const auto value = questionnaires::parseJson(json, found)) {
     const Node root(*value, "$", found);
     if (root.isObjectWith({"format", "devices"})) {
-      const std::string format = root.text("format");
-      if (!format.empty() && format != kFormat) {
-        root.problem(
-            "format",
-            "this is no device file that this program reads",
-            "write \"palpate-devices-1\"");
-      }
+      root.requireFormat("format", kFormat);
       std::set<std::string> ids;
       for (const auto& node : root.requiredList("devices")) {
         auto entry = readEntry(node);

@@ -64,7 +64,7 @@ TEST(ColumnsFile, NamesEveryMistakeInOneReading) {
       R"({"format": "palpate-columns-2", "time": {"column": "t", "rate_hz": 5},
           "travel": {"column": "x", "open": 3, "closed": 3},
           "force": {"column": 0, "unit": "N", "factor": 0, "offset": 1}, "calibration": "s.json"})");
-  expectMentions(problems, "no columns file of the kind");
+  expectMentions(problems, "this program reads palpate-columns-1");
   expectMentions(problems, "either a column or a rate");
   expectMentions(problems, "$.travel.closed");
   expectMentions(problems, "offset");

@@ -90,7 +90,7 @@ TEST(MaterialFile, SaysWhatIsWrong) {
   const auto json = fittedJson();
   EXPECT_NE(
       complaintAbout(tests::with(json, "palpate-material-1", "palpate-material-9"))
-          .find("no material file of the kind"),
+          .find("this is written for 'palpate-material-9'"),
       std::string::npos);
   EXPECT_NE(
       complaintAbout(tests::with(json, "\"average\"", "\"middle\"")).find("middle"),

@@ -59,8 +59,9 @@ TEST(PackingFile, SaysWhatIsWrong) {
     EXPECT_NE(words.find(part), std::string::npos) << words;
   };
   has(complaintAbout(""), "");
-  has(complaintAbout("{}"), "'format' is missing");
-  has(complaintAbout(tests::with(text, "palpate-packing-1", "palpate-packing-9")), "of the kind");
+  has(complaintAbout("{}"), "'format' is missing; write \"format\": \"palpate-packing-1\"");
+  has(complaintAbout(tests::with(text, "palpate-packing-1", "palpate-packing-9")),
+      "is written for 'palpate-packing-9'");
   has(complaintAbout(text.substr(0, text.size() - 30)), "damaged");
   has(complaintAbout(text.substr(0, text.size() - 57)), "49 spheres, not 50");
   has(complaintAbout(text + "\n"), "line 52");
