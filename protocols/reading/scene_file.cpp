@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/model_names.h"
@@ -342,6 +345,35 @@ constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
 }
 constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 
+/// What models are called elsewhere.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOtherNames{
+    {{"fem", "finite-elements"}, {"kf", "kalman"}}};
+
+ReadModel readerOf(std::string_view name) {
+  return std::ranges::find(kModels, name, &Choice<ReadModel>::name)->value;
+}
+
+/// The reader of a scene's model. An unknown model is a problem, and is read as the one that is
+/// probably meant: the problems of its parameters are then told at once.
+std::optional<ReadModel> readModelName(const Node& scene) {
+  const auto name = scene.member("model");
+  const auto written = name && name->isText() ? name->asText() : std::string();
+  const auto other = std::ranges::find(
+      kOtherNames, written, &std::pair<std::string_view, std::string_view>::first);
+  if (other != kOtherNames.end()) {
+    scene.problem(
+        "model",
+        "unknown word '" + written + "'",
+        "did you mean '" + std::string(other->second) + "'?");
+    return readerOf(other->second);
+  }
+  if (const auto known = readChoice(scene, "model", kModels)) return known;
+  std::vector<std::string_view> names;
+  for (const auto& model : kModels) names.push_back(model.name);
+  const auto meant = questionnaires::nearest(written, names);
+  return meant ? std::optional(readerOf(*meant)) : std::nullopt;
+}
+
 }  // namespace
 
 void readScene(
@@ -367,7 +399,7 @@ void readScene(
   condition.reamer = readReamer(scene, sources.defaults());
   const auto* device = protocol.device(condition.device);
   const Context context{sources, device == nullptr ? nullptr : device->kind};
-  const auto read = readChoice(scene, "model", kModels);
+  const auto read = readModelName(scene);
   const auto parameters = scene.requiredObject("parameters");
   if (read && parameters) {
     auto model = (*read)(*parameters, context);

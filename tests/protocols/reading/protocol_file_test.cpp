@@ -165,6 +165,23 @@ TEST(ProtocolFile, ReportsAllProblemsAtOnce) {
   EXPECT_EQ(places, expected);
 }
 
+TEST(ProtocolFile, ReportsWrongParametersOfAModelThatIsMisnamed) {
+  for (const auto* model : {"fem", "finite-element"}) {
+    auto json =
+        tests::with(tests::usualProtocol(), "\"finite-elements\"", '"' + std::string(model) + '"');
+    json = tests::with(json, "yield_force_n", "yield_force");
+    const auto described = tests::load(json).describe();
+    for (const auto* part :
+         {"$.conditions[0].scene.model",
+          "did you mean 'finite-elements'?",
+          "$.conditions[0].scene.parameters.yield_force: unknown key 'yield_force'",
+          "did you mean 'yield_force_n'?",
+          "$.conditions[1].scene.parameters.yield_force"}) {
+      EXPECT_NE(described.find(part), std::string::npos) << part << "\n" << described;
+    }
+  }
+}
+
 TEST(ProtocolFile, OffersAFixForEveryProblemExceptWrongTypes) {
   const std::vector<std::string> clear{"a number is expected here", "true or false is expected"};
   for (const auto& [kind, refusals] :
