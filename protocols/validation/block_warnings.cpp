@@ -156,12 +156,19 @@ bool isScored(const Instrument& instrument, const std::string& item) {
   });
 }
 
-/// The items whose answers are numbers that nothing is computed from: "ease, effort".
+/// Whether the answers are numbers or choices; those between alternatives are votes.
+bool isCounted(const Item& item) {
+  return questionnaires::answerKindOf(item.type) != questionnaires::AnswerKind::Text &&
+         item.optionSource == questionnaires::OptionSource::Listed && item.consentOption.empty() &&
+         !item.isIdentifying;
+}
+
+/// The items whose answers are numbers or choices that nothing is computed from: "ease, effort".
 std::string unusedItems(const Protocol& protocol, const Instrument& instrument) {
   std::string ids;
   for (const auto& item : instrument.items) {
-    const bool isUsed = !questionnaires::rangeOf(item) || item.acceptableFrom ||
-                        isScored(instrument, item.id) || isCompared(protocol, instrument, item);
+    const bool isUsed = !isCounted(item) || item.acceptableFrom || isScored(instrument, item.id) ||
+                        isCompared(protocol, instrument, item);
     if (!isUsed) ids += (ids.empty() ? "" : ", ") + item.id;
   }
   return ids;
@@ -173,17 +180,16 @@ void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& pro
   const auto& protocol = loaded.protocol;
   if (protocol.analysis.families.empty()) return;  // has a warning of its own
   std::set<std::string> told;
-  for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
-    const auto& asked = protocol.phases[i].trials.questionnaires;
-    for (std::size_t j = 0; j < asked.size(); ++j) {
-      if (!told.insert(asked[j].instrument).second) continue;
-      const auto ids = unusedItems(protocol, *loaded.instrument(asked[j].instrument));
-      if (ids.empty()) continue;
-      problems.warn(
-          "$.phases[" + std::to_string(i) + "].questionnaires[" + std::to_string(j) + "]",
-          message("items_not_analysed", asked[j].instrument, ids),
-          message("items_not_analysed.fix"));
-    }
+  bool isBefore = true;  // forms before the first block describe participants
+  for (const auto& use : instrumentUses(protocol)) {
+    if (use.phase == PhaseType::Block) isBefore = false;
+    if (isBefore || !told.insert(use.instrument).second) continue;
+    const auto ids = unusedItems(protocol, *loaded.instrument(use.instrument));
+    if (ids.empty()) continue;
+    problems.warn(
+        use.path,
+        message("items_not_analysed", use.instrument, ids),
+        message("items_not_analysed.fix"));
   }
 }
 

@@ -18,11 +18,12 @@ std::string instrumentWith(const std::string& more, const std::string& scores = 
          more + R"(}, {"id": "why", "type": "short_text", "text": "Why?"}])" + scores + "}";
 }
 
-/// The warnings of usualProtocol() about items that nothing analyses, if it asks @p instrument.
-std::string toldOf(const std::string& instrument) {
-  auto json = tests::with(tests::usualProtocol(), "realism-cuts", "mine");
-  json = tests::with(
-      json, "\"conditions\": [\n", "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
+/// The warnings of @p protocol about items that nothing analyses, if 'mine' is @p instrument.
+std::string toldOf(const std::string& instrument, const std::string& protocol) {
+  auto json = tests::with(
+      protocol,
+      "\"conditions\": [\n",
+      "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
   const auto loading = tests::load(json, [&](const std::string& name) {
     return name.starts_with("wording/") ? std::nullopt : std::optional(instrument);
   });
@@ -33,6 +34,11 @@ std::string toldOf(const std::string& instrument) {
     told += problem.path + ": " + base::describe(problem.what) + "\n";
   }
   return told;
+}
+
+/// … of usualProtocol() that asks it after every condition.
+std::string toldOf(const std::string& instrument) {
+  return toldOf(instrument, tests::with(tests::usualProtocol(), "realism-cuts", "mine"));
 }
 
 TEST(ItemWarnings, NameNumbersThatNothingIsComputedFrom) {
@@ -49,6 +55,22 @@ TEST(ItemWarnings, AreSilentAboutScoresAndThresholds) {
       toldOf(instrumentWith(
           "", R"(, "scores": [{"id": "s", "title": "S", "items": ["vas"], "aggregate": "mean"}])")),
       "");
+}
+
+TEST(ItemWarnings, NameChoices) {
+  const auto choice = R"(, "acceptable_from": 60}, {"id": "which", "type": "single_choice",
+      "text": "Which?", "options": [{"id": "a", "text": "A"}, {"id": "b", "text": "B"}])";
+  EXPECT_NE(toldOf(instrumentWith(choice)).find("'mine': which\n"), std::string::npos)
+      << toldOf(instrumentWith(choice));
+}
+
+TEST(ItemWarnings, NameAnswersToFormsAfterTheFirstBlockOnly) {
+  const std::string form = R"({"id": "form", "type": "form", "instrument": "mine"})";
+  const std::string consent = R"("instrument": "consent-punch" },)";
+  const auto before = tests::with(tests::usualProtocol(), consent, consent + form + ",");
+  EXPECT_EQ(toldOf(instrumentWith(""), before), "");
+  const auto told = toldOf(instrumentWith(""), tests::withPhases({form}));
+  EXPECT_NE(told.find(".instrument: no family"), std::string::npos) << told;
 }
 
 }  // namespace item_warnings_test
