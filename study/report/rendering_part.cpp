@@ -20,10 +20,10 @@ class RenderingWriter : HtmlWriter {
       figure(
           svg,
           "Force at the handle while the tool closed or advanced, over travel: median and the "
-          "middle 80 % of all samples of all trials. Dashed, for bone: what its material gives "
-          "where nothing has been reamed away. Where bone is taken away, the first stroke and the "
-          "later ones, which go through its hole, are in this together: the median then lies "
-          "between both.");
+          "middle 80 % of all strokes, each of which counts once. Dashed, for bone: what its "
+          "material gives where nothing has been reamed away. Where bone is taken away, the first "
+          "stroke and the later ones, which go through its hole, are in this together: the median "
+          "then lies between both.");
     }
     const bool isEmpty = std::all_of(
         s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return curve.points.empty(); });
@@ -55,8 +55,9 @@ class RenderingWriter : HtmlWriter {
     }
     endTable();
     note(
-        "A mean square is never below zero: also two alternatives that are alike differ by what "
-        "hands do differently from one cut to the next.");
+        "Both columns are over the same travel: what everyone who felt both alternatives passed "
+        "with both. A mean square is never below zero: also two alternatives that are alike differ "
+        "by what hands do differently from one cut to the next.");
   }
 
   void againstMaterial() {

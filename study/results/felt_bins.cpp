@@ -119,7 +119,7 @@ std::vector<FeltCurve::Point> FeltBins::points() {
       return static_cast<double>(
           forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);
     };
-    points.push_back({middleOf(bin), at(0.1), at(0.5), at(0.9)});
+    points.push_back({middleOf(bin), at(0.1), at(0.5), at(0.9), static_cast<int>(bin)});
   }
   return points;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "analysis/tests/t_tests.h"
 #include "haptics/engine/compiled_scene.h"
@@ -81,26 +83,40 @@ std::optional<double> rmsFromMeant(const FeltCurve& curve) {
 
 namespace {
 
-/// The root mean square difference of two series over the places where both have a value;
-/// std::nullopt if there is none.
-template <typename Place>
-std::optional<double> rmsDifference(
-    const std::map<Place, double>& a, const std::map<Place, double>& b) {
-  double sum = 0.0;
-  int count = 0;
-  for (const auto& [place, value] : a) {
-    const auto other = b.find(place);
-    if (other == b.end()) continue;
-    sum += (value - other->second) * (value - other->second);
-    ++count;
-  }
-  return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
+using Medians = std::map<int, double>;  ///< by bin [N]
+
+Medians mediansOf(const FeltCurve& curve) {
+  Medians medians;
+  for (const auto& point : curve.points) medians[point.bin] = point.median;
+  return medians;
 }
 
-std::map<double, double> mediansOf(const FeltCurve& curve) {
-  std::map<double, double> medians;
-  for (const auto& point : curve.points) medians[point.travel] = point.median;
-  return medians;
+std::set<int> binsOfBoth(const Medians& a, const Medians& b) {
+  std::set<int> bins;
+  for (const auto& [bin, median] : a) {
+    if (b.count(bin) > 0) bins.insert(bin);
+  }
+  return bins;
+}
+
+/// The root mean square difference over @p bins, which are of both; std::nullopt if there is none.
+std::optional<double> rmsDifference(const Medians& a, const Medians& b, const std::set<int>& bins) {
+  if (bins.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const int bin : bins) sum += std::pow(a.at(bin) - b.at(bin), 2.0);
+  return std::sqrt(sum / static_cast<double>(bins.size()));
+}
+
+/// The medians of everyone who passed some travel with both alternatives.
+std::vector<std::pair<const Medians*, const Medians*>> pairsOf(
+    const FeltCurve& a, const FeltCurve& b) {
+  std::vector<std::pair<const Medians*, const Medians*>> pairs;
+  for (const auto& [participant, medians] : a.medians) {
+    const auto other = b.medians.find(participant);
+    if (other == b.medians.end() || binsOfBoth(medians, other->second).empty()) continue;
+    pairs.emplace_back(&medians, &other->second);
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -112,13 +128,18 @@ std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves
       const auto& a = curves[i];
       const auto& b = curves[j];
       if (a.device != b.device) continue;
-      const auto pooled = rmsDifference(mediansOf(a), mediansOf(b));
+      const auto medians = std::pair(mediansOf(a), mediansOf(b));
+      const auto pairs = pairsOf(a, b);
+      auto bins = binsOfBoth(medians.first, medians.second);
+      for (const auto& [first, second] : pairs) {
+        const auto passed = binsOfBoth(*first, *second);
+        std::erase_if(bins, [&](int bin) { return passed.count(bin) == 0; });
+      }
+      const auto pooled = rmsDifference(medians.first, medians.second, bins);
       if (!pooled) continue;
       std::vector<double> own;
-      for (const auto& [participant, medians] : a.medians) {
-        const auto other = b.medians.find(participant);
-        if (other == b.medians.end()) continue;
-        if (const auto rms = rmsDifference(medians, other->second)) own.push_back(*rms);
+      for (const auto& [first, second] : pairs) {
+        own.push_back(*rmsDifference(*first, *second, bins));
       }
       const auto test = analysis::pairedTTest(own, std::vector<double>(own.size(), 0.0));
       differences.push_back(

@@ -20,6 +20,7 @@ struct FeltCurve {
     double low = 0.0;     ///< 10th percentile over strokes [N]
     double median = 0.0;  ///< [N]
     double high = 0.0;    ///< 90th percentile [N]
+    int bin = 0;          ///< its number, as in medians
   };
 
   std::string condition;
@@ -34,7 +35,8 @@ struct FeltCurve {
 };
 
 /// How much the force of two alternatives differed at the handle: the root mean square difference
-/// of median forces [N].
+/// of median forces [N]. Both values are over the same travel: what everyone who felt both passed
+/// with both.
 struct FeltDifference {
   std::string condition1;
   std::string condition2;
