@@ -81,7 +81,8 @@ class FlagFinder {
            text("pseudo_replication.why"),
            text("pseudo_replication.remedy"),
            {Message::verbatim("Hurlbert 1984, 10.2307/1942661"),
-            Message::verbatim("Lazic et al. 2020, PMC7012913")}});
+            Message::verbatim("Lazic et al. 2020, PMC7012913")},
+           true});
     }
     const auto methods = table_.methods.size();
     std::vector<std::size_t> every(methods);
@@ -92,7 +93,8 @@ class FlagFinder {
            {text("paired_data_unpaired_test")},
            text("paired_data_unpaired_test.why"),
            text("paired_data_unpaired_test.remedy"),
-           {Message::verbatim("Student 1908"), text("source.published_analysis", 2)}});
+           {Message::verbatim("Student 1908"), text("source.published_analysis", 2)},
+           true});
     }
   }
 

@@ -109,6 +109,7 @@ struct Flag {
   base::Message why;                  ///< why it matters
   base::Message remedy;               ///< what to do
   std::vector<base::Message> source;  ///< the source of the statement
+  bool isOfPooled = false;            ///< it concerns pooled tests only
 
   /// What was found.
   std::string inEnglish() const;

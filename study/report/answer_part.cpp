@@ -282,18 +282,11 @@ class AnswerWriter : HtmlWriter {
 
   // --- What weakens it ---
 
-  /// Flags of pooled tests say nothing about a declared test within people.
-  static bool concerns(const FamilyResult& family, std::string_view flag) {
-    const bool isOfPooled = flag == "pseudo_replication" || flag == "paired_data_unpaired_test";
-    return !isOfPooled || family.isNamed("welch");
-  }
-
   void weaknesses() {
     std::string items;
     for (const auto& family : s_.results.families) {
-      for (const auto& [flag, found] : flagsByKind(family)) {
-        if (concerns(family, flag->id)) items += weakness(found);
-      }
+      const bool isOfPooled = isPooled(Profile::Declared, family.family);
+      for (const auto& [flag, found] : flagsByKind(family, isOfPooled)) items += weakness(found);
     }
     if (!s_.warnings.empty()) {
       items += "<li>" +

@@ -109,7 +109,7 @@ class ChecksWriter : HtmlWriter {
   }
 
   void flags() {
-    const auto raised = flagsByKind(f_);
+    const auto raised = flagsByKind(f_, true);
     if (raised.empty()) return;
     put("<h4>{}</h4><dl class=\"flags\">", say("What a reader has to know"));
     for (const auto& [flag, found] : raised) {

@@ -221,7 +221,7 @@ class Computation {
   std::vector<analysis::Flag> flagsOf(
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
-        .isPooled = true,  // the report always prints the pooled tests
+        .isPooled = true,  // flagsByKind() leaves these flags out where no pooled test is shown
         .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
         .threshold = thresholdOf(family),
@@ -341,10 +341,16 @@ int Results::completed() const {
   return total;
 }
 
-std::vector<RaisedFlag> flagsByKind(const FamilyResult& family) {
+bool isPooled(Profile profile, const protocols::Family& family) noexcept {
+  return profile == Profile::AsPublished ||
+         (profile == Profile::Declared && family.test == protocols::TestType::Welch);
+}
+
+std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTests) {
   std::vector<RaisedFlag> raised;
   for (const auto& cohort : family.cohorts) {
     for (const auto& flag : cohort.flags) {
+      if (flag.isOfPooled && !hasPooledTests) continue;
       auto same = std::find_if(raised.begin(), raised.end(), [&](const auto& other) {
         return other.flag->id == flag.id;
       });

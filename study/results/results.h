@@ -93,8 +93,12 @@ struct RaisedFlag {
   std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< by cohort
 };
 
-/// The flags of all cohorts of a family, each kind once, in order of first occurrence.
-std::vector<RaisedFlag> flagsByKind(const FamilyResult& family);
+/// Whether a profile shows the pooled tests of a family, and not those within people.
+bool isPooled(Profile profile, const protocols::Family& family) noexcept;
+
+/// The flags of all cohorts of a family, each kind once, in order of first occurrence. Those that
+/// concern pooled tests only are left out unless these are shown.
+std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTests);
 
 /// The preferences of one cohort after one block.
 struct VoteResult {

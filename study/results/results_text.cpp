@@ -35,7 +35,7 @@ class Writer {
     head();
     for (const auto& family : results_.families) {
       means(family);
-      isPooled(family) ? asPublished(family) : recommended(family);
+      isPooled(profile_, family.family) ? asPublished(family) : recommended(family);
       flags(family);
     }
     if (!results_.votes.empty()) votes();
@@ -44,11 +44,6 @@ class Writer {
   }
 
  private:
-  bool isPooled(const FamilyResult& family) const {
-    return profile_ == Profile::AsPublished ||
-           (profile_ == Profile::Declared && family.isNamed("welch"));
-  }
-
   void line(const std::string& words) { text_ += words + "\n"; }
 
   const std::string& titleOf(const std::string& condition) const {
@@ -106,7 +101,7 @@ class Writer {
 
   static std::string momentsInWords(const analysis::LikertCounts& counts) {
     const auto words = fmt::format(
-        "{} / {} (n={})", rounded(counts.mean(), 1), rounded(counts.variance(), 1), counts.total());
+        "{} / {} (n={})", rounded(counts.mean(), 2), rounded(counts.variance(), 2), counts.total());
     return padded(words, 22, true);
   }
 
@@ -286,7 +281,7 @@ class Writer {
 
   /// Each kind of flag once, with its cohorts.
   void flags(const FamilyResult& family) {
-    const auto raised = flagsByKind(family);
+    const auto raised = flagsByKind(family, isPooled(profile_, family.family));
     if (raised.empty()) return;
     line("\nWhat a reader has to know");
     for (const auto& [flag, found] : raised) {

@@ -309,11 +309,23 @@ TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
   EXPECT_NE(recommended.find("t(5) = 3.62, p = .015, p_Bonferroni = .046"), std::string::npos)
       << recommended;
   EXPECT_NE(recommended.find("exact sign flip p = .031"), std::string::npos);
+  EXPECT_NE(published.find("[pseudo_replication]"), std::string::npos);
   for (const auto& text : {published, recommended}) {
-    EXPECT_NE(text.find("[pseudo_replication]"), std::string::npos);
     EXPECT_EQ(text.find("nan"), std::string::npos);
     EXPECT_EQ(text.find("p = <"), std::string::npos);
   }
+}
+
+TEST_F(PublishedStudyTest, ShowsNoFlagsOfPooledTestsBesideADeclaredTestWithinPeople) {
+  auto results = computeResults(*study_, RunMode::Live);
+  const auto declared = [&] { return resultsAsText(*study_, results, Profile::Declared); };
+  for (const auto* flag : {"[pseudo_replication]", "[paired_data_unpaired_test]"}) {
+    results.families.front().family.test = protocols::TestType::Welch;
+    EXPECT_NE(declared().find(flag), std::string::npos);
+    results.families.front().family.test = protocols::TestType::PairedT;
+    EXPECT_EQ(declared().find(flag), std::string::npos);
+  }
+  EXPECT_NE(declared().find("What a reader has to know"), std::string::npos) << "the others stay";
 }
 
 TEST_F(PublishedStudyTest, HasAFlagForEveryKnownWeakness) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -34,16 +35,24 @@ Profile profileNamed(std::string_view name) {
   return name == "recommended" ? Profile::Recommended : Profile::Declared;
 }
 
-/// Prints the pooled tables, and again after each new event, until it is interrupted.
-[[noreturn]] void watch(Study& study, RunMode mode) {
+/// Prints the tables, and again after each new event, until it is interrupted.
+[[noreturn]] void watch(Study& study, RunMode mode, Profile profile, Wording wording) {
   constexpr std::chrono::milliseconds kWatchPeriod{500};
+  const auto& families = study.protocol().protocol.analysis.families;
+  const bool isAllPooled = std::all_of(families.begin(), families.end(), [&](const auto& family) {
+    return isPooled(profile, family);
+  });
   while (true) {
     // read before counting, so that later events are not missed
     const auto seen = study.events().last();
     fmt::print(
-        "{}\nINTERIM, {}: whoever stops because of what is seen here, or goes on until p is small, "
-        "has no p.\n\n",
-        resultsAsText(study, pooledResults(study, mode), Profile::AsPublished),
+        "{}\nINTERIM, {}: if you stop the study because of these tables, or go on until p is "
+        "small, its p values are invalid.\n\n",
+        resultsAsText(
+            study,
+            isAllPooled ? pooledResults(study, mode) : computeResults(study, mode),
+            profile,
+            wording),
         asUtc(study.clock().now().wall));
     std::fflush(stdout);
     while (study.events().last() == seen) std::this_thread::sleep_for(kWatchPeriod);
@@ -56,15 +65,13 @@ int run(const RunOptions& options) {
   unlockIfAsked(study);
   const auto mode = chosenRunMode(study, options.runMode);
   noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
-  if (options.isWatched) watch(study, mode);
+  const auto profile = profileNamed(options.profile);
+  const auto wording = wordingNamed(options.wording);
+  if (options.isWatched) watch(study, mode, profile, wording);
   const auto results = computeResults(study, mode);
-  std::fputs(
-      (options.json
-           ? resultsAsJson(study, results)
-           : resultsAsText(
-                 study, results, profileNamed(options.profile), wordingNamed(options.wording)))
-          .c_str(),
-      stdout);
+  const auto text = options.json ? resultsAsJson(study, results)
+                                 : resultsAsText(study, results, profile, wording);
+  std::fputs(text.c_str(), stdout);
   return 0;
 }
 
@@ -99,7 +106,7 @@ void addStatsCommands(CLI::App& program, Action& action) {
   run->add_flag(
          "--watch",
          running->isWatched,
-         "Pooled answers only, again whenever somebody has answered; ends with Ctrl-C")
+         "Print the tables again after every answer; ends with Ctrl-C")
       ->excludes(json);
   run->callback([&action, running] { action = [running] { return app::run(*running); }; });
 

@@ -61,4 +61,20 @@ TEST(StatsWatch, FollowsTheChangesOfAnotherProcess) {
   EXPECT_EQ(watching.finish().status, -SIGINT);
 }
 
+TEST(StatsWatch, ShowsTheDeclaredTest) {
+  tests::ScratchFolder folder;
+  const std::string study = folder / "study";
+  const std::vector<std::vector<std::string>> steps{
+      {tests::program(), "study", "create", study, "--protocol", "punch-counterbalanced"},
+      {tests::program(), "study", "simulate", study, "--participants", "3"}};
+  for (const auto& step : steps) ASSERT_EQ(tests::run(step).status, 0);
+  tests::ChildProcess watching(
+      {tests::program(), "stats", "run", study, "--watch", "--run-mode", "simulated"});
+  const auto tables = nextTables(watching);
+  EXPECT_NE(tables.find("declared, confirmatory: paired t-test"), std::string::npos) << tables;
+  EXPECT_EQ(tables.find("Welch"), std::string::npos) << tables;
+  watching.kill(SIGINT);
+  watching.finish();
+}
+
 }  // namespace watch_test

@@ -343,8 +343,8 @@ class ResultsText : public testing::Test {
 TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesAsPublished) {
   const auto profile = Profile::AsPublished;
   expectSaid(profile, "Orthopaedic surgeons: 11 enrolled, 12 completed, 13 in progress, 62 left");
-  expectSaid(profile, "4.0 / 2.4 (n=6)");
-  expectSaid(profile, "1.7 / 0.3 (n=3)");
+  expectSaid(profile, "4.00 / 2.40 (n=6)");
+  expectSaid(profile, "1.67 / 0.33 (n=3)");
   expectSaid(profile, "(alpha per test 0.0025)");
   expectSaid(profile, "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214");
   expectSaid(profile, "Interpolation 81");
