@@ -92,11 +92,11 @@ class ChecksWriter : HtmlWriter {
         row(
             {condition(method.method),
              std::to_string(method.alpha.items),
-             rounded(method.alpha.value, 2),
-             intervalInWords(method.alpha.interval),
-             rounded(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
-             rounded(method.normality.w, 3),
-             escaped(pInWords(method.normality.p))});
+             cellOf(method.alpha.value, 2),
+             cellOf(method.alpha.interval),
+             cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
+             cellOf(method.normality.w, 3),
+             cellOfP(method.normality.p)});
       }
     }
     endTable();

@@ -76,8 +76,8 @@ class FamilyWriter : HtmlWriter {
   }
 
   static void addMoments(std::vector<std::string>& cells, const analysis::LikertCounts& counts) {
-    cells.push_back(rounded(counts.mean(), 2));
-    cells.push_back(rounded(counts.variance(), 2));
+    cells.push_back(cellOf(counts.mean(), 2));
+    cells.push_back(cellOf(counts.variance(), 2));
     cells.push_back(std::to_string(counts.total()));
   }
 

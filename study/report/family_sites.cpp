@@ -60,10 +60,10 @@ class SitesWriter : HtmlWriter {
       row(
           {escaped(site.site),
            std::to_string(site.test.n),
-           rounded(site.test.meanDifference, 2),
-           intervalInWords(site.interval),
-           escaped(pInWords(site.test.p)),
-           site.weight > 0.0 ? rounded(100.0 * site.weight, 0) + " %" : "–"});
+           cellOf(site.test.meanDifference, 2),
+           cellOf(site.interval),
+           cellOfP(site.test.p),
+           site.weight > 0.0 ? rounded(100.0 * site.weight, 0) + " %" : std::string()});
     }
     if (comparison.pooled) {
       pooled(say("All sites, one effect"), comparison.pooled->common);
@@ -90,13 +90,7 @@ class SitesWriter : HtmlWriter {
   }
 
   void pooled(const std::string& which, const analysis::PooledEstimate& pooled) {
-    row(
-        {which,
-         "",
-         rounded(pooled.estimate, 2),
-         intervalInWords(pooled.interval),
-         escaped(pInWords(pooled.p)),
-         ""});
+    row({which, "", rounded(pooled.estimate, 2), cellOf(pooled.interval), cellOfP(pooled.p), ""});
   }
 
   void heterogeneity(const analysis::MetaAnalysis& pooled) {
@@ -119,13 +113,7 @@ class SitesWriter : HtmlWriter {
           say("not defined: {}", s_.words(test.reason)));
       return;
     }
-    row(
-        {which,
-         "",
-         rounded(test.estimate.value, 2),
-         intervalInWords(test.interval),
-         escaped(pInWords(test.p)),
-         ""});
+    row({which, "", rounded(test.estimate.value, 2), cellOf(test.interval), cellOfP(test.p), ""});
   }
 
   void withoutEach() {
@@ -149,8 +137,8 @@ class SitesWriter : HtmlWriter {
         row(
             {say("All sites but {}", site),
              rounded(left.estimate, 2),
-             intervalInWords(left.interval),
-             escaped(pInWords(left.p)),
+             cellOf(left.interval),
+             cellOfP(left.p),
              rounded(100.0 * left.iSquared, 0) + " %",
              rounded(left.tauSquared, 3)});
       }

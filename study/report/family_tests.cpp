@@ -16,8 +16,9 @@ namespace {
 /// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
 /// significant.
 std::string pCell(const analysis::TestRow& test, bool isConfirmatory) {
+  if (!test.p) return {};
   std::string text = escaped(pInWords(test.p));
-  if (test.p && test.adjusted && *test.adjusted != *test.p) {
+  if (test.adjusted && *test.adjusted != *test.p) {
     text += " (" + escaped(pInWords(test.adjusted)) + ")";
   }
   return isConfirmatory && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>"
@@ -184,16 +185,17 @@ class TestsWriter : HtmlWriter {
     row(
         {condition(test.group1),
          std::to_string(test.n1.value_or(0)),
-         rounded(test.statistic.value, 2),
+         cellOf(test.statistic.value, 2),
          rounded(test.effect.value, 2),
-         intervalInWords(test.effectInterval)});
+         cellOf(test.effectInterval)});
   }
 
   void difference(const analysis::WithinComparison& c) {
     const auto& test = c.test("paired_t");
-    if (!test.estimate.value) {
-      put("<tr><td>{}</td><td class=\"words\" colspan=\"6\">{}</td></tr>",
+    if (!test.p) {
+      put("<tr><td>{}</td><td>{}</td><td class=\"words\" colspan=\"5\">{}</td></tr>",
           pairOf(c),
+          cellOf(test.estimate.value, 2),
           say("not defined: {}", s_.words(test.reason)));
       return;
     }
@@ -201,16 +203,16 @@ class TestsWriter : HtmlWriter {
     row(
         {pairOf(c),
          rounded(test.estimate.value, 2),
-         intervalInWords(test.interval),
-         rounded(test.statistic.value, 2),
-         test.df ? fmt::format("{:g}", *test.df) : "–",
+         cellOf(test.interval),
+         cellOf(test.statistic.value, 2),
+         test.df ? fmt::format("{:g}", *test.df) : std::string(),
          effectOf(test),
-         bf10 ? escaped(evidenceInWords(*bf10)) : "–"});
+         bf10 ? escaped(evidenceInWords(*bf10)) : std::string()});
   }
 
   /// The effect, with its interval if it has one.
   static std::string effectOf(const analysis::TestRow& test) {
-    return rounded(test.effect.value, 2) +
+    return cellOf(test.effect.value, 2) +
            (test.effectInterval ? " " + intervalInWords(test.effectInterval) : "");
   }
 
@@ -257,11 +259,11 @@ class TestsWriter : HtmlWriter {
       const auto& u = ranks.statistic.value;
       std::vector<std::string> cells{
           condition(b.condition),
-          u ? fmt::format("{:g}", *u) : "–",
-          escaped(pInWords(ranks.p)),
-          escaped(pInWords(b.test("brunner_munzel").p)),
+          u ? fmt::format("{:g}", *u) : std::string(),
+          cellOfP(ranks.p),
+          cellOfP(b.test("brunner_munzel").p),
           effectOf(ranks)};
-      for (const auto* test : othersOf(b)) cells.push_back(escaped(pInWords(test->p)));
+      for (const auto* test : othersOf(b)) cells.push_back(cellOfP(test->p));
       row(cells);
     }
     endTable();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -7,6 +8,7 @@
 
 #include "study/report/html_text.h"
 #include "study/report/report_section.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 
@@ -66,6 +68,16 @@ class HtmlWriter {
     std::string all;
     for (const auto& cell : cells) all += "<td>" + cell + "</td>";
     put("<tr>{}</tr>", all);
+  }
+  /// Cells of a table; empty where nothing is defined.
+  static std::string cellOf(const std::optional<double>& value, int digits) {
+    return value ? rounded(value, digits) : std::string();
+  }
+  static std::string cellOf(const std::optional<analysis::Interval>& interval) {
+    return interval ? intervalInWords(interval) : std::string();
+  }
+  static std::string cellOfP(const std::optional<double>& p) {
+    return p ? escaped(pInWords(p)) : std::string();
   }
   void rowOver(const std::string& text, std::size_t columns) {
     put("<tr><td colspan=\"{}\"><em>{}</em></td></tr>", columns, text);

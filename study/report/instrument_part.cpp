@@ -51,9 +51,9 @@ class InstrumentWriter : HtmlWriter {
           {escaped(instrument.score(score.score)->title.in(s_.words.language())),
            score.condition.empty() ? say(score.occasion) : condition(score.condition),
            std::to_string(score.values.size()),
-           rounded(score.mean, 2),
-           rounded(score.standardDeviation, 2),
-           intervalInWords(score.interval),
+           cellOf(score.mean, 2),
+           cellOf(score.standardDeviation, 2),
+           cellOf(score.interval),
            score.missing > 0 ? std::to_string(score.missing) : ""});
     }
     endTable();
@@ -81,10 +81,10 @@ class InstrumentWriter : HtmlWriter {
            item.condition.empty() ? std::string() : condition(item.condition),
            fmt::format("{:g}", item.item.acceptableFrom),
            std::to_string(item.item.answered),
-           item.item.share ? fmt::format("{:.0f} %", 100.0 * *item.item.share) : "–",
+           item.item.share ? fmt::format("{:.0f} %", 100.0 * *item.item.share) : std::string(),
            interval
                ? fmt::format("[{:.0f} %, {:.0f} %]", 100.0 * interval->low, 100.0 * interval->high)
-               : "–"});
+               : std::string()});
     }
     endTable();
   }

@@ -82,7 +82,7 @@ class ItemsWriter : HtmlWriter {
            aboutOf(one->condition),
            std::to_string(one->values.size()),
            rounded(one->mean, 2),
-           one->standardDeviation ? rounded(one->standardDeviation, 2) : std::string(),
+           cellOf(one->standardDeviation, 2),
            rounded(one->median, 2),
            fmt::format("{:.4g} … {:.4g}", *one->least, *one->most)});
     }

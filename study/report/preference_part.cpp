@@ -68,7 +68,7 @@ class PreferenceWriter : HtmlWriter {
       }
       cells.push_back(cell);
     }
-    cells.push_back(escaped(pInWords(vote.test.exactP)));
+    cells.push_back(cellOfP(vote.test.exactP));
     row(cells);
   }
 };

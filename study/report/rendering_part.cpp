@@ -50,8 +50,8 @@ class RenderingWriter : HtmlWriter {
           {condition(d.condition1) + " vs. " + condition(d.condition2),
            rounded(d.pooled, 2),
            std::to_string(d.participants),
-           rounded(d.mean, 2),
-           intervalInWords(d.interval)});
+           cellOf(d.mean, 2),
+           cellOf(d.interval)});
     }
     endTable();
     note(
