@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/storage/records.h"
+#include "tests/study/exported_rows.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
@@ -27,24 +27,10 @@ namespace export_columns_test {
 namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
-using Row = std::map<std::string, std::string>;
+using Row = tests::ExportedRow;
 
-/// The rows of an exported table as in its CSV file, each by column name.
-std::vector<Row> rowsOf(const ExportedTable& table) {
-  const auto csv = analysis::readCsv(asCsv(table));
-  std::vector<Row> rows;
-  for (const auto& line : csv.rows) {
-    auto& row = rows.emplace_back();
-    for (std::size_t i = 0; i < csv.columns.size(); ++i) row[csv.columns[i]] = line.cells[i];
-  }
-  return rows;
-}
-
-std::vector<Row> rowsOf(Study& study, const std::string& table, bool isBlinded = false) {
-  for (const auto& each : exportTables(study, {.isBlinded = isBlinded})) {
-    if (each.name == table) return rowsOf(each);
-  }
-  throw std::logic_error("no table " + table);
+std::vector<Row> rowsOf(Study& study, const std::string& table) {
+  return tests::rowsOf(study, table, {.isBlinded = false});
 }
 
 /// A trial with a different number in every field, so that exchanged fields are detected.

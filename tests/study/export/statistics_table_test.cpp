@@ -11,23 +11,14 @@
 
 #include "analysis/data/csv_table.h"
 #include "study/cohort/simulated_participant.h"
+#include "tests/study/exported_rows.h"
 #include "tests/study/made_study.h"
 
 namespace study {
 namespace statistics_table_test {
 
-using Row = std::map<std::string, std::string>;
+using Row = tests::ExportedRow;
 using Values = std::vector<double>;
-
-std::vector<Row> rowsOf(const ExportedTable& table) {
-  const auto csv = analysis::readCsv(asCsv(table));
-  std::vector<Row> rows;
-  for (const auto& line : csv.rows) {
-    auto& row = rows.emplace_back();
-    for (std::size_t i = 0; i < csv.columns.size(); ++i) row[csv.columns[i]] = line.cells[i];
-  }
-  return rows;
-}
 
 double mean(const Values& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -45,9 +36,9 @@ class StatisticsTableTest : public testing::Test {
   StatisticsTableTest() {
     simulateCohorts(*study_, study_.clock, 8, 3, [](const auto&) {});
     const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
-    statistics_ = rowsOf(statisticsTable(*study_, options, resultsFor(*study_, options)));
+    statistics_ = tests::rowsOf(statisticsTable(*study_, options, resultsFor(*study_, options)));
     for (const auto& table : exportTables(*study_, options)) {
-      if (table.name == "responses") responses_ = rowsOf(table);
+      if (table.name == "responses") responses_ = tests::rowsOf(table);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tests/study/made_study.h"
 
@@ -97,7 +98,7 @@ analysis::WithinComparison withinComparison() {
   ordinal.effect = {"odds_ratio", 2.72};
   // 99 %: exp(1 ± 2.5758 · 0.1)
   ordinal.effectInterval = {2.1010077, 3.5169106};
-  return {
+  analysis::WithinComparison comparison{
       .group1 = kFirst,
       .group2 = kSecond,
       .tests = {
@@ -108,6 +109,11 @@ analysis::WithinComparison withinComparison() {
           equivalence(),
           mixed,
           ordinal}};
+  for (auto& test : comparison.tests) {
+    test.group1 = kFirst;
+    test.group2 = kSecond;
+  }
+  return comparison;
 }
 
 analysis::WithinAnalysis withinAnalysis() {
@@ -322,6 +328,54 @@ study::report::ReportSection numberedSection() {
       .contact = 10.8};
   section.quality.worstLateness = 109.0;
   return section;
+}
+
+analysis::SiteAnalysis numberedSites() {
+  analysis::SiteDifference graz{
+      .site = "Graz", .test = {}, .interval = {{8.07, 8.08}}, .weight = 0.09};
+  graz.test.n = 801;
+  graz.test.meanDifference = 8.02;
+  graz.test.standardError = 8.03;
+  graz.test.t = 8.04;
+  graz.test.degreesOfFreedom = 8.05;
+  graz.test.p = 0.806;
+  analysis::MetaAnalysis pooled{.sites = 84, .q = 8.11, .qP = 0.812};
+  pooled.common = {.estimate = 8.13, .interval = {8.14, 8.15}, .p = 0.816};
+  pooled.derSimonianLaird = {
+      .estimate = 8.17, .interval = {8.18, 8.19}, .p = 0.821, .tauSquared = 8.22};
+  pooled.reml = {
+      .estimate = 8.23, .interval = {8.24, 8.25}, .p = 0.826, .tauSquared = 8.27, .iSquared = 0.28};
+  pooled.knappHartung = {
+      .estimate = 8.29,
+      .standardError = 8.31,
+      .interval = {8.32, 8.33},
+      .statistic = 8.34,
+      .df = 8.35,
+      .p = 0.836,
+      .iSquared = 0.37};
+  analysis::SiteComparison comparison{.group1 = kFirst, .group2 = kSecond, .sites = {graz}};
+  comparison.pooled = pooled;
+  comparison.withoutEach = {
+      {.site = "Graz",
+       .pooled = {
+           .estimate = 8.38,
+           .interval = {8.39, 8.41},
+           .p = 0.842,
+           .tauSquared = 8.43,
+           .iSquared = 0.44}}};
+  comparison.fixedSites.estimate = {"difference", 8.45};
+  comparison.fixedSites.interval = {8.46, 8.47};
+  comparison.fixedSites.p = 0.848;
+  comparison.randomSites.estimate = {"difference", 8.49};
+  comparison.randomSites.interval = {8.51, 8.52};
+  comparison.randomSites.p = 0.853;
+  analysis::SiteAnalysis sites;
+  sites.answers = {
+      {.site = "Graz",
+       .participants = 85,
+       .methods = {analysis::LikertCounts(1, std::vector<std::uint64_t>{1, 0, 0, 2, 3})}}};
+  sites.rows = {comparison};
+  return sites;
 }
 
 }  // namespace tests

@@ -9,4 +9,7 @@ namespace tests {
 /// with Holm's correction at alpha = 0.01.
 study::report::ReportSection numberedSection();
 
+/// The same for one site of that comparison, and for all sites. Not part of numberedSection().
+analysis::SiteAnalysis numberedSites();
+
 }  // namespace tests

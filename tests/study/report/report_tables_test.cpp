@@ -273,6 +273,59 @@ TEST_F(ReportTables, OfForcesHasThePooledAndTheMeanDifference) {
       row("Felt against the material"), (Row{{"Alternative", "Interpolation"}, {"[N]", "1.25"}}));
 }
 
+TEST_F(ReportTables, OfSitesHaveEachEstimateInItsRow) {
+  section_.results.families.front().cohorts.front().sites = tests::numberedSites();
+  const auto page = asHtml({section_});
+  const auto table = tableOf(page, "Differences of participants’ means by site");
+  EXPECT_EQ(table.headings, (Cells{"Site", "n", "Difference", "99 % CI", "p", "Weight"}));
+  const std::vector<Cells> expected{
+      {"Orthopaedic surgeons: Interpolation vs. FEM"},
+      {"Graz", "801", "8.02", "[8.07, 8.08]", ".806", "9 %"},
+      {"All sites, one effect", "", "8.13", "[8.14, 8.15]", ".816", ""},
+      {"All sites, random effects (DerSimonian–Laird)", "", "8.17", "[8.18, 8.19]", ".821", ""},
+      {"All sites, random effects (REML)", "", "8.23", "[8.24, 8.25]", ".826", ""},
+      {"All sites, random effects (REML, Knapp–Hartung)", "", "8.29", "[8.32, 8.33]", ".836", ""},
+      {"Heterogeneity: Q(83) = 8.11, p = .812; I² = 28 %; τ² = 8.270 by REML, 8.220 by "
+       "DerSimonian and Laird"},
+      {"Mixed model, sites as fixed effects", "", "8.45", "[8.46, 8.47]", ".848", ""},
+      {"Mixed model, sites as random effects", "", "8.49", "[8.51, 8.52]", ".853", ""}};
+  EXPECT_EQ(table.rows, expected);
+  const auto left = tableOf(page, "Without one site");
+  EXPECT_EQ(left.headings, (Cells{"Site", "Difference", "99 % CI", "p", "I²", "τ²"}));
+  EXPECT_EQ(
+      left.rows.back(),
+      (Cells{"All sites but Graz", "8.38", "[8.39, 8.41]", ".842", "44 %", "8.430"}));
+}
+
+TEST_F(ReportTables, OfTheAnswerHasMeansWhereNothingIsTested) {
+  section_.results.families.front().cohorts.front().within.rows.clear();
+  const auto table = tableOf(asHtml({section_}), "The mean of each method");
+  EXPECT_EQ(table.headings, (Cells{"Method", "Mean", "Answers"}));
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[1], (Cells{"Interpolation", "4.00", "6"}));
+  EXPECT_EQ(table.rows[2], (Cells{"FEM", "1.67", "3"}));
+}
+
+TEST_F(ReportTables, OfValidityEvidenceHasTheSmallestAndTheLargestNumber) {
+  auto& family = section_.results.families.front();
+  auto& checks = family.cohorts.front().checks.methods;
+  checks.push_back(checks.front());
+  checks.back().method = "finite-elements";
+  checks.back().alpha.value = 0.59;
+  family.between.push_back(family.between.front());
+  family.between.back().tests.front().effect.value = 0.79;
+  const auto rows = tableOf(asHtml({section_}), "Validity evidence").byHeading();
+  ASSERT_EQ(rows.size(), 5U);
+  const auto expectEvidence = [&](std::size_t row, const char* source, const std::string& words) {
+    EXPECT_EQ(rows[row].at("Source"), source);
+    EXPECT_NE(rows[row].at("Evidence").find(words), std::string::npos) << rows[row].at("Evidence");
+  };
+  expectEvidence(1, "Response process", "103 of 101 trials passed every check");
+  expectEvidence(
+      2, "Internal structure", "Cronbach’s α of the statements about a method: 0.53 to 0.59.");
+  expectEvidence(3, "Relations to other variables", "Cohorts differ by Cliff’s δ of 0.71 to 0.79");
+}
+
 TEST_F(ReportTables, AreFollowedByTheSameNumbersInSentences) {
   expectSaid(
       "6.01 points from one position to the next, 95 % CI [6.06, 6.07], t(64) = 6.03, "
