@@ -123,15 +123,16 @@ double countIn(const std::string& word) {
 }
 
 /// The head of a PLY file says how many corners, faces and corners of faces there are, and the
-/// library allocates memory for as many before it reads them. Only a head that can be read in one
-/// way is let through: the library finds elements between control characters, too.
+/// library allocates memory for as many before it reads them. It also reads on for ever if the head
+/// does not end. Only a head that can be read in one way is let through.
 void requireAsManyAsFit(std::string_view text) {
   static const std::set<std::string> kStatements{
       "ply", "format", "comment", "obj_info", "element", "property"};
   static const std::set<std::string> kShortCounts{
       "char", "uchar", "int8", "uint8", "short", "ushort", "int16", "uint16"};
   double entries = 0.0;
-  while (!text.empty()) {
+  for (;;) {
+    if (text.empty()) throw base::UserError("its head does not end");
     const auto size = std::min(text.find_first_of("\r\n"), text.size());
     const std::string line(text.substr(0, size));
     text.remove_prefix(std::min(size + 1, text.size()));
