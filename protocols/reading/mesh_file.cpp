@@ -173,13 +173,17 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
   }
 }
 
-/// Cutting a face with n corners into triangles takes up to n² steps.
+/// Cutting a face with n corners into triangles takes up to n² steps; at one without corners the
+/// library ends the program.
 void requireFewCorners(const aiScene& scene) {
   double steps = 0.0;
   unsigned most = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     for (unsigned i = 0; i < scene.mMeshes[m]->mNumFaces; ++i) {
       const unsigned corners = scene.mMeshes[m]->mFaces[i].mNumIndices;
+      if (corners == 0) {
+        throw questionnaires::Error("it has a face without corners, and is damaged");
+      }
       if (corners > 4) steps += static_cast<double>(corners) * corners;
       most = std::max(most, corners);
     }

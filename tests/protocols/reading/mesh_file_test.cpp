@@ -109,6 +109,13 @@ TEST(MeshFile, CutsFacesOfAFewCornersAndRefusesThoseOfThousands) {
   EXPECT_NE(complaintAbout(polygon(20'000)).find("20000"), std::string::npos);
 }
 
+TEST(MeshFile, HasNoFaceWithoutCorners) {
+  // Found by the fuzzer: the library ends the program.
+  auto text = kPly;
+  text.replace(text.find("3 0 1 2"), 7, "0");
+  EXPECT_NE(complaintAbout(text).find("a face without corners"), std::string::npos);
+}
+
 TEST(MeshFile, AllocatesNoMoreThanFitsIntoIt) {
   const auto with = [](std::string part, const std::string& other) {
     auto text = kPly;
