@@ -103,9 +103,6 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"pooled_answers.fix",
      "declare 'paired_t', 'sign_flip' or 'signed_rank'; Welch's test is computed all the same, as "
      "exploratory"},
-    {"more_than_device",
-     "a {} gives {:g} N, unless yours is stronger: what is asked beyond is not felt"},
-    {"more_than_device.fix", "write what your device gives ('palpate device check' says it)"},
     {"cut_not_felt",
      "with this noise the recorded cut weighs next to nothing; the finite elements alone are felt"},
     {"elements_not_felt",

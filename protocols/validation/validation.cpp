@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_file.h"
@@ -231,10 +230,13 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
           "write less than " + shown(steepest) + "; shipped protocols have 500 for 8 N");
     }
     if (device.maxForce > device.kind->simulatedForce) {
-      problems.warn(
+      problems.add(
           path + "max_force_n",
-          message("more_than_device", device.kind->name, device.kind->simulatedForce),
-          message("more_than_device.fix"));
+          "a " + std::string(device.kind->name) + " gives " + shown(device.kind->simulatedForce) +
+              " N (docs/devices.md, 'Saturation'), and this is " + shown(device.maxForce) +
+              " N: what is asked for beyond is not felt",
+          "write " + shown(device.kind->simulatedForce) +
+              " or less, and scale the scenes by 'force_scale'");
     }
   }
 }

@@ -57,7 +57,7 @@ TEST(ProtocolKeys, DescribeCohortsAndDevices) {
   EXPECT_EQ(protocol.cohort("surgeons")->planned, 12);
   EXPECT_EQ(protocol.cohort("others")->title.in("de"), "Others");
   EXPECT_EQ(protocol.device("punch")->kind, &punchKind());
-  EXPECT_EQ(protocol.device("punch")->maxForce, 8.5);
+  EXPECT_EQ(protocol.device("punch")->maxForce, 7.5);
   EXPECT_EQ(protocol.device("punch")->maxForceRate, 500.0);
   EXPECT_EQ(protocol.device("punch")->maxTorque, 5.0);
   EXPECT_EQ(protocol.device("punch")->maxTorqueRate, 50.0);
