@@ -9,30 +9,54 @@
 namespace study {
 namespace {
 
-constexpr std::size_t kShortest = 3;  // letters: shorter words of names stand in every text
+constexpr std::size_t kShortest = 3;      // letters: shorter words stand in every text …
+constexpr std::size_t kShortestName = 2;  // … but with a capital: Bo, Øy
 
-/// In lower case: ASCII, and the letters of Latin-1, which have two bytes in UTF-8 (Å is C3 85, å
-/// is C3 A5). Other letters stay as they are.
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  for (std::size_t i = 0; i < lower.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(lower[i]);
-    const bool isAfterC3 = i > 0 && static_cast<unsigned char>(lower[i - 1]) == 0xc3;
-    constexpr unsigned char kTimes = 0x97;  // ×, no letter
-    const bool isCapital = isAfterC3 && byte >= 0x80 && byte <= 0x9e && byte != kTimes;
-    if ((byte >= 'A' && byte <= 'Z') || isCapital) lower[i] = static_cast<char>(byte + 0x20);
+/// Letters without case and marks, from À (U+00C0) to ſ (U+017F): "Łódź" and "lodz" are one name.
+/// × and ÷ are none.
+constexpr std::string_view kPlainLetters =
+    "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo*ouuuuyty"
+    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
+    "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+constexpr unsigned kFirstMarked = 0xc0;
+
+constexpr bool isContinued(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80;
+}
+
+struct Letter {
+  std::string plain = {};  ///< empty: no letter
+  bool isCapital = false;
+  bool isMark = false;  ///< an accent by itself, which belongs to the letter before
+};
+
+/// A letter of two bytes in UTF-8.
+Letter markedLetter(std::string_view bytes) {
+  const unsigned code = ((static_cast<unsigned char>(bytes[0]) & 0x1fU) << 6U) |
+                        (static_cast<unsigned char>(bytes[1]) & 0x3fU);
+  constexpr unsigned kFirstAccent = 0x300;
+  constexpr unsigned kLastAccent = 0x36f;
+  if (code >= kFirstAccent && code <= kLastAccent) return {.isMark = true};
+  const bool isLatin = code >= kFirstMarked && code < kFirstMarked + kPlainLetters.size();
+  if (!isLatin) return {.plain = std::string(bytes)};  // of another alphabet, as it is
+  const char plain = kPlainLetters[code - kFirstMarked];
+  if (plain == '*') return {};
+  // In Latin-1 capitals come first. Then they take turns with small letters, from U+0139 to U+0148
+  // and from U+0179 on with the odd ones.
+  const bool isOdd = (code >= 0x139 && code <= 0x148) || code >= 0x179;
+  const bool isCapital = code <= 0xff ? code <= 0xde : (code % 2 == 1) == isOdd;
+  return {.plain = {plain}, .isCapital = isCapital};
+}
+
+/// @param bytes  one character
+Letter letterIn(std::string_view bytes) {
+  const char first = bytes.front();
+  if (first >= 'A' && first <= 'Z') {
+    return {.plain = {static_cast<char>(first + 0x20)}, .isCapital = true};
   }
-  return lower;
-}
-
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::size_t lettersIn(std::string_view word) {
-  std::size_t letters = 0;
-  for (const char c : word) letters += (static_cast<unsigned char>(c) & 0xc0U) != 0x80 ? 1 : 0;
-  return letters;
+  if (first >= 'a' && first <= 'z') return {.plain = {first}};
+  if (static_cast<unsigned char>(first) < 0x80) return {};
+  return bytes.size() == 2 ? markedLetter(bytes) : Letter{.plain = std::string(bytes)};
 }
 
 /// What is told of people besides their answers.
@@ -73,17 +97,30 @@ std::string namesInWords(const NamedPeople& named) {
 }  // namespace
 
 std::vector<std::string> wordsIn(std::string_view text) {
-  const std::string lower = lowered(text);
   std::vector<std::string> words;
   std::string word;
-  for (std::size_t i = 0; i <= lower.size(); ++i) {
-    if (i < lower.size() && isLetter(lower[i])) {
-      word += lower[i];
+  std::size_t letters = 0;
+  bool hasCapital = false;
+  const auto end = [&] {
+    if (letters >= (hasCapital ? kShortestName : kShortest)) words.push_back(word);
+    word.clear();
+    letters = 0;
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t size = 1;
+    while (i + size < text.size() && isContinued(text[i + size])) ++size;
+    const auto letter = letterIn(text.substr(i, size));
+    i += size;
+    if (letter.isMark) continue;
+    if (letter.plain.empty()) {
+      end();
       continue;
     }
-    if (lettersIn(word) >= kShortest) words.push_back(word);
-    word.clear();
+    if (letters == 0) hasCapital = letter.isCapital;
+    word += letter.plain;
+    ++letters;
   }
+  end();
   return words;
 }
 
@@ -105,7 +142,10 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) 
   for (const auto& table : tables) {
     for (const auto& row : table.rows) {
       for (std::size_t i = 0; i < row.size(); ++i) {
-        if (table.columns[i].isFreeText && isNaming(row[i])) ++named.cells[table.name];
+        const auto& column = table.columns[i];
+        // The code may have been typed when the session was made.
+        const bool isTyped = column.isFreeText || column.name == "participant_id";
+        if (isTyped && isNaming(row[i])) ++named.cells[table.name];
       }
     }
   }

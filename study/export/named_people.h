@@ -11,7 +11,8 @@
 
 namespace study {
 
-/// The words of @p text of three letters or more, in lower case (ASCII and Latin-1).
+/// The words of @p text of three letters or more, or of two with a capital, without case and marks
+/// of Latin letters: "Åsgård" is "asgard". Letters of other alphabets stay as they are.
 std::vector<std::string> wordsIn(std::string_view text);
 
 /// Where an export names people.
@@ -21,8 +22,9 @@ struct NamedPeople {
   std::map<std::string, std::size_t> cells;  ///< that hold one of them, by table
 };
 
-/// Searches every text of @p tables for the words of every answer that names a person. What people
-/// wrote about others, and nicknames, are not found.
+/// Searches every text of @p tables that somebody typed, participant codes as well, for the words
+/// of every answer that names a person. What people wrote about others, and nicknames, are not
+/// found.
 NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
 
 /// The people who completed, in classes that are alike in their cohort and in what an export with
