@@ -88,7 +88,7 @@ void copyDatabases(const Snapshot& snapshot, const fs::path& to, const Progress&
           "copying " + from.filename().string());
     });
     std::error_code ignored;
-    fs::permissions(copy, fs::status(from).permissions(), ignored);
+    fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, ignored);
     done += size;
   }
 }
@@ -208,8 +208,9 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
   const auto unfinished = newFolderBeside(target);
   noteBackup(from, target);
   try {
-    // The copy holds names of people, so it gets the permissions of the study, and no wider ones.
-    fs::permissions(unfinished, fs::status(from).permissions());
+    // The copy holds names of people: it is for its owner alone, also of a study that an older
+    // release made for everybody to read.
+    fs::permissions(unfinished, fs::perms::owner_all);
     return copyInto(from, unfinished, target, progress);
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
