@@ -106,6 +106,7 @@ Columns<StatisticsRow> statisticsColumns() {
       {"instrument", Text{}, "Questionnaire", &Row::instrument},
       {"score", Text{}, "Of a questionnaire: which of its scores", &Row::score},
       {"item_id", Text{}, "Question", &Row::item},
+      {"option", Text{}, "Of item_option: which answer", &Row::option},
       {"occasion",
        Text{},
        "before, after or change, where a score counts the change",
@@ -137,7 +138,9 @@ Columns<StatisticsRow> statisticsColumns() {
            "brown_forsythe, tost, bayes_factor, omega_total, answer_probability",
            tests,
            [](const auto& row) { return row.id; }) +
-           "; not of a family: score, acceptability, felt_difference",
+           "; not of a family: score, acceptability, felt_difference, and of every question by "
+           "itself, "
+           "as answered: item (numbers; n1 participants), item_option (choices; n1 forms)",
        ofTest(&TestRow::id)},
       {"declared",
        Boolean{},
@@ -156,7 +159,8 @@ Columns<StatisticsRow> statisticsColumns() {
       {"estimate",
        Number{},
        "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; logit of a "
-       "probability; slope over positions; of felt_difference the mean over participants [N]",
+       "probability; slope over positions; of felt_difference the mean over participants [N]; of "
+       "item the median",
        [](const Row& row) { return row.test.estimate.value; }},
       {"se", Number{}, "Its standard error", ofTest(&TestRow::standardError)},
       {"statistic_name",

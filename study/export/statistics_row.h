@@ -25,6 +25,7 @@ struct StatisticsRow {
   std::string blocks;      ///< phases whose answers count, separated by spaces
   std::string score;       ///< of a questionnaire
   std::string item;        ///< its id
+  std::string option;      ///< of a choice: its id
   std::string occasion;    ///< "before", "after", "change"
   std::optional<double> acceptableFrom;
   std::optional<std::size_t> missing;  ///< forms that gave no score
@@ -72,6 +73,14 @@ std::vector<StatisticsRow> siteRows(
 std::vector<StatisticsRow> instrumentRows(
     const std::vector<InstrumentSummary>& instruments,
     const std::map<std::string, std::string>& codes);
+
+/// Rows on every answered item by itself: one for each item of numbers, and one for each option of
+/// a choice. Numbers that people gave about themselves are left out unless @p isExact.
+std::vector<StatisticsRow> itemRows(
+    const std::vector<ItemSummary>& items,
+    const protocols::LoadedProtocol& loaded,
+    const std::map<std::string, std::string>& codes,
+    bool isExact);
 
 /// The forces of trials, or why they are not known: a damaged trace must not hide the answers.
 struct FeltResult {

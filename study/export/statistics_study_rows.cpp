@@ -70,6 +70,39 @@ std::vector<StatisticsRow> instrumentRows(
   return rows;
 }
 
+std::vector<StatisticsRow> itemRows(
+    const std::vector<ItemSummary>& items,
+    const protocols::LoadedProtocol& loaded,
+    const std::map<std::string, std::string>& codes,
+    bool isExact) {
+  std::vector<StatisticsRow> rows;
+  for (const auto& one : items) {
+    const auto* item = loaded.instrument(one.instrument)->item(one.item);
+    const bool isTheirs = one.condition.empty() && item->type == questionnaires::ItemType::Number;
+    if (isTheirs && !isExact) continue;
+    auto about = studyRow(one.mean ? "item" : "item_option", one.cohort);
+    about.instrument = one.instrument;
+    about.item = one.item;
+    if (!one.condition.empty()) about.group1 = codes.at(one.condition);
+    if (one.mean) {
+      analysis::GroupMoments moments{.mean = one.mean, .variance = one.standardDeviation};
+      if (moments.variance) *moments.variance *= *moments.variance;
+      about.test.moments = {moments, {}};
+      about.test.n1 = one.values.size();
+      about.test.estimate.value = one.median;
+      rows.push_back(about);
+    }
+    about.unit = "answer";
+    about.test.n1 = one.answers;
+    for (const auto& [option, times] : one.options) {
+      about.option = option;
+      about.test.effect = {"share", static_cast<double>(times) / static_cast<double>(one.answers)};
+      rows.push_back(about);
+    }
+  }
+  return rows;
+}
+
 FeltResult feltResult(Study& study, RunMode mode) {
   try {
     return {.curves = feltCurves(study, mode), .reason = {}};

@@ -112,7 +112,10 @@ class FamilyRows {
 
 /// The rows of one run mode.
 std::vector<Row> rowsOf(
-    Study& study, const Results& results, const std::map<std::string, std::string>& codes) {
+    Study& study,
+    const Results& results,
+    const std::map<std::string, std::string>& codes,
+    bool isExact) {
   const auto mode = results.runMode;
   std::vector<Row> rows;
   const auto add = [&](std::vector<Row> more) {
@@ -122,6 +125,7 @@ std::vector<Row> rowsOf(
     add(FamilyRows(family, study.protocol().protocol, codes).all());
   }
   add(instrumentRows(results.instruments, codes));
+  add(itemRows(results.answers.items, study.protocol(), codes, isExact));
   add(feltRows(feltResult(study, mode), codes));
   for (auto& row : rows) row.runMode = mode;
   return rows;
@@ -143,8 +147,8 @@ ExportedTable statisticsTable(
     Study& study, const ExportOptions& options, const std::vector<Results>& results) {
   std::vector<Row> rows;
   for (const auto& one : results) {
-    for (auto& row : rowsOf(study, one, conditionCodes(study, one.runMode, options.codes)))
-      rows.push_back(std::move(row));
+    const auto codes = conditionCodes(study, one.runMode, options.codes);
+    for (auto& row : rowsOf(study, one, codes, options.isExact)) rows.push_back(std::move(row));
   }
   const Table<Row> table{
       .name = "statistics",

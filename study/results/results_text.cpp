@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/registry/registry.h"
+#include "questionnaires/model/answer.h"
 #include "study/results/vote_tables.h"
 #include "study/words/counted.h"
 
@@ -26,7 +27,8 @@ std::string padded(const std::string& text, std::size_t columns, bool toTheRight
 class Writer {
  public:
   Writer(Study& study, const Results& results, Profile profile, Wording wording)
-      : protocol_(study.protocol().protocol),
+      : loaded_(study.protocol()),
+        protocol_(loaded_.protocol),
         results_(results),
         profile_(profile),
         wording_(wording) {}
@@ -40,6 +42,7 @@ class Writer {
     }
     if (!results_.votes.empty()) votes();
     if (!results_.instruments.empty()) scores();
+    items();
     return text_;
   }
 
@@ -337,6 +340,55 @@ class Writer {
     }
   }
 
+  /// Every item by itself; of texts only how many there are.
+  void items() {
+    const auto& [items, quotes] = results_.answers;
+    if (!items.empty()) {
+      line(
+          "\nEvery item by itself, as answered: mean, standard deviation, median and range of "
+          "participants' means; forms that chose each option");
+    }
+    for (const auto& one : items) {
+      const auto about =
+          cohortTitle(one.cohort) + (one.condition.empty() ? "" : ", " + titleOf(one.condition));
+      line(
+          padded(one.instrument + ", " + one.item + "  ", 40) + padded(about + "  ", 44) +
+          (one.mean ? numbersOf(one) : choicesOf(one)));
+    }
+    for (auto at = quotes.begin(); at != quotes.end();) {
+      const auto next = std::find_if(at, quotes.end(), [&](const auto& quote) {
+        return quote.instrument != at->instrument || quote.item != at->item;
+      });
+      line(
+          padded(at->instrument + ", " + at->item + "  ", 40) +
+          words::counted(static_cast<std::size_t>(next - at), "text") + ", quoted in the report");
+      at = next;
+    }
+  }
+
+  static std::string numbersOf(const ItemSummary& one) {
+    return fmt::format(
+        "{}{}, {}, {:.4g} … {:.4g}, n = {}",
+        rounded(one.mean, 2),
+        one.standardDeviation ? " " + rounded(one.standardDeviation, 2) : std::string(),
+        rounded(one.median, 2),
+        *one.least,
+        *one.most,
+        one.values.size());
+  }
+
+  std::string choicesOf(const ItemSummary& one) const {
+    const auto* item = loaded_.instrument(one.instrument)->item(one.item);
+    std::string text;
+    for (const auto& [id, times] : one.options) {
+      if (times == 0) continue;
+      const auto label = questionnaires::labelOf(*item, id, "en");
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", label.empty() ? id : label, times);
+    }
+    return text + fmt::format(", n = {}", one.answers);
+  }
+
+  const protocols::LoadedProtocol& loaded_;
   const protocols::Protocol& protocol_;
   const Results& results_;
   Profile profile_;

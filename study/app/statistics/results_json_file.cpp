@@ -509,6 +509,25 @@ ResultJson instrumentAsJson(const InstrumentSummary& summary) {
   return json;
 }
 
+ResultJson itemAsJson(const ItemSummary& one) {
+  ResultJson json{
+      {"instrument", one.instrument},
+      {"item", one.item},
+      {"cohort", one.cohort},
+      {"condition", textOrNull(one.condition)},
+      {"answers", one.answers}};
+  if (one.mean) {
+    json["n"] = one.values.size();
+    json["mean"] = nullable(one.mean);
+    json["sd"] = nullable(one.standardDeviation);
+    json["median"] = nullable(one.median);
+    json["least"] = nullable(one.least);
+    json["most"] = nullable(one.most);
+  }
+  for (const auto& [option, times] : one.options) json["options"][option] = times;
+  return json;
+}
+
 /// The manipulation check [N].
 ResultJson feltAsJson(const FeltDifference& felt) {
   return {
@@ -560,7 +579,8 @@ std::string resultsAsJson(Study& study, const Results& results) {
       {"families", ResultJson::array()},
       {"votes", ResultJson::array()},
       {"vote_sums", voteSumsAsJson(results)},
-      {"instruments", ResultJson::array()}};
+      {"instruments", ResultJson::array()},
+      {"items", ResultJson::array()}};
   for (const auto& flow : results.flow) {
     json["flow"].push_back(flowAsJson("cohort", flow.cohort, flow));
   }
@@ -570,6 +590,7 @@ std::string resultsAsJson(Study& study, const Results& results) {
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
+  for (const auto& one : results.answers.items) json["items"].push_back(itemAsJson(one));
   addFelt(json, feltResult(study, results.runMode));
   return json.dump(2) + "\n";
 }

@@ -155,6 +155,31 @@ TEST_F(StatisticsJson, AgreesAboutScoresAndThresholds) {
   EXPECT_GT(compared_, 30);
 }
 
+TEST_F(StatisticsJson, AgreesAboutEveryItemByItself) {
+  ASSERT_FALSE(json_["items"].empty());
+  for (const auto& item : json_["items"]) {
+    std::map<std::string, std::string> which{
+        {"cohort", item["cohort"]}, {"instrument", item["instrument"]}, {"item_id", item["item"]}};
+    which["group1"] = item["condition"].is_null() ? "" : codes_.at(item["condition"]);
+    if (item.contains("mean")) {
+      const auto found = row("item", which);
+      expectSame(found.at("n1"), item["n"], "n");
+      expectSame(found.at("mean1"), item["mean"], "mean");
+      expectSame(found.at("sd1"), item["sd"], "sd");
+      expectSame(found.at("estimate"), item["median"], "median");
+    }
+    if (!item.contains("options")) continue;
+    for (const auto& [option, times] : item["options"].items()) {
+      which["option"] = option;
+      const auto found = row("item_option", which);
+      expectSame(found.at("n1"), item["answers"], "answers");
+      const json share = times.get<double>() / item["answers"].get<double>();
+      expectSame(found.at("effect"), share, "share");
+    }
+  }
+  EXPECT_GT(compared_, 30);
+}
+
 TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
   EXPECT_EQ(rows_.front().count("site"), 0U);  // all took part at one
   ASSERT_EQ(json_["felt_differences"].size(), 3U);

@@ -152,5 +152,20 @@ TEST_F(StatisticsTableTest, HasEveryIntervalAroundItsEstimateAndTheAdjustedOneWi
   EXPECT_EQ(checked, 12);
 }
 
+TEST(StatisticsTableOfItems, HasNumbersAboutAPersonInExactExportsOnly) {
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
+  simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});
+  for (const bool isExact : {false, true}) {
+    const ExportOptions options{
+        .runMode = RunMode::Simulated, .isBlinded = false, .isExact = isExact};
+    std::map<std::string, int> times;
+    for (const auto& row : rowsOf(statisticsTable(*study, options, resultsFor(*study, options)))) {
+      ++times[row.at("item_id")];
+    }
+    EXPECT_EQ(times["surgery-years"] > 0, isExact);
+    EXPECT_GT(times["role"], 0);
+  }
+}
+
 }  // namespace statistics_table_test
 }  // namespace study
