@@ -45,7 +45,7 @@ void printExport(
     Study& study, const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
   const std::string what = std::string(nameOf(*how.runMode)) + " session";
   fmt::print(
-      "{} holds the data of {}, {}.\n",
+      "Export saved: {} ({}, {}).\n",
       options.out,
       sessions == 0 ? "no " + what + "s" : words::counted(sessions, what),
       blindingInWords(study, how));

@@ -45,7 +45,7 @@ void writeFigureFolder(
     throw std::runtime_error("There are no figures: this palpate was built without Qt.");
   }
   fmt::print(
-      "{} holds {}, each as SVG, PDF and PNG (300 dpi).\n",
+      "Figures saved: {} ({}, each as SVG, PDF and PNG at 300 dpi).\n",
       folder,
       words::counted(static_cast<std::uint64_t>(count), "figure"));
 }
@@ -80,7 +80,7 @@ int report(const ReportArguments& options) {
   }
   writeReport(
       sections, options.out, options.paper == "letter" ? report::Paper::Letter : report::Paper::A4);
-  fmt::print("{} holds the report.\n", options.out);
+  fmt::print("Report saved: {}\n", options.out);
   if (!options.figures.empty()) writeFigureFolder(sections, options.figures, formatOf(options));
   return 0;
 }

@@ -325,11 +325,11 @@ int playScene(const PlayOptions& options) {
   const auto& svg = document.parts.front().figures.front().svg;
   const std::string csv = beside(options.out, ".csv");
   writeNewFile(csv, asCsv(asTable(profile, curves)));
-  fmt::print("{} holds {} curves of {} steps", csv, curves.size(), profile.travel.size());
+  fmt::print("Curves saved: {} ({} curves of {} steps)", csv, curves.size(), profile.travel.size());
   if (!svg.empty()) {
     const std::string picture = beside(options.out, ".svg");
     writeNewFile(picture, svg);
-    fmt::print("; {} shows them", picture);
+    fmt::print(", picture: {}", picture);
   }
   fmt::print(".\n");
   return 0;

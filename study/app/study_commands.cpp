@@ -287,7 +287,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
       ->add_option(
           "--protocol", options->protocol, "A protocol file, or one of the library by name")
       ->required();
-  addSeed(*create, options, "Seed of all random choices (default: the protocol's, or drawn now)");
+  addSeed(*create, options, "Random seed (default: the protocol's, otherwise a new one)");
 
   create->add_flag(
       "--names-passphrase",

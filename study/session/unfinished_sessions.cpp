@@ -28,8 +28,8 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
       return isBroken ? "Skip the trial together with its questions."
                       : "Skip the step that it is in.";
     case SessionEvent::GaveUpOnDevice:
-      return "Give up on the device: the session ends as aborted_hardware, and its place in the "
-             "design is free again.";
+      return "End it because the device failed: aborted_hardware, and its place in the design is "
+             "free again.";
     case SessionEvent::ResumedSession:
       return "End the pause and go on.";
     case SessionEvent::Withdrew:

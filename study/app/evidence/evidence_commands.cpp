@@ -53,7 +53,7 @@ void writeWitness(Study& study, const EvidenceArguments& options) {
 int backup(const EvidenceArguments& options) {
   const auto copy = backUp(options.folder, options.out);
   fmt::print(
-      "{} holds a copy of {}: {:.1f} MB.\n",
+      "Copy saved: {} ({}, {:.1f} MB).\n",
       options.out,
       options.folder,
       1e-6 * static_cast<double>(copy.bytes));

@@ -45,7 +45,7 @@ ManPageSections sectionsOfPalpate() {
       .files =
           "/usr/share/palpate/protocols and /usr/share/palpate/questionnaires hold the "
           "protocols and questionnaires that ship, to be copied and changed. "
-          "/usr/share/doc/palpate holds the manual. A study is a folder of its own with "
+          "The manual is in /usr/share/doc/palpate. A study is a folder of its own with "
           "study.db in it; devices.json there names the laboratory's devices.",
       .seeAlso = {
           "palpate-bench(1)",
@@ -94,7 +94,7 @@ ManPageSections sectionsOfStudio() {
       .version = versionLine(),
       .summary = "windows for running and evaluating a study of Palpate",
       .exitStatus = "0: closed, or done. 1: it could not be done; standard error says why.",
-      .files = "~/.config/palpate/studio.ini holds the list of recent studies and the theme.",
+      .files = "The list of recent studies and the theme are in ~/.config/palpate/studio.ini.",
       .seeAlso = {"palpate(1)"}};
 }
 

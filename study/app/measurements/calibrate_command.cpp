@@ -130,7 +130,7 @@ int calibrate(const CalibrateCommand& command) {
     writeNewFile(
         command.out, protocols::calibrationAsJson(fit, table.source, storage::sha256(text)));
     fmt::print(
-        "\n{} holds the calibration. Name it in 'recording import --calibration', or in a columns "
+        "\nCalibration saved: {}. Name it in 'recording import --calibration', or in a columns "
         "file.\n",
         command.out);
   }

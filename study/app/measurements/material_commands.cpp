@@ -143,13 +143,13 @@ int fit(FitCommand& command, const CLI::App& verb) {
         protocols::materialAsJson(
             command.name, command.title, read.isSynthetic, result, options, read.sources));
     fmt::print(
-        "\n{0} holds the material. Put it beside a protocol and name it there: \"material\": "
+        "\nMaterial saved: {0}. Put it beside a protocol and name it there: \"material\": "
         "\"{0}\".\n",
         command.out);
   }
   if (!command.report.empty()) {
     writeDocument(command.report, "material", materialReport(read.series, result, options));
-    fmt::print("{}/material.html holds tables and figures.\n", command.report);
+    fmt::print("Report saved: {}/material.html\n", command.report);
   }
   if (command.out.empty() && command.report.empty()) {
     fmt::print("\nNothing was written. Add --out MATERIAL.json, or --report FOLDER.\n");
@@ -210,7 +210,7 @@ int compare(CompareCommand& command, const CLI::App& verb) {
   if (!command.report.empty()) {
     if (read.isSynthetic) document.lead.emplace_back("SYNTHETIC: nobody measured these series.");
     writeDocument(command.report, "figure-7", std::move(document));
-    fmt::print("{}/figure-7.html holds the figure.\n", command.report);
+    fmt::print("Figure saved: {}/figure-7.html\n", command.report);
   }
   return 0;
 }
@@ -246,7 +246,7 @@ int synthesise(const SynthesiseCommand& command) {
     writeNewFile((folder / (name + ".csv")).string(), reaming::asText(series));
   }
   fmt::print(
-      "{0} holds 72 series of 24 specimens that nobody measured: synthetic. Fit them with\n"
+      "72 series of 24 specimens saved: {0}. They are synthetic, not measured. Fit them with\n"
       "  palpate material fit --static {0}/*static.csv --dynamic-1 {0}/*dynamic-1.csv "
       "--dynamic-2 {0}/*dynamic-2.csv --out MATERIAL.json\n",
       command.folder);

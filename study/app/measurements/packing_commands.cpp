@@ -281,12 +281,12 @@ int fitDensities(DensityCommand& command, const CLI::App& verb) {
   for (const auto& warning : warningsOf(report)) fmt::print("WARNING: {}\n", warning);
   writeNewFile(command.out, protocols::packingAsText(bone, origin));
   fmt::print(
-      "{0} holds the bone. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",
+      "Bone saved: {0}. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",
       fs::path(command.out).filename().string());
   printSyntheticMark(bone);
   if (!command.report.empty()) {
     writeDocument(command.report, "packing", packingReport(bone, report, feedTable(bone, report)));
-    fmt::print("{}/packing.html holds tables and figures.\n", command.report);
+    fmt::print("Report saved: {}/packing.html\n", command.report);
   }
   return 0;
 }

@@ -131,7 +131,7 @@ void printChoice(const ImportCommand& command, const recordings::ImportReport& r
     fmt::print("\nNothing was written. Add --out CUT.json to keep this cut.\n");
   } else {
     fmt::print(
-        "\n{0} holds the cut. Put it beside a protocol and name it there: \"cut\": \"{0}\".\n",
+        "\nCut saved: {0}. Put it beside a protocol and name it there: \"cut\": \"{0}\".\n",
         command.out);
   }
 }

@@ -198,7 +198,7 @@ QWidget* HomeWindow::makeList() {
   auto* make = new QPushButton(tr("New study…"), side);
   make->setObjectName(QStringLiteral("new-study"));
   auto* open = new QPushButton(tr("Open a folder…"), side);
-  auto* read = new QPushButton(tr("Read a protocol…"), side);
+  auto* read = new QPushButton(tr("Check protocol…"), side);
   connect(make, &QPushButton::clicked, this, &HomeWindow::makeStudy);
   connect(open, &QPushButton::clicked, this, &HomeWindow::chooseFolder);
   connect(read, &QPushButton::clicked, this, &HomeWindow::askForProtocol);

@@ -41,7 +41,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   folder_->setObjectName(QStringLiteral("folder"));
   folder_->setPath(QDir::home().filePath(QStringLiteral("my-study")));
   seed_->setAccessibleName(tr("Seed"));
-  seed_->setPlaceholderText(tr("the protocol's, or drawn now"));
+  seed_->setPlaceholderText(tr("the protocol's, otherwise a new one"));
   seed_->setValidator(
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
   fill_->setObjectName(QStringLiteral("texts"));

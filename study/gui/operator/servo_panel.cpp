@@ -106,7 +106,7 @@ void ServoPanel::refresh() {
   }
   const QString priority = isRealtime_ ? tr("real-time priority") : tr("ordinary priority");
   const QString lines = tr("Rate: %1 of %2 Hz, %11\n"
-                           "Late: median %3, 99 % %4, most %5 µs\n"
+                           "Delay: median %3, 99 % within %4, largest %5 µs\n"
                            "Force at its limit: %6 % of the time\n"
                            "No measurement: %7 % of the ticks\n"
                            "Energy of the contact: %8 %10, least %9 %10")

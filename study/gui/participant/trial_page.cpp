@@ -26,7 +26,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       count_(nullptr),
       hint_(nullptr),
       begin_(new QPushButton(tr("Begin"), this)),
-      enough_(new QPushButton(tr("I have finished"), this)),
+      enough_(new QPushButton(tr("Done"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(content.name);

@@ -138,7 +138,7 @@ void Participant::doStep() {
   if (step.kind == StepKind::Trial) {
     cut(step.minimumCuts);
     look();
-    auto* enough = buttonSaying(page(), QStringLiteral("I have finished"));
+    auto* enough = buttonSaying(page(), QStringLiteral("Done"));
     waitFor([&] { return enough->isEnabled(); }, 2000);
     QTest::mouseClick(enough, Qt::LeftButton);
     return;

@@ -65,7 +65,7 @@ TEST_F(UnfinishedSessionsTest, ReportATrialThatWasNotEnded) {
   EXPECT_NE(describe(found).find("counts as broken off"), std::string::npos) << describe(found);
   EXPECT_TRUE(offers(found, "Repeat the trial"));
   EXPECT_TRUE(offers(found, "Skip the trial"));
-  EXPECT_TRUE(offers(found, "Give up on the device"));
+  EXPECT_TRUE(offers(found, "End it because the device failed"));
   EXPECT_FALSE(offers(found, "Go on in this step"));
 }
 

@@ -346,7 +346,8 @@ TEST_F(HomeTest, OffersToResumeAfterACrash) {
   QString words;
   for (auto* label : card->findChildren<QLabel*>()) words += label->text();
   EXPECT_TRUE(words.contains(QStringLiteral("Repeat the trial"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("Give up on the device"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("End it because the device failed")))
+      << words.toStdString();
   tests::photographInAllThemes(home, QStringLiteral("home-crashed"));
   QTest::mouseClick(buttonSaying(card, QStringLiteral("Open with P001")), Qt::LeftButton);
   ASSERT_NE(home.operatorWindow(), nullptr);

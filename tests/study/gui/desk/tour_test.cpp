@@ -29,7 +29,7 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   tour.show();
   auto* page = tour.findChild<TrialPage*>();
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
-  auto* enough = buttonSaying(page, QStringLiteral("I have finished"));
+  auto* enough = buttonSaying(page, QStringLiteral("Done"));
   ASSERT_NE(enough, nullptr);
   // The hand moves in real time: where the machine stands still, one stroke may be too short to be
   // felt.
