@@ -28,11 +28,17 @@ constexpr std::uint64_t kSeed = 1;
 
 constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
 
-/// "Round 1: trial, alternative 2", without its condition.
-QString describe(const Step& step) {
+/// "Round 1: trial, Tissue 2", without its condition.
+QString describe(const Step& step, const protocols::Labels& labels) {
   const QString phase = QString::fromStdString(step.phase);
   const QString kind = spoken(nameOf(step.kind));
-  if (step.label > 0) return PreviewWindow::tr("%1: %2, %3").arg(phase, kind).arg(step.label);
+  if (step.label > 0) {
+    return PreviewWindow::tr("%1: %2, %3")
+        .arg(
+            phase,
+            kind,
+            QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage())));
+  }
   return phase == kind ? phase : PreviewWindow::tr("%1: %2").arg(phase, kind);
 }
 
@@ -170,7 +176,8 @@ void PreviewWindow::fillSteps() {
   const QSignalBlocker quiet(steps_);
   int number = 0;
   for (const auto& step : day_->controller.session().plan()) {
-    steps_->addItem(QString::number(++number) + QStringLiteral("  ") + describe(step));
+    steps_->addItem(
+        QString::number(++number) + QStringLiteral("  ") + describe(step, loaded_.protocol.labels));
   }
   steps_->addItem(QString::number(++number) + QStringLiteral("  ") + tr("the end"));
   steps_->setCurrentRow(0);
