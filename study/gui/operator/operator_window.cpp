@@ -22,6 +22,7 @@
 #include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
+#include "study/gui/operator/window_places.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/trial_view.h"
@@ -87,7 +88,6 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   layout->addWidget(makeHead());
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
-  layout->addWidget(pages_, 1);
   // Only the page that is shown needs room.
   const auto giveRoom = [this](int shown) {
     for (int i = 0; i < pages_->count(); ++i) {
@@ -97,6 +97,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   };
   connect(pages_, &QStackedWidget::currentChanged, this, giveRoom);
   giveRoom(pages_->currentIndex());
+  layout->addWidget(pages_, 1);
   setCentralWidget(new FittingScroll(inside, this));
   constexpr QSize kComfortable(1280, 860);
   const QSize available = screen()->availableSize();
@@ -294,20 +295,16 @@ void OperatorWindow::showParticipant() {
 
 /// Puts both windows side by side if one screen has room for them.
 void OperatorWindow::tile() {
-  constexpr int kRoomForTwo = 1800;  // [px]
-  constexpr int kOperatorPercent = 56;
-  const QRect all = screen()->availableGeometry();
+  const auto places = placesOn(screen()->availableGeometry());
   const bool isFree = participant_ && !participant_->lock().isLocked();
-  if (!isFree || all.width() < kRoomForTwo) return;
-  const int own = all.width() * kOperatorPercent / 100;
+  if (!isFree || !places) return;
   const QSize frame = frameSize() - size();  // the desktop's, around each window
   setWindowState(Qt::WindowNoState);
   participant_->setWindowState(Qt::WindowNoState);
-  const int height = all.height() - frame.height();
-  move(all.topLeft());
-  resize(own - frame.width(), height);
-  participant_->move(all.left() + own, all.top());
-  participant_->resize(all.width() - own - frame.width(), height);
+  move(places->own.topLeft());
+  resize(places->own.size() - frame);
+  participant_->move(places->participant.topLeft());
+  participant_->resize(places->participant.size() - frame);
 }
 
 void OperatorWindow::useSessionLanguage() {

@@ -63,6 +63,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(enough_, &QPushButton::clicked, this, &TrialPage::enoughRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
+  hand_.setParent(this);
   hand_.setStartValue(0.0);
   connect(&hand_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
     if (isRunning_) emit handMoved(share.toDouble());

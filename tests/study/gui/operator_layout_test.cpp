@@ -6,16 +6,21 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
+#include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
+#include "study/gui/operator/window_places.h"
 #include "study/model/new_file.h"
 #include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
@@ -142,6 +147,40 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
 }
 
 TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {
+TEST(WindowPlaces, AreSideBySideOnAScreenWithRoomForTwo) {
+  for (const QRect screen : {QRect(0, 30, 1920, 1050), QRect(1920, 0, 3840, 2160)}) {
+    const auto places = placesOn(screen);
+    ASSERT_TRUE(places);
+    EXPECT_FALSE(places->own.intersects(places->participant));
+    EXPECT_EQ(places->own.united(places->participant), screen);
+    EXPECT_GT(places->own.width(), places->participant.width());
+  }
+  EXPECT_FALSE(placesOn({0, 0, 1366, 768}));
+}
+
+TEST(FindingsDialog, ChecksAgainOnRequest) {
+  using haptics::devices::CheckResult;
+  using haptics::devices::Finding;
+  bool isPlugged = false;
+  const auto check = [&] {
+    const CheckResult result{
+        .finding = isPlugged ? Finding::Pass : Finding::Fail,
+        .what = "port",
+        .measured = isPlugged ? "open" : "none",
+        .fix = isPlugged ? "" : "Plug the device in."};
+    return std::vector<FindingsDialog::Found>{{"punch", {result}}};
+  };
+  FindingsDialog dialog(check(), FindingsDialog::Asks::GoWithout, check, nullptr);
+  const auto* verdict = dialog.findChild<QLabel*>(QStringLiteral("verdict"));
+  EXPECT_TRUE(verdict->text().startsWith(QStringLiteral("Some checks failed.")));
+  isPlugged = true;
+  dialog.findChild<QPushButton*>(QStringLiteral("check-again"))->click();
+  EXPECT_EQ(verdict->text(), QStringLiteral("All checks passed."));
+  const auto* table = dialog.findChild<QTableWidget*>();
+  ASSERT_EQ(table->rowCount(), 1);
+  EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("open"));
+}
+
   enrol();
   window_.activateWindow();
   while (!window_.controller()->session().isOver()) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -10,6 +12,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/timeline_table.h"
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/trial_page.h"
@@ -136,9 +139,11 @@ TEST_F(PunchSession, ShowsAttemptsAndSkippedSteps) {
   participant_.goTo(StepKind::Trial);
   const int trial = window_.controller()->session().stepIndex();
   participant_.cut(1);
-  window_.controller()->stop();
-  window_.controller()->repeatStep(QStringLiteral("stopped by mistake"));
   const auto* timeline = window_.findChild<TimelineTable*>();
+  EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("● running"));
+  window_.controller()->stop();
+  EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("✖ broke off"));
+  window_.controller()->repeatStep(QStringLiteral("stopped by mistake"));
   EXPECT_EQ(timeline->item(trial - 1, 4)->text(), QStringLiteral("done"));
   EXPECT_EQ(timeline->item(trial, 3)->text(), QStringLiteral("2"));
   EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("▶ now"));
@@ -146,6 +151,25 @@ TEST_F(PunchSession, ShowsAttemptsAndSkippedSteps) {
   EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("skipped"));
   EXPECT_EQ(timeline->item(trial + 1, 4)->text(), QStringLiteral("skipped"))
       << "the questions about the trial";
+}
+
+TEST_F(PunchSession, MirrorsTheParticipantsPageOnRequest) {
+  participant_.takePart(1);
+  auto* mirror = window_.findChild<PageMirror*>();
+  const auto* picture = mirror->findChild<QLabel*>();
+  EXPECT_FALSE(mirror->isVisible());
+  window_.findChild<QAction*>(QStringLiteral("show-mirror"))->trigger();
+  EXPECT_TRUE(mirror->isVisible());
+  QCoreApplication::processEvents();
+  const auto page = window_.participantWindow()->size();
+  const auto shown = picture->pixmap(Qt::ReturnByValue).size();
+  ASSERT_FALSE(shown.isEmpty());
+  EXPECT_NEAR(
+      static_cast<double>(shown.width()) / shown.height(),
+      static_cast<double>(page.width()) / page.height(),
+      0.02);
+  mirror->follow(nullptr);
+  EXPECT_EQ(picture->text(), QStringLiteral("No session is open."));
 }
 
 TEST_F(PunchSession, RefusesToCloseWhileATrialRuns) {

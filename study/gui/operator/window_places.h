@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include <QRect>
+
+namespace study::gui {
+
+/// Where the operator's and the participant's window lie side by side on one screen.
+struct WindowPlaces {
+  QRect own;  ///< of the operator, who needs more room
+  QRect participant;
+};
+
+/// @param screen  without the desktop's bars
+/// @return std::nullopt if it has no room for two windows.
+inline std::optional<WindowPlaces> placesOn(const QRect& screen) {
+  constexpr int kRoomForTwo = 1800;  // [px]
+  constexpr int kOperatorPercent = 56;
+  if (screen.width() < kRoomForTwo) return std::nullopt;
+  const int own = screen.width() * kOperatorPercent / 100;
+  return WindowPlaces{
+      .own = {screen.left(), screen.top(), own, screen.height()},
+      .participant = {screen.left() + own, screen.top(), screen.width() - own, screen.height()}};
+}
+
+}  // namespace study::gui
