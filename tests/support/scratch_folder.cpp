@@ -11,6 +11,14 @@
 namespace tests {
 
 ScratchFolder::ScratchFolder() {
+  // Pictures show the paths of studies: "~/studies/punch", if make has set HOME and TMPDIR.
+  const auto plain = std::filesystem::temp_directory_path() / "studies";
+  std::error_code ignored;
+  if (std::getenv("PALPATE_PICTURES") != nullptr &&
+      std::filesystem::create_directory(plain, ignored)) {
+    path_ = plain;
+    return;
+  }
   std::string pattern = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no scratch folder");
   path_ = pattern;

@@ -142,11 +142,11 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   participant_.goTo(StepKind::Trial);
   participant_.cut(2);
   expectAllInSight(QStringLiteral("in-trial"));
+  tests::photograph(*window_.participantWindow(), QStringLiteral("in-trial-participant"));
   window_.controller()->stop();
   expectAllInSight(QStringLiteral("broken-off"));
 }
 
-TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {
 TEST(WindowPlaces, AreSideBySideOnAScreenWithRoomForTwo) {
   for (const QRect screen : {QRect(0, 30, 1920, 1050), QRect(1920, 0, 3840, 2160)}) {
     const auto places = placesOn(screen);
@@ -181,6 +181,7 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
   EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("open"));
 }
 
+TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {
   enrol();
   window_.activateWindow();
   while (!window_.controller()->session().isOver()) {

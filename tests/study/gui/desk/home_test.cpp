@@ -50,7 +50,7 @@ class HomeTest : public testing::Test {
 
   /// Creates a study whose program ended during a trial.
   QString makeCrashedStudy() {
-    const QString folder = makeStudy("crashed");
+    const QString folder = makeStudy("punch-study");
     auto study = Study::open(folder.toStdString(), clock_);
     OperatorWindow window(study);
     window.show();
