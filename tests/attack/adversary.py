@@ -138,8 +138,10 @@ def attack(known, others, seed, is_exact=False):
     def right(of):
         return sum(guess == truth for answer, block in zip(answers, of) for guess, truth in zip(answer, block))
 
-    found = right(truths)
     total = sum(len(block) for block in truths)
+    if not laws:  # nothing tells conditions of the first study apart: no guess is better than another
+        return 1.0, len(truths) / total, len(truths) / total, []
+    found = right(truths)
     if is_exact:
         sizes = [len(block) for block in truths]
         return by_chance(sizes, found), found / total, len(sizes) / total, list(laws)
