@@ -182,7 +182,7 @@ void requireFewCorners(const aiScene& scene) {
     for (unsigned i = 0; i < scene.mMeshes[m]->mNumFaces; ++i) {
       const unsigned corners = scene.mMeshes[m]->mFaces[i].mNumIndices;
       if (corners == 0) {
-        throw questionnaires::Error("it has a face without corners, and is damaged");
+        throw base::UserError("it has a face without corners, and is damaged");
       }
       if (corners > 4) steps += static_cast<double>(corners) * corners;
       most = std::max(most, corners);
