@@ -71,7 +71,7 @@ Answer answerIn(const std::string& text);
 /// What a refusal means, and what to do about it.
 std::string wordsFor(const Answer& answer);
 
-/// For the person who erases, and for whoever asked for it.
+/// For the person who erases, and for the participant.
 std::string wordsFor(const ErasureReceipt& receipt);
 
 }  // namespace study::collect

@@ -41,7 +41,7 @@ class Snapshot {
   Connection& server_;
 };
 
-/// Reads a study from the server, for whoever may unblind it.
+/// Reads a study from the server, as a role that may unblind it.
 class ServerReader {
  public:
   /// @param name  of the study; empty: the only one. @param reason  kept on the server

@@ -157,7 +157,8 @@ std::vector<std::string> StationTrail::problemsOf(
       storage::textIn(facts, "session", "station") == station_.label &&
       storage::textIn(facts, "participant", "code").starts_with(station_.label + "_");
   if (!isHere) problems.emplace_back("its rows are of another site, station or code");
-  // Its conditions are sealed at the station, unless it was simulated or nobody is kept blind.
+  // Its conditions are sealed at the station, unless it was simulated or the protocol blinds no
+  // one.
   std::vector<const storage::SealingKey*> ways{nullptr};
   if (storage::textIn(facts, "session", "run_mode") != study::nameOf(RunMode::Simulated)) {
     ways.insert(ways.begin(), &conditionKey_);

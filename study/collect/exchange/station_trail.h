@@ -18,8 +18,8 @@ namespace study::collect {
 
 /// What the server has of one station, checked by the code that verifies a study: the chain of its
 /// audit trail, its signatures, and all rows and samples against the hashes that the trail has of
-/// them. Whoever may write to the server, as the station's role or as its owner, can change what is
-/// there, but cannot sign it.
+/// them. A person with the station's role, or the server's owner, can change what is there, but
+/// cannot sign it.
 class StationTrail {
  public:
   /// @param events  all that the server has

@@ -123,7 +123,7 @@ TEST_F(Permissions, ForgedEventsOfAStationAreRefusedOrFound) {
   EXPECT_FALSE(all.isSound());
 }
 
-/// Somebody has a station's folder and its role on the server, and not the key with which it signs:
+/// A thief has a station's folder and its role on the server, and not the key with which it signs:
 /// they can invent a session, with a chain of hashes that is right.
 class Thief : public Permissions {
  protected:
@@ -197,7 +197,7 @@ TEST_F(Thief, IsSetAsideAndTheTrueStationGoesOn) {
   const auto all = pulled();
   EXPECT_TRUE(all.isSound());
   EXPECT_EQ(contentOf({scratch_ / "union"}), contentOf({folderOf("oslo"), folderOf("bergen")}));
-  // What was forged is kept, and nobody who counts sees it.
+  // What was forged is kept, and analysts do not see it.
   EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.session").number(0, 0), 6);
   EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.sessions").number(0, 0), 4);
   auto olav = as(person("olav", "operator_oslo"));

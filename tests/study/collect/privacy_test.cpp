@@ -1,4 +1,4 @@
-// What never leaves a station, and what is left of whoever was erased there.
+// What never leaves a station, and what is left of participants who were erased there.
 #include <algorithm>
 #include <cstring>
 
@@ -31,7 +31,7 @@ class Privacy : public tests::CollectTest {
     if (!IsSkipped()) addStation("oslo");
   }
 
-  /// Somebody signs, and one trial is repeated twice: with samples, and with a reason.
+  /// A participant signs, and one trial is repeated twice: with samples, and with a reason.
   std::string takePart() {
     const auto account = accountOf("oslo");
     auto study = Study::open(folderOf("oslo"), clock_);

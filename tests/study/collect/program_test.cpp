@@ -118,7 +118,7 @@ TEST_F(CollectProgram, BringsABundleToTheServerAndEverythingBack) {
   expectWords(call({"status"}), "set aside");
   expectWords(call({"check", "--reason", "to look"}), "PASS  oslo: ");
 
-  // Whoever is erased gets a receipt.
+  // An erasure is answered with a receipt.
   {
     const auto account = accountOf("oslo");
     auto study = study::Study::open(folder, clock_);
