@@ -33,7 +33,7 @@ void addReasonOption(CLI::App& command, std::string& reason) {
   command.add_option(
       "--reason",
       reason,
-      "Why conditions of live sessions are named (unblinding); goes into the audit trail");
+      "Why conditions of live or pilot sessions are named (unblinding); goes into the audit trail");
 }
 
 RunMode chosenRunMode(Study& study, const std::string& name) {

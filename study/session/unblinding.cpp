@@ -3,7 +3,7 @@
 namespace study {
 
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
-  if (mode != RunMode::Live) return;
+  if (mode == RunMode::Simulated) return;
   const bool isOpen = study.protocol().protocol.isBlindingOpen;
   if (isOpen && reason.empty()) return;
   if (reason.empty()) {

@@ -160,10 +160,8 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Write the report"),
           tr("Tables, figures and forces, as a web page or PDF. The report names every condition: "
-             "do "
-             "not open it if you must stay blinded. The reason for unblinding live sessions goes "
-             "into "
-             "the audit trail."),
+             "do not open it if you must stay blinded. The reason for unblinding goes into the "
+             "audit trail."),
           tr("Write"),
           parent),
       folder_(study.folder),
@@ -229,9 +227,9 @@ void ReportDialog::updateChoices() {
   form().setRowVisible(width_, figures_->isChecked());
   form().setRowVisible(font_, figures_->isChecked());
   fit();
-  const bool isLive = chosenMode(*mode_) == RunMode::Live;
-  form().setRowVisible(reason_, isLive);
-  go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
+  const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
+  form().setRowVisible(reason_, isOfPeople);
+  go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
 }
 
 void ReportDialog::work() {

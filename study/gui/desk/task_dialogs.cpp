@@ -223,16 +223,16 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
 }
 
 void StatisticsDialog::updateChoices() {
-  const bool isLive = chosenMode(*mode_) == RunMode::Live;
-  form().setRowVisible(reason_, isLive);
-  go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
+  const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
+  form().setRowVisible(reason_, isOfPeople);
+  go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
 }
 
 void StatisticsDialog::work() {
   const auto mode = chosenMode(*mode_);
   const auto profile = static_cast<Profile>(profile_->currentData().toInt());
   const auto reason =
-      mode == RunMode::Live ? reason_->text().trimmed().toStdString() : std::string();
+      mode == RunMode::Simulated ? std::string() : reason_->text().trimmed().toStdString();
   std::string tables;
   const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
     tell(progress, kUnknownShare, "computing the tables");

@@ -43,18 +43,18 @@ class UnblindingTest : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
-  EXPECT_THROW(
-      noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, ""),
-      storage::StorageError);
-  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, ""));
+TEST_F(UnblindingTest, NeedsAReasonForSessionsOfPeopleOnly) {
+  for (const auto mode : {RunMode::Live, RunMode::Pilot}) {
+    EXPECT_THROW(
+        noteUnblinding(*study_, mode, EventKind::UnblindedReport, ""), storage::StorageError);
+  }
   EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, EventKind::UnblindedReport, ""));
-  noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "said though nobody asked");
   noteUnblinding(
       *study_, RunMode::Simulated, EventKind::UnblindedReport, "said though nobody asked");
   EXPECT_TRUE(reasonsOf("unblinded_report").empty());
   noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
-  EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
+  noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "pilot done");
+  EXPECT_EQ(reasonsOf("unblinded_report"), (std::vector<std::string>{"plan signed", "pilot done"}));
 }
 
 TEST(OpenStudy, NeedsNoReasonAndIsCalledBlindedNowhere) {
