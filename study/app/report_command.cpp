@@ -74,6 +74,8 @@ int report(const ReportArguments& options) {
     unlockIfAsked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
+    noteReport(study, mode, "report", options.out);
+    if (!options.figures.empty()) noteReport(study, mode, "figures", options.figures);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
     sections.back().hasQuotes = options.hasQuotes;
     sections.back().wording = wordingNamed(options.wording);

@@ -64,8 +64,8 @@ ErasedCopy eraseFrom(
     // An empty folder is one whose removal was interrupted last.
     if (!fs::is_empty(folder) && !isExportOf(folder, erasure.study)) {
       throw UserError(
-          "It is neither a backup nor an export of this study. Public exports and single files do "
-          "not say whose they are: delete them yourself.");
+          "It is neither a backup nor an export of this study. Public exports and single files, "
+          "such as reports and consent copies, do not say whose they are: delete them yourself.");
     }
     removeExport(folder);
     copy.outcome = ErasedCopy::Outcome::Removed;

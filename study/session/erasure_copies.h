@@ -16,8 +16,9 @@ struct KnownCopy {
   bool isThere = false;
 };
 
-/// Backups and exports that the audit trail knows, and what lies in the study's `exports`. Where a
-/// copy was moved to, nobody knows.
+/// Backups, exports and reports that the audit trail knows, and what lies in the study's `exports`.
+/// Where a copy was moved to, nobody knows. Consent copies are not known: the names of their files
+/// may name people, and the trail keeps them for good.
 std::vector<KnownCopy> knownCopies(Study& study);
 
 /// What was done with a copy.

@@ -1,5 +1,7 @@
 #include "study/session/unblinding.h"
 
+#include "study/session/backup.h"
+
 namespace study {
 
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
@@ -13,6 +15,21 @@ void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::strin
         "'palpate export' without --unblind is blinded.");
   }
   study.note(kind, reason);
+}
+
+void noteReport(
+    Study& study, RunMode mode, const std::string& how, const std::filesystem::path& path) {
+  if (mode == RunMode::Simulated) return;
+  const storage::Event event{
+      .actor = storage::Actor::Operator,
+      .kind = EventKind::Exported,
+      .values = {{"how", how}, {"run_mode", std::string(nameOf(mode))}, {"folder", asNoted(path)}}};
+  try {
+    if (study.isWritable()) return study.note(event);
+    Study::open(study.folder(), study.clock()).note(event);
+  } catch (const storage::StorageError&) {
+    return;  // as of an export: a full disk must not keep data from being rescued
+  }
 }
 
 }  // namespace study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "study/model/run_mode.h"
@@ -15,6 +16,13 @@ namespace study {
 /// @param kind  UnblindedReport or UnblindedResults
 /// @throws storage::StorageError  in words, if sessions of people are shown without a reason.
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
+
+/// Notes where a report or its figures are written, before they are: they tell what participants
+/// answered and wrote, and an erasure lists them (knownCopies()). Of simulated sessions nothing is
+/// noted. A study that cannot be written is reported on all the same.
+/// @param how  "report" or "figures"
+void noteReport(
+    Study& study, RunMode mode, const std::string& how, const std::filesystem::path& path);
 
 /// How a study must be opened for noteUnblinding().
 inline storage::Database::Access accessToNote(const std::string& reason) {

@@ -45,6 +45,8 @@ void write(const ReportOrder& order, const Progress& progress) {
         "sessions.");
   }
   noteUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
+  noteReport(study, order.mode, "report", order.out);
+  if (!order.figures.empty()) noteReport(study, order.mode, "figures", order.figures);
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "study/export/export.h"
+#include "study/session/erasure_copies.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/child_process.h"
@@ -90,6 +91,10 @@ TEST_F(UnblindingTest, ReportsAndStatisticsNeedAReasonAsExportsDo) {
   EXPECT_EQ(palpate({"report", folder, "--out", page, "--reason", "plan signed"}).status, 0);
   EXPECT_TRUE(std::filesystem::exists(page));
   EXPECT_EQ(palpate({"stats", "run", folder, "--reason", "a second look"}).status, 0);
+  const auto copies = knownCopies(*study_);
+  ASSERT_EQ(copies.size(), 1U) << "an erasure has to list it";
+  EXPECT_EQ(copies[0].folder, page);
+  EXPECT_TRUE(copies[0].isThere);
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
   EXPECT_EQ(reasonsOf("unblinded_results"), std::vector<std::string>{"a second look"});
 }
