@@ -1,6 +1,7 @@
 #include "study/gui/desk/export_dialog.h"
 
 #include "study/export/condition_codes.h"
+#include "study/export/named_people.h"
 #include "study/export/public_tables.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
@@ -74,6 +75,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
+  connect(exact_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
+  connect(texts_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateChoices);
   updateChoices();
 }
@@ -104,14 +107,17 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(earlier_, hasCodes);
   clear();
   go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());
-  if (audience == Audience::Public) showPublicClasses();
+  showIdentifiability();
 }
 
-void ExportDialog::showPublicClasses() {
+void ExportDialog::showIdentifiability() {
   try {
     SystemClock clock;
     auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
-    showDetails(QString::fromStdString(study::describe(publicRelease(study, options()))));
+    const auto how = options();
+    showDetails(QString::fromStdString(
+        how.publicClass ? study::describe(publicRelease(study, how))
+                        : identifiabilityInWords(study, how)));
   } catch (const std::exception& error) {
     showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
     go().setEnabled(false);

@@ -28,7 +28,8 @@ class ExportDialog final : public WorkDialog {
  private:
   ExportOptions options() const;
   void updateChoices();
-  void showPublicClasses();
+  /// What the folder will tell of people, before it is written.
+  void showIdentifiability();
 
   std::string folder_;
   QComboBox* format_;

@@ -30,6 +30,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/study/made_study.h"
+#include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -291,6 +292,18 @@ TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"))->setValue(9);
   EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕")));
+}
+
+TEST_F(StudyDialogsTest, ExportSaysWhatACodedFolderTellsOfPeopleBeforeWriting) {
+  tests::MadeStudy made;
+  auto session = Session::enrol(*made, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  ExportDialog dialog(summaryOf(made.folder()));
+  for (const int audience : {0, 1}) {
+    dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(audience);
+    EXPECT_TRUE(more(dialog).contains(QStringLiteral("1 of 1 person is alone with theirs")))
+        << more(dialog).toStdString();
+  }
 }
 
 }  // namespace study_dialogs_test
