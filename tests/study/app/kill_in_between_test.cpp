@@ -160,5 +160,39 @@ TEST_F(KilledInBetweenTest, LeavesNoUnfinishedExportUnderItsName) {
   EXPECT_GE(points, tests::inLongForm(15, 5));
 }
 
+TEST_F(KilledInBetweenTest, LeavesNoUnfinishedBackupUnderItsNameOrForOthers) {
+  const std::string made = folder_ / "study";
+  const std::string out = folder_ / "out";
+  ASSERT_EQ(palpate({"study", "create", made, "--protocol", "punch-face-validity"}).status, 0);
+  ASSERT_EQ(palpate({"study", "simulate", made, "--participants", "1"}).status, 0);
+  // As release 0.1 made them: everybody on the computer may read.
+  constexpr auto kForAll = fs::perms(0755);
+  fs::permissions(made, kForAll);
+  for (const auto& entry : fs::directory_iterator(made)) fs::permissions(entry.path(), kForAll);
+  int unfinished = 0;
+  const int points = killEverywhere(
+      {"study", "backup", made, "--out", out},
+      [&] {
+        for (const auto& entry : fs::directory_iterator(folder_.path())) {
+          if (entry.path().filename().string().starts_with("out")) fs::remove_all(entry.path());
+        }
+      },
+      [&] {
+        if (fs::exists(out)) {
+          SimulatedClock clock;
+          auto copy = Study::open(out, clock, storage::Database::Access::ReadOnly);
+          EXPECT_TRUE(verify(copy, {}, {.isOlderCopy = true}).isSound());
+        }
+        for (const auto& entry : fs::directory_iterator(folder_.path())) {
+          if (!entry.path().filename().string().starts_with("out.")) continue;
+          ++unfinished;
+          EXPECT_EQ(entry.status().permissions(), fs::perms::owner_all);
+        }
+      });
+  std::cout << points << " points; " << unfinished << " times something unfinished\n";
+  EXPECT_GE(points, tests::inLongForm(20, 5));
+  EXPECT_GT(unfinished, 0) << "control";
+}
+
 }  // namespace kill_in_between_test
 }  // namespace study
