@@ -9,12 +9,15 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QRegularExpression>
 #include <QString>
 #include <QXmlStreamReader>
 
+#include "study/cohort/simulated_participant.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "study/results/apa_text.h"
+#include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
@@ -264,6 +267,44 @@ int rowsOn(const std::string& page) {
     if (page.find("row" + std::to_string(i)) != std::string::npos) ++rows;
   }
   return rows;
+}
+
+/// The place of the page that begins the appendix, whose heading is a line of its own.
+std::size_t pageOfAppendix(const std::vector<std::string>& pages) {
+  static const QRegularExpression kHeading(
+      QStringLiteral("^\\s*Appendix\\s*$"), QRegularExpression::MultilineOption);
+  const auto found = std::ranges::find_if(pages, [](const auto& page) {
+    return kHeading.match(QString::fromStdString(page)).hasMatch();
+  });
+  return static_cast<std::size_t>(found - pages.begin());
+}
+
+/// The pages of a report on a shipped protocol with simulated participants.
+std::optional<std::vector<std::string>> pagesOfStudy(const char* protocol, int participants) {
+  tests::MadeStudy study(tests::libraryProtocol(protocol));
+  simulateCohorts(*study, study.clock, participants, 3, [](const auto&) {});
+  auto section = gather(*study, RunMode::Simulated);
+  paintFigures(section);
+  return pagesOf(asPdf(asHtml({section}), "A study"));
+}
+
+TEST(PdfReport, AnswersOnAtMostThreePagesAndOnOneOfASingleParticipant) {
+  struct Expected {
+    const char* protocol;
+    int participants;
+    std::size_t pages;
+  };
+  for (const auto& [protocol, participants, most] :
+       {Expected{"punch-counterbalanced", 1, 1},
+        Expected{"reaming-hardness", 1, 1},
+        Expected{"punch-face-validity", 12, 3},
+        Expected{"reaming-hardness", 12, 3}}) {
+    const auto pages = pagesOfStudy(protocol, participants);
+    if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+    const auto answering = pageOfAppendix(*pages);
+    ASSERT_LT(answering, pages->size()) << protocol;
+    EXPECT_LE(answering, most) << protocol << ", " << participants;
+  }
 }
 
 TEST(PdfReport, DividesATableOnlyWithRowsOnEachSideAndKeepsItWithItsHeading) {
