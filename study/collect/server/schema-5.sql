@@ -1,0 +1,191 @@
+-- The schema palpate, step 5: a batch is read once. json is text, of which each question reads all again: of a batch with
+-- two thousand events it was read fourteen times, which took most of the time of ingest(). jsonb is read once.
+
+CREATE FUNCTION take_events(me station, said jsonb) RETURNS bigint
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  other bigint; lowest bigint; most bigint; many bigint; first bigint; before text;
+BEGIN
+  SELECT n.seq INTO other FROM jsonb_to_recordset(said->'events') AS n (seq bigint, hash text)
+    JOIN event AS e ON e.station = me.id AND e.seq = n.seq
+    WHERE e.hash <> decode(n.hash, 'hex') ORDER BY 1 LIMIT 1;
+  IF FOUND THEN PERFORM refuse('fork', format('event %s is here with another hash', other)); END IF;
+
+  SELECT min(n.seq), min(n.seq) FILTER (WHERE n.seq > me.have), max(n.seq) FILTER (WHERE n.seq > me.have),
+         count(*) FILTER (WHERE n.seq > me.have)
+    INTO first, lowest, most, many FROM jsonb_to_recordset(said->'events') AS n (seq bigint);
+  IF first > me.have + 1 OR (many > 0 AND (lowest <> me.have + 1 OR most <> me.have + many)) THEN
+    PERFORM refuse('gap', format('events %s to %s came after event %s', first, most, me.have));
+  END IF;
+  SELECT encode(hash, 'hex') INTO before FROM event WHERE station = me.id AND seq = first - 1;
+  IF FOUND AND before IS DISTINCT FROM said->>'after' THEN
+    PERFORM refuse('fork', format('event %s is here with another hash', first - 1));
+  END IF;
+  IF coalesce(many, 0) = 0 THEN RETURN me.have; END IF;
+
+  INSERT INTO event (station, seq, session, step, attempt, utc, monotonic_ns, actor, kind, detail, sealed,
+                     content_hash, hash)
+  SELECT me.id, n.seq, n.session, n.step, n.attempt, n.utc, n.monotonic_ns, n.actor, n.kind, n.detail,
+         decode(n.sealed, 'hex'), decode(n.content_hash, 'hex'), decode(n.hash, 'hex')
+  FROM jsonb_to_recordset(said->'events')
+    AS n (seq bigint, session bigint, step integer, attempt integer, utc text, monotonic_ns bigint, actor text,
+          kind text, detail text, sealed text, content_hash text, hash text)
+  WHERE n.seq > me.have;
+  INSERT INTO progress (station, number, last)
+  SELECT me.id, n.session, max(n.seq) FROM jsonb_to_recordset(said->'events') AS n (seq bigint, session bigint)
+  WHERE n.session IS NOT NULL GROUP BY n.session
+  ON CONFLICT (station, number) DO UPDATE SET last = greatest(progress.last, excluded.last);
+  RETURN most;
+END $$;
+
+CREATE FUNCTION take_traces(me station, said jsonb, traces bytea[]) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  wrong text;
+BEGIN
+  IF coalesce(jsonb_array_length(said->'traces'), 0) <> coalesce(array_length(traces, 1), 0) THEN
+    PERFORM refuse('damaged', 'as many traces as descriptions are needed');
+  END IF;
+  SELECT t.what::text INTO wrong FROM jsonb_array_elements(said->'traces') WITH ORDINALITY AS t (what, place)
+    WHERE sha256(traces[t.place]) <> decode(t.what->>'sha256', 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('damaged', wrong); END IF;
+  SELECT t.what::text INTO wrong FROM jsonb_array_elements(said->'traces') AS t (what)
+    JOIN chunk AS c ON c.station = me.id AND c.session = (t.what->>'session')::bigint
+      AND c.step = (t.what->>'step')::integer AND c.attempt = (t.what->>'attempt')::integer
+      AND c.number = (t.what->>'number')::integer
+    WHERE c.hash <> decode(t.what->>'hash', 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('fork', 'a trace is here with another hash: ' || wrong); END IF;
+
+  INSERT INTO chunk (station, session, step, attempt, number, samples, layout, data, hash)
+  SELECT me.id, (t.what->>'session')::bigint, (t.what->>'step')::integer, (t.what->>'attempt')::integer,
+         (t.what->>'number')::integer, (t.what->>'samples')::integer, (t.what->>'layout')::integer,
+         traces[t.place], decode(t.what->>'hash', 'hex')
+  FROM jsonb_array_elements(said->'traces') WITH ORDINALITY AS t (what, place)
+  WHERE NOT EXISTS (SELECT 1 FROM tombstone AS x
+                    WHERE x.station = me.id AND x.number = (t.what->>'session')::bigint)
+  ON CONFLICT DO NOTHING;
+END $$;
+
+CREATE FUNCTION take_keys(me station, said jsonb) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  INSERT INTO content_key (station, participant, key)
+  SELECT me.id, k.participant, decode(k.key, 'hex')
+  FROM jsonb_to_recordset(said->'keys') AS k (participant text, key text)
+  WHERE NOT EXISTS (SELECT 1 FROM tombstone AS x WHERE x.station = me.id AND x.participant = k.participant)
+  ON CONFLICT DO NOTHING;
+END $$;
+
+CREATE FUNCTION receipts(me station, said jsonb) RETURNS json
+LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
+  SELECT coalesce(json_agg(json_build_object(
+      'session', x.number, 'participant', x.participant, 'as_of', x.as_of,
+      'utc', to_char(x.erased AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS.MS"Z"'),
+      'left', left_of(me, x.number, x.participant)) ORDER BY x.number), '[]')
+  FROM tombstone AS x
+  WHERE x.station = me.id
+    AND x.number IN (SELECT s.session FROM jsonb_to_recordset(said->'sessions') AS s (session bigint));
+$$;
+
+-- One session, as it stood after its event as_of.
+CREATE OR REPLACE FUNCTION take_session(me station, which bigint, said_of bigint, facts text, digest bytea) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  here session; reached bigint; sent jsonb := facts; head jsonb := sent->'session'; missing text;
+BEGIN
+  IF sha256(convert_to(facts, 'UTF8')) <> digest THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
+  IF EXISTS (SELECT 1 FROM fact AS f WHERE f.station = me.id AND f.number = which AND f.as_of = said_of
+             AND f.sha256 <> digest) THEN
+    PERFORM refuse('fork', format('session %s is here with other rows', which));
+  END IF;
+  SELECT last INTO reached FROM progress WHERE station = me.id AND number = which;
+  IF reached IS NULL OR said_of > reached THEN
+    PERFORM refuse('gap', format('session %s came before its events', which));
+  END IF;
+  SELECT * INTO here FROM session WHERE station = me.id AND number = which;
+  IF here.as_of >= said_of THEN RETURN; END IF;
+
+  IF NOT EXISTS (SELECT 1 FROM protocol WHERE study = me.study AND sha256 = head->>'protocol') THEN
+    PERFORM refuse('protocol', head->>'protocol');
+  END IF;
+  IF NOT starts_with(sent->'participant'->>'code', me.label || '_') THEN
+    PERFORM refuse('code', sent->'participant'->>'code');
+  END IF;
+  IF head->>'site' IS DISTINCT FROM me.site OR head->>'station' IS DISTINCT FROM me.label THEN
+    PERFORM refuse('place', format('session %s: %s, %s', which, head->>'site', head->>'station'));
+  END IF;
+  SELECT format('session %s, step %s', which, t.step) INTO missing
+    FROM jsonb_to_recordset(sent->'trial') AS t (step integer, attempt integer, trace_samples bigint)
+    WHERE t.trace_samples <> coalesce((SELECT sum(c.samples) FROM chunk AS c WHERE c.station = me.id
+      AND c.session = which AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
+  IF FOUND THEN PERFORM refuse('traces', missing); END IF;
+
+  INSERT INTO fact (station, number, as_of, sha256) VALUES (me.id, which, said_of, digest);
+  DELETE FROM session WHERE station = me.id AND number = which;
+  INSERT INTO session (station, number, as_of, facts, sha256, participant, cohort, run_mode, protocol, language, state,
+                       started_utc, ended_utc)
+  VALUES (me.id, which, said_of, facts, digest, sent->'participant'->>'code', head->>'cohort', head->>'run_mode',
+          head->>'protocol', head->>'language', head->>'state', head->>'started_utc', head->>'ended_utc');
+  INSERT INTO answer (station, number, step, attempt, item, phase, instrument, alternative, counts, kind, point, value,
+                      words)
+  SELECT me.id, which, a.step, a.attempt, a.item, s.phase, s.instrument, s.label, v.status = 'finished', a.kind, a.point,
+         a.number, a.text
+  FROM jsonb_to_recordset(sent->'answer')
+    AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
+  JOIN jsonb_to_recordset(sent->'step') AS s (step integer, phase text, instrument text, label integer)
+    ON s.step = a.step
+  JOIN jsonb_to_recordset(sent->'visit') AS v (step integer, attempt integer, status text)
+    ON v.step = a.step AND v.attempt = a.attempt;
+  IF head->>'state' = 'erased' THEN PERFORM forget(me, which, sent->'participant'->>'code', said_of); END IF;
+END $$;
+
+-- As in step 3.
+CREATE OR REPLACE FUNCTION ingest(batch text, digest bytea, traces bytea[]) RETURNS json
+LANGUAGE plpgsql SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+DECLARE
+  said jsonb; me station; one record; reached bigint; why text; about text; pending bigint;
+BEGIN
+  BEGIN
+    IF sha256(convert_to(batch, 'UTF8')) <> digest THEN PERFORM refuse('damaged', 'the batch'); END IF;
+    said := batch;
+    SELECT * INTO me FROM station WHERE uuid = said->>'station' AND study = said->>'study' FOR UPDATE;
+    IF NOT FOUND THEN PERFORM refuse('unknown', coalesce(said->>'station', '')); END IF;
+    -- Whoever owns all of it takes in what a station without a network sent as a file.
+    IF me.role <> session_user AND NOT pg_has_role(session_user, 'palpate_owner', 'MEMBER') THEN
+      PERFORM refuse('foreign', format('station %s', me.label));
+    END IF;
+    IF me.revoked IS NOT NULL THEN PERFORM refuse('revoked', coalesce(me.revoked_reason, '')); END IF;
+    IF me.first_contact IS NULL AND me.expires < now() THEN PERFORM refuse('expired', me.expires::text); END IF;
+    IF (said->>'format')::integer > 1 THEN PERFORM refuse('newer', said->>'format'); END IF;
+    PERFORM take_traces(me, said, traces);
+    PERFORM take_keys(me, said);
+    reached := take_events(me, said);
+    FOR one IN SELECT * FROM jsonb_to_recordset(said->'sessions')
+      AS s (session bigint, as_of bigint, sha256 text, facts text)
+    LOOP
+      PERFORM take_session(me, one.session, one.as_of, one.facts, decode(one.sha256, 'hex'));
+    END LOOP;
+    UPDATE station SET have = reached, last_contact = now(), first_contact = coalesce(first_contact, now())
+    WHERE id = me.id;
+    SELECT count(*) INTO pending FROM progress AS p
+    LEFT JOIN session AS s ON s.station = p.station AND s.number = p.number
+    WHERE p.station = me.id AND (s.as_of IS NULL OR s.as_of < p.last);
+    RETURN json_build_object(
+      'have', reached, 'pending', pending, 'head',
+      (SELECT encode(hash, 'hex') FROM event WHERE station = me.id AND seq = reached),
+      'erased', receipts(me, said));
+  EXCEPTION
+    WHEN SQLSTATE 'PC001' THEN
+      GET STACKED DIAGNOSTICS why = MESSAGE_TEXT, about = PG_EXCEPTION_DETAIL;
+    WHEN data_exception OR integrity_constraint_violation THEN
+      why := 'damaged';
+      about := SQLERRM;
+  END;
+  INSERT INTO incident (station, what, detail) VALUES (me.id, why, left(about, 1000));
+  RETURN json_build_object('have', coalesce(me.have, 0), 'refused', why, 'detail', about);
+END $$;
+
+DROP FUNCTION take_events(station, json), take_traces(station, json, bytea[]), take_keys(station, json),
+  receipts(station, json);
+REVOKE ALL ON FUNCTION take_events(station, jsonb), take_traces(station, jsonb, bytea[]), take_keys(station, jsonb),
+  receipts(station, jsonb) FROM PUBLIC;
