@@ -74,11 +74,11 @@ class RowSearch {
     for (const auto& comparison : table.comparisons) ranges_.push_back(rangesOf(comparison, sizes));
   }
 
-  std::optional<std::vector<GroupMoments>> found() const {
+  std::optional<std::vector<MeanAndVariance>> found() const {
     std::vector<std::size_t> at(table_.groups.size(), 0);
     do {
       if (const auto means = meansAt(at, 0, means_)) {
-        std::vector<GroupMoments> row;
+        std::vector<MeanAndVariance> row;
         for (std::size_t g = 0; g < at.size(); ++g) {
           row.push_back({.mean = (*means)[g + 1] - (*means)[0], .variance = variances_[g][at[g]]});
         }
@@ -144,7 +144,7 @@ class RowSearch {
 
 }  // namespace
 
-std::optional<std::vector<GroupMoments>> momentsOfRow(
+std::optional<std::vector<MeanAndVariance>> momentsOfRow(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention) {

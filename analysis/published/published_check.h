@@ -13,7 +13,7 @@
 namespace analysis {
 
 /// A group with the mean and the variance (n − 1) that it may have had.
-struct GroupMoments {
+struct MeanAndVariance {
   double mean = 0.0;
   double variance = 0.0;
 };
@@ -28,7 +28,7 @@ struct GroupMoments {
 ///
 /// @param sizes  of every group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
-std::optional<std::vector<GroupMoments>> momentsOfRow(
+std::optional<std::vector<MeanAndVariance>> momentsOfRow(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention);
@@ -61,8 +61,8 @@ struct ComparisonCheck {
 struct ConventionCheck {
   PublishedConvention convention;
   GroupSizes sizes;
-  std::vector<ComparisonCheck> comparisons;      ///< in the order of the table
-  std::optional<std::vector<GroupMoments>> row;  ///< means and variances that give all p at once
+  std::vector<ComparisonCheck> comparisons;         ///< in the order of the table
+  std::optional<std::vector<MeanAndVariance>> row;  ///< means and variances that give all p at once
 
   bool eachFollows() const;
 };
