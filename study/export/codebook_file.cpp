@@ -101,9 +101,10 @@ std::string tracesInWords() {
   return text;
 }
 
-/// Whether the folder notes how far the audit trail was. Simulated sessions are made again from a
-/// seed, and have nothing to prove; a public folder must not lead to its study.
-bool hasHead(const ExportOptions& options) {
+/// Whether the folder says which study it is of, and how far the audit trail was. Simulated
+/// sessions are made again from a seed, and have nothing to prove: nothing in their folder helps
+/// with that of people. A public folder must not lead to its study.
+bool leadsToTheStudy(const ExportOptions& options) {
   return options.runMode != RunMode::Simulated && !options.publicClass;
 }
 
@@ -120,7 +121,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   Json head;
   head["study_id"] = metadata.id;
   head["title"] = metadata.title;
-  if (!options.publicClass) head["study_uuid"] = study.uuid();
+  if (leadsToTheStudy(options)) head["study_uuid"] = study.uuid();
   head["protocol_version"] = metadata.version;
   head["protocol_hash"] = study.protocols().current().sha256;
   head["app_version"] = appVersion();
@@ -132,7 +133,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   head["coarse"] = !options.isExact;
   head["texts"] = options.hasTexts;
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
-  if (hasHead(options)) head["audit_trail"] = study.events().headInWords();
+  if (leadsToTheStudy(options)) head["audit_trail"] = study.events().headInWords();
   if (!options.codes.empty()) head["codes"] = options.codes;
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
@@ -190,7 +191,7 @@ std::string readmeOf(
       "- What a column holds is written in `codebook.json`, or beside each table.\n";
   text += identifiabilityInWords(study, options);
   text += detailInWords(options);
-  if (hasHead(options)) {
+  if (leadsToTheStudy(options)) {
     text += "- The study's audit trail had " + study.events().headInWords() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";
   }

@@ -135,6 +135,8 @@ TEST_F(NotedTrail, StandsInEveryFolderOfLiveSessions) {
   EXPECT_NE(pilot.find("audit trail had " + head), std::string::npos);
   const auto simulated = readme("simulated", RunMode::Simulated);
   EXPECT_EQ(simulated.find(head), std::string::npos);
+  EXPECT_NE(live.find(study_->uuid()), std::string::npos);
+  EXPECT_EQ(simulated.find(study_->uuid()), std::string::npos) << "it is a hash of the seed";
 }
 
 }  // namespace verification_test
