@@ -142,6 +142,7 @@ void StudyPanel::show(const StudySummary& summary) {
   arrivals_->setVisible(!arrivals.isEmpty());
   setRole(*arrivals_, isArrivalOverdue(summary) ? "warn" : "body");
   folder_->setText(shownPath(QString::fromStdString(summary.folder)));
+  folder_->setVisible(!summary.folder.empty());  // it can have the focus
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);

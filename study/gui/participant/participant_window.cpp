@@ -60,6 +60,13 @@ ParticipantWindow::ParticipantWindow(
   auto* top = new QHBoxLayout;
   top->addWidget(progress_, 1);
   top->addSpacing(24);
+  languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // type grows with the window
+  // The arrow grows, too, and Qt leaves it the room of a small one: letters as wide as "X" make up.
+  int longest = 0;
+  for (int i = 0; i < languages_->count(); ++i) {
+    longest = std::max(longest, static_cast<int>(languages_->itemText(i).size()));
+  }
+  languages_->setMinimumContentsLength(longest);
   top->addWidget(languages_);
   top->addWidget(operator_);
   auto* buttons = new QHBoxLayout;

@@ -43,17 +43,19 @@ QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border: 3px solid @focus; }
 QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton:checked { color: @accent.text; background: @accent; border-color: @accent; }
-QPushButton:checked:focus { border: 3px solid @focus; }
+QPushButton:checked:focus { border: 6px double @accent.text; padding: 4px 14px; }
 QPushButton[role="next"] { color: @accent.text; background: @accent; border-color: @accent; font-size: 20px;
                            font-weight: 600; min-height: 48px; min-width: 180px; }
 QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="next"]:focus { border: 3px solid @focus; }
+QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="main"]:focus { border: 3px solid @focus; }
+QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
 QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 52px; padding: 4px; }
+QPushButton[role="point"]:checked:focus { padding: 0px; }
 QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px; }
+QPushButton[role="option"]:checked:focus { padding: 2px 10px; }
 QCheckBox[role="option"] { min-height: 40px; font-size: 18px; }
 QCheckBox[role="option"]::indicator { width: 20px; height: 20px; }
 QLineEdit[role="answer"], QPlainTextEdit[role="answer"] { font-size: 18px; }
@@ -61,8 +63,10 @@ QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; 
 QPlainTextEdit[role="answer"] { min-height: 110px; }
 QSlider[role="answer"] { min-height: 56px; }
 QPushButton[role="tool"] { min-height: 22px; padding: 5px 10px; }
+QPushButton[role="tool"]:checked:focus { padding: 1px 6px; }
 QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
                            font-weight: 700; min-height: 64px; }
+QPushButton[role="stop"]:focus { border: 6px double @stop.text; padding: 4px 14px; }
 QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QLineEdit, QPlainTextEdit, QComboBox {
   background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
@@ -109,6 +113,7 @@ QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }
 QTabBar::tab:selected { color: @accent.text; background: @accent; }
 QTabBar::tab:focus { border: 2px solid @focus; }
+QTabBar::tab:selected:focus { border: 4px double @accent.text; padding: 5px 13px; }
 QTabWidget::pane { border: 1px solid @line; }
 QMenuBar { color: @window.text; background: @window; }
 QMenuBar::item { padding: 6px 12px; background: transparent; }
