@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include <QAbstractTextDocumentLayout>
@@ -24,30 +23,39 @@ namespace {
 constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
 constexpr const char* kHelpProperty = "help";
 
-/// The class name of each window or panel, and text from the heading of its topic.
-constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>>({
-    {"HomeWindow", "The studio"},
-    {"NewStudyDialog", "Create the study"},
-    {"TextsDialog", "Fill in the texts"},
-    {"PreviewWindow", "Look at every page"},
+constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"AmendDialog", "Create the study"},
-    {"PlanDialog", "Create the study"},
-    {"SimulateDialog", "Create the study"},
-    {"StatisticsDialog", "The results"},
-    {"ProtocolWindow", "Write the protocol"},
-    {"OperatorWindow", "The day"},
+    {"BackgroundTask", ""},
     {"BackupDialog", "After each day"},
-    {"VerifyDialog", "After each day"},
-    {"EraseDialog", "After each day"},
-    {"KeyDialog", "The results"},
-    {"ReportDialog", "The results"},
-    {"ExportDialog", "The results"},
-    {"SelfTestDialog", "System check"},
-    {"ImportCutDialog", "Write the protocol"},
-    {"FitMaterialDialog", "Write the protocol"},
     {"BuildBoneDialog", "Write the protocol"},
-    {"Tour", "Try it"},
+    {"CupWindow", "Write the protocol"},
+    {"EraseDialog", "After each day"},
+    {"ExportDialog", "The results"},
+    {"FindingsDialog", "The day"},
+    {"FitMaterialDialog", "Write the protocol"},
+    {"HelpWindow", ""},
+    {"HomeWindow", "The studio"},
+    {"ImportCutDialog", "Write the protocol"},
+    {"KeyDialog", "The results"},
+    {"NewStudyDialog", "Create the study"},
+    {"OperatorWindow", "The day"},
+    {"PageMirror", "The day"},
+    {"ParticipantWindow", ""},
+    {"PinDialog", "The day"},
+    {"PlanDialog", "Create the study"},
+    {"PreviewWindow", "Look at every page"},
+    {"ProtocolWindow", "Write the protocol"},
+    {"QFileDialog", ""},
+    {"QInputDialog", ""},
     {"QMessageBox", "When something goes wrong"},
+    {"ReportDialog", "The results"},
+    {"SelfTestDialog", "System check"},
+    {"SimulateDialog", "Create the study"},
+    {"SimulationView", "Write the protocol"},
+    {"StatisticsDialog", "The results"},
+    {"TextsDialog", "Fill in the texts"},
+    {"Tour", "Try it"},
+    {"VerifyDialog", "After each day"},
 });
 
 QPointer<HelpWindow>& helpWindow() {
@@ -128,15 +136,34 @@ class HelpKey final : public QObject {
 
 }  // namespace
 
+/// In its page Tab leaves the text, which has many links; Left and Right go from link to link.
+class HelpWindow::Text final : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+
+ protected:
+  bool focusNextPrevChild(bool next) override { return QWidget::focusNextPrevChild(next); }
+
+  void keyPressEvent(QKeyEvent* event) override {
+    const bool isToLink = event->key() == Qt::Key_Right || event->key() == Qt::Key_Left;
+    if (!isToLink) return QTextBrowser::keyPressEvent(event);
+    QTextBrowser::focusNextPrevChild(event->key() == Qt::Key_Right);
+  }
+};
+
+std::span<const ProgramWindow> programWindows() noexcept {
+  return kWindows;
+}
+
 QString helpTopicOf(const QWidget& widget) {
   for (const auto* w = &widget; w != nullptr; w = w->parentWidget()) {
     const QString own = w->property(kHelpProperty).toString();
     if (!own.isEmpty()) return own;
-    const QString name = QString::fromUtf8(w->metaObject()->className());
-    for (const auto& [window, topic] : kTopics) {
-      if (name.section(QStringLiteral("::"), -1) == QLatin1String(window)) {
-        return QString::fromUtf8(topic);
-      }
+    const std::string_view name = w->metaObject()->className();
+    const auto* found =
+        std::ranges::find(kWindows, name.substr(name.rfind(':') + 1), &ProgramWindow::name);
+    if (found != kWindows.end() && !found->topic.empty()) {
+      return QString::fromUtf8(found->topic.data(), static_cast<qsizetype>(found->topic.size()));
     }
   }
   return {};
@@ -173,13 +200,14 @@ void offerHelp(QApplication& application) {
 }
 
 HelpWindow::HelpWindow(QWidget* parent)
-    : QMainWindow(parent), contents_(new QListWidget(this)), text_(new QTextBrowser(this)) {
+    : QMainWindow(parent), contents_(new QListWidget(this)), text_(new Text(this)) {
   setWindowTitle(tr("Help — Palpate"));
   contents_->setAccessibleName(tr("Contents"));
   contents_->setWordWrap(true);
   contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   text_->setOpenExternalLinks(false);
   text_->setAccessibleName(tr("Help"));
+  text_->setAccessibleDescription(tr("Left and Right go from link to link"));
   text_->viewport()->installEventFilter(this);
   text_->document()->setDocumentMargin(16);
   text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include <QApplication>
 #include <QListWidget>
 #include <QMainWindow>
 #include <QTextBrowser>
 
 namespace study::gui {
+
+/// A window of the program.
+struct ProgramWindow {
+  std::string_view name;   ///< of its class; one of Qt's own, too
+  std::string_view topic;  ///< text from the heading that F1 shows; empty: no help, or that of the
+                           ///< window from which it was opened
+};
+
+/// Every window and dialog of the program.
+std::span<const ProgramWindow> programWindows() noexcept;
 
 /// Shows the documentation that was built into the program.
 class HelpWindow final : public QMainWindow {
@@ -31,7 +44,8 @@ class HelpWindow final : public QMainWindow {
   void goTo(int block);
 
   QListWidget* contents_;
-  QTextBrowser* text_;
+  class Text;
+  Text* text_;
   QString heading_;
 };
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include <QDialog>
 #include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/field_form.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -54,43 +51,49 @@ QLineEdit* pinLine(QWidget* parent) {
 /// Why two entries are not accepted as a PIN; empty if they are.
 QString whyNot(const QString& first, const QString& second) {
   if (const auto objection = OperatorPin::objection(first)) return *objection;
-  return first == second ? QString() : QDialog::tr("The two PINs are not the same yet.");
+  return first == second ? QString() : PinDialog::tr("The two PINs are not the same yet.");
 }
 
 }  // namespace
 
-std::optional<QString> askForNewPin(QWidget* parent) {
-  QDialog dialog(parent);
-  dialog.setWindowTitle(QDialog::tr("A PIN for this screen"));
-  auto* layout = new QVBoxLayout(&dialog);
+PinDialog::PinDialog(QWidget* parent)
+    : QDialog(parent),
+      first_(pinLine(this)),
+      second_(pinLine(this)),
+      objection_(quietLabel({}, this)) {
+  setWindowTitle(tr("A PIN for this screen"));
+  auto* layout = new QVBoxLayout(this);
   layout->addWidget(bodyLabel(
-      QDialog::tr("The participant gets the whole screen. This PIN brings you back. It is valid "
-                  "until the program ends, and is not saved anywhere."),
-      &dialog));
-  auto* form = new QFormLayout;
-  auto* first = pinLine(&dialog);
-  auto* second = pinLine(&dialog);
-  form->addRow(QDialog::tr("PIN"), first);
-  form->addRow(QDialog::tr("Once more"), second);
+      tr("The participant gets the whole screen. This PIN brings you back. It is valid "
+         "until the program ends, and is not saved anywhere."),
+      this));
+  auto* form = new FieldForm;
+  form->addRow(tr("PIN"), first_);
+  form->addRow(tr("Once more"), second_);
   layout->addLayout(form);
-  auto* objection = quietLabel({}, &dialog);
-  layout->addWidget(objection);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-  buttons->button(QDialogButtonBox::Ok)->setText(QDialog::tr("Hand over"));
+  layout->addWidget(objection_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  handOver_ = buttons->button(QDialogButtonBox::Ok);
+  handOver_->setText(tr("Hand over"));
   layout->addWidget(buttons);
-  const auto judge = [&] {
-    const QString why = whyNot(first->text(), second->text());
-    objection->setText(why);
-    buttons->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
-  };
-  for (auto* line : {first, second}) {
-    QObject::connect(line, &QLineEdit::textChanged, &dialog, judge);
+  for (auto* line : {first_, second_}) {
+    connect(line, &QLineEdit::textChanged, this, &PinDialog::judge);
   }
-  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   judge();
+}
+
+void PinDialog::judge() {
+  const QString why = whyNot(first_->text(), second_->text());
+  objection_->setText(why);
+  handOver_->setEnabled(why.isEmpty());
+}
+
+std::optional<QString> askForNewPin(QWidget* parent) {
+  PinDialog dialog(parent);
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-  return first->text();
+  return dialog.pin();
 }
 
 }  // namespace study::gui

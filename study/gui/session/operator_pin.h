@@ -3,8 +3,11 @@
 #include <optional>
 
 #include <QDeadlineTimer>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QString>
-#include <QWidget>
 
 namespace study::gui {
 
@@ -37,7 +40,25 @@ class OperatorPin {
   QDeadlineTimer wait_{0};
 };
 
-/// Asks the operator twice for a new PIN; std::nullopt if they cancel.
+/// Asks the operator twice for a new PIN, and is accepted only with one that can be used.
+class PinDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PinDialog(QWidget* parent = nullptr);
+
+  QString pin() const { return first_->text(); }
+
+ private:
+  void judge();
+
+  QLineEdit* first_;
+  QLineEdit* second_;
+  QLabel* objection_;
+  QPushButton* handOver_;
+};
+
+/// Asks by that dialog; std::nullopt if the operator cancels.
 std::optional<QString> askForNewPin(QWidget* parent);
 
 }  // namespace study::gui

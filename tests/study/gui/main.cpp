@@ -1,13 +1,18 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
+#include <QMainWindow>
 #include <QSettings>
 #include <QString>
 #include <QTemporaryDir>
 
+#include "study/gui/desk/help_window.h"
 #include "study/gui/widgets/theme.h"
 #include "tests/support/standstill.h"
 
@@ -22,6 +27,31 @@ void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QStrin
   }
 }
 
+/// Fails a test in which a window is shown that the program's list of windows does not have, so
+/// that none is left out by the tests that walk through the list. A widget that a test shows by
+/// itself is no window of the program.
+class EveryWindowIsListed final : public QObject {
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const auto* window = qobject_cast<QWidget*>(watched);
+    if (event->type() != QEvent::Show || window == nullptr || !window->isWindow()) return false;
+    const auto kind = window->windowType();
+    const bool isKind = kind == Qt::Window || kind == Qt::Dialog || kind == Qt::Tool;
+    const bool isOpened = window->parentWidget() != nullptr ||
+                          qobject_cast<const QDialog*>(window) != nullptr ||
+                          qobject_cast<const QMainWindow*>(window) != nullptr;
+    if (!isKind || !isOpened) return false;
+    const std::string name = window->metaObject()->className();
+    const bool isQtsOwn = name.starts_with('Q');
+    const auto last = name.substr(name.rfind(':') + 1);
+    const auto windows = study::gui::programWindows();
+    const bool isListed = std::ranges::any_of(
+        windows, [&](const study::gui::ProgramWindow& each) { return each.name == last; });
+    if (!isListed && !isQtsOwn) ADD_FAILURE() << name << " is not in programWindows()";
+    return false;
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -33,6 +63,8 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   setenv("PALPATE_STATION", settings.filePath("station").toUtf8().constData(), 0);
   study::gui::applyTheme(application);
+  EveryWindowIsListed everyWindowIsListed;
+  application.installEventFilter(&everyWindowIsListed);
   testing::InitGoogleTest(&argc, argv);
   return tests::runAllTests();
 }

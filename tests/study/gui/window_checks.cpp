@@ -11,6 +11,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -78,26 +79,58 @@ void settle() {
   }
 }
 
-/// The largest contrast of a pixel with the colour that most pixels have.
-double contrastWithin(const QImage& picture) {
+/// The part of @p widget that its words are painted in: without its frame, so that only glyphs are
+/// measured.
+QRect placeOfWords(const QWidget& widget) {
+  constexpr QMargins kFrame(8, 5, 8, 5);  // [px]: border and round corners
+  if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    option.editable = box->isEditable();
+    return box->style()
+        ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
+        .adjusted(2, 2, -2, -2);
+  }
+  if (qobject_cast<const QCheckBox*>(&widget) != nullptr) {
+    QStyleOptionButton option;
+    option.initFrom(&widget);
+    return widget.style()->subElementRect(QStyle::SE_CheckBoxContents, &option, &widget);
+  }
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->contentsRect();
+  return widget.rect().marginsRemoved(kFrame);
+}
+
+/// Judges whether the glyphs of @p text can be read in @p picture: whether enough of its pixels
+/// have the contrast @p least with the colour that most pixels have.
+void judge(
+    const QImage& picture,
+    const QString& what,
+    const QString& text,
+    double least,
+    QStringList& found) {
+  constexpr auto kPixelsOfALetter = 2;  // at least; a small "i" has ten
+  constexpr auto kMostLetters = 12;     // the others may be cut off
   std::map<QRgb, int> counts;
   for (int y = 0; y < picture.height(); ++y) {
     for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
   }
-  if (counts.empty()) return 1.0;
+  if (counts.empty()) return;
   const auto ground = std::max_element(
       counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
   double most = 1.0;
+  std::ptrdiff_t legible = 0;
   for (const auto& [colour, count] : counts) {
-    most = std::max(most, study::gui::contrast(QColor(colour), QColor(ground->first)));
+    const double contrast = study::gui::contrast(QColor(colour), QColor(ground->first));
+    most = std::max(most, contrast);
+    if (contrast >= least) legible += count;
   }
-  return most;
-}
-
-void judge(const QImage& picture, const QString& what, double least, QStringList& found) {
-  const double contrast = contrastWithin(picture);
-  if (contrast >= least) return;
-  found << QStringLiteral("%1: contrast %2").arg(what).arg(contrast, 0, 'f', 2);
+  const auto letters =
+      std::count_if(text.begin(), text.end(), [](QChar c) { return c.isLetterOrNumber(); });
+  if (legible >= kPixelsOfALetter * std::clamp<std::ptrdiff_t>(letters, 1, kMostLetters)) return;
+  found << QStringLiteral("%1: contrast %2 in %3 pixels")
+               .arg(what)
+               .arg(most, 0, 'f', 2)
+               .arg(static_cast<qlonglong>(legible));
 }
 
 void judgeEntries(QComboBox& box, double least, QStringList& found) {
@@ -105,15 +138,17 @@ void judgeEntries(QComboBox& box, double least, QStringList& found) {
   settle();
   auto* list = box.view();
   const int before = box.currentIndex();
-  for (int row = 0; row < std::min(box.count(), 4); ++row) {
+  for (int row = 0; row < box.count(); ++row) {
     const auto index = list->model()->index(row, box.modelColumn(), list->rootIndex());
     if (index.data().toString().trimmed().isEmpty()) continue;
     list->setCurrentIndex(index);
+    list->scrollTo(index);
     const auto place = list->visualRect(index).adjusted(4, 4, -4, -4);
     const auto shown = list->viewport()->grab().toImage();
     judge(
         shown.copy(place),
         nameOf(box) + QStringLiteral(", entry ") + index.data().toString(),
+        index.data().toString(),
         least,
         found);
   }
@@ -132,6 +167,7 @@ void judgeMenu(QMenu& menu, double least, QStringList& found) {
     judge(
         shown.copy(menu.actionGeometry(action).adjusted(4, 2, -4, -2)),
         QStringLiteral("menu entry ") + action->text(),
+        action->text(),
         least,
         found);
   }
@@ -180,11 +216,30 @@ bool hasRoomForItsWords(const QWidget& widget) {
     option.editable = box->isEditable();
     const auto place = box->style()->subControlRect(
         QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
-    const int needed = box->fontMetrics().horizontalAdvance(box->currentText());
+    int needed = 0;  // of any entry, because each can be chosen
+    for (int i = 0; i < box->count(); ++i) {
+      needed = std::max(needed, box->fontMetrics().horizontalAdvance(box->itemText(i)));
+    }
     return needed <= place.width() + kRounding &&
            box->fontMetrics().height() <= place.height() + kRounding;
   }
   return true;
+}
+
+/// Whether the name of a field is level with its middle, if it is beside a field of one line.
+bool isLevelWithItsField(const QLabel& label) {
+  constexpr int kRounding = 2;  // [px]
+  constexpr int kMostLines = 3;
+  const auto* field = label.buddy();
+  if (field == nullptr || field->height() > kMostLines * label.fontMetrics().height()) return true;
+  const auto middleOf = [&](const QWidget& widget) {
+    return widget.mapTo(label.window(), widget.rect().center()).y();
+  };
+  const QPoint own = label.mapTo(label.window(), QPoint(0, 0));
+  const QPoint other = field->mapTo(label.window(), QPoint(0, 0));
+  const bool isBeside =
+      own.y() < other.y() + field->height() && other.y() < own.y() + label.height();
+  return !isBeside || std::abs(middleOf(label) - middleOf(*field)) <= kRounding;
 }
 
 bool isControlOrText(const QWidget& widget) {
@@ -222,13 +277,26 @@ bool isPage(const QWidget& widget) {
          widget.findChild<QLabel*>() != nullptr;
 }
 
+/// Whether the focus can be seen: whether enough pixels change by the contrast 3 (WCAG 2.4.13).
 bool looksFocused(QWidget& stop) {
+  constexpr double kLeast = 3.0;
+  constexpr int kLeastPixels = 12;  // a text cursor
   stop.setFocus(Qt::TabFocusReason);
   settle();
   const auto with = stop.grab().toImage();
   stop.clearFocus();
   settle();
-  return with != stop.grab().toImage();
+  const auto without = stop.grab().toImage();
+  if (with.size() != without.size()) return true;
+  int changed = 0;
+  for (int y = 0; y < with.height(); ++y) {
+    for (int x = 0; x < with.width(); ++x) {
+      const QRgb a = with.pixel(x, y);
+      const QRgb b = without.pixel(x, y);
+      if (a != b && study::gui::contrast(QColor(a), QColor(b)) >= kLeast) ++changed;
+    }
+  }
+  return changed >= kLeastPixels;
 }
 
 /// Whether arrow keys lead to @p widget from one of @p stops: options that exclude each other are
@@ -262,10 +330,10 @@ QStringList unreadableTexts(QWidget& window, double least) {
     if (textOf(*widget).trimmed().isEmpty() || isInner(*widget)) continue;
     if (widget->visibleRegion().isEmpty()) continue;
     // With what is behind it, as far as it is in sight.
-    QRect seen = widget->visibleRegion().boundingRect();
+    QRect seen = widget->visibleRegion().boundingRect() & placeOfWords(*widget);
     seen.moveTopLeft(widget->mapTo(&window, seen.topLeft()));
     if (seen.height() >= widget->fontMetrics().height()) {
-      judge(window.grab(seen).toImage(), nameOf(*widget), least, found);
+      judge(window.grab(seen).toImage(), nameOf(*widget), textOf(*widget), least, found);
     }
     auto* box = qobject_cast<QComboBox*>(widget);
     if (box != nullptr && box->isEnabled()) judgeEntries(*box, least, found);
@@ -297,6 +365,9 @@ QStringList cutOffAt(QWidget& window, QSize size) {
     if (isInPreview || !isControlOrText(*widget) || isInner(*widget)) continue;
     const auto* label = qobject_cast<const QLabel*>(widget);
     if (label != nullptr && label->text().isEmpty()) continue;
+    if (label != nullptr && !isLevelWithItsField(*label)) {
+      about(nameOf(*label) + QStringLiteral(" is not level with its field"));
+    }
     if (!isInSight(*widget)) about(nameOf(*widget) + QStringLiteral(" is not in sight"));
     if (!hasRoomForItsWords(*widget))
       about(nameOf(*widget) + QStringLiteral(" has no room for its words"));

@@ -11,9 +11,9 @@ namespace tests {
 /// What keeps people from using a window, one line each; an empty list if nothing does. The window
 /// must be shown and active. Every check also looks at what is inside scroll areas.
 
-/// Texts with a contrast below @p least on what is behind them, as painted (WCAG 1.4.3). Each
-/// drop-down list and each menu is opened, and each of its entries is looked at with the cursor on
-/// it.
+/// Texts whose glyphs have a contrast below @p least on what is behind them, as painted (WCAG
+/// 1.4.3); the frame of a control does not count. Each drop-down list and each menu is opened, and
+/// each of its entries is looked at with the cursor on it.
 QStringList unreadableTexts(QWidget& window, double least);
 
 /// Controls and texts that are cut off, do not have the room that their words need, or lie outside
@@ -21,7 +21,8 @@ QStringList unreadableTexts(QWidget& window, double least);
 QStringList cutOffAt(QWidget& window, QSize size);
 
 /// Controls that Tab does not reach, or from which it does not go on (WCAG 2.1.1 and 2.1.2); stops
-/// that Shift+Tab visits in another order; stops that look the same with the focus and without it.
+/// that Shift+Tab visits in another order; stops at which the focus is not seen with a contrast
+/// of 3.
 QStringList lostFocus(QWidget& window);
 
 /// Elements that a screen reader can focus, without a name for it to say (WCAG 4.1.2).
