@@ -36,7 +36,7 @@ TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {
   const auto* consent = protocol.instrument("consent-punch");
   EXPECT_TRUE(has(page, "<html lang=\"de\">"));
   EXPECT_TRUE(has(page, "Mir ist bekannt, dass die Teilnahme freiwillig ist"));
-  EXPECT_TRUE(has(page, "→ Ja, ich willige in die Teilnahme ein"));
+  EXPECT_TRUE(has(page, "→ Ja, ich nehme teil"));
   EXPECT_TRUE(has(page, "nicht beantwortet")) << "the video, which nobody was asked to allow";
   EXPECT_TRUE(has(page, "consent-punch, Version " + consent->version));
   EXPECT_TRUE(has(page, study_.protocols().current().sha256));
