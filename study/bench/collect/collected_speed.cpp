@@ -216,9 +216,17 @@ void pullAll(
   measured.pulling = timeOf([&] {
     const auto pulled =
         collect::pull(server, {.folder = own / "study", .reason = "benchmark"}, clock);
-    measured.sessions = static_cast<std::int64_t>(pulled.sessions);
-    measured.events = pulled.events;
-    if (!pulled.incomplete.empty()) measured.problems.emplace_back("a session is not complete");
+    measured.sessions = static_cast<std::int64_t>(pulled.sessions());
+    const auto note = [&](const std::vector<std::string>& problems) {
+      measured.problems.insert(measured.problems.end(), problems.begin(), problems.end());
+    };
+    // What 'study verify' says of the folder is left out: repeated sessions have the orders of the
+    // station that they were recorded at.
+    for (const auto& station : pulled.stations) {
+      measured.events += station.events;
+      note(station.problems);
+      note(station.incomplete);
+    }
   });
   measured.memory = peakMemory();
   measured.pulledMegabytes = megabytesOf(own / "study");

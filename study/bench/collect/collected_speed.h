@@ -15,7 +15,7 @@ struct CollectSize {
   std::int64_t answers = 1'000'000;
   int sites = 1000;
   int participants = 200;  ///< with samples
-  int repetitions = 5;     ///< of what is timed in turn
+  int repetitions = 21;    ///< of what is timed in turn
 };
 
 /// Ingest beside COPY of the same rows, of one part of the stations.
