@@ -330,11 +330,13 @@ class Writer {
         if (score.values.empty()) continue;
         const auto about = score.condition.empty() ? score.occasion : titleOf(score.condition);
         line(fmt::format(
-            "{}{} {} {}, n = {}",
+            "{}{} {}{}, n = {}",
             padded(instrument.instrument + ", " + score.score, 40),
             padded(cohortTitle(score.cohort) + (about.empty() ? "" : ", " + about), 44),
             rounded(score.mean, 2),
-            rounded(score.standardDeviation, 2) + " " + intervalInWords(score.interval),
+            score.standardDeviation
+                ? " " + rounded(score.standardDeviation, 2) + " " + intervalInWords(score.interval)
+                : std::string(),
             score.values.size()));
       }
     }

@@ -151,6 +151,7 @@ std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   std::set<std::string> others;
   for (const auto& event : study.events().read()) {
     if (!event.visit || event.actor != storage::Actor::Operator) continue;
+    if (event.kind == EventKind::Erased) continue;  // its reason stays
     auto& found = theirs.count(event.visit->session) > 0 ? texts : others;
     found.insert(event.detail);
     if (const auto* reason = event.value("reason")) {

@@ -113,7 +113,8 @@ TEST(CommandReference, EscapesTroffRequests) {
 }
 
 TEST(CommandReference, ManualPagesHaveNoWarnings) {
-  if (tests::run({"sh", "-c", "command -v groff"}).status != 0) GTEST_SKIP() << "needs groff: ./setup --check";
+  if (tests::run({"sh", "-c", "command -v groff"}).status != 0)
+    GTEST_SKIP() << "needs groff: ./setup --check";
   const tests::ScratchFolder folder;
   const auto file = (folder.path() / "page.1").string();
   for (const auto& page :

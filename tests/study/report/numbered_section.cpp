@@ -273,8 +273,8 @@ study::InstrumentSummary instrumentSummary() {
 std::vector<study::FeltCurve> feltCurves() {
   const auto curve = [](const char* condition, double force, const std::vector<double>& own) {
     study::FeltCurve made{.condition = condition, .device = "punch", .trials = 4, .points = {}};
-    for (const double travel : {1.0, 2.0}) {
-      made.points.push_back({travel, force - 0.5, force, force + 0.5});
+    for (const int bin : {1, 2}) {
+      made.points.push_back({1.0 * bin, force - 0.5, force, force + 0.5, bin});
     }
     for (std::size_t i = 0; i < own.size(); ++i) {
       made.medians["P" + std::to_string(i)] = {{1, own[i]}, {2, own[i]}};

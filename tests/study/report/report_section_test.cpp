@@ -65,6 +65,23 @@ TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
   EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());
 }
 
+/// A simulated participant of a shipped protocol, as a page.
+std::string pageOfOne(const char* protocol) {
+  tests::MadeStudy study(tests::libraryProtocol(protocol));
+  simulateCohorts(*study, study.clock, 1, 3, [](const auto&) {});
+  return asHtml({gather(*study, RunMode::Simulated)});
+}
+
+TEST(ReportSection, HasNoDashInATableOfOneParticipant) {
+  for (const auto* protocol :
+       {"punch-face-validity", "punch-counterbalanced", "reaming-hardness"}) {
+    const auto page = pageOfOne(protocol);
+    EXPECT_NE(page.find("<h2 class=\"appendix\">"), std::string::npos) << protocol;
+    const auto dash = page.find("–</td>");
+    EXPECT_EQ(dash, std::string::npos) << protocol << page.substr(dash - 300, 320);
+  }
+}
+
 TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
   simulateCohorts(*study, study.clock, 3, 3, [](const auto&) {});

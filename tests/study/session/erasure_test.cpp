@@ -188,6 +188,7 @@ TEST_F(ErasureTest, OfTheIdentityKeepsAnswers) {
   EXPECT_TRUE(study_->identities().names().empty());
   EXPECT_EQ(problemsOf(*study_), "");
   eraseThem(ErasureLevel::Answers);
+  EXPECT_TRUE(eraseThem().filesWithTexts.empty()) << "its own reason stays";
   EXPECT_EQ(row().state, SessionState::Erased);
   EXPECT_EQ(problemsOf(*study_), "");
 }

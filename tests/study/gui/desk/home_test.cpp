@@ -252,6 +252,7 @@ TEST_F(HomeTest, ListsTheLastOpenedStudyFirstAlsoAfterARestart) {
 
 TEST_F(HomeTest, ListsEveryStudyAndReadsOnlyThoseInSight) {
   constexpr int kStudies = 200;
+  constexpr int kPatience = 60'000;  // [ms]
   for (int i = 0; i < kStudies; ++i) {
     rememberStudy(
         QString::fromStdString(folder_ / std::to_string(i)), QStringLiteral("Study %1").arg(i));
@@ -269,10 +270,10 @@ TEST_F(HomeTest, ListsEveryStudyAndReadsOnlyThoseInSight) {
   };
   EXPECT_EQ(readRows(), 1) << "the chosen one; the others wait until the window is there";
   const auto isRead = [&](int row) { return list->item(row, 1)->text() != QStringLiteral("…"); };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(5); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(5); }, kPatience));
   EXPECT_FALSE(isRead(kStudies - 1));
   listOf(home)->scrollToBottom();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(kStudies - 1); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(kStudies - 1); }, kPatience));
   EXPECT_LT(readRows(), kStudies / 2);
 }
 

@@ -16,11 +16,13 @@
 namespace study::gui {
 namespace questionnaire_page_test {
 
+/// The items of a shipped questionnaire, all on one sheet.
 std::vector<questionnaires::Item> itemsOf(const std::string& name) {
   for (const auto& file : questionnaires::libraryFiles()) {
-    if (file.name == name + ".json") {
-      return questionnaires::readSoundInstrument(file.content, name).items;
-    }
+    if (file.name != name + ".json") continue;
+    auto items = questionnaires::readSoundInstrument(file.content, name).items;
+    for (auto& item : items) item.startsPage = false;
+    return items;
   }
   ADD_FAILURE() << name;
   return {};
