@@ -159,7 +159,8 @@ TEST(StatisticsTableOfItems, HasNumbersAboutAPersonInExactExportsOnly) {
     const ExportOptions options{
         .runMode = RunMode::Simulated, .isBlinded = false, .isExact = isExact};
     std::map<std::string, int> times;
-    for (const auto& row : rowsOf(statisticsTable(*study, options, resultsFor(*study, options)))) {
+    for (const auto& row :
+         tests::rowsOf(statisticsTable(*study, options, resultsFor(*study, options)))) {
       ++times[row.at("item_id")];
     }
     EXPECT_EQ(times["surgery-years"] > 0, isExact);

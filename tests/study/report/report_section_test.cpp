@@ -65,6 +65,24 @@ TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
   EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());
 }
 
+TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
+  simulateCohorts(*study, study.clock, 3, 3, [](const auto&) {});
+  const auto results = computeResults(*study, RunMode::Simulated);
+  const auto text = resultsAsText(*study, results, Profile::Declared);
+  ASSERT_FALSE(results.answers.items.empty());
+  for (const auto& one : results.answers.items) {
+    EXPECT_NE(text.find("\n" + one.instrument + ", " + one.item + "  "), std::string::npos)
+        << one.instrument << ", " << one.item << " is not in\n"
+        << text;
+    if (!one.mean) continue;
+    const auto words = rounded(one.median, 2) + ", " + fmt::format("{:.4g} … ", *one.least);
+    EXPECT_NE(text.find(words), std::string::npos) << words << " is not in\n" << text;
+  }
+  ASSERT_FALSE(results.answers.quotes.empty());
+  EXPECT_NE(text.find(", quoted in the report\n"), std::string::npos) << text;
+}
+
 /// A simulated participant of a shipped protocol, as a page.
 std::string pageOfOne(const char* protocol) {
   tests::MadeStudy study(tests::libraryProtocol(protocol));
@@ -101,41 +119,6 @@ TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
 }
 
 /// Finds wrong plurals: "1 cuts", "1 participants".
-/// A simulated participant of a shipped protocol, as a page.
-std::string pageOfOne(const char* protocol) {
-  tests::MadeStudy study(tests::libraryProtocol(protocol));
-  simulateCohorts(*study, study.clock, 1, 3, [](const auto&) {});
-  return asHtml({gather(*study, RunMode::Simulated)});
-}
-
-TEST(ReportSection, HasNoDashInATableOfOneParticipant) {
-  for (const auto* protocol :
-       {"punch-face-validity", "punch-counterbalanced", "reaming-hardness"}) {
-    const auto page = pageOfOne(protocol);
-    EXPECT_NE(page.find("<h2 class=\"appendix\">"), std::string::npos) << protocol;
-    const auto dash = page.find("–</td>");
-    EXPECT_EQ(dash, std::string::npos) << protocol << page.substr(dash - 300, 320);
-  }
-}
-
-TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
-  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
-  simulateCohorts(*study, study.clock, 3, 3, [](const auto&) {});
-  const auto results = computeResults(*study, RunMode::Simulated);
-  const auto text = resultsAsText(*study, results, Profile::Declared);
-  ASSERT_FALSE(results.answers.items.empty());
-  for (const auto& one : results.answers.items) {
-    EXPECT_NE(text.find("\n" + one.instrument + ", " + one.item + "  "), std::string::npos)
-        << one.instrument << ", " << one.item << " is not in\n"
-        << text;
-    if (!one.mean) continue;
-    const auto words = rounded(one.median, 2) + ", " + fmt::format("{:.4g} … ", *one.least);
-    EXPECT_NE(text.find(words), std::string::npos) << words << " is not in\n" << text;
-  }
-  ASSERT_FALSE(results.answers.quotes.empty());
-  EXPECT_NE(text.find(", quoted in the report\n"), std::string::npos) << text;
-}
-
 std::string oneOfMany(const std::string& text) {
   static const std::regex kWrong(
       "[^0-9.]1 (participants|people|cuts|trials|answers|comparisons|alternatives|forms|times|"

@@ -25,7 +25,7 @@ protocols::LoadedProtocol stricter() {
 }
 
 bool hasFlag(const Results& results) {
-  const auto raised = flagsByKind(results.families.front());
+  const auto raised = flagsByKind(results.families.front(), true);
   return std::any_of(raised.begin(), raised.end(), [](const auto& one) {
     return one.flag->id == "family_not_declared";
   });
