@@ -100,24 +100,6 @@ TEST(ReportSection, HasNoDashInATableOfOneParticipant) {
   }
 }
 
-TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
-  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
-  simulateCohorts(*study, study.clock, 3, 3, [](const auto&) {});
-  const auto results = computeResults(*study, RunMode::Simulated);
-  const auto text = resultsAsText(*study, results, Profile::Declared);
-  ASSERT_FALSE(results.answers.items.empty());
-  for (const auto& one : results.answers.items) {
-    EXPECT_NE(text.find("\n" + one.instrument + ", " + one.item + "  "), std::string::npos)
-        << one.instrument << ", " << one.item << " is not in\n"
-        << text;
-    if (!one.mean) continue;
-    const auto words = rounded(one.median, 2) + ", " + fmt::format("{:.4g} … ", *one.least);
-    EXPECT_NE(text.find(words), std::string::npos) << words << " is not in\n" << text;
-  }
-  ASSERT_FALSE(results.answers.quotes.empty());
-  EXPECT_NE(text.find(", quoted in the report\n"), std::string::npos) << text;
-}
-
 /// Finds wrong plurals: "1 cuts", "1 participants".
 std::string oneOfMany(const std::string& text) {
   static const std::regex kWrong(
