@@ -117,8 +117,9 @@ TEST(Schedule, LabelsByConditionByPositionOrByChance) {
   EXPECT_EQ(byChance.size(), 6U);  // all orders of three labels come up
 }
 
-TEST(Schedule, CallsAConditionTheSameInEveryBlockOfASession) {
-  const auto protocol = libraryProtocol("punch-counterbalanced");
+TEST(Schedule, CallsAConditionTheSameInEveryBlockOfASessionWithRandomLabels) {
+  auto protocol = libraryProtocol("punch-counterbalanced");
+  protocol.labels.policy = LabelPolicy::Random;
   for (std::uint64_t slot = 0; slot < 20; ++slot) {
     const auto schedule = scheduleFor(protocol, 3, protocol.cohorts.at(0).id, slot);
     std::map<std::string, int> label;
