@@ -143,6 +143,21 @@ class Campaign : public tests::CollectTest {
   /// Once in so many times, not in turn: a station whose turn it always is would never get on.
   bool isTurn(int times) { return std::uniform_int_distribution<int>(1, times)(random_) == 1; }
 
+  static void endSessions(Study& study) {
+    for (const auto& row : study.sessions().all()) {
+      if (row.runMode != study::RunMode::Live || study::isOver(row.state)) continue;
+      auto session = study::Session::resume(study, row.id);
+      if (session.state() == study::SessionState::Interrupted) session.repeatStep("killed in it");
+      tests::walkToTheEnd(session);
+    }
+  }
+
+  void endSessions(const std::string& label) {
+    const auto account = accountOf(label);
+    auto study = Study::open(folderOf(label), clock_);
+    endSessions(study);
+  }
+
   /// Participants come. Once in three times somebody pulls the plug; the next go on from there.
   void work(const std::string& label) {
     attempt(isTurn(3) ? soon(300'000) : 0, [&] {
@@ -151,10 +166,8 @@ class Campaign : public tests::CollectTest {
       int simulated = 0;
       for (const auto& row : study.sessions().all()) {
         if (row.runMode == study::RunMode::Simulated && study::isOver(row.state)) ++simulated;
-        if (row.runMode != study::RunMode::Live || study::isOver(row.state)) continue;
-        auto session = study::Session::resume(study, row.id);
-        tests::walkToTheEnd(session);
       }
+      endSessions(study);
       study::simulateCohorts(study, clock_, simulated + 1, seedOf(label), [](const auto&) {});
       for (int i = 0; i < people_; ++i) {
         auto session = tests::consenting(study, {.cohort = i % 2 == 0 ? "surgeons" : "students"});
@@ -188,7 +201,10 @@ class Campaign : public tests::CollectTest {
       postgres().start();
       return;
     }
-    if (attempt(isTurn(2) ? soon(80'000) : 0, push)) drop(label);
+    // In a control nothing is killed: a push that ends after the first of three sends nothing
+    // twice.
+    const bool mayBeKilled = sabotage_ == Sabotage::None && isTurn(2);
+    if (attempt(mayBeKilled ? soon(80'000) : 0, push)) drop(label);
   }
 
   static Outbox::Limits smallParts() { return {.events = 150, .traceBytes = 200'000}; }
@@ -249,7 +265,9 @@ class Campaign : public tests::CollectTest {
     drop(label);
   }
 
+  /// What is under way is signed when it is over, and is pulled from then on.
   void finish(const std::string& label) {
+    endSessions(label);
     pushThrice(label);
     drop(label);
     push(label);

@@ -25,6 +25,7 @@ protocols::LoadedProtocol protocol(tests::ScratchFolder& folder) {
   auto json = nlohmann::ordered_json::parse(shipped->text);
   auto& device = json["devices"][0];
   device["kind"] = "paddle";
+  device["max_force_n"] = 5.0;  // a paddle gives less than a punch
   for (auto& condition : json["conditions"]) {
     condition["scene"] = {
         {"device", device["id"]},
