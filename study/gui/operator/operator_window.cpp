@@ -85,7 +85,8 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(20, 14, 20, 14);
   layout->setSpacing(10);
-  layout->addWidget(makeHead());
+  head_ = makeHead();
+  layout->addWidget(head_);
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
   // Only the page that is shown needs room.
@@ -157,6 +158,9 @@ QWidget* OperatorWindow::makeSession() {
 /// Puts the buttons beside the trial, or above it in a narrow window.
 void OperatorWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
+  // Its lines are wrapped in a narrow window, which the least height of the contents does not tell.
+  constexpr int kAround = 60;  // [px]: margins, and the bar of what is scrolled
+  head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
   constexpr int kRoomForTwo = 900;  // [px]
   constexpr int kControlsWidth = 470;
   constexpr int kHeightOfEach = 420;  // above one another

@@ -91,8 +91,9 @@ class OperatorWindow final : public QMainWindow {
   CutKey cutKey_;
   QStringList waitingErrors_;  ///< messages that wait until the participant's window is unlocked
   QBoxLayout* columns_ = nullptr;  ///< of the page during a session
-  QStackedWidget* pages_;          ///< between sessions, and during a session
-  QStackedWidget* middle_;         ///< during a session: the trial, or the interview
+  QWidget* head_ = nullptr;
+  QStackedWidget* pages_;   ///< between sessions, and during a session
+  QStackedWidget* middle_;  ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
   SessionsPage* sessions_;
   ControlPanel* controls_;

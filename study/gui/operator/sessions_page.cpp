@@ -104,7 +104,7 @@ QWidget* SessionsPage::makeEnrolment() {
 
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
-  constexpr int kCardWidth = 400;  // [px]
+  constexpr int kCardWidth = 440;  // [px]
   card->setFixedWidth(kCardWidth);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
@@ -134,6 +134,18 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   table_->setMinimumHeight(isWide ? 0 : kLeastOfTable);
+  giveRoom();
+}
+
+/// A scrolled page gets the least height that its layout asks for, which knows nothing of the lines
+/// that titles of cohorts and details of a session are wrapped into.
+void SessionsPage::giveRoom() {
+  auto* card = enrol_->parentWidget();
+  card->setMinimumHeight(card->layout()->totalHeightForWidth(card->maximumWidth()));
+  auto* list = table_->parentWidget();
+  const bool isBeside = columns_->direction() == QBoxLayout::LeftToRight;
+  const int width = this->width() - (isBeside ? card->maximumWidth() + columns_->spacing() : 0);
+  list->setMinimumHeight(list->layout()->totalHeightForWidth(width));
 }
 
 void SessionsPage::refresh() {
@@ -144,6 +156,7 @@ void SessionsPage::refresh() {
     fillTable(sessions, protocol);
     fillCohorts(sessions, protocol);
   });
+  giveRoom();
   showSelected();
 }
 

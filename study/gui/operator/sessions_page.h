@@ -44,6 +44,7 @@ class SessionsPage final : public QWidget {
   QWidget* makeEnrolment();
   void fillTable(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
+  void giveRoom();
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();

@@ -72,10 +72,26 @@ std::vector<QWidget*> visibleIn(QWidget& window) {
   return found;
 }
 
+QList<QRect> placesOfAll() {
+  QList<QRect> places;
+  for (const auto* widget : QApplication::allWidgets()) {
+    if (widget->isVisible()) places << widget->geometry();
+  }
+  return places;
+}
+
+/// Waits until nothing moves any more: a layout that changes its direction, or a text that is
+/// wrapped, asks those around it for other sizes, round after round.
 void settle() {
-  for (int i = 0; i < 3; ++i) {
+  constexpr int kLeastRounds = 3;
+  constexpr int kMostRounds = 50;
+  auto before = placesOfAll();
+  for (int round = 1; round <= kMostRounds; ++round) {
     QApplication::processEvents();
     QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    auto now = placesOfAll();
+    if (round >= kLeastRounds && now == before) return;
+    before = std::move(now);
   }
 }
 
