@@ -152,15 +152,11 @@ class Campaign : public tests::CollectTest {
     }
   }
 
-  void endSessions(const std::string& label) {
-    const auto account = accountOf(label);
-    auto study = Study::open(folderOf(label), clock_);
-    endSessions(study);
-  }
-
   /// Participants come. Once in three times somebody pulls the plug; the next go on from there.
-  void work(const std::string& label) {
-    attempt(isTurn(3) ? soon(300'000) : 0, [&] {
+  void work(const std::string& label) { work(label, isTurn(3) ? soon(300'000) : 0); }
+
+  void work(const std::string& label, useconds_t patience) {
+    attempt(patience, [&] {
       const auto account = accountOf(label);
       auto study = Study::open(folderOf(label), clock_);
       int simulated = 0;
@@ -265,9 +261,9 @@ class Campaign : public tests::CollectTest {
     drop(label);
   }
 
-  /// What is under way is signed when it is over, and is pulled from then on.
+  /// What was killed at last is signed with the end of the next session, and pulled from then on.
   void finish(const std::string& label) {
-    endSessions(label);
+    work(label, 0);
     pushThrice(label);
     drop(label);
     push(label);
