@@ -76,7 +76,8 @@ std::optional<double> rmsFromMeant(const FeltCurve& curve) {
   if (curve.meant.empty() || curve.points.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    sum += std::pow(curve.points[i].median - curve.meant[i], 2.0);
+    const double off = curve.points[i].median - curve.meant[i];
+    sum += off * off;  // not pow(), which compilers round differently
   }
   return std::sqrt(sum / static_cast<double>(curve.points.size()));
 }
@@ -103,7 +104,10 @@ std::set<int> binsOfBoth(const Medians& a, const Medians& b) {
 std::optional<double> rmsDifference(const Medians& a, const Medians& b, const std::set<int>& bins) {
   if (bins.empty()) return std::nullopt;
   double sum = 0.0;
-  for (const int bin : bins) sum += std::pow(a.at(bin) - b.at(bin), 2.0);
+  for (const int bin : bins) {
+    const double off = a.at(bin) - b.at(bin);
+    sum += off * off;
+  }
   return std::sqrt(sum / static_cast<double>(bins.size()));
 }
 
