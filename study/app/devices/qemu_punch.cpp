@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "study/model/user_error.h"
-
-extern char** environ;
 
 namespace study::app {
 namespace {
@@ -37,17 +35,15 @@ pid_t start(const std::string& firmware, int out) {
   std::vector<char*> words;
   for (auto& text : texts) words.push_back(text.data());
   words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
-  pid_t id = -1;
-  const int error = posix_spawnp(&id, kEmulator, &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == 0) return id;
-  throw UserError(
-      "QEMU (qemu-system-arm) cannot be started. Install it with ./setup --firmware, or leave "
-      "--firmware out: then the same program runs natively.");
+  const pid_t parent = getpid();
+  const pid_t id = fork();
+  if (id != 0) return id;
+  // QEMU ends with this program, also when this is killed.
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent &&
+      dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0) {
+    execvp(kEmulator, words.data());
+  }
+  _exit(127);
 }
 
 /// The pseudo-terminal in QEMU's output: "char device redirected to /dev/pts/0 (label serial0)".
@@ -63,7 +59,10 @@ std::string portIn(int from) {
     const auto end = begin == std::string::npos ? begin : said.find(' ', begin);
     if (end != std::string::npos) return said.substr(begin, end - begin);
   }
-  throw UserError("QEMU did not offer a serial line: " + said);
+  throw UserError(
+      "QEMU (qemu-system-arm) did not offer a serial line" + (said.empty() ? "" : ": " + said) +
+      ". Install it with ./setup --firmware, or leave --firmware out: then the same program runs "
+      "natively.");
 }
 
 }  // namespace

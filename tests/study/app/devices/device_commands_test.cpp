@@ -302,6 +302,23 @@ TEST(DeviceFirmware, UnderQemuGivesTheSameForcesAndItsEndIsDetected) {
   EXPECT_TRUE(readUntil(participant, "broken off"));
 }
 
+TEST(DeviceFirmware, EndsWithAnEmulatorThatIsKilled) {
+  const std::string firmware = tests::punchFirmware();
+  if (firmware.empty()) GTEST_SKIP() << "needs arm-none-eabi-g++ and QEMU: ./setup --firmware";
+  tests::ScratchFolder folder;
+  std::filesystem::path process = "/proc";
+  {
+    Emulator board({"punch", "--link", folder / "port", "--firmware", firmware});
+    process /= board.status().at("qemu_pid");
+    ASSERT_TRUE(std::filesystem::exists(process));
+  }  // by SIGKILL
+  const auto until = tests::monotonic() + 20'000'000'000;
+  while (std::filesystem::exists(process) && tests::monotonic() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_FALSE(std::filesystem::exists(process));
+}
+
 TEST(DeviceEmulators, AnswerHelpAndInvalidNumbersInTheSameWay) {
   tests::ScratchFolder folder;
   Emulator punch({"punch", "--link", folder / "port"});
