@@ -130,7 +130,7 @@ Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) 
   if (auto why = whyColumnsDepend(fixed); !why.empty()) return why;
   for (std::size_t k = 0; k < random.size(); ++k) {
     if (auto why = whyRandomIsNotDefined(random[k]); !why.empty()) return why;
-    // Two factors group alike where no level of one meets two levels of the other.
+    // Two random factors are confounded where no level of one occurs with two levels of the other.
     for (std::size_t l = 0; l < k; ++l) {
       const std::size_t pairs = crossing(random[k], random[l]).levels.size();
       if (pairs == random[k].levels.size() && pairs == random[l].levels.size()) {

@@ -17,7 +17,8 @@ constexpr const char* kOurFloat = "palpate, force and mesh, float";
 
 using peers::StringSolver;
 
-/// Ours: the force alone, or with the mesh as well. Errors of both precisions have a bound.
+/// Palpate's own solver: the force alone, or with the displacements of the mesh. The benchmark
+/// fails if its error exceeds the bound of the precision.
 template <typename Scalar>
 StringSolver ourString(
     std::string name, const std::vector<double>& stiffnesses, double tool, bool hasMesh) {

@@ -28,7 +28,7 @@ enum class Finding : std::uint8_t { Pass, Warn, Fail };
 
 const char* nameOf(Finding finding) noexcept;
 
-/// One line of what a device was found to be.
+/// One result of the check of a device.
 struct CheckResult {
   Finding finding = Finding::Pass;
   std::string what;      ///< what was looked at: "telemetry rate"

@@ -85,8 +85,8 @@ Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept 
   return result;
 }
 
-/// The moment whose work is the energy of springs turned by @p turn that pull by @p pull, where
-/// they differ from axis to axis: the transposed inverse of the right Jacobian of the rotations.
+/// The moment of rotational springs whose stiffness differs from axis to axis: J_r⁻ᵀ pull, with the
+/// right Jacobian J_r of SO(3) at the rotation vector @p turn. Its work is the springs' energy.
 Eigen::Vector3d momentOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& pull) noexcept {
   const double angle = turn.norm();
   // For small turns the limit: of the difference of two large numbers few digits would be left.

@@ -49,7 +49,7 @@ class SurgeonHand {
 
 class SurgeonHand;
 
-/// Along the three axes of a frame, then about them.
+/// Three components along the axes of a frame, then three about them.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// What moves in a simulated arm.
@@ -66,7 +66,7 @@ struct IiwaMechanics {
 ///
 /// A ratio of damping ζ is 2ζ√(k m), with m the arm's own inertia along that axis at present.
 struct CartesianImpedance {
-  /// The task frame as seen from the commanded tool; by default they are the same, z and all.
+  /// Orientation of the task frame in the frame of the commanded tool.
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   /// Along x y z [N/m], in [0, 5000]; about x y z [N·m/rad], in [0, 300]: the range
   /// that an example for iiwa_msgs states [unverified].
@@ -109,8 +109,8 @@ class IiwaArm {
       const devices::JointVector& start,
       const IiwaMechanics& mechanics = {});
 
-  /// The law from now on; overlays stay.
-  /// @throws std::invalid_argument  if a value is out of its range; the law is as before.
+  /// Sets the control law. Overlays stay.
+  /// @throws std::invalid_argument  if a value is out of its range; the law is not changed.
   void setControl(const CartesianImpedance& law);
   void setControl(const JointImpedance& law);
 
@@ -148,7 +148,7 @@ class IiwaArm {
   const devices::Pose& tool() const noexcept { return state_.tool; }
   devices::Twist toolTwist() const noexcept { return state_.jacobian * velocity_; }
 
-  /// Of motion and of the law's springs [J].
+  /// Kinetic energy of the arm and potential energy of the control law's springs [J].
   double energy() const noexcept;
 
   const devices::IiwaKinematics& kinematics() const noexcept { return kinematics_; }

@@ -37,7 +37,7 @@ class MeshView {
   std::vector<Point> shape_;  ///< under one newton, or one travel unit of penetration
 };
 
-/// A part of a scene, built or left out.
+/// One step of computing a scene's force: whether this scene needs it, and why.
 struct Pass {
   std::string name;
   bool isIn = false;

@@ -56,7 +56,8 @@ void ForceEngine::setScene(CompiledScene* scene) noexcept {
   scene_.store(scene, std::memory_order_release);
 }
 
-/// Whether there is a new measurement. What is not measured stays as it was, marked.
+/// Reads the device. @return  whether there is a new sample; otherwise the last values stay, and
+/// the sample's status says so.
 bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const devices::DeviceSample seen = device_.read(dt);
   sample.status = seen.status;

@@ -38,8 +38,8 @@ class ForceModel {
   /// The steepest slope of the curves that it is made of [N per travel unit].
   virtual double largestStiffness() const noexcept = 0;
 
-  /// The same where it bounds what is rendered in every motion: |ΔF| ≤ K |Δx|. std::nullopt if
-  /// that is not proved, as for a filter: renderedSlope() then measures it.
+  /// An upper bound K of the stiffness that is rendered, for every motion: |ΔF| ≤ K |Δx|.
+  /// std::nullopt where there is no proof, as for a filter: renderedSlope() then measures it.
   virtual std::optional<double> slopeBound() const noexcept { return largestStiffness(); }
 
   /// Whether the tool may move. A bone that is reamed first checks, over several ticks, that the

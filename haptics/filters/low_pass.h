@@ -5,7 +5,7 @@
 
 namespace haptics::filters {
 
-/// A low-pass that delays nothing: a symmetric finite filter, applied about the middle.
+/// A zero-phase low-pass: a symmetric FIR filter, centred on each sample.
 ///
 /// The n = 2m + 1 taps are an ideal low-pass under a Kaiser window, scaled to a gain of one at
 /// rest:

@@ -40,7 +40,7 @@ struct CutLandmarks {
 inline constexpr double kLeastYieldLoad = 3.0;
 
 /// The landmarks of the first cut that is completed along these samples, or of what has happened
-/// by their end. Both are equally long, in the order of time.
+/// by their end. Travel and force have the same length and are in the order of time.
 ///
 /// A force that rises and falls while nothing is cut is no yield: where less than a quarter of the
 /// load is left while the tool goes on, the finger has only lost the handle.

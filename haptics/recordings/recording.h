@@ -55,7 +55,7 @@ struct Recording {
   std::string source{};                ///< name of the file, for messages and provenance
   std::string readingUnit = "counts";  ///< `counts`, `V`, `mV`, or `N` where they are forces
   std::optional<ForceCalibration> calibration{};  ///< of the recorder's sensor, where it is known
-  /// From here on the sensor says no more, and a force is a lower bound [readingUnit].
+  /// The reading at which the sensor saturates: a force there is a lower bound [readingUnit].
   double saturation = std::numeric_limits<double>::infinity();
   std::vector<Row> rows{};                  ///< never empty; every number is finite
   std::size_t lines = 0;                    ///< all lines, empty ones too

@@ -65,7 +65,7 @@ std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   return texts;
 }
 
-/// A list of different texts.
+/// Reads `instrument_files`; reports names that occur twice.
 std::vector<std::string> readFileNames(const Node& root) {
   auto names = readTexts(root, "instrument_files");
   std::set<std::string> seen;

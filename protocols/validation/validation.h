@@ -79,7 +79,8 @@ struct Disclosure {
 ///
 /// A blinded export shows of each answer its block, its position there, the number of the
 /// alternative and the statement. A reader who has the protocol as well must not learn the
-/// condition from these (docs/decisions/0033). What answers themselves say is not judged.
+/// condition from these (docs/decisions/0033). What the answers themselves reveal is not judged.
+/// Empty: an export of the study can be blinded.
 /// @param protocol  valid.
 std::vector<Disclosure> disclosuresOf(const Protocol& protocol);
 

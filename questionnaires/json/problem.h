@@ -17,8 +17,8 @@ enum class Severity {
   Warning,  ///< it can, and its author should know
 };
 
-/// Something wrong or unusual in a researcher's file, and what to do about it. Errors are told in
-/// English only, at a desk; warnings stand in reports as well, and have keys.
+/// Something wrong or unusual in a researcher's file, and what to do about it. Errors are in
+/// English, for the researcher; warnings appear in reports as well and are translated by key.
 struct Problem {
   Severity severity = Severity::Error;
   std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"

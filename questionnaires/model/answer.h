@@ -31,7 +31,7 @@ std::optional<std::string> validationError(
 /// end of a slider, the labels of several options with "; " between them; empty where it has none.
 std::string labelOf(const Item& item, const Response& response, std::string_view language);
 
-/// The answer as it counts: reversed where the key is -1, low + high - x.
+/// The value that is scored: a reverse-keyed item (key -1) gives low + high - x.
 std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
 
 /// Whether @p item, one of @p items, is asked after @p answers: an item with a condition is asked

@@ -129,7 +129,8 @@ enum class Reference {
   Previous,  ///< with what was felt just before ("than the previous cut")
 };
 
-/// The referent of a question, which not every study has: without it the question has no answer.
+/// What in a study a question asks about. Where the study has no such thing the question is left
+/// out.
 enum class Referent {
   None,
   Benchmark,  ///< cuts with the physical tool, made before

@@ -25,7 +25,7 @@ class TextReader {
   LocalizedText required(const Node& node, std::string_view key) const;
   /// Empty where the key is missing.
   LocalizedText optional(const Node& node, std::string_view key) const;
-  /// The text that @p node itself is.
+  /// Reads @p node as a text, or as an object with a text for each language.
   LocalizedText read(const Node& node) const;
   LocalizedText standIn() const;
 

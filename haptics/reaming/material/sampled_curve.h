@@ -18,9 +18,9 @@ struct SampledCurve {
 /// once: of samples at which the reamer has not gone on the mean.
 SampledCurve curveOver(std::span<const double> displacement, std::span<const double> values);
 
-/// @p curve at @p count places, even from 0 to its largest x, as shares of it: the paper's
-/// normalisation. Each place has the mean of the samples that are nearest to it, or lies straight
-/// between two if there are none; the ends are those of the curve.
+/// @p curve resampled at @p count evenly spaced x from 0 to its largest, which becomes 1: the
+/// paper's normalisation. Each point is the mean of the samples that are nearest to it, or is
+/// interpolated linearly if there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
 /// @p curve at those of @p count places, even from 0 to @p whole, that it reaches: each as

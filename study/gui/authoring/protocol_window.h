@@ -47,8 +47,8 @@ class ProtocolWindow final : public QMainWindow {
   void mark(int line);
   void goToProblem(int row);
   QStringList filesToWatch() const;
-  /// Opens the form for the blanks, and saves the protocol with its texts: a file of one's own in
-  /// its place, a built-in protocol in a new file.
+  /// Opens the form for the blanks, and saves the protocol with its texts. A file of the user is
+  /// replaced; a built-in protocol is saved as a new file.
   void fillInTexts();
 
   QString source_;

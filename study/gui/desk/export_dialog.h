@@ -28,7 +28,7 @@ class ExportDialog final : public WorkDialog {
  private:
   ExportOptions options() const;
   void updateChoices();
-  /// What the folder will tell of people, before it is written.
+  /// Shows how many participants the folder would make identifiable, before it is written.
   void showIdentifiability();
 
   std::string folder_;

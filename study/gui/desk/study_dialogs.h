@@ -32,8 +32,9 @@ class BackupDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// Verifies a whole study and lists the result of each check. Where the end is missing that this
-/// station signed, an older copy can be said to have taken the study's place on purpose.
+/// Verifies a whole study and lists the result of each check. If the audit trail
+/// ends before the last entry that this station signed, the user can record that a backup was
+/// restored.
 class VerifyDialog final : public WorkDialog {
   Q_OBJECT
 
