@@ -1,11 +1,10 @@
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/paint_figures.h"
 #include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
@@ -32,13 +31,12 @@ int copyConsent(const ConsentArguments& options) {
 }  // namespace
 
 void addConsentCommand(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<ConsentArguments>();
-  auto* verb = noun.add_subcommand("consent", "Write the participant's copy of the signed consent");
-  verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->add_option("--participant", options->participant, "Participant code")->required();
-  verb->add_option("--out", options->out, "File to write, .html or .pdf; nothing is overwritten")
+  auto [verb, options] = addCommand(
+      noun, action, "consent", "Write the participant's copy of the signed consent", copyConsent);
+  addStudyFolder(*verb, options.folder);
+  verb->add_option("--participant", options.participant, "Participant code")->required();
+  verb->add_option("--out", options.out, "File to write, .html or .pdf; nothing is overwritten")
       ->required();
-  verb->callback([&action, options] { action = [options] { return copyConsent(*options); }; });
 }
 
 }  // namespace study::app

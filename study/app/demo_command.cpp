@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -8,7 +7,7 @@
 
 #include "haptics/recordings/recording.h"
 #include "protocols/load_protocol.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/write_report.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/export/export.h"
@@ -96,16 +95,17 @@ int demo(const DemoArguments& options) {
 }  // namespace
 
 void addDemoCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<DemoArguments>();
-  auto* command = program.add_subcommand(
+  auto [command, options] = addCommand(
+      program,
+      action,
       "demo",
-      "Run both published studies with simulated participants, and write report and export");
-  command->add_option("--out", options->out, "Folder to make")->capture_default_str();
-  command->add_option("--seed", options->seed, "The same seed gives the same bytes")
+      "Run both published studies with simulated participants, and write report and export",
+      app::demo);
+  command->add_option("--out", options.out, "Folder to make")->capture_default_str();
+  command->add_option("--seed", options.seed, "The same seed gives the same bytes")
       ->capture_default_str();
   command->add_option(
-      "--recording", options->recording, "A real recording of a punch, instead of the shipped cut");
-  command->callback([&action, options] { action = [options] { return app::demo(*options); }; });
+      "--recording", options.recording, "A real recording of a punch, instead of the shipped cut");
 }
 
 }  // namespace study::app

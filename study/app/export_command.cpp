@@ -1,13 +1,11 @@
 #include <map>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/keys/ask_passphrase.h"
-#include "study/app/run_mode_option.h"
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/named_people.h"
@@ -88,54 +86,56 @@ int exportAs(const ExportArguments& options) {
 }  // namespace
 
 void addExportCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<ExportArguments>();
-  auto* command = program.add_subcommand(
-      "export", "Export a study's data: tidy tables, one row per answer, blinded by default");
-  command->add_option("DIR", options->folder, "The study's folder")->required();
-  command->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
+  auto [command, options] = addCommand(
+      program,
+      action,
+      "export",
+      "Export a study's data: tidy tables, one row per answer, blinded by default",
+      exportAs);
+  addStudyFolder(*command, options.folder);
+  command->add_option("--out", options.out, "New folder; nothing is overwritten")->required();
   command
       ->add_option(
           "--format",
-          options->format,
+          options.format,
           "csv: tables; json: one document; psych-ds, bids: by those standards; r, python: with "
           "scripts")
       ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids", "r", "python"}))
       ->capture_default_str();
-  addRunModeOption(*command, options->runMode);
+  addRunModeOption(*command, options.runMode);
   command->add_flag(
       "--traces",
-      options->traces,
+      options.traces,
       "Include the recorded forces of every trial at 1 kHz (gzip); needs --unblind");
   auto* exact = command->add_flag(
       "--exact",
-      options->exact,
+      options.exact,
       "Dates, times of day, ages and other numbers about people as they are");
   auto* texts =
-      command->add_flag("--texts", options->texts, "Include what participants and operators wrote");
+      command->add_flag("--texts", options.texts, "Include what participants and operators wrote");
   auto* unblind = command->add_flag(
       "--unblind",
-      options->unblind,
+      options.unblind,
       "Name the condition of each alternative; goes into the audit trail");
-  auto* reason = command->add_option("--reason", options->reason, "Reason for unblinding");
+  auto* reason = command->add_option("--reason", options.reason, "Reason for unblinding");
   unblind->needs(reason);
   auto* codes = command->add_option(
       "--codes-of",
-      options->codesOf,
+      options.codesOf,
       "Folder of an earlier export whose codes this one has, too (default: codes are drawn anew)");
   auto* forPublic = command->add_flag(
       "--public",
-      options->forPublic,
+      options.forPublic,
       "Public release: bands, no free text, no times, new ids, k-anonymous (k = 5 or more)");
   forPublic->excludes(exact)->excludes(texts)->excludes(codes);
   command
       ->add_option(
           "--k",
-          options->smallestClass,
+          options.smallestClass,
           "Smallest group of participants with the same attributes, 5 or more")
       ->needs(forPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();
-  command->callback([&action, options] { action = [options] { return exportAs(*options); }; });
 }
 
 }  // namespace study::app

@@ -1,6 +1,5 @@
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +9,7 @@
 #include "questionnaires/reading/instrument_file.h"
 #include "questionnaires/reading/instrument_reader.h"
 #include "questionnaires/reading/wording.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/instrument_keys.h"
 #include "study/model/new_file.h"
 
@@ -26,8 +25,6 @@ struct InstrumentArguments {
   std::string language = "en";
   std::string out;
 };
-
-constexpr const char* kNameHelp = "An instrument's file, or one of the library by name";
 
 /// The text of a file, or of an instrument in the library.
 std::string textOf(const std::string& name) {
@@ -127,21 +124,12 @@ int wording(const InstrumentArguments& options) {
   return 0;
 }
 
-CLI::App* addVerb(
-    CLI::App& noun,
-    const char* name,
-    const char* help,
-    const std::shared_ptr<InstrumentArguments>& options,
-    Action& action,
-    int (*perform)(const InstrumentArguments&)) {
-  auto* verb = noun.add_subcommand(name, help);
-  verb->callback(
-      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  return verb;
+void addName(CLI::App& verb, std::string& name) {
+  verb.add_option("NAME", name, "An instrument's file, or one of the library by name")->required();
 }
 
-void addLanguage(CLI::App& verb, const std::shared_ptr<InstrumentArguments>& options) {
-  verb.add_option("--language", options->language, "Language of the texts: en, de, nb …")
+void addLanguage(CLI::App& verb, std::string& language) {
+  verb.add_option("--language", language, "Language of the texts: en, de, nb …")
       ->check([](const std::string& tag) {
         return questionnaires::isLanguageTag(tag) ? std::string()
                                                   : "'" + tag + "' is no language tag";
@@ -152,40 +140,36 @@ void addLanguage(CLI::App& verb, const std::shared_ptr<InstrumentArguments>& opt
 }  // namespace
 
 void addInstrumentCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand(
+  auto& noun = addNoun(
+      program,
       "instrument",
       "Questionnaires: list, check, scoring keys, files for licensed or translated texts");
-  noun->require_subcommand(1);
-  auto options = std::make_shared<InstrumentArguments>();
+  addCommand(noun, action, "list", "List the instruments of the library", app::list);
 
-  addVerb(*noun, "list", "List the instruments of the library", options, action, app::list);
-
-  auto* check = addVerb(
-      *noun,
+  auto [check, checking] = addCommand(
+      noun,
+      action,
       "check",
       "List all problems of an instrument and its wording files",
-      options,
-      action,
       app::check);
-  check->add_option("NAME", options->name, kNameHelp)->required();
+  addName(*check, checking.name);
   check->add_option(
-      "--folder", options->folder, "Where 'wording' lies (default: beside the file, or here)");
-  addLanguage(*check, options);
+      "--folder", checking.folder, "Where 'wording' lies (default: beside the file, or here)");
+  addLanguage(*check, checking.language);
 
-  auto* keys =
-      addVerb(*noun, "keys", "Print the scoring key of an instrument", options, action, app::keys);
-  keys->add_option("NAME", options->name, kNameHelp)->required();
+  auto [keys, scoring] =
+      addCommand(noun, action, "keys", "Print the scoring key of an instrument", app::keys);
+  addName(*keys, scoring.name);
 
-  auto* wording = addVerb(
-      *noun,
+  auto [wording, writing] = addCommand(
+      noun,
+      action,
       "wording",
       "Write a wording file to fill in: texts under licence, or a translation",
-      options,
-      action,
       app::wording);
-  wording->add_option("NAME", options->name, kNameHelp)->required();
-  addLanguage(*wording, options);
-  wording->add_option("--out", options->out, "File to write (default: print it)");
+  addName(*wording, writing.name);
+  addLanguage(*wording, writing.language);
+  wording->add_option("--out", writing.out, "File to write (default: print it)");
 }
 
 }  // namespace study::app

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -8,7 +7,7 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/orders/schedule.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/results/balance_words.h"
 #include "study/words/counted.h"
@@ -49,8 +48,7 @@ int check(const CheckOptions& options) {
 struct OrdersOptions {
   std::string file;
   std::size_t participants = 0;
-  std::uint64_t seed = 0;
-  bool hasSeed = false;
+  std::optional<std::uint64_t> seed;
   bool csv = false;
 };
 
@@ -136,8 +134,8 @@ int orders(const OrdersOptions& options) {
     return 1;
   }
   const auto& protocol = loaded->protocol;
-  const std::uint64_t seed = options.hasSeed ? options.seed : protocol.seed.value_or(1);
-  if (!options.csv && !options.hasSeed && !protocol.seed) {
+  const std::uint64_t seed = options.seed.value_or(protocol.seed.value_or(1));
+  if (!options.csv && !options.seed && !protocol.seed) {
     fmt::print(
         "The protocol has no seed; every study draws its own. These are the orders of seed 1.\n\n");
   }
@@ -153,36 +151,33 @@ int orders(const OrdersOptions& options) {
 }  // namespace
 
 void addProtocolCommands(CLI::App& program, Action& action) {
-  auto* noun =
-      program.add_subcommand("protocol", "Check a protocol; list its orders; fill in its texts");
-  noun->require_subcommand(1);
+  auto& noun = addNoun(program, "protocol", "Check a protocol; list its orders; fill in its texts");
 
-  auto checking = std::make_shared<CheckOptions>();
-  auto* check = noun->add_subcommand(
-      "check", "List all problems of a protocol, each with its place and a fix");
-  check->add_option("FILE", checking->file, "A protocol file, or one of the library by name")
-      ->required();
-  check->add_flag("--json", checking->json, "JSON");
-  check->callback([&action, checking] { action = [checking] { return app::check(*checking); }; });
+  auto [check, checking] = addCommand(
+      noun,
+      action,
+      "check",
+      "List all problems of a protocol, each with its place and a fix",
+      app::check);
+  addProtocolFile(*check, checking.file);
+  check->add_flag("--json", checking.json, "JSON");
 
-  auto ordering = std::make_shared<OrdersOptions>();
-  auto* orders = noun->add_subcommand(
-      "orders", "List the planned orders of conditions, and how balanced they are");
-  orders->add_option("FILE", ordering->file, "A protocol file, or one of the library by name")
-      ->required();
-  orders->add_option("--participants", ordering->participants, "Participants of each cohort")
+  auto [orders, ordering] = addCommand(
+      noun,
+      action,
+      "orders",
+      "List the planned orders of conditions, and how balanced they are",
+      app::orders);
+  addProtocolFile(*orders, ordering.file);
+  orders->add_option("--participants", ordering.participants, "Participants of each cohort")
       ->required()
       ->check(CLI::Range(1, 100'000));
-  auto* seed = orders->add_option(
-      "--seed", ordering->seed, "Of a study; its simulated sessions have these orders");
+  orders->add_option(
+      "--seed", ordering.seed, "Of a study; its simulated sessions have these orders");
   orders->add_flag(
-      "--csv", ordering->csv, "Write the trials of all participants as CSV, without the balance");
-  orders->callback([&action, ordering, seed] {
-    ordering->hasSeed = seed->count() > 0;
-    action = [ordering] { return app::orders(*ordering); };
-  });
+      "--csv", ordering.csv, "Write the trials of all participants as CSV, without the balance");
 
-  addProtocolTextsCommand(*noun, action);
+  addProtocolTextsCommand(noun, action);
 }
 
 }  // namespace study::app

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -7,11 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
-#include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
 #include "study/session/unblinding.h"
 #include "study/words/counted.h"
@@ -90,12 +87,14 @@ int report(const ReportArguments& options) {
 }  // namespace
 
 void addReportCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<ReportArguments>();
-  auto* command = program.add_subcommand(
+  auto [command, options] = addCommand(
+      program,
+      action,
       "report",
-      "Write a results section as one HTML page or PDF: tables, figures, rendered forces");
-  command->add_option("DIR", options->folders, "Folders of one or more studies")->required();
-  command->add_option("--out", options->out, "File to write, .html or .pdf; nothing is overwritten")
+      "Write a results section as one HTML page or PDF: tables, figures, rendered forces",
+      app::report);
+  command->add_option("DIR", options.folders, "Folders of one or more studies")->required();
+  command->add_option("--out", options.out, "File to write, .html or .pdf; nothing is overwritten")
       ->required()
       ->check(CLI::Validator(
           [](const std::string& path) -> std::string {
@@ -106,38 +105,29 @@ void addReportCommand(CLI::App& program, Action& action) {
           },
           "FILE"));
   command->add_option(
-      "--figures", options->figures, "New folder for each figure as SVG, PDF and PNG");
+      "--figures", options.figures, "New folder for each figure as SVG, PDF and PNG");
   command
       ->add_option(
           "--figure-width",
-          options->figureWidth,
+          options.figureWidth,
           "Width of these figures [mm], as the journal asks: 85 for one column, 180 for two")
       ->check(finiteRange(60.0, 400.0));
-  command->add_option("--figure-font", options->figureFont, "Font size in these figures [pt]")
+  command->add_option("--figure-font", options.figureFont, "Font size in these figures [pt]")
       ->check(finiteRange(5.0, 14.0))
       ->capture_default_str();
-  command->add_option("--language", options->language, "In which language: " + knownLanguages())
+  command->add_option("--language", options.language, "In which language: " + knownLanguages())
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));
-  command->add_option("--paper", options->paper, "Size of the pages of a PDF: a4, letter")
+  command->add_option("--paper", options.paper, "Size of the pages of a PDF: a4, letter")
       ->capture_default_str()
       ->check(CLI::IsMember({"a4", "letter"}));
-  command
-      ->add_option(
-          "--wording",
-          options->wording,
-          "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
-          "to "
-          "2.42'")
-      ->check(CLI::IsMember({"apa", "vancouver"}))
-      ->capture_default_str();
+  addWordingOption(*command, options.wording);
   command->add_flag(
       "!--no-quotes",
-      options->hasQuotes,
+      options.hasQuotes,
       "Leave out what participants wrote, to publish the report");
-  addRunModeOption(*command, options->runMode);
-  addReasonOption(*command, options->reason);
-  command->callback([&action, options] { action = [options] { return app::report(*options); }; });
+  addRunModeOption(*command, options.runMode);
+  addReasonOption(*command, options.reason);
 }
 
 }  // namespace study::app

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +15,7 @@
 #include "haptics/engine/rendered_slope.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/paint_figures.h"
 #include "study/app/scene_cost.h"
@@ -343,74 +341,74 @@ std::vector<std::string> namesIn(const Names& known) {
 }
 
 void addPlay(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<PlayOptions>();
-  auto* play =
-      noun.add_subcommand("play", "Plot the force of conditions over travel, before any limit");
-  play->add_option("FILE", options->file, "A protocol file, or one of the library by name")
-      ->required();
+  auto [play, options] = addCommand(
+      noun,
+      action,
+      "play",
+      "Plot the force of conditions over travel, before any limit",
+      playScene);
+  addProtocolFile(*play, options.file);
   play->add_option(
           "--condition",
-          options->conditions,
+          options.conditions,
           "Its id; several are drawn together, a filter alone with the forces that it fuses")
       ->required();
-  play->add_option("--profile", options->profile, "Motion of the tool; cut closes and opens again")
+  play->add_option("--profile", options.profile, "Motion of the tool; cut closes and opens again")
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
       ->capture_default_str();
   play->add_option(
-          "--from", options->from, "Where the tool begins [device's unit] (default: the device's)")
+          "--from", options.from, "Where the tool begins [device's unit] (default: the device's)")
       ->check(finiteRange(-1e6, 1e6));
   play->add_option(
           "--to",
-          options->to,
+          options.to,
           "Where it turns or ends [device's unit] (default: where the scene's data end)")
       ->check(finiteRange(-1e6, 1e6));
   play->add_option(
           "--speed",
-          options->speed,
+          options.speed,
           "[travel units/s, or m/s] (default: 57, or 0.005, and at most 0.9 of what a reamer can)")
       ->check(finiteRange(1e-6, 1e6));
-  play->add_option("--rate", options->rate, "Rate of the steps [Hz] (default: the device's)")
+  play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
-  play->add_option("--encoder", options->quantum, "Resolution of the encoder [travel units]")
+  play->add_option("--encoder", options.quantum, "Resolution of the encoder [travel units]")
       ->check(finiteRange(0.0, 1.0));
   play->add_option(
           "--interpolation-noise",
-          options->interpolationNoise,
+          options.interpolationNoise,
           "Plot a filter for each R of the interpolation [N²], as in the paper's Fig. 11")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
-          "--smoothing", options->smoothing, "Smoothing of a filter, instead of the protocol's")
+          "--smoothing", options.smoothing, "Smoothing of a filter, instead of the protocol's")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
-  play->add_option("--over", options->over, "Abscissa of the figure")
+  play->add_option("--over", options.over, "Abscissa of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
-  play->add_option("--out", options->out, "OUT.csv is written, and OUT.svg beside it")->required();
-  play->callback([&action, options] { action = [options] { return playScene(*options); }; });
+  play->add_option("--out", options.out, "OUT.csv is written, and OUT.svg beside it")->required();
 }
 
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto* noun =
-      program.add_subcommand("scene", "Explain the scene of a condition, or plot its force");
-  noun->require_subcommand(1);
-  addPlay(*noun, action);
-  auto options = std::make_shared<ExplainOptions>();
-  auto* explain = noun->add_subcommand(
-      "explain", "Explain what a condition's scene computes, what it leaves out and why");
-  explain->add_option("FILE", options->file, "A protocol file, or one of the library by name")
-      ->required();
-  explain->add_option("--condition", options->condition, "Its id in the protocol")->required();
+  auto& noun = addNoun(program, "scene", "Explain the scene of a condition, or plot its force");
+  addPlay(noun, action);
+  auto [explain, options] = addCommand(
+      noun,
+      action,
+      "explain",
+      "Explain what a condition's scene computes, what it leaves out and why",
+      app::explain);
+  addProtocolFile(*explain, options.file);
+  explain->add_option("--condition", options.condition, "Its id in the protocol")->required();
   explain->add_option(
-      "--devices", options->devices, "A device file: what its device renders of the scene");
+      "--devices", options.devices, "A device file: what its device renders of the scene");
   explain->add_flag(
-      "--visualised", options->visualised, "Explain it as in a block with visualisation");
+      "--visualised", options.visualised, "Explain it as in a block with visualisation");
   explain->add_flag(
       "--cost",
-      options->cost,
+      options.cost,
       "Also measure the time of a tick, with and without the optional parts");
-  explain->add_flag("--json", options->json, "JSON");
-  explain->callback([&action, options] { action = [options] { return app::explain(*options); }; });
+  explain->add_flag("--json", options.json, "JSON");
 }
 
 }  // namespace study::app

@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "protocols/load_protocol.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/keys/ask_passphrase.h"
-#include "study/app/run_mode_option.h"
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/cohort/simulated_participant.h"
@@ -25,9 +23,6 @@ namespace {
 
 using Access = storage::Database::Access;
 
-constexpr const char* kDevicesHelp =
-    "The laboratory's device file (default: devices.json in DIR; without it, simulated devices)";
-
 struct StudyArguments {
   std::string folder;
   std::string protocol;
@@ -39,8 +34,7 @@ struct StudyArguments {
   std::string language = "en";
   std::string takeOver;
   int participants = 0;
-  std::uint64_t seed = 0;
-  bool hasSeed = false;
+  std::optional<std::uint64_t> seed;
   bool hasNamesPassphrase = false;
   bool verbose = false;
   bool json = false;
@@ -53,10 +47,6 @@ protocols::LoadedProtocol loadOrExplain(const std::string& file) {
     throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   return std::move(*loaded);
-}
-
-std::optional<std::uint64_t> seedOf(const StudyArguments& options) {
-  return options.hasSeed ? std::optional(options.seed) : std::nullopt;
 }
 
 /// Where the key of the conditions is; no line where nothing is sealed.
@@ -96,7 +86,7 @@ int create(const StudyArguments& options) {
   const auto protocol = loadOrExplain(options.protocol);
   std::string passphrase;
   if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kNewPassphraseOfNames);
-  auto study = Study::create(options.folder, protocol, clock, seedOf(options));
+  auto study = Study::create(options.folder, protocol, clock, options.seed);
   if (options.hasNamesPassphrase) {
     setPassphraseOfNames(study, passphrase, "when the study was made");
   }
@@ -166,7 +156,7 @@ int simulate(const StudyArguments& options) {
       study,
       clock,
       participants,
-      seedOf(options).value_or(study.seed()),
+      options.seed.value_or(study.seed()),
       acknowledge,
       options.devices);
   const int now = static_cast<int>(endings.size());
@@ -249,109 +239,73 @@ int status(const StudyArguments& options) {
   return 0;
 }
 
-/// Adds one verb: its name, its description, its action.
-CLI::App* addVerb(
-    CLI::App& noun,
-    const char* name,
-    const char* help,
-    const std::shared_ptr<StudyArguments>& options,
-    Action& action,
-    int (*perform)(const StudyArguments&)) {
-  auto* verb = noun.add_subcommand(name, help);
-  verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->callback(
-      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  return verb;
-}
-
-void addSeed(CLI::App& verb, const std::shared_ptr<StudyArguments>& options, const char* help) {
-  verb.add_option_function<std::uint64_t>(
-      "--seed",
-      [options](const std::uint64_t& seed) {
-        options->seed = seed;
-        options->hasSeed = true;
-      },
-      help);
-}
-
 }  // namespace
 
 void addStudyCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("study", "Create, run and manage a study");
-  noun->require_subcommand(1);
-  auto options = std::make_shared<StudyArguments>();
+  auto& noun = addNoun(program, "study", "Create, run and manage a study");
+  const auto add = [&](const char* name, const char* help, int (*perform)(const StudyArguments&)) {
+    auto added = addCommand(noun, action, name, help, perform);
+    addStudyFolder(*added.command, added.options.folder);
+    return added;
+  };
 
-  auto* create =
-      addVerb(*noun, "create", "Create a study from a protocol", options, action, app::create);
+  auto [create, creating] = add("create", "Create a study from a protocol", app::create);
   create
       ->add_option(
-          "--protocol", options->protocol, "A protocol file, or one of the library by name")
+          "--protocol", creating.protocol, "A protocol file, or one of the library by name")
       ->required();
-  addSeed(*create, options, "Random seed (default: the protocol's, otherwise a new one)");
-
+  create->add_option(
+      "--seed", creating.seed, "Random seed (default: the protocol's, otherwise a new one)");
   create->add_flag(
       "--names-passphrase",
-      options->hasNamesPassphrase,
+      creating.hasNamesPassphrase,
       "Ask for a passphrase that is needed to read or add names; lost passphrase, lost names");
 
-  auto* run = addVerb(
-      *noun,
-      "run",
-      "Run a session in the terminal, or resume an interrupted one",
-      options,
-      action,
-      app::run);
-  run->add_option("--cohort", options->cohort, "Cohort of a new participant (default: the first)");
+  auto [run, running] =
+      add("run", "Run a session in the terminal, or resume an interrupted one", app::run);
+  run->add_option("--cohort", running.cohort, "Cohort of a new participant (default: the first)");
   run->add_option(
-      "--participant", options->participant, "Participant code (default: the next free one)");
-  run->add_option("--language", options->language, "Language of the texts")->capture_default_str();
-  addRunModeOfSession(*run, options->runMode);
-  run->add_option("--devices", options->devices, kDevicesHelp);
+      "--participant", running.participant, "Participant code (default: the next free one)");
+  run->add_option("--language", running.language, "Language of the texts")->capture_default_str();
+  addRunModeOfSession(*run, running.runMode);
+  run->add_option(
+      "--devices",
+      running.devices,
+      "The laboratory's device file (default: devices.json in DIR; without it, simulated devices)");
   run->add_option(
       "--take-over",
-      options->takeOver,
+      running.takeOver,
       "Why a session is taken from a computer that is gone or renamed; for the audit trail");
 
-  auto* simulate = addVerb(
-      *noun,
-      "simulate",
-      "Simulate participants, through the same steps as a session",
-      options,
-      action,
-      app::simulate);
+  auto [simulate, simulating] =
+      add("simulate", "Simulate participants, through the same steps as a session", app::simulate);
   simulate
       ->add_option(
           "--participants",
-          options->participants,
+          simulating.participants,
           "Simulate until this many have finished (default: as planned in the protocol)")
       ->check(CLI::Range(1, 100'000));
-  addSeed(*simulate, options, "Seed of simulated hands and answers (default: the study's)");
+  simulate->add_option(
+      "--seed", simulating.seed, "Seed of simulated hands and answers (default: the study's)");
   simulate->add_option(
       "--devices",
-      options->devices,
+      simulating.devices,
       "Use the devices of this file, in real time (default: simulated devices, offline)");
-  simulate->add_flag("--verbose", options->verbose, "Print each answer as soon as it is saved");
+  simulate->add_flag("--verbose", simulating.verbose, "Print each answer as soon as it is saved");
 
-  auto* amend =
-      addVerb(*noun, "amend", "Amend the protocol of a study", options, action, app::amend);
-  amend->add_option("--protocol", options->protocol, "The changed protocol")->required();
-  amend->add_option(
-      "--reason", options->reason, "Reason for the change; required once a participant has begun");
+  auto [amend, amending] = add("amend", "Amend the protocol of a study", app::amend);
+  amend->add_option("--protocol", amending.protocol, "The changed protocol")->required();
+  addReasonOfAmendment(*amend, amending.reason);
 
-  auto* status = addVerb(
-      *noun,
-      "status",
-      "Show participants and the progress of the study",
-      options,
-      action,
-      app::status);
-  status->add_flag("--json", options->json, "JSON");
+  auto [status, showing] =
+      add("status", "Show participants and the progress of the study", app::status);
+  status->add_flag("--json", showing.json, "JSON");
 
-  addEvidenceCommands(*noun, action);
-  addKeyCommands(*noun, action);
-  addStudyTextsCommand(*noun, action);
-  addConsentCommand(*noun, action);
-  addErasureCommands(*noun, action);
+  addEvidenceCommands(noun, action);
+  addKeyCommands(noun, action);
+  addStudyTextsCommand(noun, action);
+  addConsentCommand(noun, action);
+  addErasureCommands(noun, action);
 }
 
 }  // namespace study::app

@@ -1,7 +1,6 @@
 // The blanks in texts that participants read: lists them, and fills them in.
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +8,7 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
@@ -133,46 +132,36 @@ int studyTexts(const TextsArguments& options) {
   return 0;
 }
 
-CLI::App* addTextsVerb(
-    CLI::App& noun,
-    const char* help,
-    const std::shared_ptr<TextsArguments>& options,
-    Action& action,
-    int (*perform)(const TextsArguments&)) {
-  auto* verb = noun.add_subcommand("texts", help);
-  verb->add_option(
+AddedCommand<TextsArguments> addTexts(
+    CLI::App& noun, Action& action, const char* help, int (*perform)(const TextsArguments&)) {
+  auto added = addCommand(noun, action, "texts", help, perform);
+  added.command
+      ->add_option(
           "--set",
-          options->set,
+          added.options.set,
           "KEY=TEXT fills in a blank, de:KEY=TEXT its German; repeat it for several")
       ->allow_extra_args(false);
-  verb->add_flag("--json", options->json, "JSON");
-  verb->callback(
-      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  return verb;
+  added.command->add_flag("--json", added.options.json, "JSON");
+  return added;
 }
 
 }  // namespace
 
 void addProtocolTextsCommand(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<TextsArguments>();
-  auto* verb = addTextsVerb(
+  auto [verb, options] = addTexts(
       noun,
-      "List the blanks in texts that participants read, or fill them in",
-      options,
       action,
+      "List the blanks in texts that participants read, or fill them in",
       protocolTexts);
-  verb->add_option("FILE", options->source, "A protocol file, or one of the library by name")
-      ->required();
-  verb->add_option("--out", options->out, "New file for the filled-in protocol");
+  addProtocolFile(*verb, options.source);
+  verb->add_option("--out", options.out, "New file for the filled-in protocol");
 }
 
 void addStudyTextsCommand(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<TextsArguments>();
-  auto* verb = addTextsVerb(
-      noun, "The same in a study, as an amendment of its protocol", options, action, studyTexts);
-  verb->add_option("DIR", options->source, "The study's folder")->required();
-  verb->add_option(
-      "--reason", options->reason, "Reason for the change; required once a participant has begun");
+  auto [verb, options] =
+      addTexts(noun, action, "The same in a study, as an amendment of its protocol", studyTexts);
+  addStudyFolder(*verb, options.source);
+  addReasonOfAmendment(*verb, options.reason);
 }
 
 }  // namespace study::app

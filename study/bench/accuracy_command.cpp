@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +11,7 @@
 
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/refresh_rate.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 #include "study/model/user_error.h"
@@ -364,20 +364,22 @@ int accuracy(AccuracyOptions options) {
 }  // namespace
 
 void addAccuracyCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<AccuracyOptions>();
-  auto* command = program.add_subcommand(
-      "accuracy", "Errors of the models beside their run times, and those of other libraries");
-  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--processes", options->processes, "How many processes measure, one by one")
+  auto [command, options] = app::addCommand(
+      program,
+      action,
+      "accuracy",
+      "Errors of the models beside their run times, and those of other libraries",
+      accuracy);
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--processes", options.processes, "How many processes measure, one by one")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   std::vector<std::string> names;
   for (const auto& family : families()) names.emplace_back(family.option);
-  command->add_option("--family", options->families, "Only these families (default: all)")
+  command->add_option("--family", options.families, "Only these families (default: all)")
       ->check(CLI::IsMember(names));
-  command->add_flag("--short", options->isShort, "Errors of small models only, no times");
-  command->add_flag("--worker", options->isWorker)->group("");  // used by measureInProcess()
-  command->callback([&action, options] { action = [options] { return accuracy(*options); }; });
+  command->add_flag("--short", options.isShort, "Errors of small models only, no times");
+  command->add_flag("--worker", options.isWorker)->group("");  // used by measureInProcess()
 }
 
 }  // namespace study::bench

@@ -1,12 +1,11 @@
 // palpate-bench devices: both devices on their wires, emulated.
 #include <algorithm>
 #include <array>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/devices.h"
 #include "study/bench/result.h"
@@ -270,21 +269,22 @@ int benchDevices(const DevicesOptions& options) {
 }  // namespace
 
 void addDevicesCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<DevicesOptions>();
-  auto* command = program.add_subcommand(
+  auto [command, options] = app::addCommand(
+      program,
+      action,
       "devices",
-      "Both devices on their wires, by their emulators: round trip, lost cycles, stalls");
-  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--seconds", options->bench.seconds, "Both at once; 600 for ten minutes")
+      "Both devices on their wires, by their emulators: round trip, lost cycles, stalls",
+      benchDevices);
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--seconds", options.bench.seconds, "Both at once; 600 for ten minutes")
       ->check(app::finiteRange(0.5, 36'000.0))
       ->capture_default_str();
-  command->add_option("--faults", options->bench.faults, "To be counted, of each kind")
+  command->add_option("--faults", options.bench.faults, "To be counted, of each kind")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   const std::vector<std::string> parts(kDeviceBenchParts.begin(), kDeviceBenchParts.end());
-  command->add_option("--part", options->bench.parts, "Only these parts (default: all)")
+  command->add_option("--part", options.bench.parts, "Only these parts (default: all)")
       ->check(CLI::IsMember(parts));
-  command->callback([&action, options] { action = [options] { return benchDevices(*options); }; });
 }
 
 }  // namespace study::bench

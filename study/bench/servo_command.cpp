@@ -2,14 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/bench/servo.h"
 #include "haptics/engine/passivity.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/recorder.h"
 #include "study/bench/result.h"
@@ -155,23 +154,25 @@ int servo(const ServoOptions& options) {
 }  // namespace
 
 void addServoCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<ServoOptions>();
-  auto* command = program.add_subcommand(
-      "servo", "How punctual the force loop is on this computer, and what recording costs");
-  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--disk", options->disk, "A folder on the disk that studies are kept on")
+  auto [command, options] = app::addCommand(
+      program,
+      action,
+      "servo",
+      "How punctual the force loop is on this computer, and what recording costs",
+      servo);
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--disk", options.disk, "A folder on the disk that studies are kept on")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  command->add_option("--rates", options->rates, "Of the loop [Hz]")
+  command->add_option("--rates", options.rates, "Of the loop [Hz]")
       ->check(app::finiteRange(1.0, 10'000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "For each rate and mode")
+  command->add_option("--seconds", options.seconds, "For each rate and mode")
       ->check(app::finiteRange(0.1, 3600.0))
       ->capture_default_str();
-  command->add_option("--recording", options->recording, "How long a loop is recorded [s]")
+  command->add_option("--recording", options.recording, "How long a loop is recorded [s]")
       ->check(app::finiteRange(0.1, 36'000.0))
       ->capture_default_str();
-  command->callback([&action, options] { action = [options] { return servo(*options); }; });
 }
 
 }  // namespace study::bench

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/bench/stability.h"
 #include "haptics/engine/passivity.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 
@@ -223,14 +222,12 @@ int stability(const StabilityOptions& options) {
 }  // namespace
 
 void addStabilityCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<StabilityOptions>();
-  auto* command =
-      program.add_subcommand("stability", "Stiff and extreme cases, each against a bound");
-  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--effort", options->effort, "Less than 1 tries fewer random cases")
+  auto [command, options] = app::addCommand(
+      program, action, "stability", "Stiff and extreme cases, each against a bound", stability);
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--effort", options.effort, "Less than 1 tries fewer random cases")
       ->check(app::finiteRange(0.001, 100.0))
       ->capture_default_str();
-  command->callback([&action, options] { action = [options] { return stability(*options); }; });
 }
 
 }  // namespace study::bench

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/timing/stopwatch.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/memory.h"
 #include "study/bench/result.h"
@@ -134,20 +134,22 @@ int stats(const StatsOptions& options) {
 }  // namespace
 
 void addStatsCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<StatsOptions>();
-  auto* command = program.add_subcommand(
-      "stats", "From a database of answers to the table of comparisons: times and memory");
-  command->add_option("--out", options->out, "A folder for tables (CSV) and a page");
-  command->add_option("--answers", options->answers, "Of a synthetic study that is made for this")
+  auto [command, options] = app::addCommand(
+      program,
+      action,
+      "stats",
+      "From a database of answers to the table of comparisons: times and memory",
+      stats);
+  command->add_option("--out", options.out, "A folder for tables (CSV) and a page");
+  command->add_option("--answers", options.answers, "Of a synthetic study that is made for this")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->capture_default_str();
-  command->add_option("--repetitions", options->repetitions, "How often the table is made")
+  command->add_option("--repetitions", options.repetitions, "How often the table is made")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--disk", options->disk, "A folder for the database (default: temporary files)")
+      ->add_option("--disk", options.disk, "A folder for the database (default: temporary files)")
       ->check(CLI::ExistingDirectory);
-  command->callback([&action, options] { action = [options] { return stats(*options); }; });
 }
 
 }  // namespace study::bench

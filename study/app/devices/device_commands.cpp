@@ -10,7 +10,7 @@
 #include "haptics/devices/serial_port.h"
 #include "haptics/registry/device_kinds.h"
 #include "protocols/load_protocol.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/devices/device_emulate.h"
 #include "study/app/devices/device_json_file.h"
 #include "study/app/devices/device_listen.h"
@@ -96,114 +96,110 @@ int check(const DeviceArguments& arguments) {
   return isFit(found) ? 0 : 1;
 }
 
+void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
+  verb.add_option("--seed", options.seed, "Of hand and faults")->capture_default_str();
+  verb.add_option("--seconds", options.seconds, "Duration (default: until it is ended)")
+      ->check(CLI::PositiveNumber);
+  verb.add_flag(
+      "--until-input-ends", options.endsWithInput, "Also end when nobody can give lines any more");
+}
+
 void addEmulate(CLI::App& noun, Action& action) {
-  auto* emulate = noun.add_subcommand(
-      "emulate", "Emulate a device on its real interface; 'help' on its input lists the faults");
-  emulate->require_subcommand(1);
-  auto options = std::make_shared<EmulateArguments>();
-  const auto common = [&](CLI::App* verb, int (*perform)(const EmulateArguments&)) {
-    verb->add_option("--seed", options->seed, "Of hand and faults")->capture_default_str();
-    verb->add_option("--seconds", options->seconds, "Duration (default: until it is ended)")
-        ->check(CLI::PositiveNumber);
-    verb->add_flag(
-        "--until-input-ends",
-        options->endsWithInput,
-        "Also end when nobody can give lines any more");
-    verb->callback(
-        [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  };
+  auto& emulate = addNoun(
+      noun,
+      "emulate",
+      "Emulate a device on its real interface; 'help' on its input lists the faults");
   for (const auto* kind : haptics::deviceKinds()) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
     const std::string name(kind->name);
-    auto* verb = emulate->add_subcommand(name, "The " + name + ", on a pseudo-terminal");
-    verb->add_option("--link", options->link, "A name for its port that stays");
-    verb->add_option("--clock-drift", options->clockDrift, "Of its clock [ppm]")
+    auto [verb, options] =
+        addCommand(emulate, action, name, "The " + name + ", on a pseudo-terminal", emulateSerial);
+    options.kind = kind;
+    verb->add_option("--link", options.link, "A name for its port that stays");
+    verb->add_option("--clock-drift", options.clockDrift, "Of its clock [ppm]")
         ->check(CLI::Range(-10'000.0, 10'000.0));
-    auto* rate = verb->add_option("--rate", options->rate, "Of its loop [Hz]");
+    auto* rate = verb->add_option("--rate", options.rate, "Of its loop [Hz]");
     rate->check(CLI::Range(100, 8000))->capture_default_str();
     verb->add_option(
-            "--firmware", options->firmware, "Run this program for the board under QEMU instead")
+            "--firmware", options.firmware, "Run this program for the board under QEMU instead")
         ->excludes(rate);
-    verb->preparse_callback([options, kind](std::size_t) { options->kind = kind; });
-    common(verb, emulateSerial);
+    addEmulateOptions(*verb, options);
   }
-  auto* iiwa = emulate->add_subcommand("iiwa", "The arm and its controller, on UDP");
-  iiwa->add_option("--client", options->client, "Where to send to")->capture_default_str();
-  iiwa->add_option("--fri-version", options->version, "Of FRI")
+  auto [iiwa, options] =
+      addCommand(emulate, action, "iiwa", "The arm and its controller, on UDP", emulateIiwa);
+  iiwa->add_option("--client", options.client, "Where to send to")->capture_default_str();
+  iiwa->add_option("--fri-version", options.version, "Of FRI")
       ->check(CLI::IsMember({"1.11", "1.14", "1.15", "1.16", "2.5", "2.7"}))
       ->capture_default_str();
-  iiwa->add_option("--model", options->model, "Which arm")
+  iiwa->add_option("--model", options.model, "Which arm")
       ->check(CLI::IsMember({"iiwa7", "iiwa14"}))
       ->capture_default_str();
-  iiwa->add_option("--overlay", options->overlay, "What it is commanded by")
+  iiwa->add_option("--overlay", options.overlay, "What it is commanded by")
       ->check(CLI::IsMember({"wrench", "torque"}))
       ->capture_default_str();
-  iiwa->add_option("--period", options->period, "Between messages [ms]")
+  iiwa->add_option("--period", options.period, "Between messages [ms]")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  common(iiwa, emulateIiwa);
+  addEmulateOptions(*iiwa, options);
 }
 
 void addListen(CLI::App& noun, Action& action) {
-  auto* verb =
-      noun.add_subcommand("listen", "Record what a punch with the published sketch prints");
-  auto options = std::make_shared<ListenArguments>();
-  verb->add_option("PORT", options->port, "Its serial port")->required();
-  verb->add_option("--out", options->out, "A CSV file to make (default: the terminal)");
-  verb->add_option("--baud", options->baud, "Baud rate of the line")->capture_default_str();
-  verb->add_option("--seconds", options->seconds, "Duration (default: until it is ended)")
+  auto [verb, options] = addCommand(
+      noun, action, "listen", "Record what a punch with the published sketch prints", app::listen);
+  verb->add_option("PORT", options.port, "Its serial port")->required();
+  verb->add_option("--out", options.out, "A CSV file to make (default: the terminal)");
+  verb->add_option("--baud", options.baud, "Baud rate of the line")->capture_default_str();
+  verb->add_option("--seconds", options.seconds, "Duration (default: until it is ended)")
       ->check(CLI::PositiveNumber);
-  verb->callback([&action, options] { action = [options] { return app::listen(*options); }; });
 }
 
 void addRehearse(CLI::App& noun, Action& action) {
-  auto* rehearse = noun.add_subcommand(
+  auto [rehearse, options] = addCommand(
+      noun,
+      action,
       "rehearse",
-      "Rehearse a study: emulate both devices, check them, run a simulated participant");
-  auto options = std::make_shared<RehearseArguments>();
-  rehearse->add_option("--out", options->out, "A new folder for device file and study")->required();
-  rehearse->add_option("--protocol", options->protocol, "Protocol to rehearse")
+      "Rehearse a study: emulate both devices, check them, run a simulated participant",
+      app::rehearse);
+  rehearse->add_option("--out", options.out, "A new folder for device file and study")->required();
+  rehearse->add_option("--protocol", options.protocol, "Protocol to rehearse")
       ->capture_default_str();
-  rehearse->add_option("--participants", options->participants, "How many")
+  rehearse->add_option("--participants", options.participants, "How many")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  rehearse->add_option("--seed", options->seed, "Seed of all random choices")
-      ->capture_default_str();
-  rehearse->add_option("--firmware", options->firmware, "Firmware of the punch, run under QEMU");
-  rehearse->callback(
-      [&action, options] { action = [options] { return app::rehearse(*options); }; });
+  rehearse->add_option("--seed", options.seed, "Seed of all random choices")->capture_default_str();
+  rehearse->add_option("--firmware", options.firmware, "Firmware of the punch, run under QEMU");
+}
+
+void addDeviceFile(CLI::App& verb, DeviceArguments& options) {
+  verb.add_option("FILE", options.file, "The laboratory's device file")
+      ->capture_default_str()
+      ->each([&options](const std::string&) { options.isFileNamed = true; });
 }
 
 }  // namespace
 
 void addDeviceCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("device", "List, check and emulate haptic devices");
-  noun->require_subcommand(1);
-  auto options = std::make_shared<DeviceArguments>();
-  const auto addFile = [&](CLI::App* verb) {
-    auto* file = verb->add_option("FILE", options->file, "The laboratory's device file");
-    file->capture_default_str();
-    file->each([options](const std::string&) { options->isFileNamed = true; });
-  };
+  auto& noun = addNoun(program, "device", "List, check and emulate haptic devices");
+  auto [list, listing] = addCommand(
+      noun, action, "list", "List serial ports, and the devices of a device file", app::list);
+  addDeviceFile(*list, listing);
 
-  auto* listing =
-      noun->add_subcommand("list", "List serial ports, and the devices of a device file");
-  addFile(listing);
-  listing->callback([&action, options] { action = [options] { return app::list(*options); }; });
-
-  auto* checking = noun->add_subcommand(
-      "check", "Check every device: PASS, WARN or FAIL, what was measured, and a fix");
-  addFile(checking);
-  checking->add_option("--protocol", options->protocol, "Also check what this protocol needs");
-  checking->add_option("--seconds", options->seconds, "Time for each device")
+  auto [check, checking] = addCommand(
+      noun,
+      action,
+      "check",
+      "Check every device: PASS, WARN or FAIL, what was measured, and a fix",
+      app::check);
+  addDeviceFile(*check, checking);
+  check->add_option("--protocol", checking.protocol, "Also check what this protocol needs");
+  check->add_option("--seconds", checking.seconds, "Time for each device")
       ->check(CLI::Range(0.5, 600.0))
       ->capture_default_str();
-  checking->add_flag("--json", options->json, "JSON");
-  checking->callback([&action, options] { action = [options] { return app::check(*options); }; });
+  check->add_flag("--json", checking.json, "JSON");
 
-  addEmulate(*noun, action);
-  addListen(*noun, action);
-  addRehearse(*noun, action);
+  addEmulate(noun, action);
+  addListen(noun, action);
+  addRehearse(noun, action);
 }
 
 }  // namespace study::app

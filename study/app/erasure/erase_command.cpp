@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/file.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
 #include "study/model/new_file.h"
@@ -132,49 +131,53 @@ int names(const ErasureArguments& options) {
 }  // namespace
 
 void addErasureCommands(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<ErasureArguments>();
-  auto* erase = noun.add_subcommand(
-      "erase", "Erase a participant: names, answers and traces; the audit trail stays sound");
-  erase->add_option("DIR", options->folder, "The study's folder")->required();
-  erase->add_option("--participant", options->request.participant, "Participant code");
+  auto [erase, erasure] = addCommand(
+      noun,
+      action,
+      "erase",
+      "Erase a participant: names, answers and traces; the audit trail stays sound",
+      app::erase);
+  addStudyFolder(*erase, erasure.folder);
+  erase->add_option("--participant", erasure.request.participant, "Participant code");
   erase
       ->add_option(
           "--level",
-          options->level,
+          erasure.level,
           "identity: names and signatures; answers: answers, votes, texts and traces; all: both")
       ->check(CLI::IsMember({"identity", "answers", "all"}))
       ->capture_default_str();
   erase->add_option(
-      "--reason", options->request.reason, "Why, without a name: it stays in the audit trail");
+      "--reason", erasure.request.reason, "Why, without a name: it stays in the audit trail");
   erase->add_flag(
       "--reseal",
-      options->request.sealsTrailAgain,
+      erasure.request.sealsTrailAgain,
       "Seal the audit trail of an older release first, once for the whole study");
   erase->add_option(
-      "--also", options->also, "A backup to erase from, too, or an export to remove; repeatable");
+      "--also", erasure.also, "A backup to erase from, too, or an export to remove; repeatable");
   erase->add_option(
       "--certificate",
-      options->certificates,
+      erasure.certificates,
       "Write a certificate: .txt, .html or .pdf; nothing is overwritten; repeatable");
-  erase->add_option("--language", options->language, "Language of certificates: en, de, nb")
+  erase->add_option("--language", erasure.language, "Language of certificates: en, de, nb")
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
   erase->add_option(
       "--by",
-      options->by,
+      erasure.by,
       "Erase what this certificate (.txt) tells, from another copy of its study");
-  erase->callback([&action, options] { action = [options] { return app::erase(*options); }; });
 
-  auto* names = noun.add_subcommand(
-      "names", "Show which participant gave which name, to find whom somebody asks about");
-  names->add_option("DIR", options->folder, "The study's folder")->required();
+  auto [names, naming] = addCommand(
+      noun,
+      action,
+      "names",
+      "Show which participant gave which name, to find whom somebody asks about",
+      app::names);
+  addStudyFolder(*names, naming.folder);
   auto* sets = names->add_flag(
       "--set-passphrase",
-      options->setsPassphrase,
+      naming.setsPassphrase,
       "Put names behind a passphrase, or change it; without it nobody ever reads them");
-  names->add_option("--reason", options->request.reason, "Why; goes into the audit trail")
-      ->needs(sets);
-  names->callback([&action, options] { action = [options] { return app::names(*options); }; });
+  addAuditedReason(*names, naming.request.reason)->needs(sets);
 }
 
 }  // namespace study::app

@@ -1,12 +1,11 @@
 // Commands about what proves that a study is what was recorded.
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/evidence/time_stamps.h"
 #include "study/app/json_file.h"
 #include "study/session/backup.h"
@@ -104,95 +103,83 @@ int restored(const EvidenceArguments& options) {
   return 0;
 }
 
-CLI::App* addVerb(
-    CLI::App& noun,
-    const char* name,
-    const char* help,
-    const std::shared_ptr<EvidenceArguments>& options,
-    Action& action,
-    int (*perform)(const EvidenceArguments&)) {
-  auto* verb = noun.add_subcommand(name, help);
-  verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->callback(
-      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  return verb;
-}
-
-void addNewWitness(CLI::App& verb, const std::shared_ptr<EvidenceArguments>& options) {
+void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
       "--write-witness",
-      options->newWitness,
+      options.newWitness,
       "New file of the signed heads, to be kept where nobody who writes the study can");
 }
 
 void addTimeStampCommand(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<TimeStampArguments>();
-  auto* verb = noun.add_subcommand(
-      "timestamp", "Let a public authority stamp the audit trail with the time (RFC 3161)");
-  verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->add_option("--authority", options->authority, "URL of the authority; gets a hash alone");
+  auto [verb, options] = addCommand(
+      noun,
+      action,
+      "timestamp",
+      "Let a public authority stamp the audit trail with the time (RFC 3161)",
+      timestamp);
+  addStudyFolder(*verb, options.folder);
+  verb->add_option("--authority", options.authority, "URL of the authority; gets a hash alone");
   verb->add_option(
-      "--request", options->request, "Write the request to a new file, to be sent from elsewhere");
-  verb->add_option("--reply", options->reply, "Keep the authority's reply to a request")
+      "--request", options.request, "Write the request to a new file, to be sent from elsewhere");
+  verb->add_option("--reply", options.reply, "Keep the authority's reply to a request")
       ->check(CLI::ExistingFile);
   verb->add_option(
       "--authority-certificate",
-      options->certificate,
+      options.certificate,
       "Certificate (PEM) of the authority's root, which proves its replies");
-  verb->callback([&action, options] { action = [options] { return timestamp(*options); }; });
 }
 
 }  // namespace
 
 void addEvidenceCommands(CLI::App& noun, Action& action) {
-  auto options = std::make_shared<EvidenceArguments>();
-
-  auto* backup = addVerb(
+  auto [backup, copying] = addCommand(
       noun,
+      action,
       "backup",
       "Back up a study, also during sessions, and verify the copy",
-      options,
-      action,
       app::backup);
-  backup->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
-  addNewWitness(*backup, options);
+  addStudyFolder(*backup, copying.folder);
+  backup->add_option("--out", copying.out, "New folder; nothing is overwritten")->required();
+  addNewWitness(*backup, copying);
 
-  auto* verify = addVerb(
+  auto [verify, verifying] = addCommand(
       noun,
+      action,
       "verify",
       "Check that no stored data was changed, lost or damaged",
-      options,
-      action,
       app::verify);
-  verify->add_flag("--json", options->json, "JSON");
+  addStudyFolder(*verify, verifying.folder);
+  verify->add_flag("--json", verifying.json, "JSON");
   verify->add_option(
       "--expect",
-      options->noted,
+      verifying.noted,
       "A head of the audit trail that was noted earlier: fails if it is not there");
   verify->add_option(
-      "--witness", options->witness, "A witness file of this study: fails if the study is another");
-  addNewWitness(*verify, options);
+      "--witness",
+      verifying.witness,
+      "A witness file of this study: fails if the study is another");
+  addNewWitness(*verify, verifying);
   verify
       ->add_option(
           "--authority-certificate",
-          options->certificate,
+          verifying.certificate,
           "Certificate (PEM) of the root of an authority: checks its time stamps")
       ->check(CLI::ExistingFile);
   verify->add_flag(
       "--older-copy",
-      options->isOlderCopy,
+      verifying.isOlderCopy,
       "DIR is a backup: what this station signed after it may be missing");
 
   addTimeStampCommand(noun, action);
 
-  auto* restored = addVerb(
+  auto [restored, noting] = addCommand(
       noun,
+      action,
       "restored",
       "Note that an older copy took the study's place on purpose, or the same study from elsewhere",
-      options,
-      action,
       app::restored);
-  restored->add_option("--reason", options->reason, "Why; goes into the audit trail")->required();
+  addStudyFolder(*restored, noting.folder);
+  restored->add_option("--reason", verifying.reason, "Why; goes into the audit trail")->required();
 }
 
 }  // namespace study::app

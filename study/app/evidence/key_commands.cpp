@@ -1,11 +1,10 @@
 // Commands about the key with which conditions are sealed.
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/keys/ask_passphrase.h"
 #include "study/model/user_error.h"
 #include "study/session/study_key.h"
@@ -65,48 +64,25 @@ int drop(const KeyArguments& options) {
   return 0;
 }
 
-CLI::App* addVerb(
-    CLI::App& noun,
-    const char* name,
-    const char* help,
-    const std::shared_ptr<KeyArguments>& options,
-    Action& action,
-    int (*perform)(const KeyArguments&)) {
-  auto* verb = noun.add_subcommand(name, help);
-  verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->callback(
-      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
-  return verb;
-}
-
-void addReason(CLI::App& verb, const std::shared_ptr<KeyArguments>& options) {
-  verb.add_option("--reason", options->reason, "Why; goes into the audit trail")->required();
-}
-
 }  // namespace
 
 void addKeyCommands(CLI::App& study, Action& action) {
-  auto* noun = study.add_subcommand("key", "The key with which conditions are sealed");
-  noun->require_subcommand(1);
-  auto options = std::make_shared<KeyArguments>();
-  auto* out = addVerb(
-      *noun, "export", "Write the key to a file, to hand it over", options, action, exportTo);
-  out->add_option("--out", options->file, "New file; nothing is overwritten")->required();
-  addReason(*out, options);
-  auto* in = addVerb(
-      *noun, "import", "Let this account keep a key that was handed over", options, action, import);
-  in->add_option("FILE", options->file, "The key's file (default: asks for the passphrase)");
-  auto* words = addVerb(
-      *noun, "passphrase", "Set a passphrase that opens the key", options, action, passphrase);
-  addReason(*words, options);
-  auto* gone = addVerb(
-      *noun,
-      "drop",
-      "Take the key from this account, once it was exported or has a passphrase",
-      options,
-      action,
-      drop);
-  addReason(*gone, options);
+  auto& noun = addNoun(study, "key", "The key with which conditions are sealed");
+  const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
+    auto added = addCommand(noun, action, name, help, perform);
+    addStudyFolder(*added.command, added.options.folder);
+    return added;
+  };
+  auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
+  out->add_option("--out", exporting.file, "New file; nothing is overwritten")->required();
+  addAuditedReason(*out, exporting.reason)->required();
+  auto [in, importing] = add("import", "Let this account keep a key that was handed over", import);
+  in->add_option("FILE", importing.file, "The key's file (default: asks for the passphrase)");
+  auto [words, setting] = add("passphrase", "Set a passphrase that opens the key", passphrase);
+  addAuditedReason(*words, setting.reason)->required();
+  auto [gone, dropping] =
+      add("drop", "Take the key from this account, once it was exported or has a passphrase", drop);
+  addAuditedReason(*gone, dropping.reason)->required();
 }
 
 }  // namespace study::app

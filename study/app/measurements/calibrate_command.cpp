@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ struct CalibrateCommand {
   std::string file;
   std::string out;
   std::string report;
-  std::string name;
+  std::string name = "own-sensor";
   recordings::CalibrationColumns columns;
   int order = 3;
   bool throughZero = false;
@@ -143,35 +142,36 @@ int calibrate(const CalibrateCommand& command) {
 }  // namespace
 
 void addCalibrate(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<CalibrateCommand>();
-  auto* verb = noun.add_subcommand(
-      "calibrate", "Fit a polynomial to readings of a force sensor under known loads");
-  verb->add_option("TABLE", command->file, "CSV or TSV: a head, then a reading and a load a row")
+  auto [verb, command] = addCommand(
+      noun,
+      action,
+      "calibrate",
+      "Fit a polynomial to readings of a force sensor under known loads",
+      app::calibrate);
+  verb->add_option("TABLE", command.file, "CSV or TSV: a head, then a reading and a load a row")
       ->required();
-  verb->add_option("--order", command->order, "Of the polynomial")
+  verb->add_option("--order", command.order, "Of the polynomial")
       ->check(CLI::Range(1, recordings::kMostCalibrationOrder))
       ->capture_default_str();
   verb->add_flag(
       "--through-zero",
-      command->throughZero,
+      command.throughZero,
       "No constant: a reading of 0 is 0 N, as in eq. (1) of the punch paper");
   verb->add_option(
-      "--reading", command->columns.reading, "Head of the column of readings (default: the first)");
+      "--reading", command.columns.reading, "Head of the column of readings (default: the first)");
   verb->add_option(
-      "--force", command->columns.force, "Head of the column of loads (default: the second)");
+      "--force", command.columns.force, "Head of the column of loads (default: the second)");
   verb->add_option(
       "--reading-unit",
-      command->columns.readingUnit,
+      command.columns.readingUnit,
       "V, mV, counts … (default: as in the head, 'sensor [V]')");
   verb->add_option(
       "--force-unit",
-      command->columns.forceUnit,
+      command.columns.forceUnit,
       "N, mN, kN, g or kg (default: as in the head, 'load [N]')");
-  verb->add_option("--out", command->out, "The calibration file to write; nothing is overwritten");
-  verb->add_option("--report", command->report, "A new folder for figures: curve and residuals");
-  command->name = "own-sensor";
-  verb->add_option("--name", command->name, "Name of the calibration")->capture_default_str();
-  verb->callback([&action, command] { action = [command] { return app::calibrate(*command); }; });
+  verb->add_option("--out", command.out, "The calibration file to write; nothing is overwritten");
+  verb->add_option("--report", command.report, "A new folder for figures: curve and residuals");
+  verb->add_option("--name", command.name, "Name of the calibration")->capture_default_str();
 }
 
 }  // namespace study::app

@@ -1,6 +1,5 @@
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/reading/material_file.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/measurements/material_inputs.h"
 #include "study/app/measurements/material_report.h"
 #include "study/app/write_document.h"
@@ -126,8 +125,8 @@ void requireRenderable(const FitCommand& command, const reaming::FitOptions& opt
   }
 }
 
-int fit(FitCommand& command, const CLI::App& verb) {
-  const auto options = command.inputs.chosen(verb);
+int fit(FitCommand& command) {
+  const auto options = command.inputs.chosen();
   requireRenderable(command, options);
   const auto read = readAll(command.inputs);
   const auto result = reaming::fitMaterial(read.series, options);
@@ -158,15 +157,13 @@ int fit(FitCommand& command, const CLI::App& verb) {
 }
 
 void addFit(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<FitCommand>();
-  auto* verb = noun.add_subcommand("fit", "Measured series of reaming to a material file");
-  command->inputs.addTo(*verb);
-  verb->add_option("--out", command->out, "The material file to write; nothing is overwritten");
-  verb->add_option("--report", command->report, "A folder for tables, figures and a page");
-  verb->add_option("--name", command->name, "Of the material")->capture_default_str();
-  verb->add_option("--title", command->title, "Title shown in reports")->capture_default_str();
-  verb->callback(
-      [&action, command, verb] { action = [command, verb] { return app::fit(*command, *verb); }; });
+  auto [verb, command] =
+      addCommand(noun, action, "fit", "Measured series of reaming to a material file", app::fit);
+  command.inputs.addTo(*verb);
+  verb->add_option("--out", command.out, "The material file to write; nothing is overwritten");
+  verb->add_option("--report", command.report, "A folder for tables, figures and a page");
+  verb->add_option("--name", command.name, "Of the material")->capture_default_str();
+  verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
 
 struct CompareCommand {
@@ -182,10 +179,12 @@ std::string namesOf(const std::vector<NamedCurve>& curves) {
   return names;
 }
 
-int compare(CompareCommand& command, const CLI::App& verb) {
-  const auto options = command.inputs.chosen(verb);
+int compare(CompareCommand& command) {
+  const auto options = command.inputs.chosen();
   auto figure = forFigure7(options);
-  if (verb.count("--error") > 0 || verb.count("--nodes") > 0) figure.nodeCount = options.nodeCount;
+  const auto& given = *command.inputs.command;
+  if (given.count("--error") > 0 || given.count("--nodes") > 0)
+    figure.nodeCount = options.nodeCount;
   if (const auto problem = problemOf(figure)) {
     throw UserError("Such nodes cannot be found: " + *problem + ". Choose another --nodes.");
   }
@@ -216,17 +215,16 @@ int compare(CompareCommand& command, const CLI::App& verb) {
 }
 
 void addCompare(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<CompareCommand>();
-  auto* verb = noun.add_subcommand(
+  auto [verb, command] = addCommand(
+      noun,
+      action,
       "compare",
-      "Compare natural cubic and Hermite splines through 12 nodes (Fig. 7 of the reaming paper)");
-  command->inputs.addTo(*verb);
-  verb->add_option("--curve", command->curve, "TEST-SET/QUANTITY/CURVE, or all")
+      "Compare natural cubic and Hermite splines through 12 nodes (Fig. 7 of the reaming paper)",
+      app::compare);
+  command.inputs.addTo(*verb);
+  verb->add_option("--curve", command.curve, "TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
-  verb->add_option("--report", command->report, "A folder for the figure and a page");
-  verb->callback([&action, command, verb] {
-    action = [command, verb] { return app::compare(*command, *verb); };
-  });
+  verb->add_option("--report", command.report, "A folder for the figure and a page");
 }
 
 struct SynthesiseCommand {
@@ -254,23 +252,23 @@ int synthesise(const SynthesiseCommand& command) {
 }
 
 void addSynthesise(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<SynthesiseCommand>();
-  auto* verb = noun.add_subcommand(
-      "synthesise", "Series with the published properties, for trying things out: not measured");
-  verb->add_option("FOLDER", command->folder, "New, or empty")->required();
-  verb->add_option("--seed", command->seed, "The same seed, the same series")
-      ->capture_default_str();
-  verb->callback([&action, command] { action = [command] { return synthesise(*command); }; });
+  auto [verb, command] = addCommand(
+      noun,
+      action,
+      "synthesise",
+      "Series with the published properties, for trying things out: not measured",
+      synthesise);
+  verb->add_option("FOLDER", command.folder, "New, or empty")->required();
+  verb->add_option("--seed", command.seed, "The same seed, the same series")->capture_default_str();
 }
 
 }  // namespace
 
 void addMaterialCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("material", "Fit reaming materials to measured series");
-  noun->require_subcommand(1);
-  addFit(*noun, action);
-  addCompare(*noun, action);
-  addSynthesise(*noun, action);
+  auto& noun = addNoun(program, "material", "Fit reaming materials to measured series");
+  addFit(noun, action);
+  addCompare(noun, action);
+  addSynthesise(noun, action);
 }
 
 }  // namespace study::app

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "haptics/reaming/material/series.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
 
@@ -76,6 +76,7 @@ std::optional<std::size_t> numberIn(const std::string& nodes) {
 }  // namespace
 
 void MaterialInputs::addTo(CLI::App& verb) {
+  command = &verb;
   verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)");
   verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests");
   verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests");
@@ -120,7 +121,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
       "Nobody measured these series, even if their files do not say so");
 }
 
-reaming::FitOptions MaterialInputs::chosen(const CLI::App& verb) const {
+reaming::FitOptions MaterialInputs::chosen() const {
   auto result = options;
   result.axis = named(axis, kAxes);
   result.cutoffRule = named(cutoffRule, kCutoffRules);
@@ -129,7 +130,7 @@ reaming::FitOptions MaterialInputs::chosen(const CLI::App& verb) const {
   if (!nodesOf.empty()) result.nodesOf = named(nodesOf, kSplines);
   result.nodeCount = numberIn(nodes);
   if (!result.nodeCount) result.nodes = named(nodes, kNodeRules);
-  if (result.nodeCount && verb.count("--error") > 0) {
+  if (result.nodeCount && command->count("--error") > 0) {
     throw UserError(
         "--nodes " + nodes +
         " places so many nodes at the least error that they allow; --error says how many there "

@@ -24,11 +24,13 @@ struct MaterialInputs {
   bool isSynthetic = false;
   haptics::reaming::FitOptions options;
 
+  const CLI::App* command = nullptr;  ///< which options were given
+
   /// Adds the options to @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
 
   /// The chosen options. @throws UserError  if two options exclude each other.
-  haptics::reaming::FitOptions chosen(const CLI::App& verb) const;
+  haptics::reaming::FitOptions chosen() const;
 };
 
 /// The series of all test sets.

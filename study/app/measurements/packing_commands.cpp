@@ -14,8 +14,7 @@
 #include "haptics/reaming/packing/solids.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/measurements/body_mesh.h"
 #include "study/app/measurements/feed_table.h"
 #include "study/app/measurements/packing_inputs.h"
@@ -130,40 +129,42 @@ int buildPacking(BuildCommand& command) {
 }
 
 void addBuildPacking(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<BuildCommand>();
-  auto* verb = noun.add_subcommand("build", "Fill a closed mesh, or a built-in cup, with spheres");
+  auto [verb, command] = addCommand(
+      noun,
+      action,
+      "build",
+      "Fill a closed mesh, or a built-in cup, with spheres",
+      app::buildPacking);
   verb->add_option(
-      "MESH", command->mesh, "STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
-  verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
-  verb->add_option("--unit", command->unit, "Unit of the mesh (default: judged by its size)")
+      "MESH", command.mesh, "STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
+  verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
+  verb->add_option("--unit", command.unit, "Unit of the mesh (default: judged by its size)")
       ->check(CLI::IsMember({"m", "mm"}));
-  auto* count = verb->add_option("--count", command->options.count, "Number of spheres (201532)");
+  auto* count = verb->add_option("--count", command.options.count, "Number of spheres (201532)");
   auto* coverage =
-      verb->add_option("--coverage", command->options.coverage, "Share of the volume to fill")
+      verb->add_option("--coverage", command.options.coverage, "Share of the volume to fill")
           ->check(finiteRange(0.01, 0.8));
   auto* smallest =
-      verb->add_option("--smallest-radius", command->smallest, "Radius of the smallest sphere [mm]")
+      verb->add_option("--smallest-radius", command.smallest, "Radius of the smallest sphere [mm]")
           ->check(finiteRange(0.001, 50.0));
   count->excludes(coverage)->excludes(smallest);
   coverage->excludes(smallest);
-  verb->add_option("--largest-radius", command->largest, "Radius of the largest sphere [mm]")
+  verb->add_option("--largest-radius", command.largest, "Radius of the largest sphere [mm]")
       ->check(finiteRange(0.001, 50.0));
-  verb->add_option("--reamer-radius", command->reamerRadius, "Radius of the reamer [mm]")
+  verb->add_option("--reamer-radius", command.reamerRadius, "Radius of the reamer [mm]")
       ->check(finiteRange(1.0, 100.0))
       ->capture_default_str();
-  verb->add_option("--seed", command->options.seed, "Seed; the same seed gives the same spheres")
+  verb->add_option("--seed", command.options.seed, "Seed; the same seed gives the same spheres")
       ->capture_default_str();
-  verb->add_option(
-          "--threads", command->options.threads, "Threads; the spheres do not depend on it")
+  verb->add_option("--threads", command.options.threads, "Threads; the spheres do not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  verb->add_option("--name", command->name, "Name of the bone")->capture_default_str();
-  verb->add_option("--title", command->title, "Title shown in reports")->capture_default_str();
-  verb->callback(
-      [&action, command] { action = [command] { return app::buildPacking(*command); }; });
+  verb->add_option("--name", command.name, "Name of the bone")->capture_default_str();
+  verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
 
 struct DensityCommand {
+  const CLI::App* given = nullptr;  ///< which options were given
   std::string packing;
   MaterialChoice material;
   std::string out;
@@ -246,11 +247,11 @@ void printFriction(const reaming::BoneFitReport& report, bool hasTorque) {
   }
 }
 
-int fitDensities(DensityCommand& command, const CLI::App& verb) {
+int fitDensities(DensityCommand& command) {
   checkedEnding(command.out);
   const bool isSwarm = command.method == "swarm";
   for (const auto* option : kSwarmOptions) {
-    if (!isSwarm && verb.count(option) > 0) {
+    if (!isSwarm && command.given->count(option) > 0) {
       throw UserError(std::string(option) + " is of a swarm: add --method swarm.");
     }
   }
@@ -292,49 +293,45 @@ int fitDensities(DensityCommand& command, const CLI::App& verb) {
 }
 
 void addFitDensities(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<DensityCommand>();
-  auto* verb = noun.add_subcommand("fit", "Fit densities of a packing to a material");
-  verb->add_option("PACKING", command->packing, "A packing from 'palpate packing build'")
+  auto [verb, command] = addCommand(
+      noun, action, "fit", "Fit densities of a packing to a material", app::fitDensities);
+  command.given = verb;
+  verb->add_option("PACKING", command.packing, "A packing from 'palpate packing build'")
       ->required();
-  addMaterialOptions(*verb, command->material);
-  verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
-  verb->add_option("--report", command->report, "A folder for tables, figures and a page");
+  addMaterialOptions(*verb, command.material);
+  verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
+  verb->add_option("--report", command.report, "A folder for tables, figures and a page");
   verb->add_option(
-          "--depths", command->options.depths, "Number of depths at which the curve is fitted")
+          "--depths", command.options.depths, "Number of depths at which the curve is fitted")
       ->check(CLI::Range(20, 2000))
       ->capture_default_str();
   verb->add_option(
           "--friction",
-          command->options.friction,
+          command.options.friction,
           "Between reamer and bone, where it is known (default: fitted to the torque)")
       ->check(finiteRange(0.0, 2.0));
-  verb->add_option("--method", command->method, "exact, or swarm: the reaming paper's way")
+  verb->add_option("--method", command.method, "exact, or swarm: the reaming paper's way")
       ->check(CLI::IsMember({"exact", "swarm"}))
       ->capture_default_str();
-  verb->add_option("--layers", command->layers, "Of a swarm, by depth; 0: every sphere for itself")
+  verb->add_option("--layers", command.layers, "Of a swarm, by depth; 0: every sphere for itself")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  verb->add_option("--particles", command->swarm.particles, "Of a swarm")
+  verb->add_option("--particles", command.swarm.particles, "Of a swarm")
       ->check(CLI::Range(2, 100'000))
       ->capture_default_str();
-  verb->add_option("--iterations", command->swarm.iterations, "Of a swarm")
+  verb->add_option("--iterations", command.swarm.iterations, "Of a swarm")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
-  verb->add_option("--seed", command->swarm.seed, "The same seed, the same swarm")
+  verb->add_option("--seed", command.swarm.seed, "The same seed, the same swarm")
       ->capture_default_str();
-  verb->callback([&action, command, verb] {
-    action = [command, verb] { return app::fitDensities(*command, *verb); };
-  });
 }
 
 }  // namespace
 
 void addPackingCommands(CLI::App& program, Action& action) {
-  auto* noun =
-      program.add_subcommand("packing", "Sphere packings of bone for reaming with removal");
-  noun->require_subcommand(1);
-  addBuildPacking(*noun, action);
-  addFitDensities(*noun, action);
+  auto& noun = addNoun(program, "packing", "Sphere packings of bone for reaming with removal");
+  addBuildPacking(noun, action);
+  addFitDensities(noun, action);
 }
 
 }  // namespace study::app

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,8 +9,7 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/measurements/calibrate_command.h"
 #include "study/app/measurements/recording_inputs.h"
@@ -206,72 +204,74 @@ int noise(const NoiseCommand& command) {
 }
 
 void addImport(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<ImportCommand>();
-  auto* import = noun.add_subcommand(
-      "import", "Read a recording of a real punch, find its cuts, write one as a cut file");
-  command->inputs.addTo(*import);
-  import->add_option("--out", command->out, "The cut file to write; nothing is overwritten");
+  auto [import, command] = addCommand(
+      noun,
+      action,
+      "import",
+      "Read a recording of a real punch, find its cuts, write one as a cut file",
+      app::import);
+  command.inputs.addTo(*import);
+  import->add_option("--out", command.out, "The cut file to write; nothing is overwritten");
   auto* cuts = import->add_option(
       "--cut",
-      command->options.closures,
+      command.options.closures,
       "Cut to import, numbered from 1; several are averaged (default: the most typical one)");
-  import->add_option("--rows", command->rows, "Rows FIRST:LAST instead, numbered from 1")
+  import->add_option("--rows", command.rows, "Rows FIRST:LAST instead, numbered from 1")
       ->excludes(cuts);
   import
       ->add_option(
           "--max-slope",
-          command->options.maxSlope,
+          command.options.maxSlope,
           "Largest slope of the curve; steeper parts are limited [N per travel unit]")
       ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
   import
       ->add_option(
           "--yield-load",
-          command->options.yieldLoad,
+          command.options.yieldLoad,
           "Least load at a yield [N]: less is no tissue; 0: any")
       ->check(finiteRange(0.0, 1e6))
       ->capture_default_str();
   import->add_option(
-      "--report", command->report, "A new folder for figures: spectrum, closures, the cut");
-  import->add_option("--name", command->options.name, "Name of the cut (default: the file's name)");
-  import->add_flag("--json", command->json, "JSON, full precision");
-  import->callback([&action, command] { action = [command] { return app::import(*command);
-};
-}  // namespace
-);
-}  // namespace study::app
+      "--report", command.report, "A new folder for figures: spectrum, closures, the cut");
+  import->add_option("--name", command.options.name, "Name of the cut (default: the file's name)");
+  import->add_flag("--json", command.json, "JSON, full precision");
+}
 
 void addNoise(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<NoiseCommand>();
-  auto* noise = noun.add_subcommand(
-      "noise", "Estimate a filter's process noise from the variation of recorded cuts");
-  command->inputs.addTo(*noise);
+  auto [noise, command] = addCommand(
+      noun,
+      action,
+      "noise",
+      "Estimate a filter's process noise from the variation of recorded cuts",
+      app::noise);
+  command.inputs.addTo(*noise);
   noise
       ->add_option(
           "--rows",
-          command->rows,
+          command.rows,
           "Ranges FIRST:LAST, numbered from 1 (default: the closing hand of every complete cut)")
       ->delimiter(',');
   noise
       ->add_option(
           "--least-step",
-          command->leastStep,
+          command.leastStep,
           "Leave out rows that moved by less [travel units]; 0: as in the paper's eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
-  noise->add_flag("--json", command->json, "JSON for the 'noise' of a protocol, full precision");
-  noise->callback([&action, command] { action = [command] { return app::noise(*command); }; });
+  noise->add_flag("--json", command.json, "JSON for the 'noise' of a protocol, full precision");
 }
 
 }  // namespace
 
 void addRecordingCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand(
-      "recording", "Import measured cuts for rendering; calibrate the sensor that measured them");
-  noun->require_subcommand(1);
-  addImport(*noun, action);
-  addNoise(*noun, action);
-  addCalibrate(*noun, action);
+  auto& noun = addNoun(
+      program,
+      "recording",
+      "Import measured cuts for rendering; calibrate the sensor that measured them");
+  addImport(noun, action);
+  addNoise(noun, action);
+  addCalibrate(noun, action);
 }
 
 }  // namespace study::app

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "haptics/recordings/trace.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"
 

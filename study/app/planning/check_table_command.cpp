@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,7 +7,7 @@
 #include "analysis/data/csv_table.h"
 #include "analysis/published/published_table.h"
 #include "questionnaires/json/document.h"
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/planning/published_report.h"
 
 namespace study::app {
@@ -64,29 +63,30 @@ int checkTable(const CheckTableOptions& options) {
 }  // namespace
 
 void addCheckTableCommand(CLI::App& stats, Action& action) {
-  auto options = std::make_shared<CheckTableOptions>();
-  auto* command = stats.add_subcommand(
+  auto [command, options] = addCommand(
+      stats,
+      action,
       "check-table",
-      "Check whether a published table follows from its own means, variances and sizes");
+      "Check whether a published table follows from its own means, variances and sizes",
+      checkTable);
   command
       ->add_option(
-          "GROUPS", options->groups, "A CSV file: group, n (may be missing), mean, variance or sd")
+          "GROUPS", options.groups, "A CSV file: group, n (may be missing), mean, variance or sd")
       ->required();
-  command->add_option("COMPARISONS", options->comparisons, "A CSV file: group1, group2, p")
+  command->add_option("COMPARISONS", options.comparisons, "A CSV file: group1, group2, p")
       ->required();
-  command->add_option("--sizes", options->sizes, "Group sizes to try: SMALLEST LARGEST")
+  command->add_option("--sizes", options.sizes, "Group sizes to try: SMALLEST LARGEST")
       ->expected(2)
       ->check(CLI::Range(2, 1000));
   auto* scale =
-      command->add_option("--scale", options->scale, "Range of the answer scale: LOWEST HIGHEST")
+      command->add_option("--scale", options.scale, "Range of the answer scale: LOWEST HIGHEST")
           ->expected(2)
           ->check(CLI::Range(-1000, 1000));
-  command->add_option("--parts", options->parts, "Answers have steps of 1/PARTS of a point")
+  command->add_option("--parts", options.parts, "Answers have steps of 1/PARTS of a point")
       ->check(CLI::Range(1, 20))
       ->needs(scale)
       ->capture_default_str();
-  command->add_flag("--json", options->json, "JSON, full precision");
-  command->callback([&action, options] { action = [options] { return checkTable(*options); }; });
+  command->add_flag("--json", options.json, "JSON, full precision");
 }
 
 }  // namespace study::app

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,8 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "protocols/load_protocol.h"
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/planning/study_plan_file.h"
 
 namespace study::app {
@@ -18,10 +16,9 @@ namespace {
 struct PlanOptions {
   std::string file;
   PlanQuestion question;
-  std::uint64_t participants = 0;
-  double alpha = 0.0;
   std::vector<double> shares;
-  analysis::SitePlan sites;
+  std::optional<std::uint64_t> sites;
+  double siteDeviation = analysis::SitePlan::kUsualDeviation;
   bool json = false;
 };
 
@@ -39,6 +36,9 @@ void takeShares(PlanOptions& options) {
 
 int plan(PlanOptions options) {
   takeShares(options);
+  if (options.sites) {
+    options.question.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
+  }
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
   if (!loaded) {
@@ -50,20 +50,18 @@ int plan(PlanOptions options) {
   return 0;
 }
 
-/// @return the option that says how many
-CLI::Option* addSites(CLI::App& command, PlanOptions& options) {
+void addSites(CLI::App& command, PlanOptions& options) {
   auto* sites = command.add_option(
-      "--sites", options.sites.sites, "Sites that each cohort's participants are spread over");
+      "--sites", options.sites, "Sites that each cohort's participants are spread over");
   sites->check(CLI::Range(2, 1000));
   command
       .add_option(
           "--site-sd",
-          options.sites.deviation,
+          options.siteDeviation,
           "Standard deviation of the effect between sites [d_z]; the default: Klein et al. 2018")
       ->check(finiteRange(0.0, 10.0))
       ->capture_default_str()
       ->needs(sites);
-  return sites;
 }
 
 void addAssumptions(CLI::App& command, PlanOptions& options) {
@@ -97,15 +95,20 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
 }  // namespace
 
 void addPlanCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<PlanOptions>();
-  auto& question = options->question;
-  auto* command = program.add_subcommand(
-      "plan", "Plan a study: sample size, power, detectable effects, duration");
-  command->add_option("PROTOCOL", options->file, "A protocol file, or one of the library by name")
-      ->required();
-  auto* participants = command->add_option(
-      "--participants", options->participants, "Participants of each cohort (default: as planned)");
-  participants->check(CLI::Range(1, 1000));
+  auto [command, options] = addCommand(
+      program,
+      action,
+      "plan",
+      "Plan a study: sample size, power, detectable effects, duration",
+      plan);
+  auto& question = options.question;
+  addProtocolFile(*command, options.file, "PROTOCOL");
+  command
+      ->add_option(
+          "--participants",
+          question.participants,
+          "Participants of each cohort (default: as planned)")
+      ->check(CLI::Range(1, 1000));
   command
       ->add_option(
           "--effect",
@@ -113,23 +116,18 @@ void addPlanCommand(CLI::App& program, Action& action) {
           "Effect to detect, d_z: mean difference / its standard deviation across participants")
       ->check(finiteRange(0.01, 100.0))
       ->capture_default_str();
-  auto* alpha = command->add_option(
-      "--alpha",
-      options->alpha,
-      "Significance level of a family (default: as declared in the protocol)");
-  alpha->check(finiteRange(1e-6, 0.5));
+  command
+      ->add_option(
+          "--alpha",
+          question.alpha,
+          "Significance level of a family (default: as declared in the protocol)")
+      ->check(finiteRange(1e-6, 0.5));
   command->add_option("--power", question.power, "Power to reach")
       ->check(finiteRange(0.5, 0.9999))
       ->capture_default_str();
-  auto* sites = addSites(*command, *options);
-  addAssumptions(*command, *options);
-  command->add_flag("--json", options->json, "JSON, full precision");
-  command->callback([&action, options, participants, alpha, sites] {
-    if (participants->count() > 0) options->question.participants = options->participants;
-    if (alpha->count() > 0) options->question.alpha = options->alpha;
-    if (sites->count() > 0) options->question.sites = options->sites;
-    action = [options] { return app::plan(*options); };
-  });
+  addSites(*command, options);
+  addAssumptions(*command, options);
+  command->add_flag("--json", options.json, "JSON, full precision");
 }
 
 }  // namespace study::app

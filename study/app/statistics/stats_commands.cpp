@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -9,10 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "study/app/commands.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/keys/ask_passphrase.h"
-#include "study/app/run_mode_option.h"
 #include "study/results/pooled_results.h"
 #include "study/results/results_text.h"
 #include "study/session/unblinding.h"
@@ -78,40 +76,33 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void addStatsCommands(CLI::App& program, Action& action) {
-  auto* noun =
-      program.add_subcommand("stats", "Statistics of a study; statistical tests of any table");
-  noun->require_subcommand(1);
+  auto& noun = addNoun(program, "stats", "Statistics of a study; statistical tests of any table");
 
-  auto running = std::make_shared<RunOptions>();
-  auto* run = noun->add_subcommand(
-      "run", "The tables of a study: means and variances, declared comparisons, preferences");
-  run->add_option("DIR", running->folder, "The study's folder")->required();
+  auto [run, running] = addCommand(
+      noun,
+      action,
+      "run",
+      "The tables of a study: means and variances, declared comparisons, preferences",
+      app::run);
+  addStudyFolder(*run, running.folder);
   run->add_option(
          "--profile",
-         running->profile,
+         running.profile,
          "declared: as the protocol says; as-published: answers pooled; recommended: within people")
       ->check(CLI::IsMember({"declared", "as-published", "recommended"}))
       ->capture_default_str();
-  run->add_option(
-         "--wording",
-         running->wording,
-         "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
-         "to "
-         "2.42'")
-      ->check(CLI::IsMember({"apa", "vancouver"}))
-      ->capture_default_str();
-  addRunModeOption(*run, running->runMode);
-  addReasonOption(*run, running->reason);
-  auto* json = run->add_flag("--json", running->json, "JSON, full precision");
+  addWordingOption(*run, running.wording);
+  addRunModeOption(*run, running.runMode);
+  addReasonOption(*run, running.reason);
+  auto* json = run->add_flag("--json", running.json, "JSON, full precision");
   run->add_flag(
          "--watch",
-         running->isWatched,
+         running.isWatched,
          "Print the tables again after every answer; ends with Ctrl-C")
       ->excludes(json);
-  run->callback([&action, running] { action = [running] { return app::run(*running); }; });
 
-  addTestCommand(*noun, action);
-  addCheckTableCommand(*noun, action);
+  addTestCommand(noun, action);
+  addCheckTableCommand(noun, action);
 }
 
 }  // namespace study::app

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,7 @@
 #include "analysis/data/moments.h"
 #include "analysis/registry/registry.h"
 #include "questionnaires/json/document.h"
-#include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/words/counted.h"
 
@@ -154,16 +152,17 @@ int runTest(const TestOptions& options) {
 }  // namespace
 
 void addTestCommand(CLI::App& stats, Action& action) {
-  auto options = std::make_shared<TestOptions>();
-  auto* command = stats.add_subcommand("test", "Run a statistical test on a table of your own");
+  auto [command, options] =
+      addCommand(stats, action, "test", "Run a statistical test on a table of your own", runTest);
   auto* list = command->add_flag(
-      "--list", options->isList, "All tests, the columns that each needs, and what it answers");
-  auto* name = command->add_option("TEST", options->test, "One of --list, for instance welch");
-  auto* file = command->add_option("FILE", options->file, "A CSV file with a header line");
+      "--list", options.isList, "All tests, the columns that each needs, and what it answers");
+  auto* name = command->add_option("TEST", options.test, "One of --list, for instance welch");
+  auto* file = command->add_option("FILE", options.file, "A CSV file with a header line");
   name->excludes(list);
   file->excludes(list);
-  const auto column = [&](const char* role, const char* text) {
-    return command->add_option(std::string("--") + role, options->columns[role], text);
+  const auto column = [&command = *command, &columns = options.columns](
+                          const char* role, const char* text) {
+    return command.add_option(std::string("--") + role, columns[role], text);
   };
   column("group", "Column that names the group; columns that are not named are taken in order")
       ->expected(1);
@@ -174,18 +173,17 @@ void addTestCommand(CLI::App& stats, Action& action) {
   column("count", "Column that says how many cases a line stands for")->expected(1);
   column("cluster", "Column that names the participant")->expected(1);
   column("round", "Column that names the round")->expected(1);
-  command->add_option("--bound", options->settings.bound, "Of equivalence: smaller counts as none")
+  command->add_option("--bound", options.settings.bound, "Of equivalence: smaller counts as none")
       ->check(finiteRange(1e-300, 1e300));
   command->add_option(
-      "--from", options->settings.from, "Of probabilities: this answer and all above it count");
-  command->add_option("--level", options->settings.level, "Of the confidence interval")
+      "--from", options.settings.from, "Of probabilities: this answer and all above it count");
+  command->add_option("--level", options.settings.level, "Of the confidence interval")
       ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "JSON, full precision");
-  command->callback([&action, options] {
-    if (!options->isList && options->test.empty()) throw CLI::RequiredError("TEST");
-    if (!options->isList && options->file.empty()) throw CLI::RequiredError("FILE");
-    action = [options] { return runTest(*options); };
+  command->add_flag("--json", options.json, "JSON, full precision");
+  command->parse_complete_callback([&options = options] {
+    if (!options.isList && options.test.empty()) throw CLI::RequiredError("TEST");
+    if (!options.isList && options.file.empty()) throw CLI::RequiredError("FILE");
   });
 }
 

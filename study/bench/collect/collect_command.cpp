@@ -2,11 +2,11 @@
 // SQL.
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/collect/collected_speed.h"
 #include "study/bench/result.h"
@@ -200,12 +200,15 @@ int benchCollect(const CollectOptions& options) {
 }  // namespace
 
 void addCollectCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<CollectOptions>();
-  options->size.folder = std::filesystem::temp_directory_path();
-  auto* command = program.add_subcommand(
-      "collect", "Many sites into one PostgreSQL server: ingest, counts, pull");
-  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
-  auto& size = options->size;
+  auto [command, options] = app::addCommand(
+      program,
+      action,
+      "collect",
+      "Many sites into one PostgreSQL server: ingest, counts, pull",
+      benchCollect);
+  options.size.folder = std::filesystem::temp_directory_path();
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  auto& size = options.size;
   command->add_option("--answers", size.answers, "Of all sites together")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{10'000'000}))
       ->capture_default_str();
@@ -223,7 +226,6 @@ void addCollectCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--disk", size.folder, "A folder for stations' folders (default: temporary files)")
       ->check(CLI::ExistingDirectory);
-  command->callback([&action, options] { action = [options] { return benchCollect(*options); }; });
 }
 
 }  // namespace study::bench

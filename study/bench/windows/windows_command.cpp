@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +10,7 @@
 #include <QStorageInfo>
 
 #include "questionnaires/json/document.h"
-#include "study/app/finite_range.h"
+#include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/result.h"
 #include "study/bench/windows/window_speed.h"
@@ -168,10 +167,13 @@ int windows(const WindowsOptions& options) {
 }  // namespace
 
 void addWindowsCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<WindowsOptions>();
-  auto& simulation = options->simulation;
-  auto* command = program.add_subcommand(
-      "windows", "How fast simulations, live plots and a participant's pages are drawn");
+  auto [command, options] = app::addCommand(
+      program,
+      action,
+      "windows",
+      "How fast simulations, live plots and a participant's pages are drawn",
+      windows);
+  auto& simulation = options.simulation;
   command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
   command->add_option("--seconds", simulation.seconds, "Of each simulation")
       ->check(app::finiteRange(0.5, 600.0))
@@ -179,15 +181,14 @@ void addWindowsCommand(CLI::App& program, Action& action) {
   command->add_option("--spheres", simulation.spheres, "Of the cup")
       ->check(CLI::Range(std::size_t{1000}, std::size_t{10'000'000}))
       ->capture_default_str();
-  command->add_option("--colours", options->colours, "Of the spheres")
+  command->add_option("--colours", options.colours, "Of the spheres")
       ->check(CLI::IsMember({"neutral", "density", "removal"}))
       ->capture_default_str();
-  command->add_option("--renderer", options->renderer, "Who draws; finest: as on a graphics card")
+  command->add_option("--renderer", options.renderer, "Who draws; finest: as on a graphics card")
       ->check(CLI::IsMember({"best", "finest", "software"}))
       ->capture_default_str();
-  command->add_option("--anatomy", options->anatomy, "A knee of your own, as OBJ")
+  command->add_option("--anatomy", options.anatomy, "A knee of your own, as OBJ")
       ->check(CLI::ExistingFile);
-  command->callback([&action, options] { action = [options] { return windows(*options); }; });
 }
 
 }  // namespace study::bench

@@ -1,13 +1,25 @@
-#include "study/app/run_mode_option.h"
+#include "study/app/command_options.h"
 
 #include <map>
-
-#include <CLI/CLI.hpp>
 
 #include "study/model/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::app {
+
+CLI::App& addNoun(CLI::App& program, const char* name, const char* help) {
+  auto& noun = *program.add_subcommand(name, help);
+  noun.require_subcommand(1);
+  return noun;
+}
+
+void addStudyFolder(CLI::App& command, std::string& folder) {
+  command.add_option("DIR", folder, "The study's folder")->required();
+}
+
+void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
+  command.add_option(name, file, "A protocol file, or one of the library by name")->required();
+}
 
 void addRunModeOption(CLI::App& command, std::string& name) {
   command.add_option("--run-mode", name, "Which sessions count (default: live)")
@@ -34,6 +46,26 @@ void addReasonOption(CLI::App& command, std::string& reason) {
       "--reason",
       reason,
       "Why conditions of live or pilot sessions are named (unblinding); goes into the audit trail");
+}
+
+CLI::Option* addAuditedReason(CLI::App& command, std::string& reason) {
+  return command.add_option("--reason", reason, "Why; goes into the audit trail");
+}
+
+void addReasonOfAmendment(CLI::App& command, std::string& reason) {
+  command.add_option(
+      "--reason", reason, "Reason for the change; required once a participant has begun");
+}
+
+void addWordingOption(CLI::App& command, std::string& wording) {
+  command
+      .add_option(
+          "--wording",
+          wording,
+          "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
+          "to 2.42'")
+      ->check(CLI::IsMember({"apa", "vancouver"}))
+      ->capture_default_str();
 }
 
 RunMode chosenRunMode(Study& study, const std::string& name) {

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include <CLI/CLI.hpp>
+
+#include "study/app/commands.h"
+#include "study/model/run_mode.h"
+#include "study/session/study.h"
+
+namespace study::app {
+
+/// A command, and what its options are read into. The options exist as long as the command.
+template <typename Options>
+struct AddedCommand {
+  CLI::App* command;
+  Options& options;
+};
+
+/// Adds a command to @p above. When it is called, the action becomes @p perform with its options.
+template <typename Parameter>
+auto addCommand(
+    CLI::App& above,
+    Action& action,
+    const std::string& name,
+    const std::string& help,
+    int (*perform)(Parameter)) {
+  using Options = std::remove_cvref_t<Parameter>;
+  auto options = std::make_shared<Options>();
+  auto* command = above.add_subcommand(name, help);
+  command->callback(
+      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  return AddedCommand<Options>{command, *options};
+}
+
+/// Adds a command that only has commands below it.
+CLI::App& addNoun(CLI::App& program, const char* name, const char* help);
+
+/// Adds the argument DIR.
+void addStudyFolder(CLI::App& command, std::string& folder);
+
+/// Adds the argument FILE, or @p name: a protocol.
+void addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
+
+/// Adds --run-mode to @p command.
+void addRunModeOption(CLI::App& command, std::string& name);
+
+/// Adds --run-mode for a new session, live or pilot, and --pilot for short.
+void addRunModeOfSession(CLI::App& command, std::string& name);
+
+/// Adds --reason, for results that name conditions (study/session/unblinding.h).
+void addReasonOption(CLI::App& command, std::string& reason);
+
+/// Adds --reason, for a step that is recorded in the audit trail.
+CLI::Option* addAuditedReason(CLI::App& command, std::string& reason);
+
+/// Adds --reason, for a change of the protocol.
+void addReasonOfAmendment(CLI::App& command, std::string& reason);
+
+/// Adds --wording: how sentences write numbers.
+void addWordingOption(CLI::App& command, std::string& wording);
+
+/// A range of finite numbers. CLI::Range accepts "nan", because it is neither below nor above a
+/// bound.
+inline CLI::Validator finiteRange(double least, double most) {
+  const CLI::Range range(least, most);
+  return CLI::Validator(
+      [range](std::string& text) {
+        const bool isNumber = text.find_first_of("nN") == std::string::npos;  // nan, inf
+        return isNumber ? range(text) : text + " is no number";
+      },
+      range.get_description());
+}
+
+/// The run mode named by @p name, or live if it is empty.
+/// @throws UserError  in words, if there are no sessions of that mode; names the modes with
+///     sessions.
+RunMode chosenRunMode(Study& study, const std::string& name);
+
+}  // namespace study::app
