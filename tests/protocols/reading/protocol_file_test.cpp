@@ -10,8 +10,8 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
-#include "tests/protocols/refusals.h"
 #include "tests/protocols/small_protocol.h"
+#include "tests/support/refused_files.h"
 #include "tests/support/test_data.h"
 
 namespace protocols {
@@ -35,62 +35,38 @@ Reading read(const std::string& kind, const std::string& name) {
   return reading;
 }
 
-std::vector<tests::Refusal> structuralRefusals() {
-  std::vector<tests::Refusal> all;
-  for (const auto* part :
-       {&tests::refusedHeads(),
-        &tests::refusedScenes(),
-        &tests::refusedPhases(),
-        &tests::refusedPlans()}) {
-    all.insert(all.end(), part->begin(), part->end());
-  }
-  return all;
-}
-
-bool isAsExpected(const Problem& problem, const tests::Refusal& expected) {
-  return problem.severity == Severity::Error && problem.path == expected.path &&
-         base::describe(problem.what).find(expected.what) != std::string::npos &&
-         base::describe(problem.fix).find(expected.fix) != std::string::npos;
+std::vector<tests::RefusedFile> refused(const std::string& kind) {
+  return tests::refusedFiles(tests::repository() / "tests/protocols/data" / kind);
 }
 
 /// Refused, with the problem that is expected, where it is expected, and how to correct it.
-void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& refusals) {
-  const auto names = tests::corpusNames(kind);
-  std::set<std::string> files(names.begin(), names.end());
-  for (const auto& expected : refusals) {
-    ASSERT_EQ(files.erase(expected.file), 1U) << expected.file;
-    const auto reading = read(kind, expected.file);
-    EXPECT_FALSE(reading.loaded.has_value()) << expected.file;
-    EXPECT_TRUE(std::any_of(
-        reading.problems.begin(),
-        reading.problems.end(),
-        [&](const Problem& problem) { return isAsExpected(problem, expected); }))
-        << expected.file << "\n"
-        << describe(reading.problems);
+void expectRefusals(const std::string& kind) {
+  for (const auto& file : refused(kind)) {
+    const auto reading = read(kind, file.name);
+    EXPECT_FALSE(reading.loaded.has_value()) << file.name;
+    tests::expectProblem(file, reading.problems);
   }
-  EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
 
 TEST(ProtocolFile, ReportsStructuralProblemsWithTheirFix) {
-  expectRefusals("bad", structuralRefusals());
+  expectRefusals("bad");
 }
 
 TEST(ProtocolFile, ReportsWhatNoSchemaCanCheck) {
-  expectRefusals("semantic", tests::semanticRefusals());
+  expectRefusals("semantic");
 }
 
 TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
-  for (const auto& [kind, refusals] :
-       {std::pair{"bad", structuralRefusals()}, std::pair{"semantic", tests::semanticRefusals()}}) {
-    for (const auto& refusal : refusals) {
-      const auto reading = read(kind, refusal.file);
+  for (const auto* kind : {"bad", "semantic"}) {
+    for (const auto& refusal : refused(kind)) {
+      const auto reading = read(kind, refusal.name);
       std::set<std::pair<std::string, std::string>> said;
       for (const auto& problem : reading.problems) {
         EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second)
-            << refusal.file;
-        EXPECT_EQ(problem.severity, Severity::Error) << refusal.file;
+            << refusal.name;
+        EXPECT_EQ(problem.severity, Severity::Error) << refusal.name;
       }
-      EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << describe(reading.problems);
+      EXPECT_LE(said.size(), 3U) << refusal.name << "\n" << describe(reading.problems);
     }
   }
 }
@@ -184,15 +160,14 @@ TEST(ProtocolFile, ReportsWrongParametersOfAModelThatIsMisnamed) {
 
 TEST(ProtocolFile, OffersAFixForEveryProblemExceptWrongTypes) {
   const std::vector<std::string> clear{"a number is expected here", "true or false is expected"};
-  for (const auto& [kind, refusals] :
-       {std::pair{"bad", structuralRefusals()}, std::pair{"semantic", tests::semanticRefusals()}}) {
-    for (const auto& refusal : refusals) {
-      for (const auto& problem : read(kind, refusal.file).problems) {
+  for (const auto* kind : {"bad", "semantic"}) {
+    for (const auto& refusal : refused(kind)) {
+      for (const auto& problem : read(kind, refusal.name).problems) {
         const bool isClear = std::any_of(clear.begin(), clear.end(), [&](const auto& words) {
           return base::describe(problem.what).starts_with(words);
         });
         EXPECT_TRUE(isClear || !problem.fix.empty())
-            << refusal.file << " " << base::describe(problem.what);
+            << refusal.name << " " << base::describe(problem.what);
       }
     }
   }

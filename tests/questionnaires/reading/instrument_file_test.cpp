@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "questionnaires/json/document.h"
-#include "tests/questionnaires/refusals.h"
+#include "tests/support/refused_files.h"
 #include "tests/support/test_data.h"
 
 namespace questionnaires {
@@ -46,43 +46,30 @@ Instrument good(const std::string& name) {
 }
 
 /// Refused, with the problem that is expected, where it is expected, and how to correct it.
-void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& refusals) {
-  auto files = filesIn(kind);
-  for (const auto& expected : refusals) {
-    ASSERT_EQ(files.erase(expected.file), 1U) << expected.file;
-    const auto reading = read(kind, expected.file);
-    EXPECT_FALSE(reading.instrument.has_value()) << expected.file;
-    const auto& all = reading.problems.all();
-    EXPECT_TRUE(std::any_of(
-        all.begin(),
-        all.end(),
-        [&](const Problem& problem) {
-          return problem.severity == Severity::Error && problem.path == expected.path &&
-                 base::describe(problem.what).find(expected.what) != std::string::npos &&
-                 base::describe(problem.fix).find(expected.fix) != std::string::npos;
-        }))
-        << expected.file << "\n"
-        << describe(all);
+void expectRefusals(const std::string& kind) {
+  for (const auto& file : tests::refusedFiles(corpus(kind))) {
+    const auto reading = read(kind, file.name);
+    EXPECT_FALSE(reading.instrument.has_value()) << file.name;
+    tests::expectProblem(file, reading.problems.all());
   }
-  EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
 
 TEST(InstrumentFile, ReportsStructuralProblemsWithTheirFix) {
-  expectRefusals("bad", tests::structuralRefusals());
+  expectRefusals("bad");
 }
 
 TEST(InstrumentFile, ReportsWhatNoSchemaCanCheck) {
-  expectRefusals("semantic", tests::semanticRefusals());
+  expectRefusals("semantic");
 }
 
 TEST(InstrumentFile, SaysNothingTwice) {
-  for (const auto& refusal : tests::structuralRefusals()) {
-    const auto reading = read("bad", refusal.file);
+  for (const auto& refusal : tests::refusedFiles(corpus("bad"))) {
+    const auto reading = read("bad", refusal.name);
     std::set<std::pair<std::string, std::string>> said;
     for (const auto& problem : reading.problems.all()) {
-      EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second) << refusal.file;
+      EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second) << refusal.name;
     }
-    EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << describe(reading.problems.all());
+    EXPECT_LE(said.size(), 3U) << refusal.name << "\n" << describe(reading.problems.all());
   }
 }
 
