@@ -7,7 +7,7 @@ namespace study::app {
 
 void addBenchCommand(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
-      "bench", "Measure errors, stability, speed and punctuality: starts palpate-bench");
+      "bench", "Measure errors, stability, speed and timing: starts palpate-bench");
   noun->prefix_command();  // all further arguments go to the other program
   noun->set_help_flag();   // also --help
   noun->callback([&action, noun] {

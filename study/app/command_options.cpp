@@ -22,7 +22,7 @@ void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
 }
 
 void addRunModeOption(CLI::App& command, std::string& name) {
-  command.add_option("--run-mode", name, "Which sessions count (default: live)")
+  command.add_option("--run-mode", name, "Run mode of the sessions that count (default: live)")
       ->check(CLI::IsMember({"live", "pilot", "simulated"}));
 }
 
@@ -32,8 +32,7 @@ void addRunModeOfSession(CLI::App& command, std::string& name) {
           .add_option(
               "--run-mode",
               name,
-              "What the session is for; a pilot takes no place from a participant (default: "
-              "live)")
+              "Run mode of the session; a pilot takes no place in the orders (default: live)")
           ->check(CLI::IsMember({"live", "pilot"}));
   command
       .add_flag_callback(
@@ -45,11 +44,12 @@ void addReasonOption(CLI::App& command, std::string& reason) {
   command.add_option(
       "--reason",
       reason,
-      "Why conditions of live or pilot sessions are named (unblinding); goes into the audit trail");
+      "Reason for naming conditions of live or pilot sessions (unblinding); goes into the audit "
+      "trail");
 }
 
 CLI::Option* addAuditedReason(CLI::App& command, std::string& reason) {
-  return command.add_option("--reason", reason, "Why; goes into the audit trail");
+  return command.add_option("--reason", reason, "Reason; goes into the audit trail");
 }
 
 void addReasonOfAmendment(CLI::App& command, std::string& reason) {

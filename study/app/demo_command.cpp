@@ -101,11 +101,13 @@ void addDemoCommand(CLI::App& program, Action& action) {
       "demo",
       "Run both published studies with simulated participants, and write report and export",
       app::demo);
-  command->add_option("--out", options.out, "Folder to make")->capture_default_str();
-  command->add_option("--seed", options.seed, "The same seed gives the same bytes")
+  command->add_option("--out", options.out, "New folder")->capture_default_str();
+  command->add_option("--seed", options.seed, "Random seed; the same seed gives the same bytes")
       ->capture_default_str();
   command->add_option(
-      "--recording", options.recording, "A real recording of a punch, instead of the shipped cut");
+      "--recording",
+      options.recording,
+      "Recording of a real punch to use instead of the shipped cut");
 }
 
 }  // namespace study::app

@@ -98,8 +98,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--format",
           options.format,
-          "csv: tables; json: one document; psych-ds, bids: by those standards; r, python: with "
-          "scripts")
+          "Format: csv, json (one document), psych-ds, bids, or r and python (tables with scripts)")
       ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids", "r", "python"}))
       ->capture_default_str();
   addRunModeOption(*command, options.runMode);
@@ -108,21 +107,19 @@ void addExportCommand(CLI::App& program, Action& action) {
       options.traces,
       "Include the recorded forces of every trial at 1 kHz (gzip); needs --unblind");
   auto* exact = command->add_flag(
-      "--exact",
-      options.exact,
-      "Dates, times of day, ages and other numbers about people as they are");
+      "--exact", options.exact, "Keep exact dates, times, ages and other numbers about people");
   auto* texts =
       command->add_flag("--texts", options.texts, "Include what participants and operators wrote");
   auto* unblind = command->add_flag(
       "--unblind",
       options.unblind,
-      "Name the condition of each alternative; goes into the audit trail");
+      "Name the condition of each alternative (recorded in the audit trail)");
   auto* reason = command->add_option("--reason", options.reason, "Reason for unblinding");
   unblind->needs(reason);
   auto* codes = command->add_option(
       "--codes-of",
       options.codesOf,
-      "Folder of an earlier export whose codes this one has, too (default: codes are drawn anew)");
+      "Reuse the condition codes of the earlier export in this folder (default: new codes)");
   auto* forPublic = command->add_flag(
       "--public",
       options.forPublic,

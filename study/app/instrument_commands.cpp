@@ -154,7 +154,9 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       app::check);
   addName(*check, checking.name);
   check->add_option(
-      "--folder", checking.folder, "Where 'wording' lies (default: beside the file, or here)");
+      "--folder",
+      checking.folder,
+      "Folder that holds 'wording' (default: beside the file, or here)");
   addLanguage(*check, checking.language);
 
   auto [keys, scoring] =
@@ -169,7 +171,7 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       app::wording);
   addName(*wording, writing.name);
   addLanguage(*wording, writing.language);
-  wording->add_option("--out", writing.out, "File to write (default: print it)");
+  wording->add_option("--out", writing.out, "New file (default: print to the terminal)");
 }
 
 }  // namespace study::app

@@ -160,7 +160,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       "List all problems of a protocol, each with its place and a fix",
       app::check);
   addProtocolFile(*check, checking.file);
-  check->add_flag("--json", checking.json, "JSON");
+  check->add_flag("--json", checking.json, "Print JSON");
 
   auto [orders, ordering] = addCommand(
       noun,
@@ -173,7 +173,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ->required()
       ->check(CLI::Range(1, 100'000));
   orders->add_option(
-      "--seed", ordering.seed, "Of a study; its simulated sessions have these orders");
+      "--seed", ordering.seed, "Seed of a study; its simulated sessions have these orders");
   orders->add_flag(
       "--csv", ordering.csv, "Write the trials of all participants as CSV, without the balance");
 

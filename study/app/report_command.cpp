@@ -115,7 +115,7 @@ void addReportCommand(CLI::App& program, Action& action) {
   command->add_option("--figure-font", options.figureFont, "Font size in these figures [pt]")
       ->check(finiteRange(5.0, 14.0))
       ->capture_default_str();
-  command->add_option("--language", options.language, "In which language: " + knownLanguages())
+  command->add_option("--language", options.language, "Language of the report: " + knownLanguages())
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));
   command->add_option("--paper", options.paper, "Size of the pages of a PDF: a4, letter")

@@ -345,13 +345,14 @@ void addPlay(CLI::App& noun, Action& action) {
       noun,
       action,
       "play",
-      "Plot the force of conditions over travel, before any limit",
+      "Plot the force of conditions over travel, before the force limit",
       playScene);
   addProtocolFile(*play, options.file);
   play->add_option(
           "--condition",
           options.conditions,
-          "Its id; several are drawn together, a filter alone with the forces that it fuses")
+          "Id of a condition; several are drawn together, a filter alone with the forces that it "
+          "fuses")
       ->required();
   play->add_option("--profile", options.profile, "Motion of the tool; cut closes and opens again")
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
@@ -362,12 +363,13 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--to",
           options.to,
-          "Where it turns or ends [device's unit] (default: where the scene's data end)")
+          "Where the tool turns or ends [device's unit] (default: where the scene's data end)")
       ->check(finiteRange(-1e6, 1e6));
   play->add_option(
           "--speed",
           options.speed,
-          "[travel units/s, or m/s] (default: 57, or 0.005, and at most 0.9 of what a reamer can)")
+          "Speed of the tool [travel units/s, or m/s] (default: 57, or 0.005; at most 0.9 of a "
+          "reamer's)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
@@ -384,7 +386,9 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option("--over", options.over, "Abscissa of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
-  play->add_option("--out", options.out, "OUT.csv is written, and OUT.svg beside it")->required();
+  play->add_option(
+          "--out", options.out, "CSV file to write; the figure (.svg) is written beside it")
+      ->required();
 }
 
 }  // namespace
@@ -396,19 +400,20 @@ void addSceneCommands(CLI::App& program, Action& action) {
       noun,
       action,
       "explain",
-      "Explain what a condition's scene computes, what it leaves out and why",
+      "Explain what a condition's scene computes, what it omits and why",
       app::explain);
   addProtocolFile(*explain, options.file);
-  explain->add_option("--condition", options.condition, "Its id in the protocol")->required();
+  explain->add_option("--condition", options.condition, "Id of the condition in the protocol")
+      ->required();
   explain->add_option(
-      "--devices", options.devices, "A device file: what its device renders of the scene");
+      "--devices", options.devices, "Device file: explain what its device renders of the scene");
   explain->add_flag(
-      "--visualised", options.visualised, "Explain it as in a block with visualisation");
+      "--visualised", options.visualised, "Explain the scene as in a block with visualisation");
   explain->add_flag(
       "--cost",
       options.cost,
       "Also measure the time of a tick, with and without the optional parts");
-  explain->add_flag("--json", options.json, "JSON");
+  explain->add_flag("--json", options.json, "Print JSON");
 }
 
 }  // namespace study::app

@@ -259,7 +259,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   create->add_flag(
       "--names-passphrase",
       creating.hasNamesPassphrase,
-      "Ask for a passphrase that is needed to read or add names; lost passphrase, lost names");
+      "Ask for a passphrase that is needed to read or add names; without it they are lost");
 
   auto [run, running] =
       add("run", "Run a session in the terminal, or resume an interrupted one", app::run);
@@ -275,7 +275,8 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option(
       "--take-over",
       running.takeOver,
-      "Why a session is taken from a computer that is gone or renamed; for the audit trail");
+      "Reason for taking a session from a computer that is gone or renamed; goes into the audit "
+      "trail");
 
   auto [simulate, simulating] =
       add("simulate", "Simulate participants, through the same steps as a session", app::simulate);
@@ -299,7 +300,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
 
   auto [status, showing] =
       add("status", "Show participants and the progress of the study", app::status);
-  status->add_flag("--json", showing.json, "JSON");
+  status->add_flag("--json", showing.json, "Print JSON");
 
   addEvidenceCommands(noun, action);
   addKeyCommands(noun, action);

@@ -141,7 +141,7 @@ AddedCommand<TextsArguments> addTexts(
           added.options.set,
           "KEY=TEXT fills in a blank, de:KEY=TEXT its German; repeat it for several")
       ->allow_extra_args(false);
-  added.command->add_flag("--json", added.options.json, "JSON");
+  added.command->add_flag("--json", added.options.json, "Print JSON");
   return added;
 }
 
@@ -158,8 +158,11 @@ void addProtocolTextsCommand(CLI::App& noun, Action& action) {
 }
 
 void addStudyTextsCommand(CLI::App& noun, Action& action) {
-  auto [verb, options] =
-      addTexts(noun, action, "The same in a study, as an amendment of its protocol", studyTexts);
+  auto [verb, options] = addTexts(
+      noun,
+      action,
+      "List the blanks in a study's texts, or fill them in by an amendment",
+      studyTexts);
   addStudyFolder(*verb, options.source);
   addReasonOfAmendment(*verb, options.reason);
 }

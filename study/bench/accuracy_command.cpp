@@ -368,17 +368,19 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       program,
       action,
       "accuracy",
-      "Errors of the models beside their run times, and those of other libraries",
+      "Errors and run times of the models, and those of other libraries",
       accuracy);
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--processes", options.processes, "How many processes measure, one by one")
+  command
+      ->add_option(
+          "--processes", options.processes, "Number of processes that measure, one after the other")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   std::vector<std::string> names;
   for (const auto& family : families()) names.emplace_back(family.option);
-  command->add_option("--family", options.families, "Only these families (default: all)")
+  command->add_option("--family", options.families, "Families to measure (default: all)")
       ->check(CLI::IsMember(names));
-  command->add_flag("--short", options.isShort, "Errors of small models only, no times");
+  command->add_flag("--short", options.isShort, "Measure errors of small models only, no times");
   command->add_flag("--worker", options.isWorker)->group("");  // used by measureInProcess()
 }
 

@@ -273,17 +273,19 @@ void addDevicesCommand(CLI::App& program, Action& action) {
       program,
       action,
       "devices",
-      "Both devices on their wires, by their emulators: round trip, lost cycles, stalls",
+      "Round trip, lost cycles and stalls of both emulated devices on their real interfaces",
       benchDevices);
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--seconds", options.bench.seconds, "Both at once; 600 for ten minutes")
+  command->add_option("--seconds", options.bench.seconds, "Duration with both devices at once [s]")
       ->check(app::finiteRange(0.5, 36'000.0))
       ->capture_default_str();
-  command->add_option("--faults", options.bench.faults, "To be counted, of each kind")
+  command
+      ->add_option(
+          "--faults", options.bench.faults, "Number of faults of each kind to inject and count")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   const std::vector<std::string> parts(kDeviceBenchParts.begin(), kDeviceBenchParts.end());
-  command->add_option("--part", options.bench.parts, "Only these parts (default: all)")
+  command->add_option("--part", options.bench.parts, "Parts to measure (default: all)")
       ->check(CLI::IsMember(parts));
 }
 

@@ -158,19 +158,19 @@ void addServoCommand(CLI::App& program, Action& action) {
       program,
       action,
       "servo",
-      "How punctual the force loop is on this computer, and what recording costs",
+      "Timing of the force loop on this computer, and the cost of recording",
       servo);
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--disk", options.disk, "A folder on the disk that studies are kept on")
+  command->add_option("--disk", options.disk, "Folder on the disk on which studies are stored")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  command->add_option("--rates", options.rates, "Of the loop [Hz]")
+  command->add_option("--rates", options.rates, "Rates of the loop [Hz]")
       ->check(app::finiteRange(1.0, 10'000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options.seconds, "For each rate and mode")
+  command->add_option("--seconds", options.seconds, "Duration for each rate and mode [s]")
       ->check(app::finiteRange(0.1, 3600.0))
       ->capture_default_str();
-  command->add_option("--recording", options.recording, "How long a loop is recorded [s]")
+  command->add_option("--recording", options.recording, "Duration of the recorded loop [s]")
       ->check(app::finiteRange(0.1, 36'000.0))
       ->capture_default_str();
 }

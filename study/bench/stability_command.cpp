@@ -223,9 +223,15 @@ int stability(const StabilityOptions& options) {
 
 void addStabilityCommand(CLI::App& program, Action& action) {
   auto [command, options] = app::addCommand(
-      program, action, "stability", "Stiff and extreme cases, each against a bound", stability);
+      program,
+      action,
+      "stability",
+      "Stability of stiff and extreme cases, each against a bound",
+      stability);
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--effort", options.effort, "Less than 1 tries fewer random cases")
+  command
+      ->add_option(
+          "--effort", options.effort, "Share of the random cases to try; less than 1 is faster")
       ->check(app::finiteRange(0.001, 100.0))
       ->capture_default_str();
 }

@@ -138,13 +138,15 @@ void addStatsCommand(CLI::App& program, Action& action) {
       program,
       action,
       "stats",
-      "From a database of answers to the table of comparisons: times and memory",
+      "Time and memory from a database of answers to the table of comparisons",
       stats);
   command->add_option("--out", options.out, "A folder for tables (CSV) and a page");
-  command->add_option("--answers", options.answers, "Of a synthetic study that is made for this")
+  command->add_option("--answers", options.answers, "Number of answers in the synthetic study")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->capture_default_str();
-  command->add_option("--repetitions", options.repetitions, "How often the table is made")
+  command
+      ->add_option(
+          "--repetitions", options.repetitions, "Number of times that the table is computed")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command

@@ -97,11 +97,13 @@ int check(const DeviceArguments& arguments) {
 }
 
 void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
-  verb.add_option("--seed", options.seed, "Of hand and faults")->capture_default_str();
-  verb.add_option("--seconds", options.seconds, "Duration (default: until it is ended)")
+  verb.add_option("--seed", options.seed, "Seed of the hand's movements and of the faults")
+      ->capture_default_str();
+  verb.add_option(
+          "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
       ->check(CLI::PositiveNumber);
   verb.add_flag(
-      "--until-input-ends", options.endsWithInput, "Also end when nobody can give lines any more");
+      "--until-input-ends", options.endsWithInput, "Also end at the end of standard input");
 }
 
 void addEmulate(CLI::App& noun, Action& action) {
@@ -112,32 +114,34 @@ void addEmulate(CLI::App& noun, Action& action) {
   for (const auto* kind : haptics::deviceKinds()) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
     const std::string name(kind->name);
-    auto [verb, options] =
-        addCommand(emulate, action, name, "The " + name + ", on a pseudo-terminal", emulateSerial);
+    auto [verb, options] = addCommand(
+        emulate, action, name, "Emulate the " + name + " on a pseudo-terminal", emulateSerial);
     options.kind = kind;
-    verb->add_option("--link", options.link, "A name for its port that stays");
-    verb->add_option("--clock-drift", options.clockDrift, "Of its clock [ppm]")
+    verb->add_option("--link", options.link, "Symbolic link to make to the emulator's port");
+    verb->add_option("--clock-drift", options.clockDrift, "Drift of the device's clock [ppm]")
         ->check(CLI::Range(-10'000.0, 10'000.0));
-    auto* rate = verb->add_option("--rate", options.rate, "Of its loop [Hz]");
+    auto* rate = verb->add_option("--rate", options.rate, "Rate of the device's control loop [Hz]");
     rate->check(CLI::Range(100, 8000))->capture_default_str();
     verb->add_option(
-            "--firmware", options.firmware, "Run this program for the board under QEMU instead")
+            "--firmware", options.firmware, "Run this firmware of the board under QEMU instead")
         ->excludes(rate);
     addEmulateOptions(*verb, options);
   }
   auto [iiwa, options] =
-      addCommand(emulate, action, "iiwa", "The arm and its controller, on UDP", emulateIiwa);
-  iiwa->add_option("--client", options.client, "Where to send to")->capture_default_str();
-  iiwa->add_option("--fri-version", options.version, "Of FRI")
+      addCommand(emulate, action, "iiwa", "Emulate the arm and its controller on UDP", emulateIiwa);
+  iiwa->add_option(
+          "--client", options.client, "Address and port of the client, which receives the messages")
+      ->capture_default_str();
+  iiwa->add_option("--fri-version", options.version, "Version of the FRI protocol")
       ->check(CLI::IsMember({"1.11", "1.14", "1.15", "1.16", "2.5", "2.7"}))
       ->capture_default_str();
-  iiwa->add_option("--model", options.model, "Which arm")
+  iiwa->add_option("--model", options.model, "Model of the arm")
       ->check(CLI::IsMember({"iiwa7", "iiwa14"}))
       ->capture_default_str();
-  iiwa->add_option("--overlay", options.overlay, "What it is commanded by")
+  iiwa->add_option("--overlay", options.overlay, "Command mode: wrench or torque")
       ->check(CLI::IsMember({"wrench", "torque"}))
       ->capture_default_str();
-  iiwa->add_option("--period", options.period, "Between messages [ms]")
+  iiwa->add_option("--period", options.period, "Time between messages [ms]")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   addEmulateOptions(*iiwa, options);
@@ -145,11 +149,16 @@ void addEmulate(CLI::App& noun, Action& action) {
 
 void addListen(CLI::App& noun, Action& action) {
   auto [verb, options] = addCommand(
-      noun, action, "listen", "Record what a punch with the published sketch prints", app::listen);
-  verb->add_option("PORT", options.port, "Its serial port")->required();
-  verb->add_option("--out", options.out, "A CSV file to make (default: the terminal)");
+      noun,
+      action,
+      "listen",
+      "Record the output of a punch that runs the published sketch",
+      app::listen);
+  verb->add_option("PORT", options.port, "Serial port of the punch")->required();
+  verb->add_option("--out", options.out, "New CSV file (default: print to the terminal)");
   verb->add_option("--baud", options.baud, "Baud rate of the line")->capture_default_str();
-  verb->add_option("--seconds", options.seconds, "Duration (default: until it is ended)")
+  verb->add_option(
+          "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
       ->check(CLI::PositiveNumber);
 }
 
@@ -163,7 +172,7 @@ void addRehearse(CLI::App& noun, Action& action) {
   rehearse->add_option("--out", options.out, "A new folder for device file and study")->required();
   rehearse->add_option("--protocol", options.protocol, "Protocol to rehearse")
       ->capture_default_str();
-  rehearse->add_option("--participants", options.participants, "How many")
+  rehearse->add_option("--participants", options.participants, "Number of simulated participants")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   rehearse->add_option("--seed", options.seed, "Seed of all random choices")->capture_default_str();
@@ -191,11 +200,12 @@ void addDeviceCommands(CLI::App& program, Action& action) {
       "Check every device: PASS, WARN or FAIL, what was measured, and a fix",
       app::check);
   addDeviceFile(*check, checking);
-  check->add_option("--protocol", checking.protocol, "Also check what this protocol needs");
-  check->add_option("--seconds", checking.seconds, "Time for each device")
+  check->add_option(
+      "--protocol", checking.protocol, "Protocol: also check that the devices give what it needs");
+  check->add_option("--seconds", checking.seconds, "Time for each device [s]")
       ->check(CLI::Range(0.5, 600.0))
       ->capture_default_str();
-  check->add_flag("--json", checking.json, "JSON");
+  check->add_flag("--json", checking.json, "Print JSON");
 
   addEmulate(noun, action);
   addListen(noun, action);

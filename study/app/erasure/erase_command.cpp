@@ -95,7 +95,7 @@ int erase(ErasureArguments options) {
     fmt::print(
         "\nSomething is left. Delete the files in which a text was found, or export them again (in "
         "a "
-        "database, somebody else wrote the same), and try again what was not erased.\n");
+        "database, another participant wrote the same), and try again what was not erased.\n");
   }
   const auto words = words::wordsIn(options.language);
   for (const auto& path : options.certificates) write(certificate, words, path);
@@ -110,7 +110,7 @@ int setPassphrase(const ErasureArguments& options) {
   fmt::print(
       "Names in {} are behind the passphrase, and in copies that are made from now on. Sessions "
       "ask "
-      "for it. Nobody can find it out.\n",
+      "for it. It cannot be recovered.\n",
       options.folder);
   return 0;
 }
@@ -135,7 +135,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       noun,
       action,
       "erase",
-      "Erase a participant: names, answers and traces; the audit trail stays sound",
+      "Erase a participant: names, answers and traces; the audit trail stays valid",
       app::erase);
   addStudyFolder(*erase, erasure.folder);
   erase->add_option("--participant", erasure.request.participant, "Participant code");
@@ -143,17 +143,20 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       ->add_option(
           "--level",
           erasure.level,
-          "identity: names and signatures; answers: answers, votes, texts and traces; all: both")
+          "Data to erase: identity (names, signatures), answers (with votes, texts and traces), or "
+          "all")
       ->check(CLI::IsMember({"identity", "answers", "all"}))
       ->capture_default_str();
   erase->add_option(
-      "--reason", erasure.request.reason, "Why, without a name: it stays in the audit trail");
+      "--reason", erasure.request.reason, "Reason, without a name: it stays in the audit trail");
   erase->add_flag(
       "--reseal",
       erasure.request.sealsTrailAgain,
       "Seal the audit trail of an older release first, once for the whole study");
   erase->add_option(
-      "--also", erasure.also, "A backup to erase from, too, or an export to remove; repeatable");
+      "--also",
+      erasure.also,
+      "Further copy: a backup to erase from, or an export to remove; repeatable");
   erase->add_option(
       "--certificate",
       erasure.certificates,
@@ -162,21 +165,15 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
   erase->add_option(
-      "--by",
-      erasure.by,
-      "Erase what this certificate (.txt) tells, from another copy of its study");
+      "--by", erasure.by, "Certificate (.txt) of an erasure to repeat on this copy of the study");
 
-  auto [names, naming] = addCommand(
-      noun,
-      action,
-      "names",
-      "Show which participant gave which name, to find whom somebody asks about",
-      app::names);
+  auto [names, naming] =
+      addCommand(noun, action, "names", "List names by participant code", app::names);
   addStudyFolder(*names, naming.folder);
   auto* sets = names->add_flag(
       "--set-passphrase",
       naming.setsPassphrase,
-      "Put names behind a passphrase, or change it; without it nobody ever reads them");
+      "Protect names with a passphrase, or change it; names cannot be read without it");
   addAuditedReason(*names, naming.request.reason)->needs(sets);
 }
 

@@ -107,7 +107,7 @@ void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
       "--write-witness",
       options.newWitness,
-      "New file of the signed heads, to be kept where nobody who writes the study can");
+      "New witness file of the signed heads; keep it where the study's operators cannot change it");
 }
 
 void addTimeStampCommand(CLI::App& noun, Action& action) {
@@ -118,15 +118,19 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
       "Let a public authority stamp the audit trail with the time (RFC 3161)",
       timestamp);
   addStudyFolder(*verb, options.folder);
-  verb->add_option("--authority", options.authority, "URL of the authority; gets a hash alone");
   verb->add_option(
-      "--request", options.request, "Write the request to a new file, to be sent from elsewhere");
-  verb->add_option("--reply", options.reply, "Keep the authority's reply to a request")
+      "--authority", options.authority, "URL of the authority, which receives only a hash");
+  verb->add_option(
+      "--request",
+      options.request,
+      "Write the request to a new file, to be sent from another computer");
+  verb->add_option(
+          "--reply", options.reply, "File with the authority's reply to a request, to be stored")
       ->check(CLI::ExistingFile);
   verb->add_option(
       "--authority-certificate",
       options.certificate,
-      "Certificate (PEM) of the authority's root, which proves its replies");
+      "Root certificate (PEM) of the authority, against which its replies are checked");
 }
 
 }  // namespace
@@ -149,26 +153,26 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       "Check that no stored data was changed, lost or damaged",
       app::verify);
   addStudyFolder(*verify, verifying.folder);
-  verify->add_flag("--json", verifying.json, "JSON");
+  verify->add_flag("--json", verifying.json, "Print JSON");
   verify->add_option(
       "--expect",
       verifying.noted,
-      "A head of the audit trail that was noted earlier: fails if it is not there");
+      "Head of the audit trail that was noted earlier: fails if the trail does not contain it");
   verify->add_option(
       "--witness",
       verifying.witness,
-      "A witness file of this study: fails if the study is another");
+      "Witness file of this study: fails if the study does not match it");
   addNewWitness(*verify, verifying);
   verify
       ->add_option(
           "--authority-certificate",
           verifying.certificate,
-          "Certificate (PEM) of the root of an authority: checks its time stamps")
+          "Root certificate (PEM) of an authority: checks its time stamps")
       ->check(CLI::ExistingFile);
   verify->add_flag(
       "--older-copy",
       verifying.isOlderCopy,
-      "DIR is a backup: what this station signed after it may be missing");
+      "DIR is an older backup: later signatures of this station may be missing");
 
   addTimeStampCommand(noun, action);
 
@@ -176,10 +180,11 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       noun,
       action,
       "restored",
-      "Note that an older copy took the study's place on purpose, or the same study from elsewhere",
+      "Record that the study was replaced on purpose by an older copy or by a copy from elsewhere",
       app::restored);
   addStudyFolder(*restored, noting.folder);
-  restored->add_option("--reason", verifying.reason, "Why; goes into the audit trail")->required();
+  restored->add_option("--reason", verifying.reason, "Reason; goes into the audit trail")
+      ->required();
 }
 
 }  // namespace study::app

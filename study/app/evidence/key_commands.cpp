@@ -76,12 +76,12 @@ void addKeyCommands(CLI::App& study, Action& action) {
   auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
   out->add_option("--out", exporting.file, "New file; nothing is overwritten")->required();
   addAuditedReason(*out, exporting.reason)->required();
-  auto [in, importing] = add("import", "Let this account keep a key that was handed over", import);
+  auto [in, importing] = add("import", "Store a key that was handed over in this account", import);
   in->add_option("FILE", importing.file, "The key's file (default: asks for the passphrase)");
   auto [words, setting] = add("passphrase", "Set a passphrase that opens the key", passphrase);
   addAuditedReason(*words, setting.reason)->required();
-  auto [gone, dropping] =
-      add("drop", "Take the key from this account, once it was exported or has a passphrase", drop);
+  auto [gone, dropping] = add(
+      "drop", "Remove the key from this account, once it was exported or has a passphrase", drop);
   addAuditedReason(*gone, dropping.reason)->required();
 }
 

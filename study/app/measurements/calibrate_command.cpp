@@ -148,27 +148,32 @@ void addCalibrate(CLI::App& noun, Action& action) {
       "calibrate",
       "Fit a polynomial to readings of a force sensor under known loads",
       app::calibrate);
-  verb->add_option("TABLE", command.file, "CSV or TSV: a head, then a reading and a load a row")
+  verb->add_option(
+          "TABLE",
+          command.file,
+          "CSV or TSV file with headings: a reading and its load in each row")
       ->required();
-  verb->add_option("--order", command.order, "Of the polynomial")
+  verb->add_option("--order", command.order, "Order of the polynomial")
       ->check(CLI::Range(1, recordings::kMostCalibrationOrder))
       ->capture_default_str();
   verb->add_flag(
       "--through-zero",
       command.throughZero,
-      "No constant: a reading of 0 is 0 N, as in eq. (1) of the punch paper");
+      "No constant term: a reading of 0 is 0 N, as in eq. (1) of the punch paper");
   verb->add_option(
-      "--reading", command.columns.reading, "Head of the column of readings (default: the first)");
+      "--reading",
+      command.columns.reading,
+      "Heading of the column of readings (default: the first)");
   verb->add_option(
-      "--force", command.columns.force, "Head of the column of loads (default: the second)");
+      "--force", command.columns.force, "Heading of the column of loads (default: the second)");
   verb->add_option(
       "--reading-unit",
       command.columns.readingUnit,
-      "V, mV, counts … (default: as in the head, 'sensor [V]')");
+      "Unit of readings: V, mV, counts … (default: from the heading, 'sensor [V]')");
   verb->add_option(
       "--force-unit",
       command.columns.forceUnit,
-      "N, mN, kN, g or kg (default: as in the head, 'load [N]')");
+      "Unit of loads: N, mN, kN, g or kg (default: from the heading, 'load [N]')");
   verb->add_option("--out", command.out, "The calibration file to write; nothing is overwritten");
   verb->add_option("--report", command.report, "A new folder for figures: curve and residuals");
   verb->add_option("--name", command.name, "Name of the calibration")->capture_default_str();

@@ -157,12 +157,12 @@ int fit(FitCommand& command) {
 }
 
 void addFit(CLI::App& noun, Action& action) {
-  auto [verb, command] =
-      addCommand(noun, action, "fit", "Measured series of reaming to a material file", app::fit);
+  auto [verb, command] = addCommand(
+      noun, action, "fit", "Fit a material file to measured series of reaming", app::fit);
   command.inputs.addTo(*verb);
   verb->add_option("--out", command.out, "The material file to write; nothing is overwritten");
   verb->add_option("--report", command.report, "A folder for tables, figures and a page");
-  verb->add_option("--name", command.name, "Of the material")->capture_default_str();
+  verb->add_option("--name", command.name, "Name of the material")->capture_default_str();
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
 
@@ -222,7 +222,7 @@ void addCompare(CLI::App& noun, Action& action) {
       "Compare natural cubic and Hermite splines through 12 nodes (Fig. 7 of the reaming paper)",
       app::compare);
   command.inputs.addTo(*verb);
-  verb->add_option("--curve", command.curve, "TEST-SET/QUANTITY/CURVE, or all")
+  verb->add_option("--curve", command.curve, "Curve to compare: TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
   verb->add_option("--report", command.report, "A folder for the figure and a page");
 }
@@ -256,10 +256,11 @@ void addSynthesise(CLI::App& noun, Action& action) {
       noun,
       action,
       "synthesise",
-      "Series with the published properties, for trying things out: not measured",
+      "Write synthetic series with the published properties, for trying things out",
       synthesise);
-  verb->add_option("FOLDER", command.folder, "New, or empty")->required();
-  verb->add_option("--seed", command.seed, "The same seed, the same series")->capture_default_str();
+  verb->add_option("FOLDER", command.folder, "New or empty folder")->required();
+  verb->add_option("--seed", command.seed, "Random seed; the same seed gives the same series")
+      ->capture_default_str();
 }
 
 }  // namespace

@@ -80,45 +80,59 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)");
   verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests");
   verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests");
-  verb.add_option("--column", columns, "WHAT=HEAD where a head does not say it, e.g. force=Kanal2");
-  verb.add_option("--unit", units, "WHAT=UNIT where a head has none, e.g. force=kN");
-  verb.add_option("--axis", axis, "What curves lie over; only depth can be felt")
+  verb.add_option(
+      "--column", columns, "Heading of a quantity's column, if it does not name it: force=Kanal2");
+  verb.add_option("--unit", units, "Unit of a quantity, if its heading has none: force=kN");
+  verb.add_option("--axis", axis, "Abscissa of the curves; only depth can be rendered")
       ->check(oneOf(kAxes))
       ->capture_default_str();
-  verb.add_option("--force-limit", options.forceLimit, "At which static tests were stopped [N]")
+  verb.add_option(
+          "--force-limit", options.forceLimit, "Force at which static tests were stopped [N]")
       ->check(finiteRange(1.0, 1e5))
       ->capture_default_str();
-  verb.add_option("--cutoff-rule", cutoffRule, "How a low-pass finds its cut-off")
+  verb.add_option(
+          "--cutoff-rule", cutoffRule, "Rule by which the low-pass filter's cut-off is found")
       ->check(oneOf(kCutoffRules))
       ->capture_default_str();
-  verb.add_option("--cutoff", options.cutoff, "The same for all forces, instead [Hz]")
+  verb.add_option(
+          "--cutoff", options.cutoff, "One cut-off for all forces [Hz] (default: by the rule)")
       ->check(finiteRange(1e-4, 1e4));
-  verb.add_option("--torque-cutoff", options.torqueCutoff, "The same for all torques, instead [Hz]")
+  verb.add_option(
+          "--torque-cutoff",
+          options.torqueCutoff,
+          "One cut-off for all torques [Hz] (default: by the rule)")
       ->check(finiteRange(1e-4, 1e4));
-  verb.add_option("--envelope", envelope, "What minimum, average and maximum are made of")
+  verb.add_option("--envelope", envelope, "Rule for the curves of minimum, average and maximum")
       ->check(oneOf(kEnvelopes))
       ->capture_default_str();
-  verb.add_option("--nodes", nodes, "How nodes are chosen, or how many there are")
+  verb.add_option("--nodes", nodes, "Rule by which nodes are chosen, or their number")
       ->check(oneOf(kNodeRules) | CLI::Range(kFewestNodes, kMostNodes))
       ->capture_default_str();
-  verb.add_option("--nodes-of", nodesOf, "Take the nodes that are best for another spline")
+  verb.add_option("--nodes-of", nodesOf, "Use the nodes that are best for this other spline")
       ->check(oneOf(kSplines));
-  verb.add_option("--spline", spline, "How slopes at the nodes are come by")
+  verb.add_option("--spline", spline, "Spline: how slopes at the nodes are found")
       ->check(oneOf(kSplines))
       ->capture_default_str();
-  verb.add_option("--error", options.wantedError, "Largest error of the spline, a share")
+  verb.add_option(
+          "--error", options.wantedError, "Largest relative error of the spline (0.05: 5 %)")
       ->check(finiteRange(1e-4, 1.0))
       ->capture_default_str();
-  verb.add_option("--force-floor", options.forceFloor, "Below it errors count as if at it [N]")
+  verb.add_option(
+          "--force-floor",
+          options.forceFloor,
+          "Smaller forces count as this one in relative errors [N]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
-  verb.add_option("--torque-floor", options.torqueFloor, "The same of torques [N·m]")
+  verb.add_option(
+          "--torque-floor",
+          options.torqueFloor,
+          "Smaller torques count as this one in relative errors [N·m]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_flag(
       "--synthetic",
       isSynthetic,
-      "Nobody measured these series, even if their files do not say so");
+      "Mark these series as synthetic (not measured), even if their files do not");
 }
 
 reaming::FitOptions MaterialInputs::chosen() const {

@@ -133,14 +133,17 @@ void addBuildPacking(CLI::App& noun, Action& action) {
       noun,
       action,
       "build",
-      "Fill a closed mesh, or a built-in cup, with spheres",
+      "Fill a closed mesh, or the built-in cup, with spheres",
       app::buildPacking);
   verb->add_option(
-      "MESH", command.mesh, "STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
+      "MESH",
+      command.mesh,
+      "Mesh file: STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
   verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
-  verb->add_option("--unit", command.unit, "Unit of the mesh (default: judged by its size)")
+  verb->add_option("--unit", command.unit, "Unit of the mesh (default: derived from its size)")
       ->check(CLI::IsMember({"m", "mm"}));
-  auto* count = verb->add_option("--count", command.options.count, "Number of spheres (201532)");
+  auto* count =
+      verb->add_option("--count", command.options.count, "Number of spheres (default: 201532)");
   auto* coverage =
       verb->add_option("--coverage", command.options.coverage, "Share of the volume to fill")
           ->check(finiteRange(0.01, 0.8));
@@ -154,9 +157,13 @@ void addBuildPacking(CLI::App& noun, Action& action) {
   verb->add_option("--reamer-radius", command.reamerRadius, "Radius of the reamer [mm]")
       ->check(finiteRange(1.0, 100.0))
       ->capture_default_str();
-  verb->add_option("--seed", command.options.seed, "Seed; the same seed gives the same spheres")
+  verb->add_option(
+          "--seed", command.options.seed, "Random seed; the same seed gives the same spheres")
       ->capture_default_str();
-  verb->add_option("--threads", command.options.threads, "Threads; the spheres do not depend on it")
+  verb->add_option(
+          "--threads",
+          command.options.threads,
+          "Number of threads; the result does not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   verb->add_option("--name", command.name, "Name of the bone")->capture_default_str();
@@ -294,7 +301,11 @@ int fitDensities(DensityCommand& command) {
 
 void addFitDensities(CLI::App& noun, Action& action) {
   auto [verb, command] = addCommand(
-      noun, action, "fit", "Fit densities of a packing to a material", app::fitDensities);
+      noun,
+      action,
+      "fit",
+      "Fit the densities of a packing's spheres to a material",
+      app::fitDensities);
   command.given = verb;
   verb->add_option("PACKING", command.packing, "A packing from 'palpate packing build'")
       ->required();
@@ -308,22 +319,22 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option(
           "--friction",
           command.options.friction,
-          "Between reamer and bone, where it is known (default: fitted to the torque)")
+          "Friction between reamer and bone, if known (default: fitted to the torque)")
       ->check(finiteRange(0.0, 2.0));
-  verb->add_option("--method", command.method, "exact, or swarm: the reaming paper's way")
+  verb->add_option("--method", command.method, "Method: exact, or swarm (as in the reaming paper)")
       ->check(CLI::IsMember({"exact", "swarm"}))
       ->capture_default_str();
-  verb->add_option("--layers", command.layers, "Of a swarm, by depth; 0: every sphere for itself")
+  verb->add_option(
+          "--layers", command.layers, "Layers of a swarm, by depth; 0: each sphere on its own")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  verb->add_option("--particles", command.swarm.particles, "Of a swarm")
+  verb->add_option("--particles", command.swarm.particles, "Number of particles of a swarm")
       ->check(CLI::Range(2, 100'000))
       ->capture_default_str();
-  verb->add_option("--iterations", command.swarm.iterations, "Of a swarm")
+  verb->add_option("--iterations", command.swarm.iterations, "Number of iterations of a swarm")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
-  verb->add_option("--seed", command.swarm.seed, "The same seed, the same swarm")
-      ->capture_default_str();
+  verb->add_option("--seed", command.swarm.seed, "Random seed of a swarm")->capture_default_str();
 }
 
 }  // namespace

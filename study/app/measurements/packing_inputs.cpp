@@ -12,7 +12,8 @@ namespace study::app {
 namespace reaming = haptics::reaming;
 
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
-  verb.add_option("--material", choice.file, "A material file, or parametric")->required();
+  verb.add_option("--material", choice.file, "Material file, or parametric (the built-in material)")
+      ->required();
   verb.add_option("--test-set", choice.set, "Test set of the material")
       ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
       ->capture_default_str();

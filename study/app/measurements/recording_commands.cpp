@@ -216,7 +216,9 @@ void addImport(CLI::App& noun, Action& action) {
       "--cut",
       command.options.closures,
       "Cut to import, numbered from 1; several are averaged (default: the most typical one)");
-  import->add_option("--rows", command.rows, "Rows FIRST:LAST instead, numbered from 1")
+  import
+      ->add_option(
+          "--rows", command.rows, "Rows to import instead of a cut: FIRST:LAST, numbered from 1")
       ->excludes(cuts);
   import
       ->add_option(
@@ -229,13 +231,13 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--yield-load",
           command.options.yieldLoad,
-          "Least load at a yield [N]: less is no tissue; 0: any")
+          "Smallest load that counts as a yield [N]; 0: any")
       ->check(finiteRange(0.0, 1e6))
       ->capture_default_str();
   import->add_option(
       "--report", command.report, "A new folder for figures: spectrum, closures, the cut");
   import->add_option("--name", command.options.name, "Name of the cut (default: the file's name)");
-  import->add_flag("--json", command.json, "JSON, full precision");
+  import->add_flag("--json", command.json, "Print JSON with full precision");
 }
 
 void addNoise(CLI::App& noun, Action& action) {
@@ -250,16 +252,19 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--rows",
           command.rows,
-          "Ranges FIRST:LAST, numbered from 1 (default: the closing hand of every complete cut)")
+          "Ranges of rows FIRST:LAST, numbered from 1 (default: the closing part of every complete "
+          "cut)")
       ->delimiter(',');
   noise
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows that moved by less [travel units]; 0: as in the paper's eq. (22)")
+          "Leave out rows whose travel changed by less [travel units]; 0: as in the paper's eq. "
+          "(22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
-  noise->add_flag("--json", command.json, "JSON for the 'noise' of a protocol, full precision");
+  noise->add_flag(
+      "--json", command.json, "Print JSON for the 'noise' of a protocol, with full precision");
 }
 
 }  // namespace

@@ -29,21 +29,23 @@ recordings::ForceCalibration calibrationNamed(const std::string& name) {
 }  // namespace
 
 void RecordingInputs::addTo(CLI::App& verb) {
-  verb.add_option("FILE", file, "A recording as text: five columns, or as --columns says")
+  verb.add_option("FILE", file, "Recording (text): five columns, or those that --columns describes")
       ->required();
-  verb.add_option(
-      "--columns", columns, "Columns file (JSON) that says what the columns of FILE mean");
+  verb.add_option("--columns", columns, "Columns file (JSON) that describes the columns of FILE");
   verb.add_option(
       "--calibration",
       calibration,
-      "To newtons: paper-eq1, recorder-2021 or a calibration file (default: the recording's own)");
-  verb.add_option("--filter", filter, "Low-pass of the travel, for the recording's own rate")
+      "Calibration to newtons: paper-eq1, recorder-2021 or a file (default: the recording's own)");
+  verb.add_option(
+          "--filter",
+          filter,
+          "Low-pass filter of the travel, designed for the recording's sampling rate")
       ->check(CLI::IsMember(recordings::travelFilterNames()))
       ->capture_default_str();
   verb.add_option(
           "--cutoff",
           cutoff,
-          "Of butterworth-zero-phase: frequency of half the amplitude [Hz] (default: 5)")
+          "Cut-off of butterworth-zero-phase: frequency of half the amplitude [Hz] (default: 5)")
       ->check(finiteRange(1e-3, 1e5));
 }
 

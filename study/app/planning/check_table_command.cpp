@@ -86,7 +86,7 @@ void addCheckTableCommand(CLI::App& stats, Action& action) {
       ->check(CLI::Range(1, 20))
       ->needs(scale)
       ->capture_default_str();
-  command->add_flag("--json", options.json, "JSON, full precision");
+  command->add_flag("--json", options.json, "Print JSON with full precision");
 }
 
 }  // namespace study::app

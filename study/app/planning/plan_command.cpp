@@ -52,7 +52,9 @@ int plan(PlanOptions options) {
 
 void addSites(CLI::App& command, PlanOptions& options) {
   auto* sites = command.add_option(
-      "--sites", options.sites, "Sites that each cohort's participants are spread over");
+      "--sites",
+      options.sites,
+      "Number of sites among which each cohort's participants are divided");
   sites->check(CLI::Range(2, 1000));
   command
       .add_option(
@@ -74,7 +76,7 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
           ".5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
-  command.add_option("--studies", question.studies, "Studies to simulate; 0 for none")
+  command.add_option("--studies", question.studies, "Number of studies to simulate; 0 for none")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
   command.add_option("--seed", question.seed, "Seed of the simulation")->capture_default_str();
@@ -127,7 +129,7 @@ void addPlanCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   addSites(*command, options);
   addAssumptions(*command, options);
-  command->add_flag("--json", options.json, "JSON, full precision");
+  command->add_flag("--json", options.json, "Print JSON with full precision");
 }
 
 }  // namespace study::app

@@ -82,19 +82,20 @@ void addStatsCommands(CLI::App& program, Action& action) {
       noun,
       action,
       "run",
-      "The tables of a study: means and variances, declared comparisons, preferences",
+      "Print the tables of a study: means and variances, declared comparisons, preferences",
       app::run);
   addStudyFolder(*run, running.folder);
   run->add_option(
          "--profile",
          running.profile,
-         "declared: as the protocol says; as-published: answers pooled; recommended: within people")
+         "Analysis: declared (in the protocol), as-published (answers pooled), recommended (within "
+         "people)")
       ->check(CLI::IsMember({"declared", "as-published", "recommended"}))
       ->capture_default_str();
   addWordingOption(*run, running.wording);
   addRunModeOption(*run, running.runMode);
   addReasonOption(*run, running.reason);
-  auto* json = run->add_flag("--json", running.json, "JSON, full precision");
+  auto* json = run->add_flag("--json", running.json, "Print JSON with full precision");
   run->add_flag(
          "--watch",
          running.isWatched,

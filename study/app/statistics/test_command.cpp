@@ -155,8 +155,11 @@ void addTestCommand(CLI::App& stats, Action& action) {
   auto [command, options] =
       addCommand(stats, action, "test", "Run a statistical test on a table of your own", runTest);
   auto* list = command->add_flag(
-      "--list", options.isList, "All tests, the columns that each needs, and what it answers");
-  auto* name = command->add_option("TEST", options.test, "One of --list, for instance welch");
+      "--list",
+      options.isList,
+      "List all tests, with the columns that each needs and the question that it answers");
+  auto* name =
+      command->add_option("TEST", options.test, "Name of a test from --list, for instance welch");
   auto* file = command->add_option("FILE", options.file, "A CSV file with a header line");
   name->excludes(list);
   file->excludes(list);
@@ -166,21 +169,25 @@ void addTestCommand(CLI::App& stats, Action& action) {
   };
   column("group", "Column that names the group; columns that are not named are taken in order")
       ->expected(1);
-  column("value", "Column of numbers; of votes, of names")->expected(1);
+  column("value", "Column of numbers; for votes, of names")->expected(1);
   column("first", "Column of the first of two measurements or names")->expected(1);
-  column("second", "Column of the second")->expected(1);
-  column("columns", "Columns of numbers, a line being a participant; all columns if not given");
-  column("count", "Column that says how many cases a line stands for")->expected(1);
+  column("second", "Column of the second of two measurements or names")->expected(1);
+  column("columns", "Columns of numbers, one row per participant (default: all columns)");
+  column("count", "Column of the number of cases that a row represents")->expected(1);
   column("cluster", "Column that names the participant")->expected(1);
   column("round", "Column that names the round")->expected(1);
-  command->add_option("--bound", options.settings.bound, "Of equivalence: smaller counts as none")
+  command
+      ->add_option(
+          "--bound",
+          options.settings.bound,
+          "Bound of equivalence: smaller differences count as none")
       ->check(finiteRange(1e-300, 1e300));
   command->add_option(
-      "--from", options.settings.from, "Of probabilities: this answer and all above it count");
-  command->add_option("--level", options.settings.level, "Of the confidence interval")
+      "--from", options.settings.from, "Probabilities are of this answer or a higher one");
+  command->add_option("--level", options.settings.level, "Level of the confidence interval")
       ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();
-  command->add_flag("--json", options.json, "JSON, full precision");
+  command->add_flag("--json", options.json, "Print JSON with full precision");
   command->parse_complete_callback([&options = options] {
     if (!options.isList && options.test.empty()) throw CLI::RequiredError("TEST");
     if (!options.isList && options.file.empty()) throw CLI::RequiredError("FILE");

@@ -209,17 +209,24 @@ void addCollectCommand(CLI::App& program, Action& action) {
   options.size.folder = std::filesystem::temp_directory_path();
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
   auto& size = options.size;
-  command->add_option("--answers", size.answers, "Of all sites together")
+  command->add_option("--answers", size.answers, "Number of answers of all sites together")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{10'000'000}))
       ->capture_default_str();
-  command->add_option("--sites", size.sites, "Each with a station")
+  command->add_option("--sites", size.sites, "Number of sites, each with a station")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--participants", size.participants, "Simulated ones with samples, 1 MB of each")
+      ->add_option(
+          "--participants",
+          size.participants,
+          "Number of simulated participants with samples, 1 MB of each")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  command->add_option("--repetitions", size.repetitions, "Of counts, and of COPY of samples")
+  command
+      ->add_option(
+          "--repetitions",
+          size.repetitions,
+          "Number of repetitions of counts, and of COPY of samples")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command

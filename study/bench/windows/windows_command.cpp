@@ -171,23 +171,25 @@ void addWindowsCommand(CLI::App& program, Action& action) {
       program,
       action,
       "windows",
-      "How fast simulations, live plots and a participant's pages are drawn",
+      "Speed at which simulations, live plots and a participant's pages are drawn",
       windows);
   auto& simulation = options.simulation;
   command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
-  command->add_option("--seconds", simulation.seconds, "Of each simulation")
+  command->add_option("--seconds", simulation.seconds, "Duration of each simulation [s]")
       ->check(app::finiteRange(0.5, 600.0))
       ->capture_default_str();
-  command->add_option("--spheres", simulation.spheres, "Of the cup")
+  command->add_option("--spheres", simulation.spheres, "Number of spheres in the cup")
       ->check(CLI::Range(std::size_t{1000}, std::size_t{10'000'000}))
       ->capture_default_str();
-  command->add_option("--colours", options.colours, "Of the spheres")
+  command->add_option("--colours", options.colours, "Colours of the spheres")
       ->check(CLI::IsMember({"neutral", "density", "removal"}))
       ->capture_default_str();
-  command->add_option("--renderer", options.renderer, "Who draws; finest: as on a graphics card")
+  command->add_option("--renderer", options.renderer, "Renderer; finest: as on a graphics card")
       ->check(CLI::IsMember({"best", "finest", "software"}))
       ->capture_default_str();
-  command->add_option("--anatomy", options.anatomy, "A knee of your own, as OBJ")
+  command
+      ->add_option(
+          "--anatomy", options.anatomy, "OBJ file of a knee to draw instead of the built-in one")
       ->check(CLI::ExistingFile);
 }
 
