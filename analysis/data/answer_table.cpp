@@ -2,47 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
-#include "analysis/numerics/exact_arithmetic.h"
-
 namespace analysis {
-namespace {
-
-struct Sum {
-  std::int64_t of = 0;
-  std::int64_t count = 0;
-};
-
-}  // namespace
-
 int AnswerTable::aboveMiddle() const {
   return static_cast<int>(std::floor(std::midpoint<double>(lowest, highest))) + 1;
 }
 
-LikertCounts AnswerTable::countsOf(std::size_t method) const {
-  LikertCounts counts(lowest, highest);
+AnswerSample AnswerTable::sampleOf(std::size_t method) const {
+  std::vector<double> scores;
   for (const auto& answer : answers) {
-    if (answer.method == method) counts.add(answer.score);
+    if (answer.method == method) scores.push_back(answer.score);
   }
+  return sampleOf(scores);
+}
+
+AnswerSample AnswerTable::sampleOf(std::span<const double> scores) const {
+  if (!isOfPoints) return AnswerSample(scores);
+  LikertCounts counts(static_cast<int>(lowest), static_cast<int>(highest));
+  for (const double score : scores) counts.add(static_cast<int>(score));
   return counts;
 }
 
 std::vector<std::vector<std::optional<double>>> AnswerTable::participantMeans() const {
-  std::vector<std::vector<Sum>> sums(participants.size(), std::vector<Sum>(methods.size()));
+  using Scores = std::vector<double>;
+  std::vector<std::vector<Scores>> given(participants.size(), std::vector<Scores>(methods.size()));
   for (const auto& answer : answers) {
-    auto& sum = sums[answer.participant][answer.method];
-    sum.of += answer.score;
-    ++sum.count;
+    given[answer.participant][answer.method].push_back(answer.score);
   }
   std::vector<std::vector<std::optional<double>>> means;
-  for (const auto& row : sums) {
+  for (const auto& row : given) {
     auto& of = means.emplace_back();
-    for (const auto& sum : row) {
-      of.push_back(
-          sum.count > 0 ? std::optional(exactQuotient(sum.of, sum.count).high) : std::nullopt);
-    }
+    for (const auto& scores : row) of.push_back(sampleOf(scores).mean());
   }
   return means;
 }

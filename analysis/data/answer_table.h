@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "analysis/data/likert_counts.h"
+#include "analysis/data/answer_sample.h"
 
 namespace analysis {
 
@@ -17,24 +18,31 @@ struct ScoredAnswer {
   std::size_t round = 0;
   std::size_t statement = 0;
   int position = 0;  ///< of the method among those of its round, from 1
-  int score = 0;
+  double score = 0.0;
 };
 
-/// Who answered what, on one scale of whole numbers.
+/// Who answered what, on one scale.
 struct AnswerTable {
-  int lowest = 1;
-  int highest = 5;
+  double lowest = 1.0;
+  double highest = 5.0;
+  /// The answers are points: whole numbers, at most LikertCounts::kMostPoints. Otherwise they have
+  /// no counts, no ordinal model and no test for two peaks.
+  bool isOfPoints = true;
   std::vector<std::string> participants;
   std::vector<std::string> methods;
   std::vector<std::string> rounds;
   std::vector<std::string> statements;
   std::vector<ScoredAnswer> answers;
 
-  /// The lowest answer above the middle of the scale: 4 of 1 … 5.
+  /// The lowest point above the middle of the scale: 4 of 1 … 5.
+  /// @pre isOfPoints
   int aboveMiddle() const;
 
   /// All answers about a method, of all participants.
-  LikertCounts countsOf(std::size_t method) const;
+  AnswerSample sampleOf(std::size_t method) const;
+
+  /// Answers on this scale.
+  AnswerSample sampleOf(std::span<const double> scores) const;
 
   /// Mean score by participant and method, each exactly rounded; std::nullopt if nothing was
   /// answered.

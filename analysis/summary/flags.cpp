@@ -172,15 +172,16 @@ class FlagFinder {
     std::vector<Message> camps{text("bimodal")};
     std::vector<std::string> constant;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
-      const auto counts = table_.countsOf(method);
-      if (isBeyondUnimodal(counts).value_or(false)) {
+      const auto answers = table_.sampleOf(method);
+      if (answers.points() && isBeyondUnimodal(*answers.points()).value_or(false)) {
+        const auto& counts = *answers.points();
         const double most =
             largestUnimodalVariance(counts.lowest(), counts.highest(), *counts.mean()) *
             static_cast<double>(counts.total()) / static_cast<double>(counts.total() - 1);
         if (camps.size() > 1) camps.push_back(text("comma"));
         camps.push_back(text("bimodal.method", titleOf(method), *counts.variance(), most));
       }
-      if (counts.total() > 1 && counts.variance() == 0.0) {
+      if (answers.total() > 1 && answers.variance() == 0.0) {
         constant.push_back(titleOf(method));
       }
     }

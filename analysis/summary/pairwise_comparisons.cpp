@@ -12,7 +12,7 @@
 namespace analysis {
 namespace {
 
-void checkNames(std::span<const NamedCounts> groups) {
+void checkNames(std::span<const NamedSample> groups) {
   std::set<std::string> seen;
   for (const auto& group : groups) {
     if (!seen.insert(group.name).second) {
@@ -34,10 +34,10 @@ void checkFamily(std::span<const DeclaredPair> pairs) {
   }
 }
 
-const LikertCounts& countsOf(const std::string& name, std::span<const NamedCounts> groups) {
-  const auto group = std::ranges::find(groups, name, &NamedCounts::name);
+const Moments& momentsOf(const std::string& name, std::span<const NamedSample> groups) {
+  const auto group = std::ranges::find(groups, name, &NamedSample::name);
   if (group == groups.end()) throw std::invalid_argument("there is no group '" + name + "'");
-  return group->counts;
+  return group->answers.moments();
 }
 
 TestRow rowOf(const DeclaredPair& pair, const WelchResult& result, double alpha) {
@@ -52,7 +52,7 @@ TestRow rowOf(const DeclaredPair& pair, const WelchResult& result, double alpha)
 }  // namespace
 
 PairwiseComparisons comparePairwise(
-    std::span<const NamedCounts> groups,
+    std::span<const NamedSample> groups,
     std::span<const DeclaredPair> pairs,
     double alpha,
     Adjustment adjustment) {
@@ -66,7 +66,7 @@ PairwiseComparisons comparePairwise(
   std::vector<WelchResult> results;
   std::vector<std::optional<double>> pValues;
   for (const auto& pair : pairs) {
-    results.push_back(welchTTest(countsOf(pair.first, groups), countsOf(pair.second, groups)));
+    results.push_back(welchTTest(momentsOf(pair.first, groups), momentsOf(pair.second, groups)));
     pValues.push_back(results.back().p);
     family.rows.push_back(rowOf(pair, results.back(), alpha));
   }

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "analysis/data/likert_counts.h"
+#include "analysis/data/answer_sample.h"
 #include "analysis/data/test_row.h"
 #include "analysis/tests/adjustment.h"
 
 namespace analysis {
 
 /// The answers to one condition.
-struct NamedCounts {
+struct NamedSample {
   std::string name;
-  LikertCounts counts;
+  AnswerSample answers;
 };
 
 /// A comparison as a protocol declares it. Its sign is first − second.
@@ -43,7 +43,7 @@ struct PairwiseComparisons {
 ///     there or the same one twice, a pair is declared twice (also the other way round), or alpha
 ///     is not between 0 and 1.
 PairwiseComparisons comparePairwise(
-    std::span<const NamedCounts> groups,
+    std::span<const NamedSample> groups,
     std::span<const DeclaredPair> pairs,
     double alpha = 0.05,
     Adjustment adjustment = Adjustment::Bonferroni);

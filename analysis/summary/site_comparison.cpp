@@ -29,17 +29,16 @@ class ComparingSites {
 
  private:
   void count() {
-    std::map<std::string, SiteAnswers> counts;
-    for (const auto& site : sites_) {
-      auto& one = counts[site];
-      ++one.participants;
-      one.site = site;
-      one.methods.resize(table_.methods.size(), LikertCounts(table_.lowest, table_.highest));
-    }
+    std::map<std::string, std::vector<std::vector<double>>> scores;  // by site and method
+    for (const auto& site : sites_) scores[site].resize(table_.methods.size());
     for (const auto& answer : table_.answers) {
-      counts.at(sites_[answer.participant]).methods[answer.method].add(answer.score);
+      scores.at(sites_[answer.participant])[answer.method].push_back(answer.score);
     }
-    for (auto& [site, one] : counts) result_.answers.push_back(std::move(one));
+    for (const auto& [site, methods] : scores) {
+      auto& one = result_.answers.emplace_back(SiteAnswers{.site = site});
+      one.participants = static_cast<std::size_t>(std::ranges::count(sites_, site));
+      for (const auto& method : methods) one.methods.push_back(table_.sampleOf(method));
+    }
   }
 
   void models() {

@@ -20,11 +20,11 @@ struct SiteDifference {
   double weight = 0.0;  ///< share in the pooled difference (REML); 0: it is no part of it
 };
 
-/// How often each point was chosen at one site, by method of the table.
+/// The answers at one site, by method of the table.
 struct SiteAnswers {
   std::string site;
   std::size_t participants = 0;
-  std::vector<LikertCounts> methods;
+  std::vector<AnswerSample> methods;
 };
 
 /// The pooled difference of all sites but one.

@@ -85,13 +85,17 @@ class Comparing {
     }
     design_ = mixedDesignOf(table_);
     result_.mixed = fitLinearMixedModel(design_->scores, design_->fixed, design_->random);
+    if (!table_.isOfPoints) {
+      result_.ordinal.reason = base::messageOf<kWithinMessages>("no_points_to_order");
+      return;
+    }
     if (table_.highest - table_.lowest >= kMostOrderedPoints) {
       result_.ordinal.reason =
           base::messageOf<kWithinMessages>("too_many_points_for_order", kMostOrderedPoints);
       return;
     }
     std::vector<int> levels;
-    for (const auto& answer : table_.answers) levels.push_back(answer.score);
+    for (const auto& answer : table_.answers) levels.push_back(static_cast<int>(answer.score));
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);
     for (const auto& method : table_.methods) {
       const HighAnswers asked{

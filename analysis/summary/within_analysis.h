@@ -19,7 +19,8 @@ namespace analysis {
 
 /// Why a study has no ordinal model where the model itself would not mind.
 inline constexpr auto kWithinMessages = std::to_array<base::MessageKind>(
-    {{"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});
+    {{"no_points_to_order", "numbers between points are not modelled as ordered"},
+     {"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});
 
 /// A scale of more points has no ordinal model: each point is a parameter.
 inline constexpr int kMostOrderedPoints = 20;

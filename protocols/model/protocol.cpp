@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "questionnaires/scoring/scoring.h"
+
 namespace protocols {
 
 std::vector<questionnaires::Item> comparedItems(
     const Family& family, const std::vector<questionnaires::Item>& items) {
   std::vector<questionnaires::Item> compared;
+  if (!family.score.empty()) return compared;
   for (const auto& item : items) {
     const bool isCompared =
         family.items.empty()
@@ -18,11 +21,11 @@ std::vector<questionnaires::Item> comparedItems(
   return compared;
 }
 
-std::optional<WholeScale> wholeScaleOf(const questionnaires::Item& item) {
+std::optional<ComparedScale> scaleOf(const questionnaires::Item& item) {
   const auto range = questionnaires::rangeOf(item);
   if (!range) return std::nullopt;
   if (answerKindOf(item.type) == questionnaires::AnswerKind::Point) {
-    return WholeScale{item.scale.lowest, item.scale.highest()};
+    return ComparedScale{range->low, range->high, true};
   }
   constexpr double kFarthest = 1e6;  // that a table of answers counts
   const auto isWhole = [](double value) {
@@ -30,9 +33,23 @@ std::optional<WholeScale> wholeScaleOf(const questionnaires::Item& item) {
   };
   const bool isCounted = isWhole(range->low) && isWhole(range->high) && isWhole(item.step) &&
                          item.step > 0.0 && range->high - range->low < kMostComparedPoints;
-  if (!isCounted) return std::nullopt;
-  return WholeScale{static_cast<int>(range->low), static_cast<int>(range->high)};
+  return ComparedScale{range->low, range->high, isCounted};
 }
+
+std::optional<ComparedScale> scaleOf(
+    const Family& family, const questionnaires::Instrument& instrument) {
+  if (!family.score.empty()) {
+    const auto* score = instrument.score(family.score);
+    if (score == nullptr) return std::nullopt;  // of an earlier version's protocol
+    const auto range = questionnaires::rangeOf(instrument, *score);
+    return ComparedScale{range.low, range.high, false};
+  }
+  for (const auto& item : comparedItems(family, instrument.items)) {
+    if (const auto scale = scaleOf(item)) return scale;
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 template <typename T>

@@ -179,9 +179,11 @@ enum class CorrectionType {
 struct Family {
   std::string id;
   std::string title;
-  std::string instrument;           ///< its answers are compared, reversed where the key is −1
-  std::vector<std::string> items;   ///< those that are compared, on one scale of whole numbers (see
-                                    ///< comparedItems()); empty: all Likert items
+  std::string instrument;          ///< its answers are compared, reversed where the key is −1
+  std::vector<std::string> items;  ///< those that are compared, on one scale (see
+                                   ///< comparedItems()); empty: all Likert items
+  std::string
+      score;  ///< of the instrument: compared in place of items, as it is computed; or empty
   std::vector<std::string> blocks;  ///< those whose answers count; empty: all that ask this
                                     ///< instrument
   std::vector<Comparison> comparisons;
@@ -192,24 +194,31 @@ struct Family {
   std::optional<double> equivalenceBound;
 };
 
-/// The items of @p instrument that @p family compares, in the instrument's order.
+/// Those of @p items that @p family compares, in their order; none if it compares a score.
 std::vector<questionnaires::Item> comparedItems(
     const Family& family, const std::vector<questionnaires::Item>& items);
 
-/// A scale of whole numbers, as a table of answers needs it.
-struct WholeScale {
-  int lowest = 1;
-  int highest = 5;
+/// The scale of answers that a family compares.
+struct ComparedScale {
+  double lowest = 1.0;
+  double highest = 5.0;
+  /// Whole numbers that can be counted point by point: both ends and the step are whole, and there
+  /// are at most kMostComparedPoints.
+  bool isOfPoints = true;
 
-  bool operator==(const WholeScale&) const = default;
+  bool operator==(const ComparedScale&) const = default;
 };
 
-/// The most points of a scale whose answers are compared: those of analysis::LikertCounts.
+/// The most points of a scale that are counted: those of analysis::LikertCounts.
 inline constexpr int kMostComparedPoints = 1024;
 
-/// The scale of an item: its points; of a slider or a number its range, if its ends and its steps
-/// are whole numbers and there are at most kMostComparedPoints. std::nullopt for all others.
-std::optional<WholeScale> wholeScaleOf(const questionnaires::Item& item);
+/// The points of an item, or the range of a slider or a number; std::nullopt for all others.
+std::optional<ComparedScale> scaleOf(const questionnaires::Item& item);
+
+/// The scale of a family: of its score, or of the first of its items; std::nullopt if it has none
+/// of these.
+std::optional<ComparedScale> scaleOf(
+    const Family& family, const questionnaires::Instrument& instrument);
 
 struct AnalysisPlan {
   std::vector<Family> families;

@@ -53,6 +53,7 @@ Family readFamily(const Node& node) {
            "title",
            "instrument",
            "items",
+           "score",
            "blocks",
            "comparisons",
            "test",
@@ -65,6 +66,10 @@ Family readFamily(const Node& node) {
   family.title = node.text("title");
   family.instrument = node.id("instrument");
   family.items = node.ids("items");
+  if (node.has("score")) family.score = node.id("score");
+  if (node.has("score") && node.has("items")) {
+    node.problem("score", "a family compares items or a score", "leave one of the two out");
+  }
   family.blocks = node.ids("blocks");
   for (const auto& pair : node.requiredList("comparisons")) {
     family.comparisons.push_back(readComparison(pair));

@@ -43,7 +43,12 @@ class FamilyCheck {
       return;
     }
     const auto* asked = draft_.loaded.instrument(family_.instrument);
-    if (asked != nullptr) statements(*asked);
+    if (asked == nullptr) return;
+    if (family_.score.empty()) {
+      statements(*asked);
+    } else {
+      score(*asked);
+    }
   }
 
   /// Whether @p phase asks the family's questions about its conditions, or could not be read.
@@ -59,9 +64,9 @@ class FamilyCheck {
   void statements(const questionnaires::Instrument& asked) {
     for (std::size_t i = 0; i < family_.items.size(); ++i) item(asked, i);
     const auto compared = comparedItems(family_, asked.items);
-    std::optional<WholeScale> first;
+    std::optional<ComparedScale> first;
     for (const auto& item : compared) {
-      const auto scale = wholeScaleOf(item);
+      const auto scale = scaleOf(item);
       if (!scale) continue;  // reported already
       if (!first) first = scale;
       if (*scale == *first) continue;
@@ -82,6 +87,45 @@ class FamilyCheck {
     }
   }
 
+  /// The score is there, and every condition that is compared is asked all of its items.
+  void score(const questionnaires::Instrument& asked) {
+    if (!isSoundId(family_.score)) return;
+    const auto* score = asked.score(family_.score);
+    if (score == nullptr) {
+      problems_.add(
+          path_ + ".score",
+          "'" + asked.id + "' has no score '" + shown(family_.score) + "'",
+          asked.scores.empty() ? "name items in 'items' to compare" : "correct the name");
+      return;
+    }
+    for (const auto& phase : protocol_.phases) {
+      if (phase.type != PhaseType::Block || !isCounted(phase)) continue;
+      for (const auto& questionnaire : phase.trials.questionnaires) {
+        if (questionnaire.instrument == asked.id) inFull(asked, *score, phase, questionnaire);
+      }
+    }
+  }
+
+  void inFull(
+      const questionnaires::Instrument& asked,
+      const questionnaires::Score& score,
+      const Phase& phase,
+      const ConditionQuestionnaire& questionnaire) {
+    for (const auto& condition : phase.trials.conditions) {
+      const auto items = asked.itemsOf(questionnaire.setFor(condition));
+      const auto isAsked = [&](const std::string& id) {
+        return std::ranges::count(items, id, &questionnaires::Item::id) > 0;
+      };
+      if (std::ranges::all_of(score.items, isAsked)) continue;
+      problems_.add(
+          path_ + ".score",
+          "block '" + phase.id + "' does not ask all items of '" + score.id + "' about '" +
+              shown(condition) + "'",
+          "ask them there, or compare items");
+      return;
+    }
+  }
+
   void item(const questionnaires::Instrument& asked, std::size_t index) {
     const auto& id = family_.items[index];
     const std::string path = path_ + ".items[" + std::to_string(index) + "]";
@@ -94,12 +138,6 @@ class FamilyCheck {
           path,
           "answers to '" + id + "' are no numbers",
           "name a likert, semantic_differential, slider or number item");
-    } else if (!wholeScaleOf(*item)) {
-      problems_.add(
-          path,
-          "answers to '" + id + "' are not counted in whole numbers",
-          "give it whole numbers as its ends and its step, at most " +
-              std::to_string(kMostComparedPoints - 1) + " apart");
     }
   }
 

@@ -126,6 +126,34 @@ ScoreResult computeScore(
   return result;
 }
 
+Range rangeOf(const Instrument& instrument, const Score& score) {
+  std::optional<Range> widest;
+  Range sum;
+  for (std::size_t i = 0; i < score.items.size(); ++i) {
+    const Item* item = instrument.item(score.items[i]);
+    const auto range = item == nullptr ? std::nullopt : rangeOf(*item);
+    if (!range) continue;
+    if (!widest) widest = range;
+    widest = Range{std::min(widest->low, range->low), std::max(widest->high, range->high)};
+    const double weight = i < score.weights.size() ? score.weights[i] : 1.0;
+    sum.low += weight * range->low;
+    sum.high += weight * range->high;
+  }
+  Range range = widest.value_or(Range{});
+  if (score.aggregate == Score::Aggregate::Sum) range = sum;
+  if (score.aggregate == Score::Aggregate::Sum && !score.weightsFrom.empty() && widest) {
+    const auto n = static_cast<double>(score.items.size());
+    const double pairs = n * (n - 1.0) / 2.0;  // the weights sum to their number
+    range = {pairs * widest->low, pairs * widest->high};
+  }
+  if (score.aggregate == Score::Aggregate::Count) {
+    range = {0.0, static_cast<double>(score.items.size())};
+  }
+  const double first = (range.low + score.offset) * score.factor;
+  const double last = (range.high + score.offset) * score.factor;
+  return {std::min(first, last), std::max(first, last)};
+}
+
 std::optional<double> scored(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
   return computeScore(instrument, score, answers).value;

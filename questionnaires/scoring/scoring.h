@@ -33,6 +33,10 @@ struct ScoreResult {
 ScoreResult computeScore(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
+/// Where @p score can lie. A mean lies within the widest range of its items, whatever their
+/// weights.
+Range rangeOf(const Instrument& instrument, const Score& score);
+
 /// The value alone.
 std::optional<double> scored(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);

@@ -43,14 +43,14 @@ StatisticsRow siteAnswersRow(
     StatisticsRow row,
     const std::string& site,
     const std::string& code,
-    const analysis::LikertCounts& counts) {
+    const analysis::AnswerSample& answers) {
   row.site = site;
   row.unit = "answer";
   row.group1 = code;
   row.level.reset();
   row.test.id = "site_answers";
-  row.test.n1 = counts.total();
-  row.test.moments = {{{counts.mean(), counts.variance()}, {}}};
+  row.test.n1 = answers.total();
+  row.test.moments = {{{answers.mean(), answers.variance()}, {}}};
   return row;
 }
 
@@ -81,6 +81,7 @@ StatisticsRow familyRow(
       .family = family.id,
       .instrument = family.instrument,
       .blocks = blocksOf(family, protocol),
+      .score = family.score,
       .unit = "participant",
       .alpha = family.alpha,
       .level = 1.0 - family.alpha};

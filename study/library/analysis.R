@@ -16,6 +16,8 @@ table_of <- function(name) {
 }
 responses <- table_of("responses")
 statistics <- table_of("statistics")
+# Families that compare a score are left out: how it is computed is in the codebook.
+statistics <- statistics[is.na(statistics$family_id) | is.na(statistics$score), ]
 responses <- responses[responses$included == "true" | responses$included == TRUE, ]
 everything <- responses
 responses <- responses[responses$item_type == "likert" & !is.na(responses$condition_code), ]

@@ -37,7 +37,8 @@ def table_of(name):
 
 everything = [r for r in table_of("responses") if r["included"] == "true"]
 responses = [r for r in everything if r["item_type"] == "likert" and r["condition_code"]]
-statistics = table_of("statistics")
+# Families that compare a score are left out: how it is computed is in the codebook.
+statistics = [r for r in table_of("statistics") if not (r["family_id"] and r["score"])]
 worst = {}
 
 

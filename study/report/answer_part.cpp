@@ -260,7 +260,7 @@ class AnswerWriter : HtmlWriter {
   /// "Interpolation (4.25)".
   std::string withMean(const CohortResult& part, const std::string& id) const {
     for (const auto& one : part.conditions) {
-      if (one.name == id) return condition(id) + " (" + rounded(one.counts.mean(), 2) + ")";
+      if (one.name == id) return condition(id) + " (" + rounded(one.answers.mean(), 2) + ")";
     }
     return condition(id);
   }
@@ -270,11 +270,11 @@ class AnswerWriter : HtmlWriter {
     forEachAnswered([&](const auto& family, const auto& part) {
       rowOver(whoOf(family, part), 3);
       for (const auto& one : part.conditions) {
-        if (one.counts.total() == 0) continue;
+        if (one.answers.total() == 0) continue;
         row(
             {condition(one.name),
-             rounded(one.counts.mean(), 2),
-             std::to_string(one.counts.total())});
+             rounded(one.answers.mean(), 2),
+             std::to_string(one.answers.total())});
       }
     });
     endTable();
@@ -331,7 +331,7 @@ class AnswerWriter : HtmlWriter {
 
 bool hasAnswers(const CohortResult& cohort) {
   return std::ranges::any_of(
-      cohort.conditions, [](const auto& condition) { return condition.counts.total() > 0; });
+      cohort.conditions, [](const auto& condition) { return condition.answers.total() > 0; });
 }
 
 std::string_view differencesCaption(const FamilyResult& family) {

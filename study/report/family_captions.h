@@ -31,7 +31,7 @@ inline constexpr int kMostBars = 11;
 /// Whether the answers to a family are shown by point.
 inline bool isShownByPoint(const FamilyResult& family) {
   const auto& table = family.cohorts.front().table;
-  return table.highest - table.lowest < kMostBars;
+  return table.isOfPoints && table.highest - table.lowest < kMostBars;
 }
 
 /// The figure beside the answer.

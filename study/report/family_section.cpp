@@ -60,7 +60,7 @@ class FamilyWriter : HtmlWriter {
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
       std::vector<std::string> cells{cohort(part.cohort)};
-      for (const auto& c : part.conditions) addMoments(cells, c.counts);
+      for (const auto& c : part.conditions) addMoments(cells, c.answers);
       row(cells);
       if (part.sites) meansOfSites(part);
     }
@@ -70,15 +70,15 @@ class FamilyWriter : HtmlWriter {
   void meansOfSites(const CohortResult& part) {
     for (const auto& site : part.sites->answers) {
       std::vector<std::string> cells{cohort(part.cohort) + ", " + escaped(site.site)};
-      for (const auto& counts : site.methods) addMoments(cells, counts);
+      for (const auto& answers : site.methods) addMoments(cells, answers);
       row(cells);
     }
   }
 
-  static void addMoments(std::vector<std::string>& cells, const analysis::LikertCounts& counts) {
-    cells.push_back(cellOf(counts.mean(), 2));
-    cells.push_back(cellOf(counts.variance(), 2));
-    cells.push_back(std::to_string(counts.total()));
+  static void addMoments(std::vector<std::string>& cells, const analysis::AnswerSample& answers) {
+    cells.push_back(cellOf(answers.mean(), 2));
+    cells.push_back(cellOf(answers.variance(), 2));
+    cells.push_back(std::to_string(answers.total()));
   }
 
   /// The table of the punch paper.

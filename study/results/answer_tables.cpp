@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <variant>
 
 #include "questionnaires/model/answer.h"
+#include "questionnaires/scoring/scoring.h"
 
 namespace study {
 namespace {
@@ -25,6 +27,23 @@ const protocols::ConditionQuestionnaire* questionnaireIn(
     if (questionnaire.instrument == family.instrument) return &questionnaire;
   }
   return nullptr;
+}
+
+/// What one person answered in one visit.
+struct AnsweredForm {
+  OwnedAnswer first;
+  std::vector<questionnaires::Answer> answers;
+};
+
+std::vector<AnsweredForm> formsOf(const std::vector<OwnedAnswer>& answers) {
+  std::map<VisitKey, AnsweredForm> forms;
+  for (const auto& owned : answers) {
+    auto& form = forms.try_emplace(owned.record->step.visit, AnsweredForm{owned, {}}).first->second;
+    form.answers.push_back({owned.record->answer.item, owned.record->answer.response});
+  }
+  std::vector<AnsweredForm> all;
+  for (auto& [visit, form] : forms) all.push_back(std::move(form));
+  return all;
 }
 
 }  // namespace
@@ -47,18 +66,21 @@ std::vector<std::string> conditionsOf(
 }
 
 FamilyLayout::FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family)
-    : instrument_(*loaded.instrument(family.instrument)) {
+    : instrument_(*loaded.instrument(family.instrument)),
+      score_(family.score.empty() ? nullptr : instrument_.score(family.score)) {
   table_.methods = conditionsOf(loaded.protocol, family);
   for (const auto& phase : loaded.protocol.phases) {
     if (questionnaireIn(phase, family) != nullptr) table_.rounds.push_back(phase.id);
   }
-  for (const auto& item : protocols::comparedItems(family, instrument_.items)) {
-    const auto scale = protocols::wholeScaleOf(item);
-    if (!scale) continue;  // of an earlier version's protocol
+  if (const auto scale = protocols::scaleOf(family, instrument_)) {
     table_.lowest = scale->lowest;
     table_.highest = scale->highest;
-    table_.statements.push_back(item.id);
+    table_.isOfPoints = scale->isOfPoints;
   }
+  for (const auto& item : protocols::comparedItems(family, instrument_.items)) {
+    if (protocols::scaleOf(item)) table_.statements.push_back(item.id);
+  }
+  if (score_ != nullptr) table_.statements.push_back(score_->id);
 }
 
 std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(const Origin& origin, double answer) const {
@@ -67,11 +89,12 @@ std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(const Origin& origin, dou
   const auto round = placeOf(table_.rounds, origin.phase);
   const auto statement = placeOf(table_.statements, origin.item);
   if (!method || !round || !statement) return std::nullopt;
+  if (score_ != nullptr) return Cell{*method, *round, *statement, answer};
   const double score = questionnaires::keyedNumber(*instrument_.item(origin.item), answer);
-  const bool isOnScale =
-      score == std::round(score) && score >= table_.lowest && score <= table_.highest;
+  const bool isOnScale = (!table_.isOfPoints || score == std::round(score)) &&
+                         score >= table_.lowest && score <= table_.highest;
   if (!isOnScale) return std::nullopt;
-  return Cell{*method, *round, *statement, static_cast<int>(score)};
+  return Cell{*method, *round, *statement, score};
 }
 
 analysis::AnswerTable answerTable(
@@ -82,14 +105,11 @@ analysis::AnswerTable answerTable(
   const FamilyLayout layout(loaded, family);
   auto table = layout.table();
   table.participants = people;
-  for (const auto& [participant, record] : answers) {
-    const auto& step = record->step;
-    const auto person = placeOf(table.participants, *participant);
-    const auto given = numberOf(record->answer.response);
-    if (step.kind != StepKind::Questionnaire || !person || !given) continue;
-    const auto cell =
-        layout.cellOf({step.instrument, step.phase, step.condition, record->answer.item}, *given);
-    if (!cell) continue;
+  const auto add = [&](const OwnedAnswer& owned, const std::string& what, double value) {
+    const auto& step = owned.record->step;
+    const auto person = placeOf(table.participants, *owned.participant);
+    const auto cell = layout.cellOf({step.instrument, step.phase, step.condition, what}, value);
+    if (step.kind != StepKind::Questionnaire || !person || !cell) return;
     table.answers.push_back(
         {.participant = *person,
          .method = cell->method,
@@ -97,6 +117,19 @@ analysis::AnswerTable answerTable(
          .statement = cell->statement,
          .position = step.position,
          .score = cell->score});
+  };
+  if (const auto* score = layout.score()) {
+    for (const auto& form : formsOf(answers)) {
+      const auto value =
+          questionnaires::scored(*loaded.instrument(family.instrument), *score, form.answers);
+      if (value) add(form.first, score->id, *value);
+    }
+    return table;
+  }
+  for (const auto& owned : answers) {
+    if (const auto given = numberOf(owned.record->answer.response)) {
+      add(owned, owned.record->answer.item, *given);
+    }
   }
   return table;
 }
@@ -113,7 +146,8 @@ std::vector<std::size_t> expectedAnswers(
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (!placeOf(phase.trials.conditions, table.methods[i])) continue;
       const auto items = instrument.itemsOf(questionnaire->setFor(table.methods[i]));
-      expected[i] += protocols::comparedItems(family, items).size();
+      expected[i] +=
+          family.score.empty() ? protocols::comparedItems(family, items).size() : std::size_t{1};
     }
   }
   return expected;
@@ -129,7 +163,9 @@ std::vector<std::size_t> relativeStatements(
   std::vector<std::size_t> places;
   for (const std::size_t place : answered) {
     const auto* item = instrument.item(table.statements[place]);
-    if (item->reference == questionnaires::Reference::Previous) places.push_back(place);
+    const bool isRelative =
+        item != nullptr && item->reference == questionnaires::Reference::Previous;
+    if (isRelative && family.score.empty()) places.push_back(place);
   }
   return places;
 }

@@ -25,8 +25,8 @@ std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family);
 
 /// Which answers a family compares, and their cells in its table. Methods are the conditions that
-/// it compares, rounds the blocks that ask its instrument, statements the items that it compares.
-/// The protocol must outlive it.
+/// it compares, rounds the blocks that ask its instrument, statements the items that it compares,
+/// or its score. The protocol must outlive it.
 class FamilyLayout {
  public:
   FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
@@ -34,18 +34,21 @@ class FamilyLayout {
   /// The table without answers.
   const analysis::AnswerTable& table() const noexcept { return table_; }
 
+  /// The score that the family compares; nullptr if it compares items.
+  const questionnaires::Score* score() const noexcept { return score_; }
+
   /// Where an answer was given.
   struct Origin {
     const std::string& instrument;
     const std::string& phase;
     const std::string& condition;
-    const std::string& item;
+    const std::string& item;  ///< or the score
   };
   struct Cell {
     std::size_t method = 0;
     std::size_t round = 0;
     std::size_t statement = 0;
-    int score = 0;  ///< the point, reversed where the key is −1, so that more is better
+    double score = 0.0;  ///< the answer, reversed where the key is −1, so that more is better
   };
   /// The cell of an answer. std::nullopt if the family does not compare it, or if it was given on
   /// the scale of an earlier version of the protocol; it then counts as missing.
@@ -53,11 +56,12 @@ class FamilyLayout {
 
  private:
   const questionnaires::Instrument& instrument_;
+  const questionnaires::Score* score_;
   analysis::AnswerTable table_;
 };
 
-/// The answers to a family's instrument in questionnaires (see FamilyLayout). The participants are
-/// @p people, whether or not they answered anything.
+/// The answers to a family's instrument in questionnaires (see FamilyLayout); of a score one for
+/// each form that gives it. The participants are @p people, whether or not they answered anything.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

@@ -1,5 +1,6 @@
 #include "study/results/pooled_results.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -42,12 +43,13 @@ void withoutTests(analysis::PairwiseComparisons& comparisons) {
 }
 
 /// The counts of one cohort, for the conditions that a family compares.
-std::vector<analysis::NamedCounts> countsIn(
+std::vector<analysis::NamedSample> countsIn(
     const FamilyLayout& layout,
     const std::string& cohort,
     const std::vector<storage::PointCount>& points) {
   const auto& table = layout.table();
-  const auto width = static_cast<std::size_t>(table.highest - table.lowest + 1);
+  const auto lowest = static_cast<int>(table.lowest);
+  const auto width = static_cast<std::size_t>(table.highest - table.lowest + 1.0);
   std::vector<std::vector<std::uint64_t>> times(
       table.methods.size(), std::vector<std::uint64_t>(width));
   for (const auto& one : points) {
@@ -57,19 +59,19 @@ std::vector<analysis::NamedCounts> countsIn(
     if (!cell) continue;
     times[cell->method][static_cast<std::size_t>(cell->score - table.lowest)] += one.times;
   }
-  std::vector<analysis::NamedCounts> conditions;
+  std::vector<analysis::NamedSample> conditions;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    conditions.push_back({table.methods[i], analysis::LikertCounts(table.lowest, times[i])});
+    conditions.push_back({table.methods[i], analysis::LikertCounts(lowest, times[i])});
   }
   return conditions;
 }
 
 }  // namespace
 
-std::vector<analysis::NamedCounts> pooledCounts(const analysis::AnswerTable& table) {
-  std::vector<analysis::NamedCounts> conditions;
+std::vector<analysis::NamedSample> pooledCounts(const analysis::AnswerTable& table) {
+  std::vector<analysis::NamedSample> conditions;
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
-    conditions.push_back({table.methods[i], table.countsOf(i)});
+    conditions.push_back({table.methods[i], table.sampleOf(i)});
   }
   return conditions;
 }
@@ -99,7 +101,7 @@ std::optional<analysis::Adjustment> adjustmentOf(protocols::CorrectionType corre
 
 analysis::PairwiseComparisons comparePooled(
     const protocols::Family& family,
-    const std::vector<analysis::NamedCounts>& conditions,
+    const std::vector<analysis::NamedSample>& conditions,
     std::size_t participants) {
   std::vector<analysis::DeclaredPair> pairs;
   for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
@@ -118,6 +120,10 @@ analysis::PairwiseComparisons comparePooled(
 Results pooledResults(Study& study, RunMode mode) {
   const auto& loaded = study.protocol();
   const auto& protocol = loaded.protocol;
+  const bool isOfPoints = std::ranges::all_of(protocol.analysis.families, [&](const auto& family) {
+    return FamilyLayout(loaded, family).table().isOfPoints;
+  });
+  if (!isOfPoints) return computeResults(study, mode);  // numbers and scores cannot be counted
   const auto history = planHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});

@@ -20,14 +20,14 @@ namespace study {
 Results pooledResults(Study& study, RunMode mode);
 
 /// How often each point was chosen, by method of a table of answers.
-std::vector<analysis::NamedCounts> pooledCounts(const analysis::AnswerTable& table);
+std::vector<analysis::NamedSample> pooledCounts(const analysis::AnswerTable& table);
 
 /// The comparisons that a family declares, by Welch's test on pooled answers. They are adjusted as
 /// declared if Welch's test is the declared one, otherwise by Bonferroni's method. Answers of one
 /// person are not tested: they say nothing of how people differ.
 analysis::PairwiseComparisons comparePooled(
     const protocols::Family& family,
-    const std::vector<analysis::NamedCounts>& conditions,
+    const std::vector<analysis::NamedSample>& conditions,
     std::size_t participants);
 
 /// A family's correction as the analysis room names it; std::nullopt for none.

@@ -42,7 +42,7 @@ struct CohortFlow {
 struct CohortResult {
   std::string cohort;
   analysis::AnswerTable table;
-  std::vector<analysis::NamedCounts> conditions;  ///< by id; the answers are keyed
+  std::vector<analysis::NamedSample> conditions;  ///< by id; the answers are keyed
   analysis::PairwiseComparisons comparisons;      ///< as in the punch paper
   analysis::WithinAnalysis within;                ///< with the participant as the unit
   analysis::ScaleChecks checks;                   ///< distribution and reliability

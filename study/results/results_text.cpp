@@ -91,20 +91,23 @@ class Writer {
     line(heading);
     for (const auto& cohort : family.cohorts) {
       std::string row = padded(cohortTitle(cohort.cohort), 40);
-      for (const auto& condition : cohort.conditions) row += momentsInWords(condition.counts);
+      for (const auto& condition : cohort.conditions) row += momentsInWords(condition.answers);
       line(row);
       if (!cohort.sites) continue;
       for (const auto& site : cohort.sites->answers) {
         std::string ofSite = padded("  " + site.site, 40);
-        for (const auto& counts : site.methods) ofSite += momentsInWords(counts);
+        for (const auto& answers : site.methods) ofSite += momentsInWords(answers);
         line(ofSite);
       }
     }
   }
 
-  static std::string momentsInWords(const analysis::LikertCounts& counts) {
+  static std::string momentsInWords(const analysis::AnswerSample& answers) {
     const auto words = fmt::format(
-        "{} / {} (n={})", rounded(counts.mean(), 2), rounded(counts.variance(), 2), counts.total());
+        "{} / {} (n={})",
+        rounded(answers.mean(), 2),
+        rounded(answers.variance(), 2),
+        answers.total());
     return padded(words, 22, true);
   }
 

@@ -73,16 +73,19 @@ std::size_t answersTo(
     for (const auto& asked : phase.trials.questionnaires) {
       if (asked.instrument != family.instrument) continue;
       const auto items = instrument.itemsOf(asked.setFor(condition));
-      answers += protocols::comparedItems(family, items).size();
+      answers +=
+          family.score.empty() ? protocols::comparedItems(family, items).size() : std::size_t{1};
     }
   }
   return answers;
 }
 
 int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
-  const auto items = protocols::comparedItems(family, loaded.instrument(family.instrument)->items);
-  const auto scale = items.empty() ? std::nullopt : protocols::wholeScaleOf(items.front());
-  return scale ? scale->highest - scale->lowest + 1 : 5;
+  constexpr int kUsual = 5;
+  constexpr int kFine = 101;  // stands for numbers between points
+  const auto scale = protocols::scaleOf(family, *loaded.instrument(family.instrument));
+  if (!scale) return kUsual;
+  return scale->isOfPoints ? static_cast<int>(scale->highest - scale->lowest) + 1 : kFine;
 }
 
 analysis::PowerSimulation simulationOf(

@@ -111,6 +111,7 @@ std::vector<std::string_view> differingKeys(const Family& before, const Family& 
   };
   note(before.instrument != after.instrument, "instrument");
   note(before.items != after.items, "items");
+  note(before.score != after.score, "score");
   note(before.blocks != after.blocks, "blocks");
   note(pairsOf(before) != pairsOf(after), "comparisons");
   note(before.test != after.test, "test");

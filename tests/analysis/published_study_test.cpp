@@ -44,7 +44,7 @@ std::map<std::string, LikertCounts> pooledAnswers() {
   return cells;
 }
 
-std::vector<analysis::NamedCounts> cohort(
+std::vector<analysis::NamedSample> cohort(
     const std::string& letter, const std::map<std::string, LikertCounts>& cells) {
   return {
       {"interpolation", cells.at(letter + "I")},
@@ -105,7 +105,9 @@ TEST(PublishedStudy, AgreesWithThePipelineInR) {
   for (const std::string letter : {"P", "N"}) {
     const auto groups = cohort(letter, cells);
     const auto countsOf = [&](const std::string& name) {
-      return std::ranges::find(groups, name, &analysis::NamedCounts::name)->counts;
+      return std::ranges::find(groups, name, &analysis::NamedSample::name)
+          ->answers.points()
+          .value();
     };
     const auto family = analysis::comparePairwise(groups, kDeclared);
     for (const auto& row : family.rows) {

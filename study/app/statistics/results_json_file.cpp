@@ -337,14 +337,16 @@ ResultJson sitesAsJson(const analysis::SiteComparison& row) {
   return json;
 }
 
-ResultJson conditionAsJson(const std::string& condition, const analysis::LikertCounts& counts) {
-  const auto points = counts.counts();
-  return {
+ResultJson conditionAsJson(const std::string& condition, const analysis::AnswerSample& answers) {
+  ResultJson json{
       {"condition", condition},
-      {"n", counts.total()},
-      {"mean", nullable(counts.mean())},
-      {"variance", nullable(counts.variance())},
-      {"counts", std::vector<std::uint64_t>(points.begin(), points.end())}};
+      {"n", answers.total()},
+      {"mean", nullable(answers.mean())},
+      {"variance", nullable(answers.variance())}};
+  if (const auto& points = answers.points()) {
+    json["counts"] = std::vector<std::uint64_t>(points->counts().begin(), points->counts().end());
+  }
+  return json;
 }
 
 ResultJson sitesAsJson(
@@ -372,7 +374,7 @@ ResultJson cohortAsJson(const CohortResult& cohort) {
       {"m", cohort.comparisons.tests},
       {"alpha_per_test", nullable(cohort.comparisons.alphaPerTest)}};
   for (const auto& condition : cohort.conditions) {
-    json["conditions"].push_back(conditionAsJson(condition.name, condition.counts));
+    json["conditions"].push_back(conditionAsJson(condition.name, condition.answers));
   }
   for (const auto& row : cohort.comparisons.rows) json["comparisons"].push_back(pooledAsJson(row));
   json["within"] = withinAsJson(cohort.within);
@@ -426,6 +428,7 @@ ResultJson familyAsJson(const FamilyResult& family) {
       {"declared_before_data", family.isDeclared},
       {"cohorts", ResultJson::array()},
       {"between", ResultJson::array()}};
+  if (!family.family.score.empty()) json["score"] = family.family.score;
   for (const auto& cohort : family.cohorts) json["cohorts"].push_back(cohortAsJson(cohort));
   for (const auto& row : family.between) json["between"].push_back(betweenAsJson(row));
   return json;

@@ -57,7 +57,7 @@ class LikertPainter {
         right_(isNarrow_ ? 0.0 : kRight) {
     for (const auto& cohort : family.cohorts) {
       for (const auto& condition : cohort.conditions) {
-        const auto shares = sharesOf(condition.counts);
+        const auto shares = sharesOf(*condition.answers.points());
         mostLeft_ = std::max(mostLeft_, leftShare(shares));
         mostRight_ = std::max(mostRight_, 1.0 - leftShare(shares));
       }
@@ -89,7 +89,7 @@ class LikertPainter {
  private:
   double middle() const { return labels_ + mostLeft_ * unit_; }
 
-  void bar(const analysis::NamedCounts& condition, double y) {
+  void bar(const analysis::NamedSample& condition, double y) {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
@@ -100,7 +100,7 @@ class LikertPainter {
     if (isNarrow_) y += kNameLine;
     painter_.setPen(QPen(QColor(60, 60, 60), 1));
     painter_.drawLine(QPointF(middle(), y - 3), QPointF(middle(), y + kBar + 3));
-    const auto shares = sharesOf(condition.counts);
+    const auto shares = sharesOf(*condition.answers.points());
     double x = middle() - leftShare(shares) * unit_;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const double wide = shares[i] * unit_;
@@ -108,7 +108,7 @@ class LikertPainter {
           {x, y, wide, kBar},
           static_cast<int>(i),
           static_cast<int>(shares.size()),
-          condition.counts.counts()[i]);
+          condition.answers.points()->counts()[i]);
       x += wide;
     }
     painter_.setPen(Qt::black);
@@ -117,7 +117,7 @@ class LikertPainter {
         isNarrow_ ? QRectF(0, nameAt, width_, kNameLine)
                   : QRectF(width_ - kRight + 10, y, kRight - 10, kBar),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-        QString::fromStdString("μ " + rounded(condition.counts.mean(), 1)));
+        QString::fromStdString("μ " + rounded(condition.answers.mean(), 1)));
   }
 
   void segment(const QRectF& where, int index, int points, std::uint64_t count) {
@@ -133,7 +133,7 @@ class LikertPainter {
   }
 
   void legend(double y) {
-    const auto& counts = family_.cohorts.front().conditions.front().counts;
+    const auto& counts = family_.cohorts.front().conditions.front().answers.points().value();
     const auto* instrument = instrumentOf();
     const int points = counts.highest() - counts.lowest() + 1;
     const double box = isNarrow_ ? width_ / points : 34.0;

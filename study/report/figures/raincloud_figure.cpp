@@ -179,8 +179,8 @@ class RaincloudPainter {
   const ReportSection& section_;
   const FamilyResult& family_;
   FigureFormat format_;
-  int lowest_;
-  int highest_;
+  double lowest_;
+  double highest_;
   RowsCanvas canvas_;
 };
 

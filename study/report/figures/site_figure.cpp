@@ -27,7 +27,7 @@ AxisScale siteScale(const FamilyResult& family) {
   double most = 0.0;
   double widest = 0.0;
   forEachComparison(family, [&](const auto& cohort, const auto& row) {
-    widest = std::max(widest, static_cast<double>(cohort.table.highest - cohort.table.lowest));
+    widest = std::max(widest, cohort.table.highest - cohort.table.lowest);
     for (const auto& site : row.sites) {
       most = std::max(most, std::abs(site.test.meanDifference.value_or(0.0)));
       if (site.interval) most = std::max({most, -site.interval->low, site.interval->high});

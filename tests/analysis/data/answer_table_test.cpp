@@ -30,7 +30,7 @@ TEST(AnswerTable, AveragesByParticipantAndMethod) {
 }
 
 TEST(AnswerTable, CountsAllAnswersAboutAMethod) {
-  const auto counts = three().countsOf(0);
+  const auto counts = *three().sampleOf(0).points();
   EXPECT_EQ(counts.total(), 5U);
   EXPECT_EQ(counts.counts()[1], 2U);
 }

@@ -104,7 +104,7 @@ TEST(SitePower, ComparesAndPoolsAsTheStatisticsOfAStudyDo) {
                .method = method,
                .statement = statement,
                .position = static_cast<int>(method) + 1,
-               .score = answers[method][statement]});
+               .score = double(answers[method][statement])});
         }
       }
       sites.push_back("site " + std::to_string(people) + std::to_string(shifts[0]));

@@ -26,7 +26,7 @@ AnswerTable balanced() {
       for (std::size_t statement = 0; statement < 2; ++statement) {
         const int score = 3 + static_cast<int>((person + method + statement) % 3) - 1;
         const int position = (person + method) % 2 == 0 ? 1 : 2;
-        table.answers.push_back({person, method, 0, statement, position, score});
+        table.answers.push_back({person, method, 0, statement, position, double(score)});
       }
     }
   }
@@ -211,7 +211,7 @@ TEST(AnswerDependence, IsThePublishedOne) {
   table.statements = {"1", "2", "3", "4"};
   for (std::size_t target = 0; target < 6; ++target) {
     for (std::size_t judge = 0; judge < 4; ++judge) {
-      table.answers.push_back({target, 0, 0, judge, 1, ratings[target][judge]});
+      table.answers.push_back({target, 0, 0, judge, 1, double(ratings[target][judge])});
     }
   }
   EXPECT_NEAR(analysis::dependenceOf(table).intraclassCorrelation.value(), 0.1657, 5e-5);

@@ -9,11 +9,11 @@ namespace pairwise_comparisons_test {
 using analysis::comparePairwise;
 using analysis::DeclaredPair;
 using analysis::LikertCounts;
-using analysis::NamedCounts;
+using analysis::NamedSample;
 using Counts = std::vector<std::uint64_t>;
 
 /// The professionals of the synthetic study, whose answers round to the published Table 2.
-const std::vector<NamedCounts> kMethods{
+const std::vector<NamedSample> kMethods{
     {"I", LikertCounts(1, Counts{1, 3, 6, 9, 17})},
     {"F", LikertCounts(1, Counts{13, 7, 4, 4, 8})},
     {"K", LikertCounts(1, Counts{8, 5, 5, 8, 10})}};
@@ -96,7 +96,7 @@ TEST(PairwiseComparisons, DoNotCountUndefinedTests) {
 }
 
 TEST(PairwiseComparisons, MayAllBeUndefined) {
-  const std::vector<NamedCounts> nobody{{"I", LikertCounts(1, 5)}, {"F", LikertCounts(1, 5)}};
+  const std::vector<NamedSample> nobody{{"I", LikertCounts(1, 5)}, {"F", LikertCounts(1, 5)}};
   const auto family = comparePairwise(nobody, std::vector<DeclaredPair>{{"I", "F"}});
 
   EXPECT_EQ(family.tests, 0U);
@@ -113,7 +113,7 @@ TEST(PairwiseComparisons, RefuseAnInvalidFamily) {
   EXPECT_THROW(compare({{"I", "F"}, {"F", "I"}}), std::invalid_argument);
   EXPECT_THROW(compare({{"I", "F"}}, 0.0), std::invalid_argument);
   EXPECT_THROW(
-      comparePairwise(std::vector<NamedCounts>{kMethods[0], kMethods[0]}, {}),
+      comparePairwise(std::vector<NamedSample>{kMethods[0], kMethods[0]}, {}),
       std::invalid_argument);
 }
 

@@ -13,9 +13,9 @@ AnswerTable table(const std::vector<std::pair<int, int>>& scores, bool isCrossed
     table.participants.push_back("P" + std::to_string(i));
     const int first = isCrossed && i % 2 == 1 ? 2 : 1;
     table.answers.push_back(
-        {.participant = i, .method = 0, .position = first, .score = scores[i].first});
+        {.participant = i, .method = 0, .position = first, .score = double(scores[i].first)});
     table.answers.push_back(
-        {.participant = i, .method = 1, .position = 3 - first, .score = scores[i].second});
+        {.participant = i, .method = 1, .position = 3 - first, .score = double(scores[i].second)});
   }
   return table;
 }

@@ -13,7 +13,7 @@ AnswerTable threeStatements() {
     table.participants.push_back("P" + std::to_string(i));
     for (std::size_t j = 0; j < 3; ++j) {
       table.answers.push_back(
-          {.participant = i, .method = 0, .statement = j, .score = scores[i][j]});
+          {.participant = i, .method = 0, .statement = j, .score = double(scores[i][j])});
     }
   }
   return table;

@@ -29,7 +29,7 @@ AnswerTable made() {
            .method = i / 2,
            .statement = i % 2,
            .position = static_cast<int>(i / 2) + 1,
-           .score = scores[person][i]});
+           .score = double(scores[person][i])});
     }
   }
   return table;

@@ -23,7 +23,7 @@ analysis::AnswerTable professionals() {
          .method = answers.method.levelOfAnswer[i],
          .round = answers.round.levelOfAnswer[i],
          .position = 1,
-         .score = static_cast<int>(answers.scores[i])});
+         .score = answers.scores[i]});
   }
   return table;
 }
@@ -89,7 +89,8 @@ TEST(WithinAnalysis, HasTheProbabilityOfAnswersAboveTheMiddleOfEachMethod) {
 
 TEST(WithinAnalysis, SaysWhyThereIsNoProbability) {
   auto table = professionals();
-  for (auto& answer : table.answers) answer.score = 1 + answer.score % 3;  // nobody answers 4 or 5
+  for (auto& answer : table.answers)
+    answer.score = 1 + static_cast<int>(answer.score) % 3;  // nobody answers 4 or 5
   const auto none = analysis::compareWithin(table, {}, {});
   for (const auto& row : none.probabilities) {
     EXPECT_FALSE(row.effect.value);

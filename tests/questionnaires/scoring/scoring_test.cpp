@@ -238,5 +238,17 @@ TEST(Scored, NeverYieldsNan) {
   EXPECT_FALSE(scored(instrument, {.items = {}}, {}).has_value());
 }
 
+TEST(ScoreRange, IsThatOfTheAuthors) {
+  const auto rangeIn = [](const std::string& instrument, const std::string& score) {
+    const auto& shipped = tests::shipped().at(instrument);
+    return rangeOf(shipped, *shipped.score(score));
+  };
+  EXPECT_EQ(rangeIn("sus", "sus"), (Range{0.0, 100.0}));
+  EXPECT_EQ(rangeIn("sus", "learnability"), (Range{0.0, 100.0}));
+  EXPECT_EQ(rangeIn("nasa-tlx-raw", "workload"), (Range{0.0, 100.0}));
+  EXPECT_EQ(rangeIn("nasa-tlx-weighted", "workload"), (Range{0.0, 100.0}));
+  EXPECT_EQ(rangeIn("ueq-s", "overall"), (Range{-3.0, 3.0}));
+}
+
 }  // namespace scoring_test
 }  // namespace questionnaires

@@ -28,8 +28,9 @@ TEST(SyntheticStudy, HasItsCountsInItsResults) {
     const auto& conditions = pooled.families.at(0).cohorts.at(i).conditions;
     ASSERT_EQ(conditions.size(), 3U);
     for (std::size_t j = 0; j < conditions.size(); ++j) {
-      EXPECT_EQ(conditions[j].counts, cohorts[i].table.countsOf(j));
-      total += conditions[j].counts.total();
+      EXPECT_EQ(
+          conditions[j].answers.points().value(), cohorts[i].table.sampleOf(j).points().value());
+      total += conditions[j].answers.total();
     }
   }
   EXPECT_EQ(total, static_cast<std::uint64_t>(kAnswers));

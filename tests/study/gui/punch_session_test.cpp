@@ -58,7 +58,7 @@ TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
   const auto results = computeResults(study_, RunMode::Live);
   EXPECT_EQ(results.completed(), 1);
   for (const auto& condition : results.families.front().cohorts.front().conditions) {
-    EXPECT_EQ(condition.counts.total(), 6U);  // three statements, two rounds
+    EXPECT_EQ(condition.answers.total(), 6U);  // three statements, two rounds
   }
   for (const auto& trial : storage::Records(study_.database()).trials()) {
     EXPECT_GE(trial.cuts, 3);

@@ -178,17 +178,92 @@ TEST(FamilyOfASlider, ComparesItsAnswersAsPointsOfAScale) {
   EXPECT_TRUE(within.probabilities.empty());
 }
 
-TEST(WholeScale, IsThatOfSlidersAndNumbersInWholeSteps) {
+/// Makes the block ask the instrument, and compares what was answered within people.
+struct Compared {
+  analysis::AnswerTable table;
+  analysis::WithinAnalysis within;
+
+  Compared(Answered& study, const protocols::Family& family) {
+    std::vector<std::string> people;
+    for (const auto& [id, session] : study.sessions) people.push_back(session.participant);
+    std::vector<OwnedAnswer> owned;
+    for (auto& answer : study.answers) {
+      answer.step.kind = StepKind::Questionnaire;
+      owned.push_back({&study.sessions.at(answer.step.visit.session).participant, &answer});
+    }
+    for (auto& phase : study.loaded.protocol.phases) {
+      if (phase.id == study.block) phase.trials.questionnaires = {{.instrument = "mine"}};
+    }
+    table = answerTable(study.loaded, family, people, owned);
+    const std::vector<analysis::DeclaredPair> pairs{{"interpolation", "kalman"}};
+    within = analysis::compareWithin(table, pairs, {});
+  }
+};
+
+TEST(FamilyOfASlider, ComparesNumbersBetweenPoints) {
+  Answered study;
+  for (auto& item : study.loaded.instruments.back().items) item.step = 0.1;
+  const std::vector<std::pair<double, double>> given{{0.3, 0.1}, {0.4, 0.2}, {0.8, 0.5}};
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    study.add(static_cast<int>(i) + 1, "interpolation", "vas", given[i].first);
+    study.add(static_cast<int>(i) + 1, "kalman", "vas", given[i].second);
+  }
+  const Compared compared(study, familyOfSlider());
+  EXPECT_FALSE(compared.table.isOfPoints);
+  EXPECT_EQ(compared.table.answers.size(), 6U);
+  EXPECT_FALSE(compared.table.sampleOf(0).points());
+  EXPECT_DOUBLE_EQ(*compared.table.sampleOf(0).mean(), 0.5);
+  // R: t.test(c(.3, .4, .8), c(.1, .2, .5), paired = TRUE)
+  const auto& tests = compared.within.rows.at(0);
+  EXPECT_NEAR(*tests.test("paired_t").statistic.value, 7.0, 1e-12);
+  EXPECT_EQ(tests.test("sign_flip").p, 0.25);
+  EXPECT_EQ(compared.within.ordinal.reason.key(), "no_points_to_order");
+}
+
+TEST(FamilyOfAScore, ComparesWhatEachFormComesTo) {
+  Answered study;
+  auto& mine = study.loaded.instruments.back();
+  mine.items.push_back(item("effort", ItemType::Slider));
+  mine.items.back().key = -1;
+  mine.scores.push_back({.id = "total", .items = {"vas", "effort"}});
+  const auto form = [&](int person, const std::string& condition, double vas, double effort) {
+    study.add(person, condition, "vas", vas);
+    study.answers.push_back(study.answers.back());  // of the same visit
+    study.answers.back().answer = {.item = "effort", .response = effort};
+  };
+  form(1, "interpolation", 80, 35);  // (80 + (100 - 35)) / 2
+  form(1, "kalman", 50, 50);
+  form(2, "interpolation", 61, 40);
+  form(2, "kalman", 41, 60);
+  study.add(3, "kalman", "vas", 90.0);  // no effort: no score
+  auto family = familyOfSlider();
+  family.items.clear();
+  family.score = "total";
+  const Compared compared(study, family);
+  ASSERT_EQ(compared.table.answers.size(), 4U);
+  EXPECT_EQ(compared.table.statements, std::vector<std::string>{"total"});
+  EXPECT_EQ(compared.table.answers[0].score, 72.5);
+  EXPECT_EQ(compared.table.lowest, 0.0);
+  EXPECT_EQ(compared.table.highest, 100.0);
+  EXPECT_EQ(
+      expectedAnswers(study.loaded, family, compared.table), (std::vector<std::size_t>{1, 1}));
+  const auto& test = compared.within.rows.at(0).test("paired_t");
+  EXPECT_EQ(test.n1, 2U);
+  EXPECT_DOUBLE_EQ(*test.estimate.value, 21.25);
+  EXPECT_TRUE(relativeStatements(study.loaded, family, compared.table).empty());
+}
+
+TEST(ComparedScale, IsOfPointsForSlidersAndNumbersInWholeSteps) {
   auto slider = item("vas", ItemType::Slider);
-  EXPECT_EQ(protocols::wholeScaleOf(slider), (protocols::WholeScale{0, 100}));
+  EXPECT_EQ(protocols::scaleOf(slider), (protocols::ComparedScale{0, 100, true}));
   slider.step = 0.5;
-  EXPECT_FALSE(protocols::wholeScaleOf(slider));
+  EXPECT_EQ(protocols::scaleOf(slider), (protocols::ComparedScale{0, 100, false}));
   slider.step = 5.0;
   slider.most = 1023.0;
-  EXPECT_EQ(protocols::wholeScaleOf(slider), (protocols::WholeScale{0, 1023}));
+  EXPECT_EQ(protocols::scaleOf(slider), (protocols::ComparedScale{0, 1023, true}));
   slider.most = 1024.0;
-  EXPECT_FALSE(protocols::wholeScaleOf(slider));
-  EXPECT_FALSE(protocols::wholeScaleOf(item("why", ItemType::ShortText)));
+  EXPECT_EQ(protocols::scaleOf(slider), (protocols::ComparedScale{0, 1024, false}));
+  EXPECT_FALSE(protocols::scaleOf(item("why", ItemType::ShortText)));
 }
 
 TEST(ItemSummaries, AreShownInTheReport) {

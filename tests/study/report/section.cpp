@@ -37,7 +37,7 @@ analysis::AnswerTable dealt(
              .position =
                  static_cast<int>((method + (isBalanced ? number % people : 0)) % counts.size()) +
                  1,
-             .score = static_cast<int>(point) + 1});
+             .score = static_cast<double>(point) + 1.0});
       }
     }
   }

@@ -49,7 +49,8 @@ class PooledResultsTest : public testing::Test {
     Counts all;
     for (const auto& cohort : results.families.at(0).cohorts) {
       all.emplace_back();
-      for (const auto& named : cohort.conditions) all.back().push_back(named.counts);
+      for (const auto& named : cohort.conditions)
+        all.back().push_back(named.answers.points().value());
     }
     return all;
   }

@@ -385,7 +385,7 @@ TEST(Figures, AreTheSameBytesEveryTime) {
 TEST(Figures, ArePaintedForAStudyWithoutAnswers) {
   auto section = tests::madeUpSection();
   for (auto& cohort : section.results.families.front().cohorts) {
-    for (auto& condition : cohort.conditions) condition.counts = analysis::LikertCounts(1, 5);
+    for (auto& condition : cohort.conditions) condition.answers = analysis::LikertCounts(1, 5);
     cohort.table.answers.clear();
     cohort.within = analysis::compareWithin(
         cohort.table, std::vector<analysis::DeclaredPair>{{"interpolation", "kalman"}}, {});
