@@ -15,30 +15,27 @@
 
 #include <fmt/format.h>
 
-#include "haptics/devices/datagram_socket.h"
 #include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/iiwa_device.h"
-#include "haptics/devices/punch/punch_device.h"
-#include "haptics/emulators/fri_arm.h"
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "study/app/devices/emulator_process.h"
 #include "study/model/user_error.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::bench {
 namespace {
 
 namespace devices = haptics::devices;
 using app::EmulatorProcess;
+using app::valueIn;
 namespace timing = haptics::timing;
 using haptics::bench::LinkLoop;
 using haptics::bench::LinkRun;
 
 void pauseFor(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-}
-
-std::uint16_t freePort() {
-  return devices::DatagramSocket(devices::Endpoint{}).local().port;
 }
 
 /// Gives all threads of a process real-time priority if permitted: a real board does not wait for a
@@ -63,50 +60,47 @@ class RealtimePriority {
   RealtimePriority& operator=(const RealtimePriority&) = delete;
 };
 
+/// What the answer of an emulator to "status" says, by its own keys.
+struct StatusKeys {
+  std::string_view forceKey, noForce;  ///< and the value that it has without force
+  std::string_view armedKey, armed;    ///< and the value that it has when armed
+  std::string_view sent;
+  std::string_view faultPrefix;  ///< before FrameFaults::kNames
+};
+constexpr StatusKeys kSerialStatus{"voltage_mv", "0", "armed", "1", "steps", ""};
+constexpr StatusKeys kFriStatus{
+    "overlay", "off", "state", "commanding-active", "sent", "injected_"};
+
 /// An emulator and the device that is connected to it.
 class EmulatedDevice {
  public:
   static EmulatedDevice punch(int rate) {
-    auto emulator = std::make_unique<EmulatorProcess>(
-        std::vector<std::string>{"punch", "--rate", std::to_string(rate)});
-    devices::PunchSettings settings;
-    settings.port = valueIn(emulator->ready(), "port");
-    EmulatedDevice emulated("punch", rate, std::move(emulator));
-    emulated.device_ = std::make_unique<devices::PunchDevice>(settings);
-    return emulated;
+    return {
+        "punch",
+        static_cast<double>(rate),
+        kSerialStatus,
+        app::emulatedDevice(
+            haptics::devices::punchKind(), "punch", {"--rate", std::to_string(rate)})};
   }
 
   /// @param period  between messages [ms].
   static EmulatedDevice arm(int period, const std::string& version = "1.15") {
-    const haptics::emulators::FriArm::Options arm;
-    devices::IiwaSettings settings;
-    settings.port = freePort();
-    settings.version = haptics::wire::fri::versionNamed(version).value_or(settings.version);
-    settings.model = arm.model;
-    settings.tool.position.z() = arm.toolLength;
-    settings.zero = arm.start;
-    EmulatedDevice emulated(
+    auto emulated = app::emulatedDevice(
+        haptics::devices::reamerKind(),
         "arm",
-        1000.0 / period,
-        std::make_unique<EmulatorProcess>(std::vector<std::string>{
-            "iiwa",
-            "--client",
-            "127.0.0.1:" + std::to_string(settings.port),
-            "--period",
-            std::to_string(period),
-            "--fri-version",
-            version}));
-    emulated.device_ = std::make_unique<devices::IiwaDevice>(settings);
-    return emulated;
+        {"--period", std::to_string(period), "--fri-version", version});
+    auto& settings = std::get<devices::IiwaSettings>(emulated.entry.settings);
+    settings.version = haptics::wire::fri::versionNamed(version).value_or(settings.version);
+    return {"arm", 1000.0 / period, kFriStatus, std::move(emulated)};
   }
 
   const std::string& name() const noexcept { return name_; }
   double rate() const noexcept { return rate_; }  ///< [Hz]
-  devices::Device& device() noexcept { return *device_; }
+  devices::Device& device() { return *devices_.find(name_); }
 
   void order(const std::string& line) {
     if (!emulator_->ask(line).starts_with("ok"))
-      throw UserError("An emulator does not obey: " + line);
+      throw UserError("An emulator refused the command " + line);
   }
 
   /// The state of the emulated device now.
@@ -122,39 +116,32 @@ class EmulatedDevice {
     if (status.empty())
       throw UserError("The emulator of the " + name_ + " does not answer any more.");
     Standing now;
-    const bool isPunch = name_ == "punch";
-    now.hasForce =
-        isPunch ? valueIn(status, "voltage_mv") != "0" : valueIn(status, "overlay") == "on";
+    now.hasForce = valueIn(status, keys_.forceKey) != keys_.noForce;
     now.force = std::abs(std::stod(valueIn(status, "force_n")));
-    now.isArmed =
-        isPunch ? valueIn(status, "armed") == "1" : valueIn(status, "state") == "commanding-active";
-    now.sent = std::stoull(valueIn(status, isPunch ? "steps" : "sent"));
+    now.isArmed = valueIn(status, keys_.armedKey) == keys_.armed;
+    now.sent = std::stoull(valueIn(status, keys_.sent));
     for (std::size_t i = 0; i < now.injected.of.size(); ++i) {
-      const std::string key = (isPunch ? "" : "injected_") + std::string(FrameFaults::kNames[i]);
+      const auto key = std::string(keys_.faultPrefix) + std::string(FrameFaults::kNames[i]);
       now.injected.of[i] = std::stoll(valueIn(status, key));
     }
     return now;
   }
 
  private:
-  EmulatedDevice(std::string name, double rate, std::unique_ptr<EmulatorProcess> emulator)
-      : name_(std::move(name)), rate_(rate), emulator_(std::move(emulator)) {
+  EmulatedDevice(std::string name, double rate, StatusKeys keys, app::EmulatedDevice emulated)
+      : name_(std::move(name)),
+        rate_(rate),
+        keys_(keys),
+        emulator_(std::move(emulated.emulator)),
+        devices_({emulated.entry}, {}) {
     raisePriority(*emulator_);
-  }
-
-  /// The value of "key=value" in a line of words.
-  static std::string valueIn(const std::string& words, const std::string& key) {
-    const std::string all = " " + words + " ";
-    const auto at = all.find(" " + key + "=");
-    if (at == std::string::npos) throw UserError("An emulator says nothing of its " + key + ".");
-    const auto begin = at + key.size() + 2;
-    return all.substr(begin, all.find(' ', begin) - begin);
   }
 
   std::string name_;
   double rate_;
+  StatusKeys keys_;
   std::unique_ptr<EmulatorProcess> emulator_;
-  std::unique_ptr<devices::Device> device_;
+  HardwareDeviceSet devices_;
 };
 
 FrameFaults operator-(const FrameFaults& a, const FrameFaults& b) {

@@ -20,6 +20,25 @@ bool isOpen(const Device& device) noexcept {
   return state != Lifecycle::Closed && state != Lifecycle::Faulted;
 }
 
+/// Makes the device of an entry. An alternative of the settings that is missing here does not
+/// compile.
+struct DeviceMaker {
+  const DeviceEntry& entry;
+  const SimulatedDeviceSet::HandFor& handFor;
+  std::unique_ptr<haptics::devices::Hand>& hand;  ///< of a simulated device, which it outlives
+
+  std::unique_ptr<Device> operator()(const SerialPunchSettings& settings) const {
+    return std::make_unique<haptics::devices::PunchDevice>(settings.punch);
+  }
+  std::unique_ptr<Device> operator()(const haptics::devices::IiwaSettings& settings) const {
+    return std::make_unique<haptics::devices::IiwaDevice>(settings);
+  }
+  std::unique_ptr<Device> operator()(const SimulatedSettings& settings) const {
+    hand = handFor({.id = entry.id, .kind = settings.kind});
+    return std::make_unique<haptics::devices::SimulatedDevice>(*settings.kind, *hand);
+  }
+};
+
 }  // namespace
 
 HardwareDeviceSet::HardwareDeviceSet(
@@ -28,15 +47,8 @@ HardwareDeviceSet::HardwareDeviceSet(
 
 Device& HardwareDeviceSet::made(const DeviceEntry& entry) {
   auto& device = devices_[entry.id];
-  if (device) return *device;
-  if (const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings)) {
-    device = std::make_unique<haptics::devices::PunchDevice>(punch->punch);
-  } else if (const auto* iiwa = std::get_if<haptics::devices::IiwaSettings>(&entry.settings)) {
-    device = std::make_unique<haptics::devices::IiwaDevice>(*iiwa);
-  } else {
-    auto& hand = hands_[entry.id];
-    hand = handFor_({.id = entry.id, .kind = &deviceKindOf(entry)});
-    device = std::make_unique<haptics::devices::SimulatedDevice>(deviceKindOf(entry), *hand);
+  if (!device) {
+    device = std::visit(DeviceMaker{entry, handFor_, hands_[entry.id]}, entry.settings);
   }
   return *device;
 }

@@ -7,9 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "haptics/devices/datagram_socket.h"
 #include "haptics/devices/device.h"
-#include "haptics/emulators/fri_arm.h"
 #include "haptics/timing/standstill_watch.h"
 #include "protocols/load_protocol.h"
 #include "study/app/devices/device_report.h"
@@ -27,43 +25,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uint16_t freePort() {
-  return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
-}
-
-/// The emulators for a protocol's devices, and the device entries to connect to them.
-struct EmulatedDevices {
-  std::vector<std::unique_ptr<EmulatorProcess>> emulators;
-  std::vector<DeviceEntry> entries;
-};
-
-EmulatedDevices emulatedDevicesFor(
+std::vector<EmulatedDevice> emulatedDevicesFor(
     const protocols::Protocol& protocol, const RehearseArguments& arguments) {
-  EmulatedDevices emulated;
+  std::vector<EmulatedDevice> emulated;
   for (const auto& need : protocol.devices) {
-    const std::string seed = std::to_string(arguments.seed);
+    std::vector<std::string> options{"--seed", std::to_string(arguments.seed)};
     if (need.kind->wire == haptics::devices::Wire::Serial) {
-      SerialPunchSettings settings{.punch = {.kind = need.kind, .port = {}}};
-      settings.punch.port = (fs::absolute(arguments.out) / (need.id + "-port")).string();
-      std::vector<std::string> words{
-          std::string(need.kind->name), "--seed", seed, "--link", settings.punch.port};
+      const auto port = fs::absolute(arguments.out) / (need.id + "-port");
+      options.insert(options.end(), {"--link", port.string()});
       if (!arguments.firmware.empty()) {
-        words.insert(words.end(), {"--firmware", arguments.firmware});
+        options.insert(options.end(), {"--firmware", arguments.firmware});
       }
-      emulated.emulators.push_back(std::make_unique<EmulatorProcess>(words));
-      emulated.entries.push_back({need.id, settings});
-    } else {
-      haptics::devices::IiwaSettings settings;
-      const haptics::emulators::FriArm::Options arm;
-      settings.port = freePort();
-      settings.model = arm.model;
-      settings.tool.position.z() = arm.toolLength;
-      settings.zero = arm.start;
-      emulated.emulators.push_back(std::make_unique<EmulatorProcess>(std::vector<std::string>{
-          "iiwa", "--seed", seed, "--client", "127.0.0.1:" + std::to_string(settings.port)}));
-      emulated.entries.push_back({need.id, settings});
     }
-    fmt::print("Started a stand-in for '{}': {}\n", need.id, emulated.emulators.back()->ready());
+    emulated.push_back(emulatedDevice(*need.kind, need.id, options));
+    fmt::print("Started a stand-in for '{}': {}\n", need.id, emulated.back().emulator->ready());
   }
   return emulated;
 }
@@ -224,7 +199,9 @@ int rehearse(const RehearseArguments& arguments) {
   RehearsalFolder folder(arguments.out);
   const auto emulated = emulatedDevicesFor(protocol->protocol, arguments);
   const auto deviceFile = fs::path(arguments.out) / kDeviceFileName;
-  std::ofstream(deviceFile) << devicesAsJson(emulated.entries);
+  std::vector<DeviceEntry> entries;
+  for (const auto& device : emulated) entries.push_back(device.entry);
+  std::ofstream(deviceFile) << devicesAsJson(entries);
   haptics::timing::StandstillWatch watch;
   if (!passCheck(deviceFile.string(), protocol->protocol, arguments, watch)) {
     return failed(

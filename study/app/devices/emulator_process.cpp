@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "haptics/devices/datagram_socket.h"
+#include "haptics/emulators/fri_arm.h"
 #include "study/app/sibling_program.h"
 #include "study/model/user_error.h"
 
@@ -107,6 +109,50 @@ std::string EmulatorProcess::ask(const std::string& line) {
   if (write(to_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return {};
   std::string answer;
   return readLine(from_, answer) ? answer : std::string();
+}
+
+std::string valueIn(std::string_view line, std::string_view key) {
+  const std::string all = " " + std::string(line) + " ";
+  const std::string start = " " + std::string(key) + "=";
+  const auto at = all.find(start);
+  if (at == std::string::npos) {
+    throw UserError("An emulator says nothing of its " + std::string(key) + ".");
+  }
+  const auto begin = at + start.size();
+  return all.substr(begin, all.find(' ', begin) - begin);
+}
+
+EmulatedDevice emulatedDevice(
+    const haptics::devices::DeviceKind& kind,
+    const std::string& id,
+    const std::vector<std::string>& options) {
+  std::vector<std::string> words;
+  const auto start = [&] {
+    words.insert(words.end(), options.begin(), options.end());
+    return std::make_unique<EmulatorProcess>(words);
+  };
+  switch (kind.wire) {
+    case haptics::devices::Wire::Serial: {
+      words = {std::string(kind.name)};
+      auto emulator = start();
+      SerialPunchSettings settings{.punch = {.kind = &kind, .port = {}}};
+      settings.punch.port = valueIn(emulator->ready(), "port");
+      return {std::move(emulator), {id, settings}};
+    }
+    case haptics::devices::Wire::Fri: {
+      const haptics::emulators::FriArm::Options arm;
+      haptics::devices::IiwaSettings settings;
+      settings.port = haptics::devices::DatagramSocket(haptics::devices::Endpoint{})
+                          .local()
+                          .port;  // a free one
+      settings.model = arm.model;
+      settings.tool.position.z() = arm.toolLength;
+      settings.zero = arm.start;
+      words = {"iiwa", "--client", "127.0.0.1:" + std::to_string(settings.port)};
+      return {start(), {id, settings}};
+    }
+  }
+  throw std::logic_error("no such wire");
 }
 
 }  // namespace study::app

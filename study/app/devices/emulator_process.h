@@ -2,8 +2,12 @@
 
 #include <sys/types.h>
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "study/trial/device_file.h"
 
 namespace study::app {
 
@@ -38,5 +42,23 @@ class EmulatorProcess {
   std::string buffer_;
   std::string ready_;
 };
+
+/// The value of "key=value" in a line of an emulator.
+/// @throws UserError  if the line has none.
+std::string valueIn(std::string_view line, std::string_view key);
+
+/// An emulator, and the device entry that connects to it.
+struct EmulatedDevice {
+  std::unique_ptr<EmulatorProcess> emulator;
+  DeviceEntry entry;
+};
+
+/// Starts the emulator of a kind of device.
+/// @param id  of the entry.
+/// @param options  of `device emulate`, for instance {"--seed", "1"}.
+EmulatedDevice emulatedDevice(
+    const haptics::devices::DeviceKind& kind,
+    const std::string& id,
+    const std::vector<std::string>& options);
 
 }  // namespace study::app
