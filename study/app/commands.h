@@ -26,6 +26,7 @@ void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
 void addRecordingCommands(CLI::App& program, Action& action);
+void addCalibrateCommand(CLI::App& noun, Action& action);  // adds to "recording"
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);

@@ -16,4 +16,20 @@ void writeReport(
   writeNewFile(path, isPdf ? pdfOf(html, sections.front().protocol.study.title, paper) : html);
 }
 
+void writeDocument(const std::string& folder, const std::string& name, report::Document document) {
+  paintFigures(document);
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path base(folder);
+  for (const auto& part : document.parts) {
+    for (const auto& table : part.tables) {
+      writeNewFile((base / (name + "-" + table.name + ".csv")).string(), asCsv(table));
+    }
+    for (const auto& figure : part.figures) {
+      if (figure.svg.empty()) continue;
+      writeNewFile((base / (name + "-" + figure.name + ".svg")).string(), figure.svg);
+    }
+  }
+  writeNewFile((base / (name + ".html")).string(), report::asHtml(document));
+}
+
 }  // namespace study::app

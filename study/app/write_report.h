@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "study/report/document.h"
 #include "study/report/pdf_report.h"
 #include "study/report/report_section.h"
 
@@ -15,5 +16,10 @@ void writeReport(
     std::vector<report::ReportSection>& sections,
     const std::string& path,
     report::Paper paper = report::Paper::A4);
+
+/// Writes the page @p name.html, a CSV file for each table and an SVG file for each figure into a
+/// new or empty folder.
+/// @throws storage::StorageError  in words.
+void writeDocument(const std::string& folder, const std::string& name, report::Document document);
 
 }  // namespace study::app

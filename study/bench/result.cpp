@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "haptics/bench/measurement.h"
-#include "study/app/write_document.h"
+#include "study/app/write_report.h"
 
 namespace study::bench {
 namespace {

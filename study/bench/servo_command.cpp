@@ -1,13 +1,15 @@
 // palpate-bench servo: lateness of the force loop, and what recording costs in it.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/bench/servo.h"
 #include "haptics/engine/passivity.h"
+#include "haptics/engine/realtime_loop.h"
 #include "study/app/command_options.h"
 #include "study/bench/bench_program.h"
 #include "study/bench/recorder.h"
@@ -16,7 +18,6 @@
 namespace study::bench {
 namespace {
 
-using haptics::bench::ServoRun;
 using report::Chart;
 using report::ChartSeries;
 
@@ -27,6 +28,44 @@ struct ServoOptions {
   double seconds = 4.0;
   double recording = 20.0;
 };
+
+/// How a loop is scheduled.
+struct ServoMode {
+  std::string name;
+  bool asksForRealtime = false;
+  double spinning = 0.0;  ///< share of a period
+};
+
+struct ServoRun {
+  std::string mode;
+  double rate = 0.0;        ///< [Hz]
+  bool isRealtime = false;  ///< what was asked for was granted
+  haptics::engine::RealtimeLoop::Report report;
+};
+
+/// As any program; with real-time priority, locked memory and no timer slack; and spinning as well.
+std::vector<ServoMode> servoModes() {
+  return {
+      {"as any program", false, 0.0},
+      {"real-time", true, 0.0},
+      {"real-time, spinning", true, 0.05}};
+}
+
+/// Runs the loop for @p seconds, each tick with 20 µs of work.
+ServoRun runServo(const ServoMode& mode, double rate, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::microseconds kWork{20};
+  haptics::engine::RealtimeLoop loop(
+      {.rate = rate, .spinning = mode.spinning, .asksForRealtime = mode.asksForRealtime},
+      [&](double, double) {
+        const auto until = Clock::now() + kWork;
+        while (Clock::now() < until) {
+        }
+      });
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  const bool isRealtime = loop.isRealtime();
+  return {.mode = mode.name, .rate = rate, .isRealtime = isRealtime, .report = loop.finish()};
+}
 
 DataTable runTable(const std::vector<ServoRun>& runs) {
   DataTable table{
@@ -120,9 +159,9 @@ DataTable recorderTable(const std::vector<RecorderRun>& recorders, const Recorde
 int servo(const ServoOptions& options) {
   std::vector<ServoRun> runs;
   for (const double rate : options.rates) {
-    for (const auto& mode : haptics::bench::servoModes()) {
+    for (const auto& mode : servoModes()) {
       std::fprintf(stderr, "%g Hz, %s\n", rate, mode.name.c_str());
-      runs.push_back(haptics::bench::runServo(mode, rate, options.seconds));
+      runs.push_back(runServo(mode, rate, options.seconds));
     }
   }
   std::fprintf(stderr, "recorder, %g s in all\n", options.recording + options.seconds);

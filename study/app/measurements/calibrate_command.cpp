@@ -1,5 +1,4 @@
-#include "study/app/measurements/calibrate_command.h"
-
+// `recording calibrate`: readings of a force sensor under known loads become a calibration file.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,8 +10,9 @@
 #include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/recording.h"
 #include "protocols/reading/recording_file.h"
+#include "study/app/command_options.h"
 #include "study/app/measurements/recording_report.h"
-#include "study/app/write_document.h"
+#include "study/app/write_report.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
@@ -141,7 +141,7 @@ int calibrate(const CalibrateCommand& command) {
 
 }  // namespace
 
-void addCalibrate(CLI::App& noun, Action& action) {
+void addCalibrateCommand(CLI::App& noun, Action& action) {
   auto [verb, command] = addCommand(
       noun,
       action,

@@ -13,7 +13,7 @@
 #include "study/app/command_options.h"
 #include "study/app/measurements/material_inputs.h"
 #include "study/app/measurements/material_report.h"
-#include "study/app/write_document.h"
+#include "study/app/write_report.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "haptics/reaming/packing/packed_bone.h"
+#include "haptics/reaming/packing/triangle_mesh.h"
 #include "protocols/reading/packing_file.h"
 
 namespace CLI {
@@ -30,5 +32,15 @@ struct ChosenCurves {
 /// The curves; writes their names into @p origin.
 /// @throws UserError  in words, if the file is missing, is no material, or has no such test set.
 ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin);
+
+/// A body from an STL, OBJ or PLY file, ready to be packed with spheres.
+struct BodyMesh {
+  haptics::reaming::TriangleMesh mesh;  ///< [m]
+  std::vector<std::string> said;        ///< repairs and assumptions, in words
+};
+
+/// @param unit  "m", "mm", or empty: derived from the size of the mesh.
+/// @throws UserError  in words, if the file is missing or its surface encloses no volume.
+BodyMesh readBody(const std::string& path, const std::string& unit);
 
 }  // namespace study::app

@@ -11,10 +11,9 @@
 #include "haptics/recordings/trace.h"
 #include "study/app/command_options.h"
 #include "study/app/json_file.h"
-#include "study/app/measurements/calibrate_command.h"
 #include "study/app/measurements/recording_inputs.h"
 #include "study/app/measurements/recording_report.h"
-#include "study/app/write_document.h"
+#include "study/app/write_report.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"
@@ -276,7 +275,7 @@ void addRecordingCommands(CLI::App& program, Action& action) {
       "Import measured cuts for rendering; calibrate the sensor that measured them");
   addImport(noun, action);
   addNoise(noun, action);
-  addCalibrate(noun, action);
+  addCalibrateCommand(noun, action);
 }
 
 }  // namespace study::app
