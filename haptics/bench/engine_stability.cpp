@@ -111,27 +111,24 @@ double largestStep(const engine::SceneSpec& spec, double quantum, double speed) 
 /// A hand that rests feels a force that rests; but for paper-text, whose limit cycle has to be
 /// found.
 void sweepRestingHand(StabilityResult& result) {
+  SweepChecks checks(result, "rest");
   for (const auto& [name, spec] : allScenes()) {
     for (const double rate : {375.0, 1000.0}) {
       const auto slope = engine::renderedSlope(spec, devices::punchKind(), rate);
       const double amplitude = slope.limitCycle ? slope.limitCycle->amplitude : 0.0;
       const bool alternates = name == "filter, paper-text";
-      result.checks.push_back(
-          {"rest",
-           "force that alternates on a resting hand [N], " + name,
-           "",
-           rate,
-           amplitude,
-           alternates ? kPublishedChatter : 1e-3});
+      checks.add(
+          "force that alternates on a resting hand [N], " + name,
+          rate,
+          amplitude,
+          alternates ? kPublishedChatter : 1e-3);
       if (!alternates) continue;
       const double expected = rate / 2.0;
-      result.checks.push_back(
-          {"rest",
-           "its frequency is not found as half the rate, relative, " + name,
-           "",
-           rate,
-           slope.limitCycle ? std::abs(slope.limitCycle->frequency / expected - 1.0) : INFINITY,
-           0.01});
+      checks.add(
+          "its frequency is not found as half the rate, relative, " + name,
+          rate,
+          slope.limitCycle ? std::abs(slope.limitCycle->frequency / expected - 1.0) : INFINITY,
+          0.01);
     }
   }
 }
@@ -139,18 +136,17 @@ void sweepRestingHand(StabilityResult& result) {
 /// One encoder step makes a step of K times itself, and nothing makes a larger one; but for
 /// paper-text, whose two forces take turns with any encoder.
 void sweepEncoders(StabilityResult& result) {
+  SweepChecks checks(result, "encoder");
   for (const auto& [name, spec] : allScenes()) {
     const double stiffness = engine::CompiledScene(spec).largestStiffness();
     for (const double quantum : {0.0439, 0.176}) {
       for (const double speed : {0.5, 2.0}) {
         const bool alternates = name == "filter, paper-text";
-        result.checks.push_back(
-            {"encoder",
-             "largest step [N] at " + std::string(speed < 1.0 ? "0.5" : "2") + " units/s, " + name,
-             "",
-             quantum,
-             largestStep(spec, quantum, speed),
-             alternates ? kPublishedChatter : stiffness * quantum * (1.0 + 1e-9)});
+        checks.add(
+            "largest step [N] at " + std::string(speed < 1.0 ? "0.5" : "2") + " units/s, " + name,
+            quantum,
+            largestStep(spec, quantum, speed),
+            alternates ? kPublishedChatter : stiffness * quantum * (1.0 + 1e-9));
       }
     }
   }
@@ -161,15 +157,15 @@ void sweepEncoders(StabilityResult& result) {
 void sweepRates(double effort, StabilityResult& result) {
   sweepRestingHand(result);
   sweepEncoders(result);
-  const auto add = [&](const std::string& what, double parameter, double measured, double bound) {
-    result.checks.push_back({"rate", what, "", parameter, measured, bound});
-  };
+  SweepChecks checks(result, "rate");
   for (const double rate : {25.0, 100.0, 375.0, 1000.0, 2000.0, 4000.0, 8000.0}) {
-    add("held force against K v T / 2, relative", rate, forceErrorAgainstEquation(rate), 1e-9);
+    checks.add(
+        "held force against K v T / 2, relative", rate, forceErrorAgainstEquation(rate), 1e-9);
   }
   const double reference = forceAtSixAfterSettling(64'000.0);
   for (const double rate : {375.0, 1000.0, 4000.0, 8000.0}) {
-    add("space-domain: force at 6 units against 64 kHz [N]",
+    checks.add(
+        "space-domain: force at 6 units against 64 kHz [N]",
         rate,
         std::abs(forceAtSixAfterSettling(rate) - reference),
         0.02);
@@ -195,11 +191,12 @@ void sweepRates(double effort, StabilityResult& result) {
       wrong += isSound ? 0 : 1;
       last = sample.force;
     }
-    add("period × 0.2 to 5: forces beyond a limit, " + name, 0.0, wrong, 0.0);
+    checks.add("period × 0.2 to 5: forces beyond a limit, " + name, 0.0, wrong, 0.0);
   }
 }
 
 void sweepBadInput(double effort, StabilityResult& result) {
+  SweepChecks checks(result, "bad input");
   constexpr double kTiny = std::numeric_limits<double>::denorm_min();
   const double bad[]{
       NAN,
@@ -272,21 +269,31 @@ void sweepBadInput(double effort, StabilityResult& result) {
     engine::CompiledScene same(spec);
     unaffected.setScene(&same);
     const double usual = feelAtFive(unaffected, fresh);
-    result.checks.push_back(
-        {"bad input",
-         "forces that are no number or too large, " + name,
-         "",
-         0.0,
-         static_cast<double>(wrong),
-         0.0});
-    result.checks.push_back(
-        {"bad input",
-         "difference of the force afterwards [N], " + name,
-         "",
-         0.0,
-         std::isfinite(after) ? std::abs(after - usual) : INFINITY,
-         0.02});
+    checks.add(
+        "forces that are no number or too large, " + name, 0.0, static_cast<double>(wrong), 0.0);
+    checks.add(
+        "difference of the force afterwards [N], " + name,
+        0.0,
+        std::isfinite(after) ? std::abs(after - usual) : INFINITY,
+        0.02);
   }
+}
+
+void SweepChecks::add(
+    std::string what,
+    double parameter,
+    double measured,
+    double bound,
+    const char* build,
+    int elements) {
+  result_.checks.push_back(
+      {.sweep = sweep_,
+       .what = std::move(what),
+       .build = build,
+       .parameter = parameter,
+       .measured = std::isnan(measured) ? INFINITY : measured,
+       .bound = bound,
+       .elements = elements});
 }
 
 StabilityResult runStability(

@@ -83,7 +83,7 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
   return worst;
 }
 
-void sweepEnds(StabilityResult& result) {
+void sweepEnds(SweepChecks& checks) {
   // One element that is nothing, or without end: the tool feels nothing, or the other side alone.
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (const auto* way : bothWays()) {
@@ -96,19 +96,17 @@ void sweepEnds(StabilityResult& result) {
         wrong += std::isnan(stiffness) || stiffness < 0.0 ? 1 : 0;
       }
     }
-    result.checks.push_back(
-        {"finite elements",
-         "k → 0 and ∞: stiffnesses that are none",
-         way->name,
-         0.0,
-         static_cast<double>(wrong),
-         0.0});
+    checks.add(
+        "k → 0 and ∞: stiffnesses that are none", 0.0, static_cast<double>(wrong), 0.0, way->name);
   }
 }
 
 }  // namespace
 
 void sweepFiniteElements(double effort, StabilityResult& result) {
+  SweepChecks checks(result, "finite elements");
+  constexpr double kDoubleBound = 4e-15;  // 18 units in the last place
+  constexpr double kFloatBound = 1e-6;    // 8 units in the last place
   const auto ways = bothWays();
   for (const int elements : {1, 2, 5, 15, 100, 1000, 12'445}) {
     const int chains = share(effort, elements > 1000 ? 1 : elements > 100 ? 4 : 40);
@@ -117,24 +115,24 @@ void sweepFiniteElements(double effort, StabilityResult& result) {
       const auto worst = worstChains(elements, decades, chains);
       for (std::size_t way = 0; way < ways.size(); ++way) {
         const std::string n = "N = " + std::to_string(elements);
-        result.checks.push_back(
-            {"finite elements",
-             n + ": relative error, double",
-             ways[way]->name,
-             static_cast<double>(decades),
-             worst[way].inDouble,
-             4e-15});  // 18 units in the last place
-        result.checks.push_back(
-            {"finite elements",
-             n + ": relative error, float",
-             ways[way]->name,
-             static_cast<double>(decades),
-             worst[way].inFloat,
-             1e-6});  // 8 units in the last place
+        checks.add(
+            n + ": relative error, double",
+            static_cast<double>(decades),
+            worst[way].inDouble,
+            kDoubleBound,
+            ways[way]->name,
+            elements);
+        checks.add(
+            n + ": relative error, float",
+            static_cast<double>(decades),
+            worst[way].inFloat,
+            kFloatBound,
+            ways[way]->name,
+            elements);
       }
     }
   }
-  sweepEnds(result);
+  sweepEnds(checks);
 }
 
 namespace {
@@ -191,43 +189,41 @@ double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
 }  // namespace
 
 void sweepFilter(double effort, StabilityResult& result) {
-  const auto add = [&](const StabilityKernels& way,
-                       const std::string& what,
-                       double parameter,
-                       double measured,
-                       double bound) {
-    result.checks.push_back({"Kalman filter", what, way.name, parameter, measured, bound});
-  };
+  SweepChecks checks(result, "Kalman filter");
   for (const auto* way : bothWays()) {
     for (const double decades : {1.0, 3.0, 6.0, 9.0, 12.0}) {
       for (const bool hasProcess : {true, false}) {
         const std::string q = hasProcess ? "" : ", Q = 0";
         const auto inDouble = attackAll(*way, decades, hasProcess, false, share(effort, 600));
         const auto inFloat = attackAll(*way, decades, hasProcess, true, share(effort, 600));
-        add(*way,
+        checks.add(
             "negative variances, double" + q,
             decades,
             static_cast<double>(inDouble.negative),
-            0.0);
-        add(*way,
+            0.0,
+            way->name);
+        checks.add(
             "forces that are no number, double" + q,
             decades,
             static_cast<double>(inDouble.notFinite),
-            0.0);
-        add(*way,
+            0.0,
+            way->name);
+        checks.add(
             "negative variances, float" + q,
             decades,
             static_cast<double>(inFloat.negative),
-            0.0);
+            0.0,
+            way->name);
       }
     }
     for (int scheme = 0; scheme < 4; ++scheme) {
       const auto steps = static_cast<long>(3.6e6 * std::min(1.0, effort * 4.0));
-      add(*way,
+      checks.add(
           "Δθ = 0 for an hour: drift of the force [N], variant " + std::to_string(scheme + 1),
           0.0,
           driftAtRest(*way, scheme, steps),
-          scheme == 0 ? 1.0 : 1e-3);
+          scheme == 0 ? 1.0 : 1e-3,
+          way->name);
     }
     // Noise that is no covariance is refused at load: an indefinite Q, R < 0, Q = R = 0, no
     // numbers.
@@ -240,7 +236,7 @@ void sweepFilter(double effort, StabilityResult& result) {
         {.q11 = NAN, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
     for (const auto& attack : unsound) accepted += way->attack(attack).isRefused ? 0 : 1;
-    add(*way, "noise that is none, accepted", 0.0, accepted, 0.0);
+    checks.add("noise that is none, accepted", 0.0, accepted, 0.0, way->name);
     // 1e155 squared is beyond every number: it may fail, but never silently with a sane face.
     const double leap = 1e155;
     FilterAttack far{
@@ -253,11 +249,13 @@ void sweepFilter(double effort, StabilityResult& result) {
         .steps = 1};
     const auto verdict = way->attack(far);
     const bool isSane = verdict.notFinite > 0 || (verdict.force >= 2.0 && verdict.force <= 3.0);
-    add(*way, "Δθ = 1e155: a wrong force that looks right", 155.0, isSane ? 0.0 : 1.0, 0.0);
+    checks.add(
+        "Δθ = 1e155: a wrong force that looks right", 155.0, isSane ? 0.0 : 1.0, 0.0, way->name);
   }
 }
 
 void sweepSplines(double effort, StabilityResult& result) {
+  SweepChecks checks(result, "splines");
   std::mt19937_64 random(5);
   for (const auto* way : bothWays()) {
     for (const double decades : {0.0, 3.0, 9.0, 15.0, 100.0, 300.0}) {
@@ -275,25 +273,23 @@ void sweepSplines(double effort, StabilityResult& result) {
         const bool isBetween = force >= a[1] - slack && force <= b[1] + slack;
         wrong += isBetween ? 0 : 1;
       }
-      result.checks.push_back(
-          {"splines",
-           "forces outside of their two nodes, slopes 0",
-           way->name,
-           decades,
-           static_cast<double>(wrong),
-           0.0});
+      checks.add(
+          "forces outside of their two nodes, slopes 0",
+          decades,
+          static_cast<double>(wrong),
+          0.0,
+          way->name);
     }
     // Nodes in one place have no slope between them.
     const double a[3]{1.0, 2.0, 0.0};
     const double b[3]{1.0, 3.0, 0.0};
     double force = 0.0;
-    result.checks.push_back(
-        {"splines",
-         "coincident nodes, accepted",
-         way->name,
-         0.0,
-         way->cubic(a, b, 1.0, force) ? 1.0 : 0.0,
-         0.0});
+    checks.add(
+        "coincident nodes, accepted",
+        0.0,
+        way->cubic(a, b, 1.0, force) ? 1.0 : 0.0,
+        0.0,
+        way->name);
   }
   // Two, three and crowded nodes through the slopes that keep a curve monotone.
   double worst = 0.0;
@@ -318,13 +314,7 @@ void sweepSplines(double effort, StabilityResult& result) {
       }
     }
   }
-  result.checks.push_back(
-      {"splines",
-       "overshoot of 2 to 12 crowded nodes, of the largest force",
-       "",
-       0.0,
-       worst,
-       1e-12});
+  checks.add("overshoot of 2 to 12 crowded nodes, of the largest force", 0.0, worst, 1e-12);
 }
 
 }  // namespace haptics::bench

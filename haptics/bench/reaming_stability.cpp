@@ -21,24 +21,6 @@ using reaming::Vec3;
 constexpr double kTick = 0.001;
 constexpr double kReamerRadius = 0.026;  // of the reamer [m]
 
-class Sweep {
- public:
-  explicit Sweep(StabilityResult& result) : result_(result) {}
-
-  void add(const std::string& what, double parameter, double measured, double bound) {
-    result_.checks.push_back(
-        {.sweep = "reaming",
-         .what = what,
-         .build = {},
-         .parameter = parameter,
-         .measured = std::isnan(measured) ? std::numeric_limits<double>::infinity() : measured,
-         .bound = bound});
-  }
-
- private:
-  StabilityResult& result_;
-};
-
 /// A bone and the device in front of it, and the worst that came of it.
 struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
@@ -93,13 +75,13 @@ std::vector<double> alike(const Packing& packing, double density) {
   return std::vector<double>(packing.spheres.size(), density);
 }
 
-void judge(Sweep& sweep, const Run& run, const std::string& what, double parameter) {
+void judge(SweepChecks& sweep, const Run& run, const std::string& what, double parameter) {
   sweep.add(what + ": forces that are no number", parameter, run.isFinite ? 0.0 : 1.0, 0.0);
   sweep.add(what + ": force above its coupling [N]", parameter, run.aboveCoupling, 1e-6);
   sweep.add(what + ": mass unaccounted for, relative", parameter, run.massError(), 1e-6);
 }
 
-void stiff(const Packing& packing, Sweep& sweep) {
+void stiff(const Packing& packing, SweepChecks& sweep) {
   for (const double coupling : {1e3, 1e5, 1e8}) {  // 10⁸ N/m is 10⁵ N/mm
     Run run(packing, alike(packing, 2e5), {.coupling = coupling});
     run.go(0.0, 0.004, 4000);
@@ -114,7 +96,7 @@ void stiff(const Packing& packing, Sweep& sweep) {
 }
 
 /// Spheres of a hundredth of the size between the others.
-void uneven(const Packing& packing, Sweep& sweep) {
+void uneven(const Packing& packing, SweepChecks& sweep) {
   auto mixed = packing;
   const std::size_t own = mixed.spheres.size();
   for (std::size_t i = 0; i < own; i += 3) {
@@ -131,7 +113,7 @@ void uneven(const Packing& packing, Sweep& sweep) {
   judge(sweep, run, "tiny and huge spheres together", 50.0);
 }
 
-void misused(const Packing& packing, Sweep& sweep) {
+void misused(const Packing& packing, SweepChecks& sweep) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   {
     Run run(packing, alike(packing, 2e5), {});
@@ -173,7 +155,7 @@ void misused(const Packing& packing, Sweep& sweep) {
 }
 
 /// To and fro and round about for ten minutes.
-void enduring(const Packing& packing, double effort, Sweep& sweep) {
+void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
   Run run(packing, alike(packing, 1e5), {});
   const double before = run.groupsRead(0.008);
   const std::size_t bytes = run.bone.field().bytes();
@@ -202,7 +184,7 @@ void enduring(const Packing& packing, double effort, Sweep& sweep) {
 
 void sweepReaming(double effort, StabilityResult& result) {
   const Packing packing = *reaming::pack(reaming::Acetabulum(), {.count = 4000});
-  Sweep sweep(result);
+  SweepChecks sweep(result, "reaming");
   stiff(packing, sweep);
   uneven(packing, sweep);
   misused(packing, sweep);

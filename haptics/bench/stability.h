@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace haptics::bench {
@@ -14,6 +15,7 @@ struct StabilityCheck {
   double parameter = 0.0;
   double measured = 0.0;
   double bound = 0.0;  ///< that measured must not exceed
+  int elements = 0;    ///< of a chain; 0: none
   bool isPassed() const { return measured <= bound; }
 };
 
@@ -34,6 +36,27 @@ struct WallPoint {
 struct StabilityResult {
   std::vector<StabilityCheck> checks;
   std::vector<WallPoint> walls;
+};
+
+/// Adds the checks of one sweep to a result.
+class SweepChecks {
+ public:
+  /// @param result  outlives this.
+  SweepChecks(StabilityResult& result, std::string sweep)
+      : result_(result), sweep_(std::move(sweep)) {}
+
+  /// A measured value that is no number counts as infinite.
+  void add(
+      std::string what,
+      double parameter,
+      double measured,
+      double bound,
+      const char* build = "",
+      int elements = 0);
+
+ private:
+  StabilityResult& result_;
+  std::string sweep_;
 };
 
 /// Runs all sweeps; deterministic. @p progress gets the name of each sweep before it runs.

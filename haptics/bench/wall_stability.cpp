@@ -151,13 +151,13 @@ void sweepWalls(double effort, StabilityResult& result) {
     unexpected += wall.isForeseen ? 0 : 1;
     unnoticed += wall.isNoticed || wall.quantum > 0.0 ? 0 : 1;
   }
-  const auto add = [&](const std::string& what, double measured, double bound) {
-    result.checks.push_back({"wall", what, "", 0.0, measured, bound});
-  };
-  add("walls that vibrate although eq. (25) says that they are passive", unexpected, 0.0);
-  add("walls that vibrate and the energy observer does not notice", unnoticed, 0.0);
+  SweepChecks checks(result, "wall");
+  checks.add(
+      "walls that vibrate although eq. (25) says that they are passive", 0.0, unexpected, 0.0);
+  checks.add("walls that vibrate and the energy observer does not notice", 0.0, unnoticed, 0.0);
   // A sweep in which nothing ever vibrates would show nothing.
-  add("walls that vibrate: at least 20, hence 20 minus their number", 20.0 - unstable, 0.0);
+  checks.add(
+      "walls that vibrate: at least 20, hence 20 minus their number", 0.0, 20.0 - unstable, 0.0);
 }
 
 }  // namespace haptics::bench
