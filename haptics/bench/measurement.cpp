@@ -152,7 +152,7 @@ std::string kernel() {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> machineInWords() {
+std::vector<std::pair<std::string, std::string>> describeMachine() {
   const std::string governor = firstLineOf("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   return {
       {"processor",

@@ -90,6 +90,6 @@ std::vector<Repeated> gathered(const std::vector<Measurement>& measurements);
 
 /// What a measurement was taken with: processor, kernel, governor, load, compiler, peers. Pairs of
 /// a name and words.
-std::vector<std::pair<std::string, std::string>> machineInWords();
+std::vector<std::pair<std::string, std::string>> describeMachine();
 
 }  // namespace haptics::bench

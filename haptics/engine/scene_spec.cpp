@@ -24,7 +24,7 @@ void check(const InterpolationSpec& spec, Words& problems) {
   if (spec.opening.empty()) {
     problems.push_back(
         "hysteresis needs the opening branch of the cut, and this cut has none; import the "
-        "recording anew, or take closing-only");
+        "recording again, or take closing-only");
   } else if (!Model::isSound(spec.opening.data(), spec.opening.size(), spec.options)) {
     problems.push_back(
         "the opening branch needs two or more points with strictly increasing travel, finite "

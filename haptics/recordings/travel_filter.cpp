@@ -55,7 +55,7 @@ KaiserLowPass::Design designAt(double rate) {
   return design;
 }
 
-std::string firInWords(const KaiserLowPass::Design& design, const std::string& rate) {
+std::string describeFir(const KaiserLowPass::Design& design, const std::string& rate) {
   return std::to_string(design.taps) +
          "-tap linear-phase Kaiser FIR, beta 5.653, -6 dB at 17.69075 Hz, " + rate +
          ", unit gain at rest, delay of " + std::to_string(design.taps / 2) +
@@ -117,11 +117,11 @@ std::string parametersOf(const TravelFilter& filter, double rate) {
   const std::string own = "designed for the recording's own " + decimal(rate, 1) + " Hz";
   switch (filter.kind) {
     case Kind::AuthorsFir:
-      return firInWords(designAt(rate), own);
+      return describeFir(designAt(rate), own);
     case Kind::AuthorsFir333: {
       const KaiserLowPass::Design design;
       const double really = design.cutoff * rate / design.sampleRate;
-      return firInWords(design, "Fs 1000/3 Hz nominal") + "; at the recording's own " +
+      return describeFir(design, "Fs 1000/3 Hz nominal") + "; at the recording's own " +
              decimal(rate, 1) + " Hz really -6 dB at " + decimal(really, 2) + " Hz";
     }
     case Kind::ButterworthZeroPhase:

@@ -158,7 +158,7 @@ std::string formulaOf(const Score& score) {
 
 /// The scoring key in words: a line for each scored item, and one for each score with its formula,
 /// to be compared with the publication before the study begins.
-std::string keysInWords(const Instrument& instrument) {
+std::string describeKeys(const Instrument& instrument) {
   std::string text;
   for (const auto& item : instrument.items) text += keyLineOf(item);
   for (const auto& score : instrument.scores) {
@@ -185,7 +185,7 @@ std::string keysInWords(const Instrument& instrument) {
 }
 
 int keys(const InstrumentArguments& options) {
-  std::fputs(keysInWords(readOrExplain(options.name)).c_str(), stdout);
+  std::fputs(describeKeys(readOrExplain(options.name)).c_str(), stdout);
   return 0;
 }
 

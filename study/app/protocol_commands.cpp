@@ -85,7 +85,7 @@ std::string listed(const std::vector<std::size_t>& people) {
 }
 
 /// An order of conditions, with labels if they are the same for all participants with this order.
-std::string orderInWords(
+std::string describeOrder(
     const protocols::Protocol& protocol, const protocols::PlannedBlock& block) {
   std::string text;
   for (const auto& trial : block.trials) {
@@ -104,7 +104,7 @@ void printOrders(
     std::vector<std::pair<std::string, std::vector<std::size_t>>> found;
     for (std::size_t slot = 0; slot < options.participants; ++slot) {
       for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
-        const std::string order = block.phase + ": " + orderInWords(protocol, block);
+        const std::string order = block.phase + ": " + describeOrder(protocol, block);
         auto same = std::find_if(
             found.begin(), found.end(), [&](const auto& one) { return one.first == order; });
         if (same == found.end()) same = found.insert(found.end(), {order, {}});

@@ -43,7 +43,7 @@ std::string describe(const SimulatedEnding& ending) {
   return text;
 }
 
-std::string othersInWords(const std::vector<SimulatedEnding>& endings) {
+std::string describeOthers(const std::vector<SimulatedEnding>& endings) {
   std::map<SessionState, std::pair<int, std::string>> others;
   for (const auto& ending : endings) {
     if (isCompleted(ending)) continue;

@@ -16,6 +16,6 @@ std::string describe(const SimulatedEnding& ending);
 
 /// Follows the number of completed sessions: ", 1 ended as aborted_hardware (SIM-001 at step 3:
 /// …)"; empty if all were completed.
-std::string othersInWords(const std::vector<SimulatedEnding>& endings);
+std::string describeOthers(const std::vector<SimulatedEnding>& endings);
 
 }  // namespace study::app

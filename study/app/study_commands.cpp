@@ -168,7 +168,7 @@ int simulate(const StudyArguments& options) {
           static_cast<std::uint64_t>(completedOf(endings)),
           "simulated participant has",
           "simulated participants have"),
-      othersInWords(endings),
+      describeOthers(endings),
       already == 0     ? ""
       : already == now ? ", all of them begun before: no more were asked for, and none was added"
                        : fmt::format(", {} of them begun before", already));
@@ -211,7 +211,9 @@ int status(const StudyArguments& options) {
       placeOf(study),
       commitmentOf(study),
       sealOf(study),
-      study.protocol().protocol.isBlindingOpen ? "blinding: open, nobody is kept blind\n" : "");
+      study.protocol().protocol.isBlindingOpen
+          ? "blinding: open, conditions are not hidden from anyone\n"
+          : "");
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",

@@ -32,7 +32,7 @@ DataTable machineTable() {
       .name = "machine",
       .description = "The computer",
       .columns = {{"what", "What"}, {"value", "Value"}}};
-  for (auto& [what, value] : haptics::bench::machineInWords()) table.rows.push_back({what, value});
+  for (auto& [what, value] : haptics::bench::describeMachine()) table.rows.push_back({what, value});
   return table;
 }
 

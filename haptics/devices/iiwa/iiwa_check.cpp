@@ -144,7 +144,8 @@ CheckResult anomaliesFound(const LinkReport& link) {
       std::to_string(link.lost) + ", " + std::to_string(link.doubled) + ", " +
           std::to_string(link.late) + ", " + std::to_string(link.damaged) + ", " +
           std::to_string(link.foreign),
-      bad == 0 ? "" : "Use a direct cable; nobody else on this network may send to this port."};
+      bad == 0 ? ""
+               : "Use a direct cable; no other computer on this network may send to this port."};
 }
 
 CheckResult torqueFound(const Capabilities& can) {

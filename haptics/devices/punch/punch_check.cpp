@@ -53,7 +53,7 @@ CheckResult roundTripFound(const LinkReport& link) {
 }
 
 /// What the bits of State::faults mean.
-std::string faultsInWords(std::uint8_t faults) {
+std::string describeFaults(std::uint8_t faults) {
   using namespace wire::punch;
   constexpr std::array<std::pair<std::uint8_t, const char*>, 8> kWords{
       {{kExpired, "no force came in time, so it let go"},
@@ -132,7 +132,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
   found.push_back(
       {(faults & wire::punch::kLatched) == 0 ? Finding::Pass : Finding::Fail,
        "faults that the board reports",
-       faultsInWords(faults),
+       describeFaults(faults),
        (faults & wire::punch::kLatched) == 0
            ? ""
            : "Switch the " + kind + " off and on, then check again."});

@@ -127,7 +127,7 @@ double rateOf(
         name + ": between lines " + std::to_string(lines[i].number) + " and " +
         std::to_string(lines[i + 1].number) + " the time goes on by " + std::to_string(step) +
         " s, usually by " + std::to_string(usual) +
-        " s. Cut the file there, or take the series anew.");
+        " s. Cut the file there, or record the series again.");
   }
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
 }

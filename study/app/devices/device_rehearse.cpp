@@ -38,7 +38,7 @@ std::vector<EmulatedDevice> emulatedDevicesFor(
       }
     }
     emulated.push_back(emulatedDevice(*need.kind, need.id, options));
-    fmt::print("Started a stand-in for '{}': {}\n", need.id, emulated.back().emulator->ready());
+    fmt::print("Emulating '{}': {}\n", need.id, emulated.back().emulator->ready());
   }
   return emulated;
 }
@@ -171,11 +171,11 @@ int printVerdict(
             isSound ? "" : " and does NOT verify"));
   }
   fmt::print(
-      "{} '{}' on stand-ins for the devices. The study is {} and {}.\n",
+      "{} '{}' on emulated devices. The study is {} and {}.\n",
       words::counted(
           static_cast<std::uint64_t>(arguments.participants),
-          "participant who does not exist has felt",
-          "participants who do not exist have felt"),
+          "simulated participant has completed",
+          "simulated participants have completed"),
       arguments.protocol,
       place,
       isSound ? "verifies" : "does NOT verify");
@@ -206,7 +206,7 @@ int rehearse(const RehearseArguments& arguments) {
   if (!passCheck(deviceFile.string(), protocol->protocol, arguments, watch)) {
     return failed(
         watch,
-        "the stand-ins for the devices did not pass their check. Nothing was recorded, and " +
+        "the emulated devices did not pass their check. Nothing was recorded, and " +
             arguments.out + " is gone again.");
   }
   watch.restart();

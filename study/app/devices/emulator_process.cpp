@@ -41,7 +41,7 @@ EmulatorProcess::EmulatorProcess(const std::vector<std::string>& arguments) {
   ::close(errors_);
   constexpr std::string_view kName = "palpate: ";
   if (why.starts_with(kName)) why.erase(0, kName.size());
-  throw UserError("A stand-in for a device did not begin" + (why.empty() ? "." : ": " + why));
+  throw UserError("The emulator of a device did not start" + (why.empty() ? "." : ": " + why));
 }
 
 void EmulatorProcess::start(const std::vector<std::string>& arguments) {
@@ -116,7 +116,7 @@ std::string valueIn(std::string_view line, std::string_view key) {
   const std::string start = " " + std::string(key) + "=";
   const auto at = all.find(start);
   if (at == std::string::npos) {
-    throw UserError("An emulator says nothing of its " + std::string(key) + ".");
+    throw UserError("The answer of an emulator has no " + std::string(key) + ".");
   }
   const auto begin = at + start.size();
   return all.substr(begin, all.find(' ', begin) - begin);

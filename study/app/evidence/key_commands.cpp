@@ -51,7 +51,7 @@ int passphrase(const KeyArguments& options) {
   setPassphrase(study, askNewPassphrase("New passphrase of the study"), options.reason);
   fmt::print(
       "The passphrase opens the key of {}, and of copies that are made from now on. Write it down "
-      "at a safe place: nobody can find it out.\n",
+      "at a safe place: it cannot be recovered.\n",
       options.folder);
   return 0;
 }

@@ -132,7 +132,8 @@ int fit(FitCommand& command) {
   const auto result = reaming::fitMaterial(read.series, options);
   print(result, options);
   if (read.isSynthetic) {
-    fmt::print("SYNTHETIC: nobody measured these series, and what comes of them says so.\n");
+    fmt::print(
+        "SYNTHETIC: these series were not measured, and all that is fitted to them says so.\n");
   }
   if (result.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
   if (!options.nodesOf) requireSmallErrors(result, options);
@@ -207,7 +208,7 @@ int compare(CompareCommand& command) {
         "There is no curve '" + command.curve + "'. There are " + namesOf(curves) + ", and all.");
   }
   if (!command.report.empty()) {
-    if (read.isSynthetic) document.lead.emplace_back("SYNTHETIC: nobody measured these series.");
+    if (read.isSynthetic) document.lead.emplace_back("SYNTHETIC: these series were not measured.");
     writeDocument(command.report, "figure-7", std::move(document));
     fmt::print("Figure saved: {}/figure-7.html\n", command.report);
   }

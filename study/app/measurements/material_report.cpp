@@ -187,7 +187,7 @@ DataTable envelopeTable(
   return table;
 }
 
-std::string axisInWords(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
+std::string describeAxis(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
   switch (options.axis) {
     case reaming::DepthAxis::Depth:
       return fmt::format(
@@ -232,7 +232,7 @@ report::DocumentPart setPart(
   const std::string name(nameOf(set.set));
   const auto depth = depthScaleOf(set, options);
   report::DocumentPart part{
-      .heading = "Test set " + name, .paragraphs = {axisInWords(set, options)}};
+      .heading = "Test set " + name, .paragraphs = {describeAxis(set, options)}};
   const auto add = [&](const char* quantity,
                        const char* unit,
                        const char* column,
@@ -370,7 +370,8 @@ report::Document materialReport(
       std::any_of(series.begin(), series.end(), [](const auto& each) { return each.isSynthetic; });
   if (isSynthetic) {
     document.lead.emplace_back(
-        "SYNTHETIC: nobody measured these series. They have the published properties and no more.");
+        "SYNTHETIC: these series were not measured. They have the published properties and no "
+        "more.");
   }
   document.parts.push_back({.heading = "Series", .tables = {seriesTable(fit)}});
   for (const auto& set : fit.sets) document.parts.push_back(setPart(series, fit, set, options));

@@ -133,7 +133,7 @@ DataTable dataTable(
   return table;
 }
 
-std::string filterInWords(const reaming::PreparedSeries& prepared) {
+std::string describeFilter(const reaming::PreparedSeries& prepared) {
   if (prepared.cutoff == 0.0) return "Not filtered, as in the paper: the reamer was off.";
   auto words = fmt::format("Low-pass of the force at {:.4g} Hz", prepared.cutoff);
   if (prepared.torqueCutoff > 0.0) {
@@ -158,7 +158,7 @@ report::DocumentPart seriesPart(
           series.force.size(),
           series.rate,
           kMillimetres * prepared.largestDisplacement,
-          filterInWords(prepared))}};
+          describeFilter(prepared))}};
   addFigures(
       part, shown, series, {"force", "N", series.force, prepared.force, prepared.cutoff}, options);
   if (prepared.torque.size() > 0) {

@@ -192,7 +192,7 @@ reaming::DensityMethod methodOf(const DensityCommand& command) {
   };
 }
 
-std::string swarmInWords(const DensityCommand& command) {
+std::string describeSwarm(const DensityCommand& command) {
   return fmt::format(
       "a particle swarm ({}, {} particles, {} steps, seed {})",
       command.layers > 0 ? fmt::format("{} layers", command.layers) : "every sphere for itself",
@@ -264,7 +264,7 @@ int fitDensities(DensityCommand& command) {
   protocols::PackingOrigin origin;
   auto bone = readBone(command.packing, origin);
   const auto material = curvesOf(command.material, origin);
-  if (isSwarm) origin.material += ", by " + swarmInWords(command);
+  if (isSwarm) origin.material += ", by " + describeSwarm(command);
   bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
   reaming::BoneFitReport report;
   command.options.onProgress = [](const std::string& what) {
@@ -277,7 +277,7 @@ int fitDensities(DensityCommand& command) {
     throw UserError(command.packing + ": " + wrong.what() + ".");
   }
   for (const auto& curve : report.curves) printFit(curve, isSwarm);
-  if (isSwarm) fmt::print("Densities by {}.\n", swarmInWords(command));
+  if (isSwarm) fmt::print("Densities by {}.\n", describeSwarm(command));
   fmt::print(
       "{:.0f} % of the spheres are touched by the experiment; the others are as the deepest layer "
       "that is. {:.1f} s.\n",

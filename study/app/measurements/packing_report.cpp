@@ -103,7 +103,7 @@ DataTable forceTable(const reaming::BoneFitReport& fit) {
 }  // namespace
 
 std::string syntheticMark(const reaming::PackedBone& bone) {
-  return bone.isSynthetic ? "SYNTHETIC: this is nobody's bone." : "";
+  return bone.isSynthetic ? "SYNTHETIC: no real bone was measured." : "";
 }
 
 std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {

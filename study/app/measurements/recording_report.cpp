@@ -30,14 +30,14 @@ report::DocumentPart spectrumPart(
     const recordings::Recording& recording,
     const recordings::Trace& trace,
     double rate,
-    const std::string& filterInWords) {
+    const std::string& filterParameters) {
   const auto before = travelOf(recording);
   const auto spectrumBefore = haptics::filters::spectrumOf(before, rate, CutoffRule::Floor);
   const auto spectrumAfter = haptics::filters::spectrumOf(trace.travel, rate, CutoffRule::Floor);
   report::DocumentPart part{
       .heading = "Spectrum of the travel",
       .paragraphs = {
-          fmt::format("Filter: {}.", filterInWords),
+          fmt::format("Filter: {}.", filterParameters),
           fmt::format(
               "Up to {:g} Hz lie {:.1f} % of the variance of the unfiltered travel.",
               kPaperFrequency,
@@ -226,7 +226,7 @@ report::Document recordingReport(
     const recordings::Recording& recording,
     const recordings::Trace& trace,
     const recordings::RecordingSurvey& survey,
-    const std::string& filterInWords,
+    const std::string& filterParameters,
     const std::optional<recordings::ImportedCut>& imported) {
   report::Document document{.title = "Recording " + recording.source};
   document.lead.push_back(fmt::format(
@@ -237,7 +237,8 @@ report::Document recordingReport(
       survey.maxForce,
       trace.calibration.name));
   if (survey.sampling.rate > 0.0) {
-    document.parts.push_back(spectrumPart(recording, trace, survey.sampling.rate, filterInWords));
+    document.parts.push_back(
+        spectrumPart(recording, trace, survey.sampling.rate, filterParameters));
   }
   if (!survey.closures.empty()) document.parts.push_back(closuresPart(trace, survey));
   if (imported) document.parts.push_back(cutPart(recording, trace, *imported));

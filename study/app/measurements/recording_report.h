@@ -15,12 +15,12 @@ namespace study::app {
 /// (Fig. 4), the closures, and the cut that was taken, if there is one.
 ///
 /// @param trace, survey  of the same recording.
-/// @param filterInWords  recordings::parametersOf() its filter.
+/// @param filterParameters  recordings::parametersOf() its filter.
 report::Document recordingReport(
     const haptics::recordings::Recording& recording,
     const haptics::recordings::Trace& trace,
     const haptics::recordings::RecordingSurvey& survey,
-    const std::string& filterInWords,
+    const std::string& filterParameters,
     const std::optional<haptics::recordings::ImportedCut>& imported);
 
 /// The share of a signal's variance that lies at or below a frequency [Hz], by its amplitude

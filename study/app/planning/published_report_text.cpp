@@ -104,7 +104,7 @@ std::string equalPart(const PublishedReport& report) {
   return text + "\n";
 }
 
-std::string fitsInWords(const PublishedTable& table, const analysis::FittingSizes& fits) {
+std::string describeFits(const PublishedTable& table, const analysis::FittingSizes& fits) {
   if (fits.tried == 1) return fits.fitting.empty() ? "no answers fit" : "answers fit";
   if (fits.fitting.empty()) return fmt::format("none of {} fits", fits.tried);
   const auto equal = fits.equalSizes();
@@ -117,7 +117,7 @@ std::string fitsInWords(const PublishedTable& table, const analysis::FittingSize
 }
 
 /// "2 × 1, 7 × 3.5": how often each point was given.
-std::string answersInWords(
+std::string formatAnswers(
     const analysis::AnswerScale& scale, const std::vector<std::uint64_t>& times) {
   std::string words;
   for (std::size_t u = 0; u < times.size(); ++u) {
@@ -132,7 +132,7 @@ std::string answersInWords(
 }
 
 /// One data set that prints the row, or that there is none.
-std::string exampleInWords(const PublishedReport& report) {
+std::string describeExample(const PublishedReport& report) {
   const auto& all = report.wholeAnswers;
   const auto found =
       std::ranges::find_if(all, [](const auto& fits) { return !fits.example.empty(); });
@@ -149,7 +149,7 @@ std::string exampleInWords(const PublishedReport& report) {
     text += fmt::format(
         "    {}: {}\n",
         report.table.groups[g].name,
-        answersInWords(*report.question.scale, found->example[g]));
+        formatAnswers(*report.question.scale, found->example[g]));
   }
   return text;
 }
@@ -170,9 +170,9 @@ std::string wholePart(const PublishedReport& report) {
   }
   for (const auto& fits : report.wholeAnswers) {
     text += fmt::format(
-        "  {:<60} {}\n", analysis::describe(fits.convention), fitsInWords(report.table, fits));
+        "  {:<60} {}\n", analysis::describe(fits.convention), describeFits(report.table, fits));
   }
-  return text + exampleInWords(report) + "\n";
+  return text + describeExample(report) + "\n";
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace study::app {
 
-/// Makes text visible that came from somebody's file or typing: a terminal would obey the control
+/// Makes text visible that came from a file or was typed: a terminal would obey the control
 /// characters in it (clear the screen, set the title, answer as if someone typed). They are shown
 /// as JSON escapes, "\u001b", so that JSON stays valid. Kept are line feed, tab, and a carriage
 /// return before a line feed. Also escaped are the characters that reverse the direction of text
@@ -20,7 +20,7 @@ class VisibleText {
 };
 
 /// From now on all that this process prints to stdout and stderr is visible text, whether it goes
-/// to a terminal, or to a file or a pipe, which somebody may show on one later.
+/// to a terminal, or to a file or a pipe, which may be shown on one later.
 void printOnlyVisibleText();
 
 }  // namespace study::app

@@ -394,7 +394,7 @@ TEST(DeviceRehearsal, LeavesNoFolderIfNothingWasRecorded) {
        "nope.elf"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(
-      refused.error.find("A stand-in for a device did not begin: nope.elf is no firmware"),
+      refused.error.find("The emulator of a device did not start: nope.elf is no firmware"),
       std::string::npos)
       << refused.error;
   EXPECT_FALSE(std::filesystem::exists(out));

@@ -40,7 +40,7 @@ TEST(DevicePaddle, RunsOnItsWireAndIsReportedInItsWordsAndUnits) {
   const std::string out = folder / "rehearsal";
   const auto rehearsed =
       palpate({"device", "rehearse", "--protocol", protocol().string(), "--out", out});
-  expectIn(rehearsed, "Started a stand-in for 'paddle': ");
+  expectIn(rehearsed, "Emulating 'paddle': ");
   expectIn(rehearsed, " degrees");
   expectIn(rehearsed, "force at most");
   expectIn(textIn(out + "/devices.json"), "\"paddle-serial\"");
