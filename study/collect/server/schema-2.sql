@@ -1,13 +1,223 @@
--- The schema palpate, step 2: what is forged is refused with an incident, and not with an error that undoes the incident.
+-- The schema palpate, step 2: the way in. Whatever is wrong raises PC001: the batch is undone as a whole, and ingest()
+-- keeps an incident.
+
+CREATE FUNCTION refuse(what text, detail text) RETURNS void LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  RAISE EXCEPTION USING ERRCODE = 'PC001', MESSAGE = what, DETAIL = detail;
+END $$;
+
+CREATE FUNCTION take_events(me station, said jsonb) RETURNS bigint
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  other bigint; lowest bigint; most bigint; many bigint; first bigint; before text;
+BEGIN
+  SELECT n.seq INTO other FROM jsonb_to_recordset(said->'events') AS n (seq bigint, hash text)
+    JOIN event AS e ON e.station = me.id AND e.seq = n.seq
+    WHERE e.hash <> decode(n.hash, 'hex') ORDER BY 1 LIMIT 1;
+  IF FOUND THEN PERFORM refuse('fork', format('event %s is here with another hash', other)); END IF;
+
+  SELECT min(n.seq), min(n.seq) FILTER (WHERE n.seq > me.have), max(n.seq) FILTER (WHERE n.seq > me.have),
+         count(*) FILTER (WHERE n.seq > me.have)
+    INTO first, lowest, most, many FROM jsonb_to_recordset(said->'events') AS n (seq bigint);
+  IF first > me.have + 1 OR (many > 0 AND (lowest <> me.have + 1 OR most <> me.have + many)) THEN
+    PERFORM refuse('gap', format('events %s to %s came after event %s', first, most, me.have));
+  END IF;
+  SELECT encode(hash, 'hex') INTO before FROM event WHERE station = me.id AND seq = first - 1;
+  IF FOUND AND before IS DISTINCT FROM said->>'after' THEN
+    PERFORM refuse('fork', format('event %s is here with another hash', first - 1));
+  END IF;
+  IF coalesce(many, 0) = 0 THEN RETURN me.have; END IF;
+
+  INSERT INTO event (station, seq, session, step, attempt, utc, monotonic_ns, actor, kind, detail, sealed,
+                     content_hash, hash)
+  SELECT me.id, n.seq, n.session, n.step, n.attempt, n.utc, n.monotonic_ns, n.actor, n.kind, n.detail,
+         decode(n.sealed, 'hex'), decode(n.content_hash, 'hex'), decode(n.hash, 'hex')
+  FROM jsonb_to_recordset(said->'events')
+    AS n (seq bigint, session bigint, step integer, attempt integer, utc text, monotonic_ns bigint, actor text,
+          kind text, detail text, sealed text, content_hash text, hash text)
+  WHERE n.seq > me.have;
+  INSERT INTO progress (station, number, last)
+  SELECT me.id, n.session, max(n.seq) FROM jsonb_to_recordset(said->'events') AS n (seq bigint, session bigint)
+  WHERE n.session IS NOT NULL GROUP BY n.session
+  ON CONFLICT (station, number) DO UPDATE SET last = greatest(progress.last, excluded.last);
+  RETURN most;
+END $$;
+
+CREATE FUNCTION take_traces(me station, said jsonb, traces bytea[]) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  wrong text;
+BEGIN
+  IF coalesce(jsonb_array_length(said->'traces'), 0) <> coalesce(array_length(traces, 1), 0) THEN
+    PERFORM refuse('damaged', 'as many traces as descriptions are needed');
+  END IF;
+  SELECT t.what::text INTO wrong FROM jsonb_array_elements(said->'traces') WITH ORDINALITY AS t (what, place)
+    WHERE sha256(traces[t.place]) <> decode(t.what->>'sha256', 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('damaged', wrong); END IF;
+  SELECT t.what::text INTO wrong FROM jsonb_array_elements(said->'traces') AS t (what)
+    JOIN chunk AS c ON c.station = me.id AND c.session = (t.what->>'session')::bigint
+      AND c.step = (t.what->>'step')::integer AND c.attempt = (t.what->>'attempt')::integer
+      AND c.number = (t.what->>'number')::integer
+    WHERE c.hash <> decode(t.what->>'hash', 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('fork', 'a trace is here with another hash: ' || wrong); END IF;
+
+  INSERT INTO chunk (station, session, step, attempt, number, samples, layout, data, hash)
+  SELECT me.id, (t.what->>'session')::bigint, (t.what->>'step')::integer, (t.what->>'attempt')::integer,
+         (t.what->>'number')::integer, (t.what->>'samples')::integer, (t.what->>'layout')::integer,
+         traces[t.place], decode(t.what->>'hash', 'hex')
+  FROM jsonb_array_elements(said->'traces') WITH ORDINALITY AS t (what, place)
+  WHERE NOT EXISTS (SELECT 1 FROM tombstone AS x
+                    WHERE x.station = me.id AND x.number = (t.what->>'session')::bigint)
+  ON CONFLICT DO NOTHING;
+END $$;
+
+CREATE FUNCTION take_keys(me station, said jsonb) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  INSERT INTO content_key (station, participant, key)
+  SELECT me.id, k.participant, decode(k.key, 'hex')
+  FROM jsonb_to_recordset(said->'keys') AS k (participant text, key text)
+  WHERE NOT EXISTS (SELECT 1 FROM tombstone AS x WHERE x.station = me.id AND x.participant = k.participant)
+  ON CONFLICT DO NOTHING;
+END $$;
+
+-- The rows that are here of an erased session but its own, also among what was set aside.
+CREATE FUNCTION left_of(me station, which bigint, code text) RETURNS bigint
+LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
+  WITH here AS (SELECT id FROM station WHERE id = me.id OR was = me.uuid)
+  SELECT (SELECT count(*) FROM answer WHERE station = me.id AND number = which)
+       + (SELECT count(*) FROM chunk WHERE station IN (SELECT id FROM here) AND session = which)
+       + (SELECT count(*) FROM content_key WHERE station IN (SELECT id FROM here) AND participant = code)
+       + (SELECT count(*) FROM session WHERE station IN (SELECT id FROM here WHERE id <> me.id)
+            AND (number = which OR participant = code));
+$$;
+
+CREATE FUNCTION forget(me station, which bigint, code text, said_of bigint) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  DELETE FROM chunk WHERE session = which AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
+  DELETE FROM content_key WHERE participant = code
+    AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
+  DELETE FROM session WHERE (number = which OR participant = code)
+    AND station IN (SELECT id FROM station WHERE was = me.uuid);
+  INSERT INTO tombstone (station, number, participant, as_of)
+  VALUES (me.id, which, code, said_of) ON CONFLICT DO NOTHING;
+END $$;
+
+-- Of each erased session of the batch: what was erased when, and how many rows are left of it.
+CREATE FUNCTION receipts(me station, said jsonb) RETURNS json
+LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
+  SELECT coalesce(json_agg(json_build_object(
+      'session', x.number, 'participant', x.participant, 'as_of', x.as_of,
+      'utc', to_char(x.erased AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS.MS"Z"'),
+      'left', left_of(me, x.number, x.participant)) ORDER BY x.number), '[]')
+  FROM tombstone AS x
+  WHERE x.station = me.id
+    AND x.number IN (SELECT s.session FROM jsonb_to_recordset(said->'sessions') AS s (session bigint));
+$$;
+
+CREATE FUNCTION draw_codes(of_study text, protocol json) RETURNS void
+LANGUAGE sql SET search_path = palpate, pg_temp AS $$
+  INSERT INTO condition_code (study, run_mode, condition, code)
+  SELECT of_study, m.run_mode, c.id,
+         CASE protocol->>'blinding' WHEN 'open' THEN c.id ELSE
+           'C' || row_number() OVER (PARTITION BY m.run_mode ORDER BY gen_random_uuid()) + (
+             SELECT count(*) FROM condition_code AS k WHERE k.study = of_study AND k.run_mode = m.run_mode) END
+  FROM json_to_recordset(protocol->'conditions') AS c (id text),
+       unnest(ARRAY['live', 'pilot', 'simulated']) AS m (run_mode)
+  WHERE NOT EXISTS (SELECT 1 FROM condition_code AS k
+                    WHERE k.study = of_study AND k.run_mode = m.run_mode AND k.condition = c.id);
+$$;
+
+CREATE FUNCTION protocol_has_codes() RETURNS trigger
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  PERFORM draw_codes(NEW.study, NEW.text::json);
+  RETURN NULL;
+END $$;
+CREATE TRIGGER conditions_have_codes AFTER INSERT ON protocol FOR EACH ROW EXECUTE FUNCTION protocol_has_codes();
+
+CREATE FUNCTION codes_of(of_station integer, mode text, facts json, OUT codes text[], OUT coded smallint[])
+LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
+  WITH allotted AS (
+    SELECT a.step, k.code, dense_rank() OVER (ORDER BY k.code) AS place
+    FROM json_to_recordset(facts->'allocation') AS a (step integer, condition text)
+    JOIN station AS s ON s.id = of_station
+    JOIN condition_code AS k ON k.study = s.study AND k.run_mode = mode AND k.condition = a.condition)
+  SELECT (SELECT coalesce(array_agg(DISTINCT a.code ORDER BY a.code), '{}') FROM allotted AS a),
+         (SELECT coalesce(array_agg(coalesce(a.place, 0)::smallint ORDER BY n.step), '{}')
+          FROM generate_series(0, (SELECT max(step) FROM allotted)) AS n (step)
+          LEFT JOIN allotted AS a ON a.step = n.step);
+$$;
+
+CREATE FUNCTION session_has_codes() RETURNS trigger
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+BEGIN
+  SELECT c.codes, c.coded INTO NEW.codes, NEW.coded FROM codes_of(NEW.station, NEW.run_mode, NEW.facts::json) AS c;
+  RETURN NEW;
+END $$;
+CREATE TRIGGER steps_have_codes BEFORE INSERT ON session FOR EACH ROW EXECUTE FUNCTION session_has_codes();
+
+-- One session, as it stood after its event as_of.
+CREATE FUNCTION take_session(me station, which bigint, said_of bigint, facts text, digest bytea) RETURNS void
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  here session; reached bigint; sent jsonb := facts; head jsonb := sent->'session'; missing text;
+BEGIN
+  IF sha256(convert_to(facts, 'UTF8')) <> digest THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
+  IF EXISTS (SELECT 1 FROM fact AS f WHERE f.station = me.id AND f.number = which AND f.as_of = said_of
+             AND f.sha256 <> digest) THEN
+    PERFORM refuse('fork', format('session %s is here with other rows', which));
+  END IF;
+  SELECT last INTO reached FROM progress WHERE station = me.id AND number = which;
+  IF reached IS NULL OR said_of > reached THEN
+    PERFORM refuse('gap', format('session %s came before its events', which));
+  END IF;
+  SELECT * INTO here FROM session WHERE station = me.id AND number = which;
+  IF here.as_of >= said_of THEN RETURN; END IF;
+
+  IF NOT EXISTS (SELECT 1 FROM protocol WHERE study = me.study AND sha256 = head->>'protocol') THEN
+    PERFORM refuse('protocol', head->>'protocol');
+  END IF;
+  IF NOT starts_with(sent->'participant'->>'code', me.label || '_') THEN
+    PERFORM refuse('code', sent->'participant'->>'code');
+  END IF;
+  IF head->>'site' IS DISTINCT FROM me.site OR head->>'station' IS DISTINCT FROM me.label THEN
+    PERFORM refuse('place', format('session %s: %s, %s', which, head->>'site', head->>'station'));
+  END IF;
+  SELECT format('session %s, step %s', which, t.step) INTO missing
+    FROM jsonb_to_recordset(sent->'trial') AS t (step integer, attempt integer, trace_samples bigint)
+    WHERE t.trace_samples <> coalesce((SELECT sum(c.samples) FROM chunk AS c WHERE c.station = me.id
+      AND c.session = which AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
+  IF FOUND THEN PERFORM refuse('traces', missing); END IF;
+
+  INSERT INTO fact (station, number, as_of, sha256) VALUES (me.id, which, said_of, digest);
+  DELETE FROM session WHERE station = me.id AND number = which;
+  INSERT INTO session (station, number, as_of, facts, sha256, participant, cohort, run_mode, protocol, language, state,
+                       started_utc, ended_utc)
+  VALUES (me.id, which, said_of, facts, digest, sent->'participant'->>'code', head->>'cohort', head->>'run_mode',
+          head->>'protocol', head->>'language', head->>'state', head->>'started_utc', head->>'ended_utc');
+  INSERT INTO answer (station, number, step, attempt, item, phase, instrument, alternative, counts, kind, point, value,
+                      words)
+  SELECT me.id, which, a.step, a.attempt, a.item, s.phase, s.instrument, s.label, v.status = 'finished', a.kind, a.point,
+         a.number, a.text
+  FROM jsonb_to_recordset(sent->'answer')
+    AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
+  JOIN jsonb_to_recordset(sent->'step') AS s (step integer, phase text, instrument text, label integer)
+    ON s.step = a.step
+  JOIN jsonb_to_recordset(sent->'visit') AS v (step integer, attempt integer, status text)
+    ON v.step = a.step AND v.attempt = a.attempt;
+  IF head->>'state' = 'erased' THEN PERFORM forget(me, which, sent->'participant'->>'code', said_of); END IF;
+END $$;
 
 -- The only way in. Takes a batch of one station in one transaction, and answers {"have": n}: all events up to n are
 -- here, with what belongs to them. The same for a batch that came before. A batch that cannot be taken changes nothing
 -- and is kept as an incident: {"have": n, "refused": …, "detail": …}. So is one that no program of ours would write: no
 -- JSON, a number that is none, a hash of another length.
-CREATE OR REPLACE FUNCTION ingest(batch text, digest bytea, traces bytea[]) RETURNS json
+CREATE FUNCTION ingest(batch text, digest bytea, traces bytea[]) RETURNS json
 LANGUAGE plpgsql SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
 DECLARE
-  said json; me station; one record; reached bigint; why text; about text; pending bigint;
+  said jsonb; me station; one record; reached bigint; why text; about text; pending bigint;
 BEGIN
   BEGIN
     IF sha256(convert_to(batch, 'UTF8')) <> digest THEN PERFORM refuse('damaged', 'the batch'); END IF;
@@ -24,7 +234,7 @@ BEGIN
     PERFORM take_traces(me, said, traces);
     PERFORM take_keys(me, said);
     reached := take_events(me, said);
-    FOR one IN SELECT * FROM json_to_recordset(said->'sessions')
+    FOR one IN SELECT * FROM jsonb_to_recordset(said->'sessions')
       AS s (session bigint, as_of bigint, sha256 text, facts text)
     LOOP
       PERFORM take_session(me, one.session, one.as_of, one.facts, decode(one.sha256, 'hex'));
@@ -36,7 +246,8 @@ BEGIN
     WHERE p.station = me.id AND (s.as_of IS NULL OR s.as_of < p.last);
     RETURN json_build_object(
       'have', reached, 'pending', pending, 'head',
-      (SELECT encode(hash, 'hex') FROM event WHERE station = me.id AND seq = reached));
+      (SELECT encode(hash, 'hex') FROM event WHERE station = me.id AND seq = reached),
+      'erased', receipts(me, said));
   EXCEPTION
     WHEN SQLSTATE 'PC001' THEN
       GET STACKED DIAGNOSTICS why = MESSAGE_TEXT, about = PG_EXCEPTION_DETAIL;
@@ -47,3 +258,24 @@ BEGIN
   INSERT INTO incident (station, what, detail) VALUES (me.id, why, left(about, 1000));
   RETURN json_build_object('have', coalesce(me.have, 0), 'refused', why, 'detail', about);
 END $$;
+
+-- What is here of a station is not what it recorded: all of it stays under another name and is pulled no more, and the
+-- station sends everything again. For the owner alone.
+CREATE FUNCTION set_aside(of_study text, of_label text, because text) RETURNS boolean
+LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+DECLARE
+  me station;
+BEGIN
+  SELECT * INTO me FROM station WHERE study = of_study AND label = of_label FOR UPDATE;
+  IF NOT FOUND THEN RETURN false; END IF;
+  UPDATE station SET uuid = replace(gen_random_uuid()::text, '-', ''), label = me.label || '/' || me.id, was = me.uuid,
+                     set_aside = now() WHERE id = me.id;
+  INSERT INTO station (study, uuid, site, label, role, key, enrolled, enrolled_by, expires, first_contact)
+  VALUES (me.study, me.uuid, me.site, me.label, me.role, me.key, me.enrolled, me.enrolled_by, me.expires,
+          coalesce(me.first_contact, now()));
+  INSERT INTO incident (station, what, detail) VALUES (me.id, 'set_aside', because);
+  RETURN true;
+END $$;
+
+REVOKE ALL ON ALL FUNCTIONS IN SCHEMA palpate FROM PUBLIC;
+GRANT EXECUTE ON FUNCTION ingest(text, bytea, bytea[]) TO palpate_station;

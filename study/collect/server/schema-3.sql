@@ -1,197 +1,145 @@
--- The schema palpate, step 3: what is here of a station can be set aside; erasures are answered with a receipt; who
--- enrolled a station is kept; rows name the site and the station that were enrolled.
+-- The schema palpate, step 3: the ways out. Whoever pulls gets the map of conditions as well: with a reason, which is
+-- kept.
 
-ALTER TABLE station
-  ADD COLUMN enrolled_by text,
-  ADD COLUMN revoked_by  text,
-  ADD COLUMN set_aside   timestamptz,
-  ADD COLUMN was         text;  -- the uuid of the station that goes on in its place
-ALTER TABLE station ALTER COLUMN enrolled_by SET DEFAULT session_user;  -- of those before it is not known
-
--- What is here of a station is not what it recorded: all of it stays under another name and is pulled no more, and the
--- station sends everything again. For the owner alone.
-CREATE FUNCTION set_aside(of_study text, of_label text, because text) RETURNS boolean
-LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
-DECLARE
-  me station;
-BEGIN
-  SELECT * INTO me FROM station WHERE study = of_study AND label = of_label FOR UPDATE;
-  IF NOT FOUND THEN RETURN false; END IF;
-  UPDATE station SET uuid = replace(gen_random_uuid()::text, '-', ''), label = me.label || '/' || me.id, was = me.uuid,
-                     set_aside = now() WHERE id = me.id;
-  INSERT INTO station (study, uuid, site, label, role, key, enrolled, enrolled_by, expires, first_contact)
-  VALUES (me.study, me.uuid, me.site, me.label, me.role, me.key, me.enrolled, me.enrolled_by, me.expires,
-          coalesce(me.first_contact, now()));
-  INSERT INTO incident (station, what, detail) VALUES (me.id, 'set_aside', because);
-  RETURN true;
-END $$;
-
--- The rows that are here of an erased session but its own, also among what was set aside.
-CREATE FUNCTION left_of(me station, which bigint, code text) RETURNS bigint
-LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
-  WITH here AS (SELECT id FROM station WHERE id = me.id OR was = me.uuid)
-  SELECT (SELECT count(*) FROM answer WHERE station = me.id AND number = which)
-       + (SELECT count(*) FROM chunk WHERE station IN (SELECT id FROM here) AND session = which)
-       + (SELECT count(*) FROM content_key WHERE station IN (SELECT id FROM here) AND participant = code)
-       + (SELECT count(*) FROM session WHERE station IN (SELECT id FROM here WHERE id <> me.id)
-            AND (number = which OR participant = code));
+CREATE FUNCTION unblind(of_study text, because text) RETURNS bigint
+LANGUAGE sql SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  INSERT INTO access (study, reason) VALUES (of_study, because) RETURNING id;
 $$;
 
-CREATE FUNCTION forget(me station, which bigint, code text, said_of bigint) RETURNS void
-LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
+-- The study that a ticket of unblind() is for.
+CREATE FUNCTION opened(ticket bigint) RETURNS text
+LANGUAGE plpgsql STABLE SET search_path = palpate, pg_temp AS $$
+DECLARE
+  found_study text;
 BEGIN
-  DELETE FROM chunk WHERE session = which AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
-  DELETE FROM content_key WHERE participant = code
-    AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
-  DELETE FROM session WHERE (number = which OR participant = code)
-    AND station IN (SELECT id FROM station WHERE was = me.uuid);
-  INSERT INTO tombstone (station, number, participant, as_of)
-  VALUES (me.id, which, code, said_of) ON CONFLICT DO NOTHING;
+  SELECT study INTO found_study FROM access
+  WHERE id = ticket AND role = session_user AND at > now() - interval '1 day';
+  IF NOT FOUND THEN
+    RAISE EXCEPTION 'nobody gave a reason for this' USING ERRCODE = 'insufficient_privilege';
+  END IF;
+  RETURN found_study;
 END $$;
 
--- Of each erased session of the batch: what was erased when, and how many rows are left of it.
-CREATE FUNCTION receipts(me station, said json) RETURNS json
-LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
-  SELECT coalesce(json_agg(json_build_object(
-      'session', x.number, 'participant', x.participant, 'as_of', x.as_of,
-      'utc', to_char(x.erased AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS.MS"Z"'),
-      'left', left_of(me, x.number, x.participant)) ORDER BY x.number), '[]')
-  FROM tombstone AS x
-  WHERE x.station = me.id
-    AND x.number IN (SELECT s.session FROM json_to_recordset(said->'sessions') AS s (session bigint));
+CREATE FUNCTION pull_study(ticket bigint, OUT uuid text, OUT name text, OUT seed text, OUT secret bytea, OUT created text)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT s.uuid, s.name, s.seed, s.secret, to_char(s.created AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')
+  FROM study AS s WHERE s.uuid = opened(ticket);
 $$;
 
--- One session, as it stood after its event as_of.
-CREATE OR REPLACE FUNCTION take_session(me station, which bigint, said_of bigint, facts text, digest bytea) RETURNS void
-LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
-DECLARE
-  here session; reached bigint; sent json := facts; head json := sent->'session'; missing text;
-BEGIN
-  IF sha256(convert_to(facts, 'UTF8')) <> digest THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
-  IF EXISTS (SELECT 1 FROM fact AS f WHERE f.station = me.id AND f.number = which AND f.as_of = said_of
-             AND f.sha256 <> digest) THEN
-    PERFORM refuse('fork', format('session %s is here with other rows', which));
-  END IF;
-  SELECT last INTO reached FROM progress WHERE station = me.id AND number = which;
-  IF reached IS NULL OR said_of > reached THEN
-    PERFORM refuse('gap', format('session %s came before its events', which));
-  END IF;
-  SELECT * INTO here FROM session WHERE station = me.id AND number = which;
-  IF here.as_of >= said_of THEN RETURN; END IF;
+CREATE FUNCTION pull_protocols(ticket bigint)
+RETURNS TABLE (sha256 text, text text, files json)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT p.sha256, p.text, p.files FROM protocol AS p WHERE p.study = opened(ticket) ORDER BY p.added, p.sha256;
+$$;
 
-  IF NOT EXISTS (SELECT 1 FROM protocol WHERE study = me.study AND sha256 = head->>'protocol') THEN
-    PERFORM refuse('protocol', head->>'protocol');
-  END IF;
-  IF NOT starts_with(sent->'participant'->>'code', me.label || '_') THEN
-    PERFORM refuse('code', sent->'participant'->>'code');
-  END IF;
-  IF head->>'site' IS DISTINCT FROM me.site OR head->>'station' IS DISTINCT FROM me.label THEN
-    PERFORM refuse('place', format('session %s: %s, %s', which, head->>'site', head->>'station'));
-  END IF;
-  SELECT format('session %s, step %s', which, t.step) INTO missing
-    FROM json_to_recordset(sent->'trial') AS t (step integer, attempt integer, trace_samples bigint)
-    WHERE t.trace_samples <> coalesce((SELECT sum(c.samples) FROM chunk AS c WHERE c.station = me.id
-      AND c.session = which AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
-  IF FOUND THEN PERFORM refuse('traces', missing); END IF;
-
-  INSERT INTO fact (station, number, as_of, sha256) VALUES (me.id, which, said_of, digest);
-  DELETE FROM session WHERE station = me.id AND number = which;
-  INSERT INTO session (station, number, as_of, facts, sha256, participant, cohort, run_mode, protocol, language, state,
-                       started_utc, ended_utc)
-  VALUES (me.id, which, said_of, facts, digest, sent->'participant'->>'code', head->>'cohort', head->>'run_mode',
-          head->>'protocol', head->>'language', head->>'state', head->>'started_utc', head->>'ended_utc');
-  INSERT INTO answer (station, number, step, attempt, item, phase, instrument, alternative, counts, kind, point, value,
-                      words)
-  SELECT me.id, which, a.step, a.attempt, a.item, s.phase, s.instrument, s.label, v.status = 'finished', a.kind, a.point,
-         a.number, a.text
-  FROM json_to_recordset(sent->'answer')
-    AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
-  JOIN json_to_recordset(sent->'step') AS s (step integer, phase text, instrument text, label integer)
-    ON s.step = a.step
-  JOIN json_to_recordset(sent->'visit') AS v (step integer, attempt integer, status text)
-    ON v.step = a.step AND v.attempt = a.attempt;
-  IF head->>'state' = 'erased' THEN PERFORM forget(me, which, sent->'participant'->>'code', said_of); END IF;
-END $$;
-
--- As in step 2, and with receipts: "erased".
-CREATE OR REPLACE FUNCTION ingest(batch text, digest bytea, traces bytea[]) RETURNS json
-LANGUAGE plpgsql SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
-DECLARE
-  said json; me station; one record; reached bigint; why text; about text; pending bigint;
-BEGIN
-  BEGIN
-    IF sha256(convert_to(batch, 'UTF8')) <> digest THEN PERFORM refuse('damaged', 'the batch'); END IF;
-    said := batch;
-    SELECT * INTO me FROM station WHERE uuid = said->>'station' AND study = said->>'study' FOR UPDATE;
-    IF NOT FOUND THEN PERFORM refuse('unknown', coalesce(said->>'station', '')); END IF;
-    -- Whoever owns all of it takes in what a station without a network sent as a file.
-    IF me.role <> session_user AND NOT pg_has_role(session_user, 'palpate_owner', 'MEMBER') THEN
-      PERFORM refuse('foreign', format('station %s', me.label));
-    END IF;
-    IF me.revoked IS NOT NULL THEN PERFORM refuse('revoked', coalesce(me.revoked_reason, '')); END IF;
-    IF me.first_contact IS NULL AND me.expires < now() THEN PERFORM refuse('expired', me.expires::text); END IF;
-    IF (said->>'format')::integer > 1 THEN PERFORM refuse('newer', said->>'format'); END IF;
-    PERFORM take_traces(me, said, traces);
-    PERFORM take_keys(me, said);
-    reached := take_events(me, said);
-    FOR one IN SELECT * FROM json_to_recordset(said->'sessions')
-      AS s (session bigint, as_of bigint, sha256 text, facts text)
-    LOOP
-      PERFORM take_session(me, one.session, one.as_of, one.facts, decode(one.sha256, 'hex'));
-    END LOOP;
-    UPDATE station SET have = reached, last_contact = now(), first_contact = coalesce(first_contact, now())
-    WHERE id = me.id;
-    SELECT count(*) INTO pending FROM progress AS p
-    LEFT JOIN session AS s ON s.station = p.station AND s.number = p.number
-    WHERE p.station = me.id AND (s.as_of IS NULL OR s.as_of < p.last);
-    RETURN json_build_object(
-      'have', reached, 'pending', pending, 'head',
-      (SELECT encode(hash, 'hex') FROM event WHERE station = me.id AND seq = reached),
-      'erased', receipts(me, said));
-  EXCEPTION
-    WHEN SQLSTATE 'PC001' THEN
-      GET STACKED DIAGNOSTICS why = MESSAGE_TEXT, about = PG_EXCEPTION_DETAIL;
-    WHEN data_exception OR integrity_constraint_violation THEN
-      why := 'damaged';
-      about := SQLERRM;
-  END;
-  INSERT INTO incident (station, what, detail) VALUES (me.id, why, left(about, 1000));
-  RETURN json_build_object('have', coalesce(me.have, 0), 'refused', why, 'detail', about);
-END $$;
-
-CREATE OR REPLACE FUNCTION pull_stations(ticket bigint)
+CREATE FUNCTION pull_stations(ticket bigint)
 RETURNS TABLE (id integer, uuid text, site text, label text, key text, have bigint)
 LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
   SELECT s.id, s.uuid, s.site, s.label, s.key, s.have FROM station AS s
   WHERE s.study = opened(ticket) AND s.set_aside IS NULL ORDER BY s.label;
 $$;
 
-CREATE OR REPLACE VIEW answers AS
+CREATE FUNCTION pull_events(ticket bigint, of_station integer, after bigint, most integer)
+RETURNS TABLE (seq bigint, session bigint, step integer, attempt integer, utc text, monotonic_ns bigint, actor text,
+               kind text, detail text, sealed bytea, content_hash bytea, hash bytea)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT e.seq, e.session, e.step, e.attempt, e.utc, e.monotonic_ns, e.actor, e.kind, e.detail, e.sealed,
+         e.content_hash, e.hash
+  FROM event AS e JOIN station AS s ON s.id = e.station
+  WHERE s.study = opened(ticket) AND e.station = of_station AND e.seq > after ORDER BY e.seq LIMIT most;
+$$;
+
+CREATE FUNCTION pull_sessions(ticket bigint, of_station integer, after bigint, most integer)
+RETURNS TABLE (number bigint, as_of bigint, sha256 bytea, facts text)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT x.number, x.as_of, x.sha256, x.facts FROM session AS x JOIN station AS s ON s.id = x.station
+  WHERE s.study = opened(ticket) AND x.station = of_station AND x.number > after ORDER BY x.number LIMIT most;
+$$;
+
+CREATE FUNCTION pull_keys(ticket bigint, of_station integer) RETURNS TABLE (participant text, key bytea)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT k.participant, k.key FROM content_key AS k JOIN station AS s ON s.id = k.station
+  WHERE s.study = opened(ticket) AND k.station = of_station ORDER BY 1;
+$$;
+
+CREATE FUNCTION pull_traces(ticket bigint, of_station integer, of_session bigint)
+RETURNS TABLE (step integer, attempt integer, number integer, samples integer, layout integer, data bytea, hash bytea)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
+  SELECT c.step, c.attempt, c.number, c.samples, c.layout, c.data, c.hash
+  FROM chunk AS c JOIN station AS s ON s.id = c.station
+  WHERE s.study = opened(ticket) AND c.station = of_station AND c.session = of_session ORDER BY 1, 2, 3;
+$$;
+
+-- ---------------------------------------------------------------------------------------------------------------------
+-- What others may see. A view is read with the rights of its owner.
+
+-- Points alone: numbers and words may tell who somebody is.
+CREATE VIEW answers AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, a.phase, a.instrument,
-       a.alternative, a.item, a.point
+       a.alternative, a.item, a.point, s.codes[s.coded[a.step + 1]] AS code
 FROM answer AS a
 JOIN session AS s ON s.station = a.station AND s.number = a.number
 JOIN station AS st ON st.id = a.station
 WHERE a.counts AND a.point IS NOT NULL AND st.set_aside IS NULL;
 
-CREATE OR REPLACE VIEW sessions AS
+CREATE VIEW sessions AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, s.language,
        left(s.started_utc, 10) AS day
 FROM session AS s JOIN station AS st ON st.id = s.station
 WHERE st.set_aside IS NULL;
 
-CREATE OR REPLACE VIEW stations AS
+-- An operator sees the own site: a member of operator_oslo what is of "oslo".
+CREATE FUNCTION operates(site text) RETURNS boolean
+LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
+  SELECT EXISTS (SELECT 1 FROM pg_roles AS r
+                 WHERE r.rolname = 'operator_' || replace(site, '-', '_') AND pg_has_role(r.oid, 'MEMBER'));
+$$;
+
+CREATE VIEW stations AS
 SELECT s.study, d.name AS study_name, s.site, s.label AS station, s.have AS events, s.enrolled, s.first_contact,
        s.last_contact, s.revoked,
        (SELECT count(*) FROM session AS x WHERE x.station = s.id) AS sessions,
        (SELECT count(*) FROM incident AS i WHERE i.station = s.id) AS incidents,
        s.set_aside
-FROM station AS s JOIN study AS d ON d.uuid = s.study;
+FROM station AS s JOIN study AS d ON d.uuid = s.study
+WHERE pg_has_role('palpate_owner', 'MEMBER') OR pg_has_role('palpate_analyst', 'MEMBER')
+   OR pg_has_role('palpate_unblinder', 'MEMBER') OR operates(s.site);
 
-ALTER POLICY own_site ON session USING (
-  EXISTS (SELECT 1 FROM station AS st JOIN pg_roles AS r ON r.rolname = 'operator_' || replace(st.site, '-', '_')
-          WHERE st.id = session.station AND st.set_aside IS NULL AND pg_has_role(current_user, r.oid, 'MEMBER')));
-GRANT SELECT (set_aside) ON station TO palpate_operator;
+ALTER TABLE session ENABLE ROW LEVEL SECURITY;
+CREATE POLICY own_site ON session FOR SELECT TO palpate_operator USING (
+  EXISTS (SELECT 1 FROM station AS st
+          WHERE st.id = session.station AND st.set_aside IS NULL AND operates(st.site)));
 
-REVOKE ALL ON FUNCTION set_aside(text, text, text), left_of(station, bigint, text),
-  forget(station, bigint, text, bigint), receipts(station, json) FROM PUBLIC;
+-- ---------------------------------------------------------------------------------------------------------------------
+-- What people say about themselves is seen as an export tells it: numbers in bands, choices as they are, no words.
+
+CREATE FUNCTION band(value double precision, width double precision, whole boolean) RETURNS text
+LANGUAGE sql IMMUTABLE SET search_path = palpate, pg_temp AS $$
+  SELECT f.low::double precision || ' to ' ||
+         CASE WHEN whole THEN (f.low + width::numeric - 1)::double precision::text
+              ELSE '<' || (f.low + width::numeric)::double precision END
+  FROM (SELECT round((floor(value / width) * width)::numeric, 9) AS low) AS f;
+$$;
+
+CREATE VIEW backgrounds AS
+SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, a.phase, a.item,
+       CASE WHEN b.width IS NULL THEN coalesce(a.words, a.value::text, a.point::text)
+            ELSE band(coalesce(a.value, a.point), b.width, b.whole) END AS told
+FROM answer AS a
+JOIN session AS s ON s.station = a.station AND s.number = a.number
+JOIN station AS st ON st.id = a.station
+JOIN background_item AS b ON b.study = st.study AND b.phase = a.phase AND b.item = a.item
+WHERE a.counts AND st.set_aside IS NULL;
+
+REVOKE ALL ON ALL TABLES IN SCHEMA palpate FROM PUBLIC;
+REVOKE ALL ON ALL FUNCTIONS IN SCHEMA palpate FROM PUBLIC;
+GRANT SELECT ON answers, backgrounds, sessions, stations TO palpate_analyst;
+GRANT EXECUTE ON FUNCTION band(double precision, double precision, boolean) TO palpate_analyst;
+GRANT SELECT (id, study, site, label, set_aside) ON station TO palpate_operator;
+GRANT SELECT (station, number, participant, cohort, run_mode, language, state, started_utc, ended_utc, received)
+ON session TO palpate_operator;
+GRANT SELECT ON stations TO palpate_unblinder, palpate_operator;
+GRANT EXECUTE ON FUNCTION operates(text) TO palpate_analyst, palpate_unblinder, palpate_operator;
+GRANT EXECUTE ON FUNCTION unblind(text, text), pull_study(bigint), pull_protocols(bigint), pull_stations(bigint),
+  pull_events(bigint, integer, bigint, integer), pull_sessions(bigint, integer, bigint, integer),
+  pull_keys(bigint, integer), pull_traces(bigint, integer, bigint) TO palpate_unblinder;

@@ -5,10 +5,7 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/enrolment.h"
-#include "study/collect/exchange/outbox.h"
-#include "study/collect/exchange/protocol_files.h"
 #include "study/collect/server/registry.h"
-#include "study/collect/server/schema.h"
 #include "study/export/coarsening.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/protocol_repository.h"
@@ -121,58 +118,6 @@ TEST_F(Analysts, CodesStayWhenTheProtocolGetsAnotherCondition) {
       owner.query("SELECT code FROM palpate.condition_code WHERE condition = 'none'");
   ASSERT_EQ(added.count(), 3);
   EXPECT_EQ(added.text(0, 0), "C4");
-}
-
-TEST_F(Analysts, SessionsThatCameBeforeTheCodesGetThem) {
-  // A server with the schema before the step of the codes, and sessions.
-  const auto name = database() + "_old";
-  admin().execute("CREATE DATABASE " + name);
-  Connection owner(postgres().server(name));
-  owner.execute(
-      "CREATE SCHEMA palpate AUTHORIZATION palpate_owner; SET ROLE palpate_owner;"
-      "SET search_path = palpate, pg_temp;"
-      "CREATE TABLE schema_step (step integer PRIMARY KEY, installed timestamptz DEFAULT now())");
-  const auto steps = study::collect::libraryFiles();
-  constexpr int kBefore = 3;
-  for (std::size_t i = 0; i < kBefore; ++i) {
-    owner.execute(std::string(steps[i].content));
-    owner.query("INSERT INTO schema_step (step) VALUES ($1)", {static_cast<std::int64_t>(i) + 1});
-  }
-  owner.execute("RESET ROLE");
-  // What the other database has of the study and its station, and then a push.
-  addStation("oslo");
-  simulate("oslo", 2);
-  auto newer = admin();
-  const auto copy = [&](const std::string& table, const std::string& columns, const char* cast) {
-    const auto rows = newer.query(
-        "SELECT json_agg(t) FROM (SELECT " + columns + " FROM palpate." + table + ") AS t");
-    owner.query(
-        "INSERT INTO " + table + " (" + columns + ") SELECT " + columns +
-            " FROM json_to_recordset($1::json) AS t (" + cast + ")",
-        {rows.text(0, 0)});
-  };
-  copy(
-      "study",
-      "uuid, name, title, seed, secret",
-      "uuid text, name text, title text, seed text, secret bytea");
-  copy("protocol", "study, sha256, text, files", "study text, sha256 text, text text, files json");
-  copy(
-      "station",
-      "study, uuid, site, label, role, key, expires",
-      "study text, uuid text, site text, label text, role text, key text, expires timestamptz");
-  {
-    const auto account = accountOf("oslo");
-    study::collect::Outbox outbox(folderOf("oslo"), clock_);
-    outbox.forEachBatch(0, [&](const auto& batch) {
-      EXPECT_EQ(study::collect::ingest(owner, batch).refused, "");
-      return true;
-    });
-  }
-
-  EXPECT_EQ(study::collect::installSchema(owner), kBefore);
-  const auto counts = countsIn(owner);
-  ASSERT_FALSE(counts.empty());
-  EXPECT_EQ(named(owner, counts), countsAt("oslo"));
 }
 
 TEST_F(Analysts, SeeBackgroundsInTheBandsOfAnExport) {

@@ -295,6 +295,11 @@ TEST_F(Permissions, AnOperatorSeesTheOwnSiteAlone) {
   ASSERT_EQ(rows.count(), 1);
   EXPECT_EQ(rows.text(0, 0), "oslo_P001");
   EXPECT_EQ(kindOf(server, "SELECT facts FROM palpate.session"), kDenied);
+  // 'palpate collect status' reads this.
+  const auto stations = study::collect::stationsOf(server, "");
+  ASSERT_EQ(stations.size(), 1U);
+  EXPECT_EQ(stations.front().station, "oslo");
+  EXPECT_EQ(stations.front().sessions, 1);
 }
 
 TEST_F(Permissions, WhoeverPullsGivesAReasonThatIsKept) {
