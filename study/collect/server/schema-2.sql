@@ -98,8 +98,10 @@ BEGIN
   DELETE FROM chunk WHERE session = which AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
   DELETE FROM content_key WHERE participant = code
     AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
-  DELETE FROM session WHERE (number = which OR participant = code)
-    AND station IN (SELECT id FROM station WHERE was = me.uuid);
+  WITH gone AS (
+    DELETE FROM session WHERE (number = which OR participant = code)
+      AND station IN (SELECT id FROM station WHERE was = me.uuid) RETURNING station, number)
+  DELETE FROM answer AS a USING gone WHERE a.station = gone.station AND a.number = gone.number;
   INSERT INTO tombstone (station, number, participant, as_of)
   VALUES (me.id, which, code, said_of) ON CONFLICT DO NOTHING;
 END $$;
@@ -137,77 +139,92 @@ BEGIN
 END $$;
 CREATE TRIGGER conditions_have_codes AFTER INSERT ON protocol FOR EACH ROW EXECUTE FUNCTION protocol_has_codes();
 
-CREATE FUNCTION codes_of(of_station integer, mode text, facts json, OUT codes text[], OUT coded smallint[])
+CREATE FUNCTION codes_of(of_study text, mode text, allocation jsonb, OUT codes text[], OUT coded smallint[])
 LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
   WITH allotted AS (
     SELECT a.step, k.code, dense_rank() OVER (ORDER BY k.code) AS place
-    FROM json_to_recordset(facts->'allocation') AS a (step integer, condition text)
-    JOIN station AS s ON s.id = of_station
-    JOIN condition_code AS k ON k.study = s.study AND k.run_mode = mode AND k.condition = a.condition)
+    FROM jsonb_to_recordset(allocation) AS a (step integer, condition text)
+    JOIN condition_code AS k ON k.study = of_study AND k.run_mode = mode AND k.condition = a.condition)
   SELECT (SELECT coalesce(array_agg(DISTINCT a.code ORDER BY a.code), '{}') FROM allotted AS a),
          (SELECT coalesce(array_agg(coalesce(a.place, 0)::smallint ORDER BY n.step), '{}')
           FROM generate_series(0, (SELECT max(step) FROM allotted)) AS n (step)
           LEFT JOIN allotted AS a ON a.step = n.step);
 $$;
 
-CREATE FUNCTION session_has_codes() RETURNS trigger
-LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
-BEGIN
-  SELECT c.codes, c.coded INTO NEW.codes, NEW.coded FROM codes_of(NEW.station, NEW.run_mode, NEW.facts::json) AS c;
-  RETURN NEW;
-END $$;
-CREATE TRIGGER steps_have_codes BEFORE INSERT ON session FOR EACH ROW EXECUTE FUNCTION session_has_codes();
+-- A session as it was sent, and as it was read.
+CREATE TYPE sent_session AS (number bigint, as_of bigint, facts text, sha256 bytea, rows jsonb);
 
--- One session, as it stood after its event as_of.
-CREATE FUNCTION take_session(me station, which bigint, said_of bigint, facts text, digest bytea) RETURNS void
+-- The sessions of a batch, each as it stood after its event as_of. The rows of all of them are taken by one statement a
+-- table: statements cost more than rows.
+CREATE FUNCTION take_sessions(me station, said jsonb) RETURNS void
 LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
 DECLARE
-  here session; reached bigint; sent jsonb := facts; head jsonb := sent->'session'; missing text;
+  which bigint; about text; newer sent_session[]; gone sent_session;
 BEGIN
-  IF sha256(convert_to(facts, 'UTF8')) <> digest THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
-  IF EXISTS (SELECT 1 FROM fact AS f WHERE f.station = me.id AND f.number = which AND f.as_of = said_of
-             AND f.sha256 <> digest) THEN
-    PERFORM refuse('fork', format('session %s is here with other rows', which));
-  END IF;
-  SELECT last INTO reached FROM progress WHERE station = me.id AND number = which;
-  IF reached IS NULL OR said_of > reached THEN
-    PERFORM refuse('gap', format('session %s came before its events', which));
-  END IF;
-  SELECT * INTO here FROM session WHERE station = me.id AND number = which;
-  IF here.as_of >= said_of THEN RETURN; END IF;
+  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, sha256 text, facts text)
+    WHERE sha256(convert_to(s.facts, 'UTF8')) IS DISTINCT FROM decode(s.sha256, 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
+  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint, sha256 text)
+    JOIN fact AS f ON f.station = me.id AND f.number = s.session AND f.as_of = s.as_of
+    WHERE f.sha256 <> decode(s.sha256, 'hex') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('fork', format('session %s is here with other rows', which)); END IF;
+  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint)
+    LEFT JOIN progress AS p ON p.station = me.id AND p.number = s.session
+    WHERE p.last IS NULL OR s.as_of IS NULL OR s.as_of > p.last LIMIT 1;
+  IF FOUND THEN PERFORM refuse('gap', format('session %s came before its events', which)); END IF;
 
-  IF NOT EXISTS (SELECT 1 FROM protocol WHERE study = me.study AND sha256 = head->>'protocol') THEN
-    PERFORM refuse('protocol', head->>'protocol');
-  END IF;
-  IF NOT starts_with(sent->'participant'->>'code', me.label || '_') THEN
-    PERFORM refuse('code', sent->'participant'->>'code');
-  END IF;
-  IF head->>'site' IS DISTINCT FROM me.site OR head->>'station' IS DISTINCT FROM me.label THEN
-    PERFORM refuse('place', format('session %s: %s, %s', which, head->>'site', head->>'station'));
-  END IF;
-  SELECT format('session %s, step %s', which, t.step) INTO missing
-    FROM jsonb_to_recordset(sent->'trial') AS t (step integer, attempt integer, trace_samples bigint)
+  SELECT array_agg(ROW(s.session, s.as_of, s.facts, decode(s.sha256, 'hex'), s.facts::jsonb)::sent_session)
+    INTO newer
+    FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint, sha256 text, facts text)
+    LEFT JOIN session AS here ON here.station = me.id AND here.number = s.session
+    WHERE here.as_of IS NULL OR here.as_of < s.as_of;
+  IF newer IS NULL THEN RETURN; END IF;
+
+  SELECT coalesce(n.rows->'session'->>'protocol', '') INTO about FROM unnest(newer) AS n
+    WHERE NOT EXISTS (SELECT 1 FROM protocol AS p
+                      WHERE p.study = me.study AND p.sha256 = n.rows->'session'->>'protocol') LIMIT 1;
+  IF FOUND THEN PERFORM refuse('protocol', about); END IF;
+  SELECT coalesce(n.rows->'participant'->>'code', '') INTO about FROM unnest(newer) AS n
+    WHERE starts_with(n.rows->'participant'->>'code', me.label || '_') IS NOT TRUE LIMIT 1;
+  IF FOUND THEN PERFORM refuse('code', about); END IF;
+  SELECT format('session %s: %s, %s', n.number, n.rows->'session'->>'site', n.rows->'session'->>'station') INTO about
+    FROM unnest(newer) AS n
+    WHERE n.rows->'session'->>'site' IS DISTINCT FROM me.site
+       OR n.rows->'session'->>'station' IS DISTINCT FROM me.label LIMIT 1;
+  IF FOUND THEN PERFORM refuse('place', about); END IF;
+  SELECT format('session %s, step %s', n.number, t.step) INTO about
+    FROM unnest(newer) AS n,
+         jsonb_to_recordset(n.rows->'trial') AS t (step integer, attempt integer, trace_samples bigint)
     WHERE t.trace_samples <> coalesce((SELECT sum(c.samples) FROM chunk AS c WHERE c.station = me.id
-      AND c.session = which AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
-  IF FOUND THEN PERFORM refuse('traces', missing); END IF;
+      AND c.session = n.number AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
+  IF FOUND THEN PERFORM refuse('traces', about); END IF;
 
-  INSERT INTO fact (station, number, as_of, sha256) VALUES (me.id, which, said_of, digest);
-  DELETE FROM session WHERE station = me.id AND number = which;
+  INSERT INTO fact (station, number, as_of, sha256)
+  SELECT me.id, n.number, n.as_of, n.sha256 FROM unnest(newer) AS n;
+  DELETE FROM answer AS a USING unnest(newer) AS n WHERE a.station = me.id AND a.number = n.number;
+  DELETE FROM session AS s USING unnest(newer) AS n WHERE s.station = me.id AND s.number = n.number;
   INSERT INTO session (station, number, as_of, facts, sha256, participant, cohort, run_mode, protocol, language, state,
-                       started_utc, ended_utc)
-  VALUES (me.id, which, said_of, facts, digest, sent->'participant'->>'code', head->>'cohort', head->>'run_mode',
-          head->>'protocol', head->>'language', head->>'state', head->>'started_utc', head->>'ended_utc');
+                       started_utc, ended_utc, codes, coded)
+  SELECT me.id, n.number, n.as_of, n.facts, n.sha256, n.rows->'participant'->>'code', n.head->>'cohort',
+         n.head->>'run_mode', n.head->>'protocol', n.head->>'language', n.head->>'state', n.head->>'started_utc',
+         n.head->>'ended_utc', c.codes, c.coded
+  FROM (SELECT *, u.rows->'session' AS head FROM unnest(newer) AS u) AS n,
+       codes_of(me.study, n.head->>'run_mode', n.rows->'allocation') AS c;
   INSERT INTO answer (station, number, step, attempt, item, phase, instrument, alternative, counts, kind, point, value,
                       words)
-  SELECT me.id, which, a.step, a.attempt, a.item, s.phase, s.instrument, s.label, v.status = 'finished', a.kind, a.point,
-         a.number, a.text
-  FROM jsonb_to_recordset(sent->'answer')
-    AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
-  JOIN jsonb_to_recordset(sent->'step') AS s (step integer, phase text, instrument text, label integer)
-    ON s.step = a.step
-  JOIN jsonb_to_recordset(sent->'visit') AS v (step integer, attempt integer, status text)
-    ON v.step = a.step AND v.attempt = a.attempt;
-  IF head->>'state' = 'erased' THEN PERFORM forget(me, which, sent->'participant'->>'code', said_of); END IF;
+  SELECT me.id, n.number, a.step, a.attempt, a.item, a.phase, a.instrument, a.label, a.status = 'finished', a.kind,
+         a.point, a.number, a.text
+  FROM unnest(newer) AS n
+  CROSS JOIN LATERAL (
+    SELECT a.*, s.phase, s.instrument, s.label, v.status FROM jsonb_to_recordset(n.rows->'answer')
+      AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
+    JOIN jsonb_to_recordset(n.rows->'step') AS s (step integer, phase text, instrument text, label integer)
+      ON s.step = a.step
+    JOIN jsonb_to_recordset(n.rows->'visit') AS v (step integer, attempt integer, status text)
+      ON v.step = a.step AND v.attempt = a.attempt) AS a;
+  FOR gone IN SELECT n.* FROM unnest(newer) AS n WHERE n.rows->'session'->>'state' = 'erased' LOOP
+    PERFORM forget(me, gone.number, gone.rows->'participant'->>'code', gone.as_of);
+  END LOOP;
 END $$;
 
 -- The only way in. Takes a batch of one station in one transaction, and answers {"have": n}: all events up to n are
@@ -217,7 +234,7 @@ END $$;
 CREATE FUNCTION ingest(batch text, digest bytea, traces bytea[]) RETURNS json
 LANGUAGE plpgsql SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
 DECLARE
-  said jsonb; me station; one record; reached bigint; why text; about text; pending bigint;
+  said jsonb; me station; reached bigint; why text; about text; pending bigint;
 BEGIN
   BEGIN
     IF sha256(convert_to(batch, 'UTF8')) <> digest THEN PERFORM refuse('damaged', 'the batch'); END IF;
@@ -234,11 +251,7 @@ BEGIN
     PERFORM take_traces(me, said, traces);
     PERFORM take_keys(me, said);
     reached := take_events(me, said);
-    FOR one IN SELECT * FROM jsonb_to_recordset(said->'sessions')
-      AS s (session bigint, as_of bigint, sha256 text, facts text)
-    LOOP
-      PERFORM take_session(me, one.session, one.as_of, one.facts, decode(one.sha256, 'hex'));
-    END LOOP;
+    PERFORM take_sessions(me, said);
     UPDATE station SET have = reached, last_contact = now(), first_contact = coalesce(first_contact, now())
     WHERE id = me.id;
     SELECT count(*) INTO pending FROM progress AS p
