@@ -1,4 +1,6 @@
 // docs/protocol-format.md promises that its examples work and that every key is explained.
+#include "tests/support/format_page.h"
+
 #include <optional>
 #include <set>
 #include <string>
@@ -24,27 +26,8 @@ std::string page() {
   return tests::contentOf((tests::repository() / "docs/protocol-format.md").string());
 }
 
-/// The examples after "```json" and @p kind.
 std::vector<std::string> examples(const std::string& kind) {
-  const std::string text = page();
-  const std::string begin = "```json" + kind + "\n";
-  std::vector<std::string> found;
-  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
-    const auto start = at + begin.size();
-    found.push_back(text.substr(start, text.find("```", start) - start));
-  }
-  return found;
-}
-
-/// Every name under a "properties" of the schema.
-void collectKeys(const nlohmann::json& schema, std::set<std::string>& keys) {
-  if (!schema.is_structured()) return;
-  for (const auto& [name, part] : schema.items()) {
-    if (name == "properties" && part.is_object()) {
-      for (const auto& [key, value] : part.items()) keys.insert(key);
-    }
-    collectKeys(part, keys);
-  }
+  return tests::jsonExamples(page(), kind);
 }
 
 TEST(ProtocolFormatPage, HasAWholeProtocolThatIsSound) {
@@ -148,15 +131,8 @@ TEST(ProtocolFormatPage, HasCutsThatCanBeRead) {
 }
 
 TEST(ProtocolFormatPage, ExplainsEveryKey) {
-  const auto schema = nlohmann::json::parse(tests::contentOf(
-      (tests::repository() / "protocols/library/protocol-1.schema.json").string()));
-  std::set<std::string> keys;
-  collectKeys(schema, keys);
-  EXPECT_GE(keys.size(), 60U);
-  const std::string text = page();
-  for (const auto& key : keys) {
-    EXPECT_NE(text.find("`" + key + "`"), std::string::npos) << key;
-  }
+  const auto schema = tests::repository() / "protocols/library/protocol-1.schema.json";
+  tests::expectEveryKey(page(), schema.string(), 60);
 }
 
 TEST(ProtocolFormatPage, ExplainsEveryKeyOfACut) {

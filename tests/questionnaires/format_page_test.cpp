@@ -1,6 +1,7 @@
 // docs/questionnaire-format.md promises that its examples can be used.
+#include "tests/support/format_page.h"
+
 #include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,18 +19,8 @@ namespace format_page_test {
 const std::string kPage =
     tests::contentOf((tests::repository() / "docs/questionnaire-format.md").string());
 
-/// What stands between "```json" and "```".
 std::vector<std::string> examples() {
-  const std::string opening = "```json\n";
-  std::vector<std::string> blocks;
-  std::size_t start = kPage.find(opening);
-  while (start != std::string::npos) {
-    start += opening.size();
-    const std::size_t end = kPage.find("```", start);
-    blocks.push_back(kPage.substr(start, end - start));
-    start = kPage.find(opening, end);
-  }
-  return blocks;
+  return tests::jsonExamples(kPage, "");
 }
 
 /// An example is a whole instrument, or one item of an instrument that has a scale.
@@ -39,16 +30,6 @@ std::string wholeInstrument(const std::string& example) {
              "title": "Example", "source": {"citation": "c", "licence": "l"}, "languages": ["en"],
              "scale": {"points": 5, "low_label": "no", "high_label": "yes"}, "items": [)" +
          example + "]}";
-}
-
-/// Every key that objects have anywhere in the schema's "properties".
-void collectKeys(const Node& node, std::set<std::string>& keys) {
-  for (const auto& [key, value] : node.members()) {
-    if (key == "properties") {
-      for (const auto& member : value.members()) keys.insert(member.first);
-    }
-    collectKeys(value, keys);
-  }
 }
 
 TEST(QuestionnaireFormatPage, HasExamplesThatCanBeUsed) {
@@ -62,17 +43,8 @@ TEST(QuestionnaireFormatPage, HasExamplesThatCanBeUsed) {
 }
 
 TEST(QuestionnaireFormatPage, ExplainsEveryKey) {
-  Problems problems;
-  const std::string file =
-      (tests::repository() / "questionnaires/library/instrument-1.schema.json").string();
-  const auto schema = parseJson(readTextFile(file), problems);
-  ASSERT_TRUE(schema.has_value());
-  std::set<std::string> keys;
-  collectKeys(Node(*schema, "$", problems), keys);
-  EXPECT_GE(keys.size(), 35U);
-  for (const auto& key : keys) {
-    EXPECT_NE(kPage.find("`" + key + "`"), std::string::npos) << key;
-  }
+  const auto schema = tests::repository() / "questionnaires/library/instrument-1.schema.json";
+  tests::expectEveryKey(kPage, schema.string(), 35);
 }
 
 TEST(QuestionnaireFormatPage, ExplainsEveryKeyOfAWordingFile) {
