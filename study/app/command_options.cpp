@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "protocols/load_protocol.h"
 #include "study/model/user_error.h"
 #include "study/words/counted.h"
 
@@ -19,6 +20,15 @@ void addStudyFolder(CLI::App& command, std::string& folder) {
 
 void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
   command.add_option(name, file, "A protocol file, or one of the library by name")->required();
+}
+
+protocols::LoadedProtocol usableProtocol(const std::string& file) {
+  questionnaires::Problems problems;
+  auto loaded = protocols::loadProtocolFile(file, problems);
+  if (!loaded) {
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
+  }
+  return std::move(*loaded);
 }
 
 void addRunModeOption(CLI::App& command, std::string& name) {

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "protocols/model/loaded_protocol.h"
 #include "study/app/commands.h"
 #include "study/model/run_mode.h"
 #include "study/session/study.h"
@@ -43,6 +44,9 @@ void addStudyFolder(CLI::App& command, std::string& folder);
 
 /// Adds the argument FILE, or @p name: a protocol.
 void addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
+
+/// The protocol in a file, or of the library. @throws UserError  with all problems of the file.
+protocols::LoadedProtocol usableProtocol(const std::string& file);
 
 /// Adds --run-mode to @p command.
 void addRunModeOption(CLI::App& command, std::string& name);

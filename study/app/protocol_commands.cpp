@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -101,22 +102,22 @@ std::string describeOrder(
 void printOrders(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
   for (const auto& cohort : protocol.cohorts) {
-    std::vector<std::pair<std::string, std::vector<std::size_t>>> found;
+    std::map<std::string, std::vector<std::pair<std::string, std::vector<std::size_t>>>> byPhase;
     for (std::size_t slot = 0; slot < options.participants; ++slot) {
       for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
-        const std::string order = block.phase + ": " + describeOrder(protocol, block);
+        auto& found = byPhase[block.phase];
+        const std::string order = describeOrder(protocol, block);
         auto same = std::find_if(
             found.begin(), found.end(), [&](const auto& one) { return one.first == order; });
         if (same == found.end()) same = found.insert(found.end(), {order, {}});
         same->second.push_back(slot + 1);
       }
     }
-    std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
-      return a.first.substr(0, a.first.find(':')) < b.first.substr(0, b.first.find(':'));
-    });
     fmt::print("{}\n", cohort.id);
-    for (const auto& [order, people] : found) {
-      fmt::print("  {:>4} ×  {}   [{}]\n", people.size(), order, listed(people));
+    for (const auto& [phase, found] : byPhase) {
+      for (const auto& [order, people] : found) {
+        fmt::print("  {:>4} ×  {}: {}   [{}]\n", people.size(), phase, order, listed(people));
+      }
     }
   }
   const bool isRandom = protocol.labels.policy == protocols::LabelPolicy::Random;

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "protocols/load_protocol.h"
 #include "study/app/command_options.h"
 #include "study/app/json_file.h"
 #include "study/app/keys/ask_passphrase.h"
@@ -39,15 +38,6 @@ struct StudyArguments {
   bool verbose = false;
   bool json = false;
 };
-
-protocols::LoadedProtocol loadOrExplain(const std::string& file) {
-  questionnaires::Problems problems;
-  auto loaded = protocols::loadProtocolFile(file, problems);
-  if (!loaded) {
-    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
-  }
-  return std::move(*loaded);
-}
 
 /// Where the key of the conditions is; no line where nothing is sealed.
 std::string sealOf(Study& study) {
@@ -83,7 +73,7 @@ std::string placeOf(const Study& study) {
 
 int create(const StudyArguments& options) {
   SystemClock clock;
-  const auto protocol = loadOrExplain(options.protocol);
+  const auto protocol = usableProtocol(options.protocol);
   std::string passphrase;
   if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kNewPassphraseOfNames);
   auto study = Study::create(options.folder, protocol, clock, options.seed);
@@ -107,7 +97,7 @@ int create(const StudyArguments& options) {
 
 int amend(const StudyArguments& options) {
   SystemClock clock;
-  const auto protocol = loadOrExplain(options.protocol);
+  const auto protocol = usableProtocol(options.protocol);
   auto study = Study::open(options.folder, clock);
   if (storage::sha256(protocol.text, protocol.files) == study.protocols().current().sha256) {
     fmt::print(

@@ -101,17 +101,12 @@ int listBlanks(const protocols::LoadedProtocol& loaded, bool json) {
 }
 
 int protocolTexts(const TextsArguments& options) {
-  questionnaires::Problems problems;
-  const auto loaded = protocols::loadProtocolFile(options.source, problems);
-  if (!loaded) {
-    throw UserError(
-        options.source + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
-  }
-  if (options.set.empty()) return listBlanks(*loaded, options.json);
+  const auto loaded = usableProtocol(options.source);
+  if (options.set.empty()) return listBlanks(loaded, options.json);
   if (options.out.empty()) {
     throw UserError("Name a new file for the filled-in protocol: add --out FILE.json.");
   }
-  const auto filled = filledIn(*loaded, options.set);
+  const auto filled = filledIn(loaded, options.set);
   writeNewFile(options.out, filled.text);
   listBlanks(filled, options.json);
   if (!options.json) fmt::print("Protocol saved: {}\n", options.out);

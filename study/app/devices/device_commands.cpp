@@ -9,7 +9,6 @@
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/serial_port.h"
 #include "haptics/registry/device_kinds.h"
-#include "protocols/load_protocol.h"
 #include "study/app/command_options.h"
 #include "study/app/devices/device_emulate.h"
 #include "study/app/devices/device_json_file.h"
@@ -72,13 +71,7 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
   HardwareDeviceSet deviceSet(loadDevices(arguments.file), anyHand);
   std::vector<protocols::DeviceNeed> needs;
   if (!arguments.protocol.empty()) {
-    questionnaires::Problems problems;
-    const auto loaded = protocols::loadProtocolFile(arguments.protocol, problems);
-    if (!loaded) {
-      throw UserError(
-          arguments.protocol + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
-    }
-    needs = loaded->protocol.devices;
+    needs = usableProtocol(arguments.protocol).protocol.devices;
   }
   return checkAll(deviceSet, needs, arguments.seconds);
 }

@@ -9,7 +9,7 @@
 
 #include "haptics/devices/device.h"
 #include "haptics/timing/standstill_watch.h"
-#include "protocols/load_protocol.h"
+#include "study/app/command_options.h"
 #include "study/app/devices/device_report.h"
 #include "study/app/devices/emulator_process.h"
 #include "study/app/simulated_endings.h"
@@ -190,20 +190,15 @@ RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) 
 }
 
 int rehearse(const RehearseArguments& arguments) {
-  questionnaires::Problems problems;
-  const auto protocol = protocols::loadProtocolFile(arguments.protocol, problems);
-  if (!protocol) {
-    throw UserError(
-        arguments.protocol + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
-  }
+  const auto protocol = usableProtocol(arguments.protocol);
   RehearsalFolder folder(arguments.out);
-  const auto emulated = emulatedDevicesFor(protocol->protocol, arguments);
+  const auto emulated = emulatedDevicesFor(protocol.protocol, arguments);
   const auto deviceFile = fs::path(arguments.out) / kDeviceFileName;
   std::vector<DeviceEntry> entries;
   for (const auto& device : emulated) entries.push_back(device.entry);
   std::ofstream(deviceFile) << devicesAsJson(entries);
   haptics::timing::StandstillWatch watch;
-  if (!passCheck(deviceFile.string(), protocol->protocol, arguments, watch)) {
+  if (!passCheck(deviceFile.string(), protocol.protocol, arguments, watch)) {
     return failed(
         watch,
         "the emulated devices did not pass their check. Nothing was recorded, and " +
@@ -211,7 +206,7 @@ int rehearse(const RehearseArguments& arguments) {
   }
   watch.restart();
   SimulatedClock clock;
-  auto study = Study::create(fs::path(arguments.out) / "study", *protocol, clock, arguments.seed);
+  auto study = Study::create(fs::path(arguments.out) / "study", protocol, clock, arguments.seed);
   folder.keep();
   try {
     const auto endings = runParticipants(study, clock, arguments, deviceFile.string(), watch);
