@@ -30,8 +30,12 @@ std::size_t largestOf(const std::string& name) {
 }
 
 std::optional<LoadedProtocol> load(
-    std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
-  auto draft = readDraft(json, find, problems, defaults);
+    std::string_view json,
+    const FileFinder& find,
+    Problems& problems,
+    Defaults defaults,
+    const FileFinder& copies = {}) {
+  auto draft = readDraft(json, find, problems, defaults, copies);
   if (!draft) return std::nullopt;
   validate(*draft, problems);
   if (defaults == Defaults::Current) validateBenchmarks(*draft, problems);
@@ -47,6 +51,23 @@ std::optional<LoadedProtocol> loadProtocol(
     std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
   Problems found;
   auto loaded = load(json, find, found, defaults);
+  tell(found, problems);
+  return loaded;
+}
+
+std::optional<LoadedProtocol> loadProtocol(
+    std::string_view json,
+    const std::vector<SourceFile>& files,
+    Problems& problems,
+    Defaults defaults) {
+  const FileFinder find = [&](const std::string& name) -> std::optional<std::string> {
+    for (const auto& file : files) {
+      if (file.name == name) return file.text;
+    }
+    return std::nullopt;
+  };
+  Problems found;
+  auto loaded = load(json, find, found, defaults, find);
   tell(found, problems);
   return loaded;
 }
@@ -88,13 +109,7 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
 
 std::optional<LoadedProtocol> withTexts(
     const LoadedProtocol& loaded, const questionnaires::BlankTexts& texts, Problems& problems) {
-  const auto find = [&](const std::string& name) -> std::optional<std::string> {
-    for (const auto& file : loaded.files) {
-      if (file.name == name) return file.text;
-    }
-    return std::nullopt;
-  };
-  return loadProtocol(withTexts(loaded.text, texts), find, problems);
+  return loadProtocol(withTexts(loaded.text, texts), loaded.files, problems);
 }
 
 }  // namespace protocols

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
@@ -24,6 +25,14 @@ std::span<const LibraryFile> libraryFiles();
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json,
     const FileFinder& find,
+    questionnaires::Problems& problems,
+    Defaults defaults = Defaults::Current);
+
+/// The same of what a study keeps: all files, and copies of the library's instruments, which are
+/// read in place of the program's.
+std::optional<LoadedProtocol> loadProtocol(
+    std::string_view json,
+    const std::vector<SourceFile>& files,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 

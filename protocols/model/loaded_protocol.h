@@ -45,17 +45,20 @@ std::string describe(const FeltSource& source);
 
 /// A file of a protocol as it was read; a study stores it.
 struct SourceFile {
-  std::string name;  ///< as the protocol names it
+  std::string name;  ///< as the protocol names it, or kCopiesOfLibrary with the file's name there
   std::string text;
 };
+
+/// How names of copies of the library's instruments begin, "palpate-library/debrief.json": a study
+/// keeps them, so that its words do not change with the program (docs/decisions/0073).
+inline constexpr std::string_view kCopiesOfLibrary = "palpate-library/";
 
 /// A protocol with all files that it refers to, ready for sessions.
 struct LoadedProtocol {
   Protocol protocol;
   std::vector<questionnaires::Instrument> instruments;  ///< those that it uses
   std::string text;                                     ///< the protocol's own file
-  std::vector<SourceFile>
-      files;  ///< instruments, cuts and so on that are not built into the program
+  std::vector<SourceFile> files;    ///< instruments (those of the library, too), cuts and so on
   std::vector<FeltSource> sources;  ///< of its conditions, each once
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;

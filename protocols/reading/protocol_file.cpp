@@ -331,7 +331,11 @@ bool Draft::hasAllPhases() const noexcept {
 }
 
 std::optional<Draft> readDraft(
-    std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
+    std::string_view json,
+    const FileFinder& find,
+    Problems& problems,
+    Defaults defaults,
+    const FileFinder& copies) {
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
@@ -352,7 +356,7 @@ std::optional<Draft> readDraft(
            "simulation"})) {
     return std::nullopt;
   }
-  ReferencedFiles files(find, problems, defaults);
+  ReferencedFiles files(find, copies, problems, defaults);
   Draft draft;
   draft.loaded.text = json;
   draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);

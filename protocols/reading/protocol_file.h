@@ -31,11 +31,13 @@ struct Draft {
 /// Reads a protocol and everything that it refers to from its JSON (docs/protocol-format.md). A
 /// part that cannot be read is empty and gets a problem. std::nullopt only if @p json is not a JSON
 /// object. Consistency is checked by validate().
+/// @param copies  finds copies of the library's instruments; empty: the program's own are read.
 std::optional<Draft> readDraft(
     std::string_view json,
     const FileFinder& find,
     questionnaires::Problems& problems,
-    Defaults defaults = Defaults::Current);
+    Defaults defaults = Defaults::Current,
+    const FileFinder& copies = {});
 
 /// The protocol in @p json with @p texts as its "texts"; without that key if there are none.
 /// Nothing else of the file changes, neither its lines nor its spaces.

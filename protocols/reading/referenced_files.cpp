@@ -24,6 +24,14 @@ bool leavesItsFolder(const std::string& name) {
   return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
 }
 
+std::optional<std::string> textInLibrary(const std::string& id) {
+  if (id.ends_with(".schema")) return std::nullopt;  // a file that is not an instrument
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name == id + ".json") return std::string(file.content);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 /// Reads a file when it is first needed, so that its problems are reported once for all conditions
@@ -122,16 +130,20 @@ std::optional<Instrument> ReferencedFiles::libraryInstrument(
     const std::string& path,
     const std::vector<std::string>& languages,
     questionnaires::BlankFiller& blanks) {
-  // a file of the library that is not an instrument
-  if (id.ends_with(".schema")) return std::nullopt;
-  for (const auto& file : questionnaires::libraryFiles()) {
-    if (file.name != id + ".json") continue;
-    auto instrument = questionnaires::readSoundInstrument(file.content, id);
-    completeWording(instrument, path, languages);
-    blanks.fill(instrument);
-    return instrument;
+  const std::string name = std::string(kCopiesOfLibrary) + id + ".json";
+  auto text = copies_ ? copies_(name) : std::nullopt;
+  if (!text) text = textInLibrary(id);
+  if (!text) return std::nullopt;
+  Problems inFile;
+  auto instrument = questionnaires::readInstrument(*text, inFile);
+  files_.push_back({name, std::move(*text)});
+  if (!instrument) {
+    addProblemsOf(inFile, name);
+    return std::nullopt;
   }
-  return std::nullopt;
+  completeWording(*instrument, path, languages);
+  blanks.fill(*instrument);
+  return instrument;
 }
 
 void ReferencedFiles::addProblemsOf(const Problems& found, const std::string& file) {

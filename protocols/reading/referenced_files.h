@@ -28,9 +28,14 @@ namespace protocols {
 /// object.
 class ReferencedFiles {
  public:
-  /// File finder and problems must outlive this object.
-  ReferencedFiles(const FileFinder& find, questionnaires::Problems& problems, Defaults defaults)
-      : find_(find), problems_(problems), defaults_(defaults) {}
+  /// All arguments must outlive this object.
+  /// @param copies  of the library's instruments, under kCopiesOfLibrary; empty: there are none.
+  ReferencedFiles(
+      const FileFinder& find,
+      const FileFinder& copies,
+      questionnaires::Problems& problems,
+      Defaults defaults)
+      : find_(find), copies_(copies), problems_(problems), defaults_(defaults) {}
 
   /// The defaults of keys that the protocol leaves out.
   Defaults defaults() const noexcept { return defaults_; }
@@ -53,8 +58,8 @@ class ReferencedFiles {
       const std::vector<std::string>& languages,
       questionnaires::BlankFiller& blanks);
 
-  /// The instrument of the library with that @p id, in the same way; std::nullopt without a problem
-  /// if there is none.
+  /// The instrument of the library with that @p id, in the same way: its copy, or else what the
+  /// program has; std::nullopt without a problem if there is neither.
   std::optional<questionnaires::Instrument> libraryInstrument(
       const std::string& id,
       const std::string& path,
@@ -90,6 +95,7 @@ class ReferencedFiles {
   std::optional<std::string> find(const std::string& name, const std::string& path, bool isNeeded);
 
   const FileFinder& find_;
+  const FileFinder& copies_;
   questionnaires::Problems& problems_;
   Defaults defaults_;
   std::vector<SourceFile> files_;

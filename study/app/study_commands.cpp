@@ -99,7 +99,7 @@ int amend(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = usableProtocol(options.protocol);
   auto study = Study::open(options.folder, clock);
-  if (storage::sha256(protocol.text, protocol.files) == study.protocols().current().sha256) {
+  if (isSame(study.protocols().current(), protocol)) {
     fmt::print(
         "{} is what {} uses already, to the byte: nothing has changed.\n",
         options.protocol,

@@ -43,6 +43,8 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"dropped_key"},
     EventFacts{"time_stamped", {"on {utc}, by an authority"}},
     EventFacts{"sealed_names"},
+    EventFacts{
+        "copied_forms", {"{forms} forms of the library", "forms", "{forms} form of the library"}},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

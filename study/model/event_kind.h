@@ -33,6 +33,7 @@ enum class EventKind {
   DroppedKey,       ///< this station has the key no more
   TimeStamped,      ///< by an authority, for a head that was signed before
   SealedNames,      ///< names are behind a passphrase, or behind another one, and why
+  CopiedForms,      ///< of the library, into a study that an older release made
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

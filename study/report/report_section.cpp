@@ -52,14 +52,8 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
 /// The warnings of `palpate protocol check` about the stored protocol.
 std::vector<questionnaires::Problem> warningsOf(Study& study) {
   const auto stored = study.protocols().current();
-  const auto find = [&](const std::string& name) -> std::optional<std::string> {
-    for (const auto& file : stored.files) {
-      if (file.name == name) return file.text;
-    }
-    return std::nullopt;
-  };
   questionnaires::Problems problems;
-  protocols::loadProtocol(stored.text, find, problems, stored.defaults);
+  protocols::loadProtocol(stored.text, stored.files, problems, stored.defaults);
   return problems.all();
 }
 

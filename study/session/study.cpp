@@ -74,6 +74,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   if (study.isWritable_) {
     storage::ReservedSpace(folder).take();
     finishErasures(study);
+    study.copyForms();
   }
   return study;
 }
@@ -197,14 +198,8 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
   auto& loaded = loaded_[id];
   if (loaded) return *loaded;
   const auto stored = protocols().load(id);
-  const auto find = [&](const std::string& name) -> std::optional<std::string> {
-    for (const auto& file : stored.files) {
-      if (file.name == name) return file.text;
-    }
-    return std::nullopt;
-  };
   questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocol(stored.text, find, problems, stored.defaults);
+  auto protocol = protocols::loadProtocol(stored.text, stored.files, problems, stored.defaults);
   if (!protocol) {
     throw StorageError(
         "The protocol in " + database_.path() + " cannot be read by this version of palpate:\n" +
@@ -213,6 +208,27 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
   }
   loaded = std::make_unique<protocols::LoadedProtocol>(std::move(*protocol));
   return *loaded;
+}
+
+void Study::copyForms() {
+  if (protocols().withoutForms().empty()) return;
+  transact([&] {
+    int copied = 0;
+    for (const auto id : protocols().withoutForms()) {
+      try {
+        copied += protocols().addForms(id, protocol(id).files);
+      } catch (const StorageError& error) {
+        // The program's library has a form no more, or reads the protocol in another way: a later
+        // release may read it.
+        if (error.kind() != StorageError::Kind::Damaged) throw;
+      }
+    }
+    if (copied == 0) return;
+    events().append(
+        {.when = clock_->now(),
+         .kind = EventKind::CopiedForms,
+         .values = {{"forms", std::int64_t{copied}}}});
+  });
 }
 
 void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {

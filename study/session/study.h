@@ -149,6 +149,7 @@ class Study {
   void readSecret();
   void findKey() noexcept;
   void giveKey();
+  void copyForms();
   bool isEventStored(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;

@@ -28,26 +28,83 @@ std::string sha256(std::string_view text, const std::vector<protocols::SourceFil
   return files.empty() ? sha256(text) : sha256(all);
 }
 
+bool isOfLibrary(const protocols::SourceFile& file) {
+  return file.name.starts_with(protocols::kCopiesOfLibrary);
+}
+
+bool isSame(const StoredProtocol& stored, const protocols::LoadedProtocol& protocol) {
+  return sha256(stored.text, stored.files) == sha256(protocol.text, protocol.files);
+}
+
 ProtocolId ProtocolRepository::add(
     const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc) {
+  const bool hasForms = std::any_of(protocol.files.begin(), protocol.files.end(), isOfLibrary);
   Statement insert(
-      database_, "INSERT INTO protocol (sha256, text, reason, added_utc) VALUES (?, ?, ?, ?)");
+      database_,
+      "INSERT INTO protocol (sha256, text, reason, added_utc, forms) "
+      "VALUES (?, ?, ?, ?, iif(?, 'hashed', NULL))");
   insert.bind(1, sha256(protocol.text, protocol.files))
       .bind(2, protocol.text)
       .bind(3, reason)
-      .bind(4, utc);
+      .bind(4, utc)
+      .bind(5, std::int64_t{hasForms});
   insert.run();
   const ProtocolId id{database_.lastInsertedId()};
-  Statement file(
-      database_, "INSERT INTO protocol_file (protocol_id, name, sha256, text) VALUES (?, ?, ?, ?)");
-  for (const auto& source : protocol.files) {
-    file.bind(1, static_cast<std::int64_t>(id))
-        .bind(2, source.name)
-        .bind(3, sha256(source.text))
-        .bind(4, source.text);
-    file.run();
-  }
+  for (const auto& file : protocol.files) addFile(id, file);
   return id;
+}
+
+void ProtocolRepository::addFile(ProtocolId id, const protocols::SourceFile& file) {
+  Statement insert(
+      database_, "INSERT INTO protocol_file (protocol_id, name, sha256, text) VALUES (?, ?, ?, ?)");
+  insert.bind(1, static_cast<std::int64_t>(id))
+      .bind(2, file.name)
+      .bind(3, sha256(file.text))
+      .bind(4, file.text);
+  insert.run();
+}
+
+std::vector<ProtocolId> ProtocolRepository::withoutForms() const {
+  Statement select(database_, "SELECT id FROM protocol WHERE forms IS NULL ORDER BY id");
+  std::vector<ProtocolId> ids;
+  while (select.step()) ids.emplace_back(ProtocolId{select.number(0)});
+  return ids;
+}
+
+int ProtocolRepository::addForms(ProtocolId id, const std::vector<protocols::SourceFile>& files) {
+  const auto stored = load(id).files;
+  const auto isThere = [&](const protocols::SourceFile& file) {
+    return std::any_of(
+        stored.begin(), stored.end(), [&](const auto& other) { return other.name == file.name; });
+  };
+  int added = 0;
+  for (const auto& file : files) {
+    if (!isOfLibrary(file) || isThere(file)) continue;
+    addFile(id, file);
+    ++added;
+  }
+  Statement update(database_, "UPDATE protocol SET forms = 'added' WHERE id = ?");
+  update.bind(1, static_cast<std::int64_t>(id)).run();
+  return added;
+}
+
+std::vector<std::string> ProtocolRepository::changes(ProtocolId id) const {
+  auto stored = load(id);
+  const auto number = std::to_string(static_cast<std::int64_t>(id));
+  std::vector<std::string> changes;
+  Statement hashes(
+      database_, "SELECT name, sha256 FROM protocol_file WHERE protocol_id = ? ORDER BY name");
+  hashes.bind(1, static_cast<std::int64_t>(id));
+  for (const auto& file : stored.files) {
+    if (hashes.step() && hashes.text(1) == sha256(file.text)) continue;
+    changes.push_back(
+        "'" + file.name + "' of version " + number + " of the protocol is not what its hash says");
+  }
+  if (stored.areFormsAdded) std::erase_if(stored.files, isOfLibrary);
+  if (sha256(stored.text, stored.files) != stored.sha256) {
+    changes.push_back("version " + number + " of the protocol is not what its hash says");
+  }
+  return changes;
 }
 
 void ProtocolRepository::freeze(ProtocolId id, const std::string& utc) {
@@ -58,8 +115,11 @@ void ProtocolRepository::freeze(ProtocolId id, const std::string& utc) {
 }
 
 StoredProtocol ProtocolRepository::load(ProtocolId id) const {
+  const bool isOld = !database_.hasColumn("protocol", "forms");  // it is only read
   Statement select(
-      database_, "SELECT sha256, text, reason, added_utc, frozen_utc FROM protocol WHERE id = ?");
+      database_,
+      std::string("SELECT sha256, text, reason, added_utc, frozen_utc, ") +
+          (isOld ? "NULL" : "forms") + " FROM protocol WHERE id = ?");
   select.bind(1, static_cast<std::int64_t>(id));
   if (!select.step()) {
     throw StorageError(
@@ -73,6 +133,7 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
       .reason = select.text(2),
       .addedUtc = select.text(3),
       .frozenUtc = select.optionalText(4),
+      .areFormsAdded = select.optionalText(5) == "added",
       .defaults = defaultsOf(id)};
   Statement files(
       database_, "SELECT name, text FROM protocol_file WHERE protocol_id = ? ORDER BY name");

@@ -14,14 +14,19 @@ namespace study::storage {
 /// elsewhere.
 struct StoredProtocol {
   ProtocolId id{};
-  std::string sha256;  ///< of the text and all files, hexadecimal
+  std::string sha256;  ///< of the text and all files but those of areFormsAdded, hexadecimal
   std::string text;
   std::vector<protocols::SourceFile> files;
   std::string reason;
   std::string addedUtc;
   std::optional<std::string> frozenUtc;
+  /// Whether the copies of the library's forms came later: an older release stored the protocol.
+  bool areFormsAdded = false;
   protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };
+
+/// Whether that protocol is stored, to the byte of each file.
+bool isSame(const StoredProtocol& stored, const protocols::LoadedProtocol& protocol);
 
 /// The tables of protocols and their files.
 class ProtocolRepository {
@@ -33,6 +38,15 @@ class ProtocolRepository {
       const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc);
   void freeze(ProtocolId id, const std::string& utc);
 
+  /// The versions whose forms of the library were not copied yet (docs/decisions/0073).
+  std::vector<ProtocolId> withoutForms() const;
+  /// Adds the copies among @p files to a version that has none, inside the caller's transaction.
+  /// @return how many
+  int addForms(ProtocolId id, const std::vector<protocols::SourceFile>& files);
+
+  /// What of a version and its files is not as its hashes say.
+  std::vector<std::string> changes(ProtocolId id) const;
+
   /// @throws StorageError  if there is none with that id.
   StoredProtocol load(ProtocolId id) const;
   /// The newest one, which new sessions use.
@@ -43,6 +57,8 @@ class ProtocolRepository {
   protocols::Defaults defaultsOf(ProtocolId id) const;
 
  private:
+  void addFile(ProtocolId id, const protocols::SourceFile& file);
+
   Database& database_;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added and never changed,
 // because there are studies of every version.
-constexpr std::array<std::string_view, 9> kStudySteps{
+constexpr std::array<std::string_view, 10> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -367,6 +367,22 @@ constexpr std::array<std::string_view, 9> kStudySteps{
       DROP INDEX a_slot_is_held_once;
       CREATE UNIQUE INDEX a_slot_is_held_once
       ON session (protocol_id, run_mode, station, cohort, slot) WHERE slot_state <> 'released';
+    )sql",
+    R"sql(
+      -- Forms of the program's library are kept with the protocol that uses them
+      -- (docs/decisions/0073). 'added': an older release stored the protocol, and its hash does not
+      -- cover the copies. NULL: there is none yet.
+      ALTER TABLE protocol ADD COLUMN forms TEXT CHECK (forms IN ('hashed', 'added'));
+
+      DROP TRIGGER a_frozen_protocol_gets_no_file;
+      CREATE TRIGGER a_frozen_protocol_gets_no_file BEFORE INSERT ON protocol_file
+      WHEN EXISTS (SELECT 1 FROM protocol WHERE id = new.protocol_id AND frozen_utc IS NOT NULL
+        AND (forms IS NOT NULL OR new.name NOT GLOB 'palpate-library/*'))
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TRIGGER forms_are_copied_once BEFORE UPDATE OF forms ON protocol
+      WHEN old.forms IS NOT NULL
+      BEGIN SELECT RAISE(ABORT, 'the forms were copied already'); END;
     )sql",
 };
 

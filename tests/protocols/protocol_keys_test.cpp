@@ -253,7 +253,7 @@ TEST(ProtocolKeys, WithoutAReamerMeanNoFeedLimitInRelease01) {
   questionnaires::Problems problems;
   const auto text = tests::contentOf(
       (tests::repository() / "tests/protocols/data/good/usual-material.json").string());
-  const auto loaded = loadProtocol(text, {}, problems, Defaults::Release01);
+  const auto loaded = loadProtocol(text, std::vector<SourceFile>{}, problems, Defaults::Release01);
   ASSERT_TRUE(loaded.has_value()) << describe(problems.all());
   EXPECT_FALSE(sceneOf<engine::MaterialSpec>(loaded->protocol, "soft").isRemoved);
   EXPECT_TRUE(std::isinf(loaded->protocol.condition("soft")->scene().reamer.mostFeed()));

@@ -83,14 +83,8 @@ protocols::LoadedProtocol libraryProtocol(const std::string& name) {
 
 protocols::LoadedProtocol protocolFrom(
     const std::string& json, const std::vector<protocols::SourceFile>& files) {
-  const auto find = [&](const std::string& name) -> std::optional<std::string> {
-    for (const auto& file : files) {
-      if (file.name == name) return file.text;
-    }
-    return std::nullopt;
-  };
   questionnaires::Problems problems;
-  auto loaded = protocols::loadProtocol(json, find, problems);
+  auto loaded = protocols::loadProtocol(json, files, problems);
   if (!loaded) throw std::runtime_error(questionnaires::describe(problems.all()));
   return std::move(*loaded);
 }

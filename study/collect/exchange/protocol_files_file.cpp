@@ -24,20 +24,15 @@ std::vector<protocols::SourceFile> filesIn(const std::string& text) {
 
 protocols::LoadedProtocol protocolOf(
     const std::string& text, const std::vector<protocols::SourceFile>& files) {
-  const auto find = [&](const std::string& name) -> std::optional<std::string> {
-    for (const auto& file : files) {
-      if (file.name == name) return file.text;
-    }
-    return std::nullopt;
-  };
   questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocol(text, find, problems);
+  auto protocol = protocols::loadProtocol(text, files, problems);
   if (!protocol) {
     throw UserError(
         "The study's protocol cannot be read by this version of palpate. Install the release of "
         "the study's administrator:\n" +
         questionnaires::describe(problems.all()));
   }
+  protocol->files = files;  // what is named by their hash everywhere, also without the library's
   return std::move(*protocol);
 }
 

@@ -88,7 +88,7 @@ void AmendDialog::work() {
     SystemClock clock;
     auto study = Study::open(folder_, clock);
     const auto& protocol = *checked_.loaded;
-    isSame = storage::sha256(protocol.text, protocol.files) == study.protocols().current().sha256;
+    isSame = storage::isSame(study.protocols().current(), protocol);
     if (!isSame) study.amend(protocol, reason_->text().trimmed().toStdString());
   });
   if (!isDone) return;

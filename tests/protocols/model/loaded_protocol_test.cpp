@@ -65,6 +65,15 @@ struct Shelf {
   }
 };
 
+/// The names of its files without the copies of the library's.
+Words ownFilesOf(const LoadedProtocol& loaded) {
+  Words names;
+  for (const auto& file : loaded.files) {
+    if (!file.name.starts_with(kCopiesOfLibrary)) names.push_back(file.name);
+  }
+  return names;
+}
+
 /// The errors of a refused protocol.
 Words errorsIn(const std::string& json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
@@ -96,17 +105,68 @@ TEST(LoadedProtocol, KeepsItsOwnTextAndThatOfItsFilesByteByByte) {
   const auto loading = tests::load(protocol, shelf.finder());
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   EXPECT_EQ(loading.loaded->text, protocol);
-  ASSERT_EQ(loading.loaded->files.size(), 2U);
+  ASSERT_EQ(ownFilesOf(*loading.loaded), (Words{"cuts/mine.json", "mine.json"}));
   EXPECT_EQ(loading.loaded->files[0].name, "cuts/mine.json");
   EXPECT_EQ(loading.loaded->files[0].text, shelf.files.at("cuts/mine.json"));
   EXPECT_EQ(loading.loaded->files[1].name, "mine.json");
   EXPECT_EQ(loading.loaded->files[1].text, shelf.files.at("mine.json"));
 }
 
-TEST(LoadedProtocol, KeepsNothingOfWhatIsBuiltIn) {
+TEST(LoadedProtocol, KeepsNoDataThatAreBuiltIn) {
   const auto loading = tests::load(feeling("parametric"));
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
-  EXPECT_TRUE(loading.loaded->files.empty());
+  EXPECT_TRUE(ownFilesOf(*loading.loaded).empty());
+}
+
+TEST(LoadedProtocol, KeepsACopyOfEachInstrumentOfTheLibraryThatItUses) {
+  const auto loading = tests::load(tests::usualProtocol());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
+  Words names;
+  for (const auto& file : loading.loaded->files) {
+    names.push_back(file.name);
+    const auto in = std::find_if(
+        questionnaires::libraryFiles().begin(),
+        questionnaires::libraryFiles().end(),
+        [&](const auto& own) { return "palpate-library/" + std::string(own.name) == file.name; });
+    ASSERT_NE(in, questionnaires::libraryFiles().end()) << file.name;
+    EXPECT_EQ(file.text, in->content);
+  }
+  EXPECT_EQ(
+      names, (Words{"palpate-library/consent-punch.json", "palpate-library/realism-cuts.json"}));
+}
+
+/// Loaded from its text and @p files, as a study keeps them.
+std::optional<LoadedProtocol> kept(const std::string& text, const std::vector<SourceFile>& files) {
+  Problems problems;
+  auto loaded = loadProtocol(text, files, problems);
+  EXPECT_TRUE(loaded) << questionnaires::describe(problems.all());
+  return loaded;
+}
+
+TEST(LoadedProtocol, ReadsItsCopiesInPlaceOfTheLibrary) {
+  const auto text = tests::usualProtocol();
+  auto files = kept(text, {})->files;
+  for (auto& file : files)
+    file.text = tests::with(file.text, "\"version\": \"", "\"version\": \"9");
+  const auto loaded = kept(text, files);
+  for (const auto& instrument : loaded->instruments) {
+    EXPECT_EQ(instrument.version.front(), '9') << instrument.id;
+  }
+}
+
+TEST(LoadedProtocol, ReadsItsCopiesThoughTheLibraryHasThemNoMore) {
+  const auto text = tests::with(tests::usualProtocol(), "\"realism-cuts\"", "\"gone\"");
+  auto files = kept(tests::usualProtocol(), {})->files;
+  auto& form = files.back();
+  ASSERT_EQ(form.name, "palpate-library/realism-cuts.json");
+  form = {"palpate-library/gone.json", tests::with(form.text, "\"realism-cuts\"", "\"gone\"")};
+  EXPECT_EQ(kept(text, files)->instrument("gone")->items.size(), 6U);
+}
+
+TEST(LoadedProtocol, LooksForNoCopiesBesideAProtocol) {
+  Shelf shelf;
+  EXPECT_TRUE(tests::load(tests::usualProtocol(), shelf.finder()).loaded.has_value());
+  EXPECT_TRUE(shelf.asked.empty());
 }
 
 TEST(LoadedProtocol, CanBeLoadedAgainFromWhatItKeeps) {
@@ -372,10 +432,8 @@ TEST(LoadedProtocol, KeepsTheWordingFilesThatItFinds) {
   Shelf shelf{.files = {{"wording/sus/en.json", susWords()}}};
   const auto loading = tests::load(askingTheSus(), shelf.finder());
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
+  ASSERT_EQ(ownFilesOf(*loading.loaded), Words{"wording/sus/en.json"});
   EXPECT_EQ(loading.loaded->instrument("sus")->items[0].text.in("en"), "words");
-  ASSERT_EQ(loading.loaded->files.size(), 1U);
-  EXPECT_EQ(loading.loaded->files[0].name, "wording/sus/en.json");
-  EXPECT_EQ(loading.loaded->files[0].text, susWords());
 }
 
 TEST(LoadedProtocol, TellsWhatAWordingFileLacks) {

@@ -38,6 +38,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::DroppedKey, "dropped_key"},
     {EventKind::TimeStamped, "time_stamped"},
     {EventKind::SealedNames, "sealed_names"},
+    {EventKind::CopiedForms, "copied_forms"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},

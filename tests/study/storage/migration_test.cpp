@@ -1,4 +1,5 @@
 // Studies of older formats can be continued.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsConvertedWhenItIsOpenedWithoutLoss) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 9);
+  EXPECT_EQ(format(), 10);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -73,6 +74,40 @@ TEST_F(FormatOneTest, KeepsTheQuestionNumbersThatFormatThreeWrote) {
           "AND sql LIKE '%question%'"),
       0);
   EXPECT_TRUE(verify(study).isSound());
+}
+
+TEST_F(FormatOneTest, GetsCopiesOfTheLibrarysFormsOnceThoughItsProtocolIsFrozen) {
+  const auto hash = tests::Sql(folder_ + "/study.db").text("SELECT sha256 FROM protocol");
+  const auto kinds = [](Study& study) {
+    std::string all;
+    for (const auto& event : study.events().read()) all.append(event.name()).append(" ");
+    return all;
+  };
+  std::string after;
+  {
+    auto study = Study::open(folder_, clock_);
+    const auto stored = study.protocols().current();
+    EXPECT_TRUE(stored.areFormsAdded);
+    EXPECT_EQ(stored.sha256, hash);
+    EXPECT_EQ(
+        std::count_if(
+            stored.files.begin(),
+            stored.files.end(),
+            [](const auto& file) { return file.name.starts_with(protocols::kCopiesOfLibrary); }),
+        static_cast<std::ptrdiff_t>(study.protocol().instruments.size()));
+    after = kinds(study);
+    EXPECT_NE(after.find(" copied_forms "), std::string::npos) << after;
+    EXPECT_TRUE(verify(study).isSound());
+  }
+  auto study = Study::open(folder_, clock_);
+  EXPECT_EQ(kinds(study), after);
+  EXPECT_THROW(
+      study.database().execute(
+          "INSERT INTO protocol_file VALUES (1, 'palpate-library/debrief.json', '', '')"),
+      StorageError);
+  study.database().execute(
+      "DROP TRIGGER a_frozen_file_stays_as_it_is; UPDATE protocol_file SET text = text || ' '");
+  EXPECT_FALSE(verify(study).isSound());
 }
 
 TEST_F(FormatOneTest, IsNotOpenedForReadingOnly) {
@@ -156,8 +191,15 @@ void makeOld(const tests::MadeStudy& made, std::size_t format) {
   std::filesystem::rename(made.file("old.db"), made.file("study.db"));
 }
 
+/// As older releases stored it: without copies of the library's forms.
+protocols::LoadedProtocol withoutCopies() {
+  auto protocol = tests::protocolFrom(tests::shortProtocol());
+  protocol.files.clear();
+  return protocol;
+}
+
 TEST(FormatTwo, GivesTheSameResults) {
-  tests::MadeStudy made;
+  tests::MadeStudy made(withoutCopies());
   for (const char* cohort : {"surgeons", "students", "surgeons", "students"}) {
     // Of simulated participants nothing is sealed, as in format 2.
     auto session = Session::enrol(*made, {.cohort = cohort, .runMode = RunMode::Simulated});
@@ -168,7 +210,7 @@ TEST(FormatTwo, GivesTheSameResults) {
   makeOld(made, 2);
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 9);
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 10);
   EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Simulated), {}), before);
   EXPECT_TRUE(verify(*made).isSound());
 }

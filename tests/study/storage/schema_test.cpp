@@ -130,8 +130,8 @@ TEST_F(SchemaTest, RefusesToChangeTheFilesOfAFrozenProtocol) {
   sql_->run(
       "INSERT INTO protocol (sha256, text, reason, added_utc) VALUES ('x', '{}', '', '');"
       "INSERT INTO protocol_file VALUES (2, 'cut.json', 'x', '{}')");
-  expectAllowed("UPDATE protocol_file SET text = '[]'");
-  expectAllowed("DELETE FROM protocol_file");
+  expectAllowed("UPDATE protocol_file SET text = '[]' WHERE protocol_id = 2");
+  expectAllowed("DELETE FROM protocol_file WHERE protocol_id = 2");
   sql_->run("UPDATE protocol SET frozen_utc = 'now' WHERE id = 2");
   expectRefused("UPDATE protocol_file SET text = '[]'");
   expectRefused("DELETE FROM protocol_file");
