@@ -36,13 +36,15 @@ class Study {
   /// @param secret  of its blinding; if there is none, a random one. Tests give one, to know codes
   ///     and orders beforehand, and the enrolment of a station does.
   /// @param station  where its sessions take place; none: a study of one machine.
+  /// @param uuid  its permanent name; empty: from secret, seed and protocol
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
       Clock& clock,
       std::optional<std::uint64_t> seed = std::nullopt,
       const std::optional<storage::BlindingSecret>& secret = std::nullopt,
-      const Station& station = {});
+      const Station& station = {},
+      const std::string& uuid = {});
 
   /// Opens an existing folder. Goes on with an erasure that was interrupted, also if the folder is
   /// only to be read. @throws storage::StorageError
@@ -169,11 +171,6 @@ class Study {
   bool isSealed_ = false;
   std::optional<storage::BlindingSecret> secret_;
 };
-
-/// The permanent name of a study. The same seed and protocol give the same name, so that a
-/// simulated study can be made again byte for byte. A drawn seed makes the name unique.
-/// @param protocolHash  storage::sha256() of the protocol with its files
-std::string studyUuid(std::uint64_t seed, const std::string& protocolHash);
 
 /// A random seed that JSON files and scripts can hold exactly.
 std::uint64_t drawnSeed();

@@ -1,5 +1,4 @@
 // Creates studies.
-#include <array>
 #include <utility>
 
 #include <sodium.h>
@@ -54,7 +53,8 @@ void begin(
     Clock& clock,
     std::uint64_t seed,
     const storage::BlindingSecret& secret,
-    const Station& station) {
+    const Station& station,
+    const std::string& uuid) {
   const StudyFiles files{folder};
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
@@ -79,7 +79,7 @@ void begin(
       database,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, studyUuid(seed, storage::sha256(protocol.text, protocol.files)))
+  insert.bind(1, uuid)
       .bind(2, std::to_string(seed))
       .bind(3, std::int64_t{base::kRandomVersion})
       .bind(4, appVersion())
@@ -107,38 +107,28 @@ std::uint64_t drawnSeed() {
   return seed & kExactInJson;
 }
 
-std::string studyUuid(std::uint64_t seed, const std::string& protocolHash) {
-  std::array<unsigned char, 16> bytes{};
-  const std::string content = std::to_string(seed) + protocolHash;
-  crypto_generichash(
-      bytes.data(),
-      bytes.size(),
-      reinterpret_cast<const unsigned char*>(content.data()),
-      content.size(),
-      nullptr,
-      0);
-  std::array<char, 2 * bytes.size() + 1> text{};
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  return text.data();
-}
-
 Study Study::create(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
     std::optional<std::uint64_t> seed,
     const std::optional<storage::BlindingSecret>& secret,
-    const Station& station) {
+    const Station& station,
+    const std::string& uuid) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   makeFolder(folder);
+  const auto usedSeed = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
+  const auto usedSecret = secret ? *secret : storage::BlindingSecret::drawn();
+  const auto hash = storage::sha256(protocol.text, protocol.files);
   try {
     begin(
         folder,
         protocol,
         clock,
-        seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()),
-        secret ? *secret : storage::BlindingSecret::drawn(),
-        station);
+        usedSeed,
+        usedSecret,
+        station,
+        uuid.empty() ? usedSecret.studyUuid(usedSeed, hash) : uuid);
   } catch (const StorageError&) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);  // the study was never complete: no data are lost

@@ -41,6 +41,11 @@ std::string BlindingSecret::commitment() const {
   return hashOf("commitment");
 }
 
+std::string BlindingSecret::studyUuid(std::uint64_t seed, const std::string& protocolHash) const {
+  constexpr std::size_t kDigits = 32;
+  return hashOf("study/" + std::to_string(seed) + "/" + protocolHash).substr(0, kDigits);
+}
+
 BlindingSecret BlindingSecret::forFingerprints() const {
   return BlindingSecret(digestOf("secret of fingerprints"));
 }

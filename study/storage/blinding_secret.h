@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,10 @@ class BlindingSecret {
 
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
   std::string commitment() const;
+
+  /// The permanent name of a study: 128 bits of a keyed hash, from which nobody finds the seed.
+  /// @param protocolHash  storage::sha256() of the protocol with its files
+  std::string studyUuid(std::uint64_t seed, const std::string& protocolHash) const;
 
   /// A secret of its own for fingerprints, which says nothing of this one.
   BlindingSecret forFingerprints() const;

@@ -119,7 +119,7 @@ TEST(Blinding, HasASecretOfItsOwnInEveryStudy) {
   const auto protocol = tests::protocolFrom(tests::shortProtocol());
   auto one = Study::create(folder / "one", protocol, clock, 7);
   auto other = Study::create(folder / "other", protocol, clock, 7);
-  EXPECT_EQ(one.uuid(), other.uuid());
+  EXPECT_NE(one.uuid(), other.uuid()) << "who tries seeds finds none";
   EXPECT_NE(one.secretFor(RunMode::Live)->bytes(), other.secretFor(RunMode::Live)->bytes());
 }
 

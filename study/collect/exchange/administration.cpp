@@ -137,12 +137,13 @@ bool putStudy(
     return false;
   }
   const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
+  const auto secret = storage::BlindingSecret::drawn();
   const StudyOnServer study{
-      .uuid = studyUuid(drawn, sent.sha256),
+      .uuid = secret.studyUuid(drawn, sent.sha256),
       .name = name,
       .title = protocol.protocol.study.title,
       .seed = std::to_string(drawn),
-      .secret = bytesOf(storage::BlindingSecret::drawn())};
+      .secret = bytesOf(secret)};
   inTransaction(server, [&] {
     addStudy(server, study);
     addProtocol(server, study.uuid, sent);

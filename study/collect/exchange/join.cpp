@@ -89,15 +89,15 @@ StationEnrolment join(
   for (const auto& version : enrolment.protocols) {
     versions.push_back(protocolOf(version.text, version.files));
   }
-  const auto& first = versions.at(0);
-  if (studyUuid(enrolment.seed, storage::sha256(first.text, first.files)) != enrolment.study) {
-    throw UserError(
-        "This version of palpate reads the study's protocol in another way than the server did. "
-        "Install the release of the study's administrator.");
-  }
   {
-    auto study =
-        Study::create(folder, first, clock, enrolment.seed, enrolment.secret, enrolment.station);
+    auto study = Study::create(
+        folder,
+        versions.at(0),
+        clock,
+        enrolment.seed,
+        enrolment.secret,
+        enrolment.station,
+        enrolment.study);
     for (auto version = std::next(versions.begin()); version != versions.end(); ++version) {
       study.amend(*version, "as on the server");
     }

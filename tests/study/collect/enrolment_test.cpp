@@ -28,7 +28,7 @@ class JoinTest : public testing::Test {
     const auto protocol = tests::protocolFrom(tests::shortProtocol());
     const auto hash = study::storage::sha256(protocol.text, protocol.files);
     return {
-        .study = study::studyUuid(1, hash),
+        .study = tests::knownSecret().studyUuid(1, hash),
         .title = "A short study",
         .seed = 1,
         .secret = tests::knownSecret().of(label),

@@ -194,7 +194,7 @@ TEST(Study, IsNeverMadeInAnExistingFolder) {
       refusalOf([&] { Study::create(folder / "file/study", protocol, clock); }), "cannot be made");
 }
 
-TEST(Study, HasANameThatDependsOnSeedAndProtocolOnly) {
+TEST(Study, HasANameThatDependsOnSecretSeedAndProtocol) {
   tests::MadeStudy a(tests::protocolFrom(tests::shortProtocol()), 5);
   tests::MadeStudy b(tests::protocolFrom(tests::shortProtocol()), 5);
   tests::MadeStudy c(tests::protocolFrom(tests::shortProtocol()), 6);
