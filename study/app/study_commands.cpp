@@ -13,6 +13,7 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/session/study_key.h"
 #include "study/session/unfinished_sessions.h"
+#include "study/session/verification.h"
 #include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
 #include "study/words/counted.h"
@@ -187,10 +188,11 @@ int status(const StudyArguments& options) {
     std::fputs(statusAsJson(study).c_str(), stdout);
     return 0;
   }
+  const auto rights = remarkOnRights(options.folder);
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}{}{}\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}{}{}{}\n",
       metadata.title,
       metadata.id,
       metadata.version,
@@ -202,8 +204,11 @@ int status(const StudyArguments& options) {
       commitmentOf(study),
       sealOf(study),
       study.protocol().protocol.isBlindingOpen
-          ? "blinding: open, conditions are not hidden from anyone\n"
-          : "");
+          ? "blinding: open, conditions are not hidden from anyone
+"
+          : "",
+      rights.empty() ? rights : "rights: " + rights + "
+");
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",

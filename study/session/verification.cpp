@@ -80,6 +80,15 @@ std::vector<std::string> remarksOn(Study& study) {
   }
 }
 
+/// Whether the files are whole; its remarks say who may read them.
+storage::Findings filesAndRights(Study& study) {
+  storage::Findings findings{.problems = files(study)};
+  if (auto remark = remarkOnRights(study.folder()); !remark.empty()) {
+    findings.remarks.push_back(std::move(remark));
+  }
+  return findings;
+}
+
 Problems auditTrail(Study& study) {
   const auto broken = study.events().firstBreak();
   return broken ? Problems{*broken} : Problems{};
@@ -318,6 +327,17 @@ class OneMoment {
 
 }  // namespace
 
+std::string remarkOnRights(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  constexpr auto kOfOthers = fs::perms::group_all | fs::perms::others_all;
+  std::error_code error;
+  const auto rights = fs::status(folder, error).permissions();
+  if (error || (rights & kOfOthers) == fs::perms::none) return {};
+  return "other accounts of this computer may enter the folder, and read what is in it. Close it: "
+         "chmod -R go-rwx '" +
+         folder.string() + "'";
+}
+
 bool Verification::isSound() const noexcept {
   return std::all_of(
       checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
@@ -342,7 +362,7 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   const auto check = [&](const char* what, const std::function<Problems(Study&)>& problemsOf) {
     look(what, [&](Study& of) { return storage::Findings{.problems = problemsOf(of)}; });
   };
-  check("the database files are whole, and every row refers to something", files);
+  look("the database files are whole, and every row refers to something", filesAndRights);
   look("tables, indexes and triggers are those that the program makes", schemas);
   check("the audit trail is unbroken", auditTrail);
   result.checks.back().remarks = remarksOn(study);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,20 @@ TEST(Verification, IsSoundWhileOthersTakePart) {
   EXPECT_EQ(problemsIn(verify(*study)), "");
   // Nothing of it is left open: the study can be written.
   EXPECT_NO_THROW(Session::enrol(*study, {.cohort = "surgeons"}));
+}
+
+TEST(Verification, RemarksThatOthersMayReadTheStudyAndWhatToDo) {
+  namespace fs = std::filesystem;
+  tests::MadeStudy study;
+  EXPECT_TRUE(verify(*study).checks.front().remarks.empty());
+  for (const auto right : {fs::perms::others_exec, fs::perms::group_read}) {
+    fs::permissions(study.folder(), fs::perms::owner_all | right);
+    const auto verification = verify(*study);
+    EXPECT_TRUE(verification.isSound());
+    ASSERT_EQ(verification.checks.front().remarks.size(), 1U);
+    EXPECT_TRUE(verification.checks.front().remarks.front().ends_with(
+        "chmod -R go-rwx '" + study.folder() + "'"));
+  }
 }
 
 /// A study with two people, and the head of its audit trail that was noted after the first.
