@@ -204,11 +204,9 @@ int status(const StudyArguments& options) {
       commitmentOf(study),
       sealOf(study),
       study.protocol().protocol.isBlindingOpen
-          ? "blinding: open, conditions are not hidden from anyone
-"
+          ? "blinding: open, conditions are not hidden from anyone\n"
           : "",
-      rights.empty() ? rights : "rights: " + rights + "
-");
+      rights.empty() ? rights : "rights: " + rights + "\n");
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",

@@ -53,19 +53,39 @@ bool isToBeErasedFrom(const fs::path& folder, const storage::ListedErasure& eras
   return !storage::notDone(database, {erasure}).empty();
 }
 
-/// @throws UserError  if the folder is no copy of the study
+/// @throws UserError  if the study's audit trail does not know the file
+void removeFile(const fs::path& file, const std::vector<KnownCopy>& known) {
+  const bool isKnown = std::any_of(known.begin(), known.end(), [&](const KnownCopy& copy) {
+    std::error_code ignored;
+    return fs::equivalent(copy.folder, file, ignored);
+  });
+  if (!isKnown) {
+    throw UserError(
+        "It is a file that this study did not write, or that was moved since: a file does not say "
+        "whose it is. Delete it yourself.");
+  }
+  fs::remove(fs::canonical(file));  // not only a link to it
+}
+
+/// @throws UserError  if it is no copy of the study
 ErasedCopy eraseFrom(
     const fs::path& folder,
     const storage::ListedErasure& erasure,
     const storage::ByteSearch& texts,
-    Clock& clock) {
+    Clock& clock,
+    const std::vector<KnownCopy>& known) {
   ErasedCopy copy{.folder = folder.string()};
+  if (fs::is_regular_file(folder)) {
+    removeFile(folder, known);
+    copy.outcome = ErasedCopy::Outcome::Removed;
+    return copy;
+  }
   if (!fs::exists(StudyFiles{folder}.study())) {
     // An empty folder is one whose removal was interrupted last.
     if (!fs::is_empty(folder) && !isExportOf(folder, erasure.study)) {
       throw UserError(
-          "It is neither a backup nor an export of this study. Public exports and single files, "
-          "such as reports and consent copies, do not say whose they are: delete them yourself.");
+          "It is neither a backup nor an export of this study. Public exports do not say whose "
+          "they are: delete them yourself.");
     }
     removeExport(folder);
     copy.outcome = ErasedCopy::Outcome::Removed;
@@ -124,9 +144,10 @@ ErasedCopy eraseFromCopy(
     const fs::path& folder,
     const storage::ListedErasure& erasure,
     const storage::ByteSearch& texts,
-    Clock& clock) {
+    Clock& clock,
+    const std::vector<KnownCopy>& known) {
   try {
-    return eraseFrom(folder, erasure, texts, clock);
+    return eraseFrom(folder, erasure, texts, clock, known);
   } catch (const std::runtime_error& error) {
     return {
         .folder = folder.string(), .outcome = ErasedCopy::Outcome::Failed, .whyNot = error.what()};

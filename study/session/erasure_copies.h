@@ -26,7 +26,7 @@ struct ErasedCopy {
   enum class Outcome {
     Erased,   ///< a backup: the participant was erased from it
     NotInIt,  ///< a backup from before the participant came, or erased already
-    Removed,  ///< an export: it can be made again
+    Removed,  ///< an export or a report: it can be made again
     Failed,   ///< it is as it was, or partly erased: to be tried again
   };
   std::string folder;
@@ -38,13 +38,17 @@ struct ErasedCopy {
 /// The known copies that nothing was done with.
 std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& done);
 
-/// Erases a participant from a copy of the study, too: from a backup, or by removing an export.
+/// Erases a participant from a copy of the study, too: from a backup, or by removing an export or
+/// the file of a report.
 /// @param texts  are searched for in every byte of the copy afterwards
+/// @param known  of the study: a single file does not say whose it is, and is removed only if it is
+///     among them
 /// What fails is told in the result: the study itself is erased from already.
 ErasedCopy eraseFromCopy(
     const std::filesystem::path& folder,
     const storage::ListedErasure& erasure,
     const storage::ByteSearch& texts,
-    Clock& clock);
+    Clock& clock,
+    const std::vector<KnownCopy>& known = {});
 
 }  // namespace study

@@ -82,9 +82,10 @@ int erase(ErasureArguments options) {
   unlockNamesIfAsked(study, true);
   report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
   certificate.report = study::erase(study, options.request);
+  const auto known = knownCopies(study);
   for (const auto& folder : options.also) {
     certificate.copies.push_back(
-        eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock));
+        eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock, known));
   }
   certificate.left = copiesLeft(study, certificate.copies);
   if (certificate.report.wasTrailSealedAgain) {
@@ -156,7 +157,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_option(
       "--also",
       erasure.also,
-      "Further copy: a backup to erase from, or an export to remove; repeatable");
+      "Further copy: a backup to erase from, or an export or a report to remove; repeatable");
   erase->add_option(
       "--certificate",
       erasure.certificates,

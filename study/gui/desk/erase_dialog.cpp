@@ -136,8 +136,8 @@ report::ErasureCertificate EraseDialog::erase() const {
        .reason = reason_->text().trimmed().toStdString(),
        .sealsTrailAgain = reseal_->isChecked()});
   if (const auto copy = copy_->path().toStdString(); !copy.empty()) {
-    certificate.copies.push_back(
-        eraseFromCopy(copy, certificate.report.listed, certificate.report.texts, clock));
+    certificate.copies.push_back(eraseFromCopy(
+        copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));
   }
   certificate.left = copiesLeft(study, certificate.copies);
   if (const auto path = certificate_->path(); !path.isEmpty()) {

@@ -338,6 +338,22 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAnExport) {
   EXPECT_EQ(removed, exports.size());
 }
 
+TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
+  const auto known = study_.scratch() / "report.html";
+  const auto other = study_.scratch() / "other.html";
+  for (const auto& file : {known, other}) std::ofstream(file) << kSentinel;
+  noteReport(*study_, RunMode::Live, "report", known);
+  const auto report = eraseThem();
+  const auto copies = knownCopies(*study_);
+  const auto outcome = [&](const std::string& file) {
+    return eraseFromCopy(file, report.listed, report.texts, study_.clock, copies).outcome;
+  };
+  EXPECT_EQ(outcome(known), ErasedCopy::Outcome::Removed);
+  EXPECT_FALSE(fs::exists(known));
+  EXPECT_EQ(outcome(other), ErasedCopy::Outcome::Failed);
+  EXPECT_TRUE(fs::exists(other));
+}
+
 TEST(ErasureList, ReadsWhatItWrote) {
   const storage::ListedErasure erasure{
       .study = "1a2b",
