@@ -149,7 +149,7 @@ TEST_F(FormatOneTest, StaysUnchangedIfTheConversionFails) {
       before);
 }
 
-/// Writes a copy of a study in format 2, made from the present format.
+/// Writes a copy of a study in an older format, with what that format has of its columns.
 void writeAsFormat(std::size_t format, const std::string& from, const std::string& to) {
   const Schema now = studySchema();
   Database::create(to, {now.applicationId, now.name, now.steps.first(format)});
@@ -160,26 +160,20 @@ void writeAsFormat(std::size_t format, const std::string& from, const std::strin
         "protocol_file",
         "protocol",
         "participant",
-        "session",  // site and station came with format 9
+        "session",
         "step",
+        "allocation",
         "visit",
+        "answer",
         "trial",
-        "cut"}) {
+        "cut",
+        "event"}) {
     const auto columns =
         sql.text("SELECT group_concat(name) FROM pragma_table_info('" + table + "', 'main')");
     sql.run(
-        "INSERT INTO main." + table + " SELECT " + columns + " FROM now." + table +
-        " ORDER BY rowid");
+        "INSERT INTO main." + table + " (" + columns + ") SELECT " + columns + " FROM now." +
+        table + " ORDER BY rowid");
   }
-  sql.run("INSERT INTO main.allocation SELECT session_id, step, condition FROM now.allocation");
-  sql.run(
-      "INSERT INTO main.event SELECT seq, session_id, step, attempt, utc, monotonic_ns, actor, "
-      "kind, detail, hash, content_hash FROM now.event ORDER BY seq");
-  sql.run(
-      "INSERT INTO main.answer (session_id, step, attempt, item, item_order, kind, point, number, "
-      "text, first_touch_s, response_s, changes, language, saved_utc) SELECT session_id, step, "
-      "attempt, item, item_order, kind, point, number, text, first_touch_s, response_s, changes, "
-      "language, saved_utc FROM now.answer");
 }
 
 void makeOld(const tests::MadeStudy& made, std::size_t format) {
@@ -198,22 +192,39 @@ protocols::LoadedProtocol withoutCopies() {
   return protocol;
 }
 
-TEST(FormatTwo, GivesTheSameResults) {
+class OlderFormat : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(OlderFormat, GivesTheSameResultsAndGoesOn) {
+  constexpr std::size_t kSealsTrials = 8;
   tests::MadeStudy made(withoutCopies());
-  for (const char* cohort : {"surgeons", "students", "surgeons", "students"}) {
-    // Of simulated participants nothing is sealed, as in format 2.
-    auto session = Session::enrol(*made, {.cohort = cohort, .runMode = RunMode::Simulated});
+  const auto takePart = [&](const char* cohort, RunMode mode) {
+    auto session = Session::enrol(*made, {.cohort = cohort, .runMode = mode});
     tests::walkToTheEnd(session);
+  };
+  const auto results = [&](RunMode mode) {
+    return resultsAsText(*made, computeResults(*made, mode), {});
+  };
+  for (const char* cohort : {"surgeons", "students", "surgeons", "students"}) {
+    takePart(cohort, RunMode::Simulated);  // of whom nothing is sealed, as in the first formats
+    if (GetParam() >= kSealsTrials) takePart(cohort, RunMode::Live);
   }
-  const auto before = resultsAsText(*made, computeResults(*made, RunMode::Simulated), {});
+  const auto simulated = results(RunMode::Simulated);
+  const auto live = results(RunMode::Live);
   made.close();
-  makeOld(made, 2);
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
+  makeOld(made, GetParam());
+  const auto format = [&] {
+    return tests::Sql(made.file("study.db")).number("PRAGMA user_version");
+  };
+  EXPECT_EQ(format(), static_cast<std::int64_t>(GetParam()));
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 10);
-  EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Simulated), {}), before);
+  EXPECT_EQ(format(), 10);
+  EXPECT_EQ(results(RunMode::Simulated), simulated);
+  EXPECT_EQ(results(RunMode::Live), live);
+  takePart("surgeons", RunMode::Live);
   EXPECT_TRUE(verify(*made).isSound());
 }
+
+INSTANTIATE_TEST_SUITE_P(FromTwoOn, OlderFormat, testing::Range<std::size_t>(2, 10));
 
 TEST(FormatThree, IsReadWithoutBeingWritten) {
   tests::MadeStudy made;
