@@ -118,6 +118,36 @@ TEST_F(ErasureTest, LeavesNothingThatTheParticipantWrote) {
   EXPECT_EQ(problemsOf(*study_), "");
 }
 
+TEST_F(ErasureTest, LeavesNoReasonOfAnOperator) {
+  eraseThem();
+  using End = void (Session::*)(const std::string&);
+  for (const End end : {&Session::withdraw, &Session::reject}) {
+    auto begun = std::make_optional(Session::enrol(*study_, {.cohort = "surgeons"}));
+    const auto participant = begun->participant();
+    const auto id = begun->id();
+    tests::walkTo(*begun, StepKind::Form);
+    begun.reset();
+    study_->database().execute(
+        "REPLACE INTO lease VALUES (" + std::to_string(static_cast<std::int64_t>(id)) +
+        ", 'the-other-laboratory', 4711, 'boot/1#1', 'earlier')");
+    {
+      auto session = Session::resume(*study_, id, planted("a take-over"));
+      tests::walkTo(session, StepKind::Trial);
+      session.beginTrial();
+      session.breakOffTrial({.ending = TrialEnding::Stopped});
+      session.skipStep(planted("a skip"));
+      session.pause(planted("a pause"));
+      (session.*end)(planted("an end"));
+    }
+    EXPECT_EQ(filesWithSentinel(), std::vector<std::string>{"study.db"}) << "the control";
+    erase(
+        *study_,
+        {.participant = participant, .level = ErasureLevel::All, .reason = "asked for it"});
+    EXPECT_TRUE(filesWithSentinel().empty()) << participant;
+  }
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
 TEST_F(ErasureTest, DestroysTheKeysAndWithThemWhatEventsSay) {
   const auto said = [&] {
     std::string all;
