@@ -53,22 +53,6 @@ std::map<std::string, std::string> exchanged(
   return parts;
 }
 
-/// Each station draws from a seed of its own, and is balanced by itself. Without one it is the
-/// study's: a study of one machine draws as before there were stations.
-std::uint64_t seedAt(const std::string& station, std::uint64_t seed) {
-  if (station.empty()) return seed;
-  storage::Hasher hasher;
-  hasher.add("orders of a station");
-  hasher.add(std::to_string(seed));
-  hasher.add(station);
-  const auto hash = hasher.finish();
-  std::uint64_t drawn = 0;
-  for (std::size_t i = 0; i < sizeof drawn; ++i) {
-    drawn = drawn << 8U | std::to_integer<std::uint64_t>(hash[i]);
-  }
-  return drawn;
-}
-
 /// A station has only its own secret. A study that was collected has the one that all are made of.
 std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::SessionRow& row) {
   const auto* secret = study.secretFor(row.runMode);
@@ -76,32 +60,53 @@ std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::Ses
   return study.isCollected() && !row.station.empty() ? secret->of(row.station) : *secret;
 }
 
-}  // namespace
-
-std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row) {
-  const auto& protocol = study.protocol(row.protocol).protocol;
-  auto steps = sessionPlan(
-      protocol,
-      protocols::scheduleFor(
-          protocol,
-          seedAt(row.station, study.seed()),
-          row.cohort,
-          static_cast<std::uint64_t>(row.slot)));
-  for (auto& step : steps) {
-    step.condition.clear();
-    step.itemSet.clear();
+/// Each station draws from a seed of its own, and is balanced by itself. Without one it is the
+/// study's: a study of one machine draws as before there were stations.
+/// @param secret  of the station; nullptr: the seed alone says it
+std::uint64_t seedAt(
+    const std::string& station, std::uint64_t seed, const storage::BlindingSecret* secret) {
+  if (station.empty()) return seed;
+  storage::Hasher hasher;
+  hasher.add("orders of a station");
+  hasher.add(std::to_string(seed));
+  hasher.add(station);
+  const auto hash = secret == nullptr ? hasher.finish() : hasher.finish(secret->bytes());
+  std::uint64_t drawn = 0;
+  for (std::size_t i = 0; i < sizeof drawn; ++i) {
+    drawn = drawn << 8U | std::to_integer<std::uint64_t>(hash[i]);
   }
-  return steps;
+  return drawn;
 }
 
-std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
+/// A station that says so when it is made. Earlier ones draw as they began; of a collected study it
+/// is not known which are.
+bool hasOrdersOfItsSecret(Study& study) {
+  if (study.isCollected()) return true;
+  const auto made = study.events().madeStudy();
+  return std::any_of(
+      made.begin(), made.end(), [](const auto& value) { return value.first == kOrdersOfStation; });
+}
+
+/// @param isSecret  whether the seed of the station is drawn with its secret; not if the protocol
+///     promises that its seed draws all orders
+protocols::Schedule scheduleOf(
+    Study& study,
+    const storage::SessionRow& row,
+    const std::optional<storage::BlindingSecret>& secret,
+    bool isSecret) {
   const auto& protocol = study.protocol(row.protocol).protocol;
-  auto schedule = protocols::scheduleFor(
+  const bool isUsed = secret && isSecret && !protocol.seed;
+  return protocols::scheduleFor(
       protocol,
-      seedAt(row.station, study.seed()),
+      seedAt(row.station, study.seed(), isUsed ? &*secret : nullptr),
       row.cohort,
       static_cast<std::uint64_t>(row.slot));
+}
+
+std::vector<Step> planOf(Study& study, const storage::SessionRow& row, bool isSecret) {
+  const auto& protocol = study.protocol(row.protocol).protocol;
   const auto secret = secretAt(study, row);
+  auto schedule = scheduleOf(study, row, secret, isSecret);
   if (!secret) return sessionPlan(protocol, schedule);
   const auto parts = exchanged(protocol, *secret, row.runMode);
   for (auto& block : schedule.blocks) {
@@ -111,6 +116,29 @@ std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
     }
   }
   return sessionPlan(protocol, schedule);
+}
+
+}  // namespace
+
+std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row) {
+  const bool canRead = !study.isSealed() || study.hasKey();
+  auto steps = sessionPlan(
+      study.protocol(row.protocol).protocol,
+      scheduleOf(
+          study, row, canRead ? secretAt(study, row) : std::nullopt, hasOrdersOfItsSecret(study)));
+  for (auto& step : steps) {
+    step.condition.clear();
+    step.itemSet.clear();
+  }
+  return steps;
+}
+
+std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
+  return planOf(study, row, hasOrdersOfItsSecret(study));
+}
+
+std::vector<Step> planOfEarlierStation(Study& study, const storage::SessionRow& row) {
+  return planOf(study, row, false);
 }
 
 }  // namespace study

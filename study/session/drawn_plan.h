@@ -19,6 +19,13 @@ namespace study {
 ///     kept elsewhere.
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row);
 
+/// A station draws with its secret, so that no other can compute its orders, and says so in the
+/// first event of its trail. The value's name there:
+inline constexpr const char* kOrdersOfStation = "orders";
+
+/// The steps as stations drew them that did not yet: from the study's seed, which all have.
+std::vector<Step> planOfEarlierStation(Study& study, const storage::SessionRow& row);
+
 /// The same steps for those who only want to know where a session stands: without conditions and
 /// sets of items, which need the secret. @throws storage::StorageError
 std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row);

@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
+#include "study/session/drawn_plan.h"
 #include "study/session/study.h"
 #include "study/storage/evidence/trail_signer.h"
 #include "study/storage/map/study_keys.h"
@@ -90,6 +91,7 @@ void begin(
     made.emplace_back("site", station.site);
     made.emplace_back("station", station.label);
     made.emplace_back("station_uuid", station.uuid);
+    made.emplace_back(kOrdersOfStation, std::string("of its secret"));
   }
   storage::EventLog(database).append(
       {.when = now, .kind = EventKind::MadeStudy, .values = std::move(made)});

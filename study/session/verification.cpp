@@ -195,6 +195,14 @@ Problems protocolHashes(Study& study) {
   return problems;
 }
 
+std::vector<std::pair<int, std::string>> conditionsOf(const std::vector<Step>& plan) {
+  std::vector<std::pair<int, std::string>> conditions;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (!plan[i].condition.empty()) conditions.emplace_back(static_cast<int>(i), plan[i].condition);
+  }
+  return conditions;
+}
+
 storage::Findings orders(Study& study) {
   storage::Findings findings;
   const bool canRead = !study.isSealed() || study.hasKey();
@@ -214,12 +222,11 @@ storage::Findings orders(Study& study) {
       }
       if (!canRead) continue;
     }
-    const auto plan = drawnPlan(study, row);
-    std::vector<std::pair<int, std::string>> drawn;
-    for (std::size_t i = 0; i < plan.size(); ++i) {
-      if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
-    }
-    if (study.sessions().allocation(row.id) != drawn) {
+    const auto allotted = study.sessions().allocation(row.id);
+    const bool isDrawn =
+        allotted == conditionsOf(drawnPlan(study, row)) ||
+        (study.isCollected() && allotted == conditionsOf(planOfEarlierStation(study, row)));
+    if (!isDrawn) {
       findings.problems.push_back(
           "the order of " + row.participant + " is not the one that was drawn");
     }

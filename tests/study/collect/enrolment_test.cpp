@@ -130,6 +130,43 @@ TEST_F(JoinTest, TheFileTellsNothingToOthers) {
   EXPECT_EQ(text.find("host="), std::string::npos);
 }
 
+/// The conditions of a cohort's first places, by numbers in the order in which they come first: the
+/// same for orders in which conditions have changed parts.
+std::string patternAt(Study& study) {
+  std::map<std::string, std::size_t> numbers;
+  std::string pattern;
+  for (int slot = 0; slot < 12; ++slot) {
+    const study::storage::SessionRow row{
+        .protocol = study.protocols().current().id,
+        .runMode = study::RunMode::Live,
+        .cohort = "surgeons",
+        .language = "en",
+        .station = study.station().label,
+        .slot = slot};
+    for (const auto& step : study::drawnPlan(study, row)) {
+      if (step.kind != study::StepKind::Trial) continue;
+      pattern += std::to_string(numbers.emplace(step.condition, numbers.size()).first->second);
+    }
+  }
+  return pattern;
+}
+
+TEST_F(JoinTest, OrdersOfAStationCannotBeComputedWithoutItsSecret) {
+  std::set<std::string> patterns;
+  for (const auto* place : {"first", "second"}) {
+    auto same = enrolment("oslo");  // all that other stations know is the same
+    same.station.uuid.front() = *place;
+    same.secret = tests::knownSecret().of(place);
+    const auto file = scratch_.write(
+        std::string(place) + ".enrolment",
+        asText(same, station().publicKey(), tests::knownSecret()));
+    study::collect::join(file, scratch_ / place, clock_);
+    auto study = Study::open(scratch_ / place, clock_);
+    patterns.insert(patternAt(study));
+  }
+  EXPECT_EQ(patterns.size(), 2U);
+}
+
 TEST_F(JoinTest, CodesBeginWithTheStation) {
   study::collect::join(fileFor("oslo-2", station().publicKey()), scratch_ / "study", clock_);
   auto study = Study::open(scratch_ / "study", clock_);
