@@ -14,7 +14,6 @@
 #include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
-#include "study/storage/trace_store.h"
 
 namespace study::collect {
 namespace {
@@ -71,7 +70,8 @@ StationTrail::StationTrail(
     : station_(station.station),
       conditionKey_(study.secret.of(station.station.label).bytes()),
       events_(std::move(events)),
-      identities_(storeOf(keys)) {
+      identities_(storeOf(keys)),
+      traces_(storage::Database::inMemory(storage::traceSchema())) {
   judge(study, station, vouchedUpTo);
   for (std::int64_t i = 0; i < signedUpTo_; ++i) {
     const auto& event = events_[static_cast<std::size_t>(i)];
@@ -230,16 +230,20 @@ bool StationTrail::agreesWithNumbers(std::int64_t session, const storage::Stored
              *database_, SessionId{session}, key ? &*key : nullptr)) == said.content;
 }
 
-/// Samples against their trials, and against the digests in the trail.
-std::optional<std::string> StationTrail::firstProblemOfTraces(
-    std::int64_t session, const std::vector<storage::TraceChunk>& chunks) {
+/// What the trail says of the samples of each trial.
+std::map<VisitKey, std::string> StationTrail::keptTraces(std::int64_t session) {
   std::map<VisitKey, std::string> kept;
   for (const auto& event : storage::EventLog(*database_, &identities_).read(SessionId{session})) {
     if (event.kind == EventKind::KeptTrace && event.visit && !event.isErased) {
       kept[*event.visit] = event.detail;
     }
   }
-  storage::TraceStore traces(storage::Database::inMemory(storage::traceSchema()));
+  return kept;
+}
+
+/// Samples against their trials, and against the digests in the trail.
+std::optional<std::string> StationTrail::firstProblemOfTraces(
+    std::int64_t session, const std::vector<storage::TraceChunk>& chunks) {
   std::set<VisitKey> visits;
   for (const auto& chunk : chunks) {
     const VisitKey visit{SessionId{session}, chunk.step, chunk.attempt};
@@ -248,17 +252,14 @@ std::optional<std::string> StationTrail::firstProblemOfTraces(
     }
     visits.insert(visit);
   }
-  {
-    storage::Transaction transaction(traces.database());
-    for (const auto& chunk : chunks) {
-      storage::addChunk(traces.database(), SessionId{session}, chunk);
-    }
-    transaction.commit();
-  }
+  const storage::Transaction rolledBack(traces_.database());
+  for (const auto& chunk : chunks) storage::addChunk(traces_.database(), SessionId{session}, chunk);
+  // Most events are sealed: they are not opened for nothing.
+  const auto kept = visits.empty() ? std::map<VisitKey, std::string>() : keptTraces(session);
   for (const auto& visit : visits) {
     const auto said = kept.find(visit);
     if (said == kept.end()) return nameOf(visit) + ": samples that the audit trail does not know";
-    if (traces.digest(visit) != said->second) {
+    if (traces_.digest(visit) != said->second) {
       return nameOf(visit) + ": the samples are not those that were recorded";
     }
   }
@@ -268,7 +269,7 @@ std::optional<std::string> StationTrail::firstProblemOfTraces(
   while (trials.step()) {
     const VisitKey visit{
         SessionId{session}, static_cast<int>(trials.number(0)), static_cast<int>(trials.number(1))};
-    if (traces.sampleCount(visit) != trials.number(2)) {
+    if (traces_.sampleCount(visit) != trials.number(2)) {
       return nameOf(visit) + ": not all samples are there";
     }
   }

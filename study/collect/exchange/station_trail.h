@@ -13,6 +13,7 @@
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"
 #include "study/storage/identity_store.h"
+#include "study/storage/trace_store.h"
 
 namespace study::collect {
 
@@ -63,6 +64,7 @@ class StationTrail {
       const CollectedStudy::Beginning& study, const StationRow& station, std::int64_t vouchedUpTo);
   bool agrees(std::int64_t session, const storage::StoredEvent& said);
   bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said);
+  std::map<VisitKey, std::string> keptTraces(std::int64_t session);
   std::optional<std::string> firstProblemOfTraces(
       std::int64_t session, const std::vector<storage::TraceChunk>& chunks);
 
@@ -73,6 +75,7 @@ class StationTrail {
   /// at a time.
   std::unique_ptr<storage::Database> database_;
   storage::IdentityStore identities_;
+  storage::TraceStore traces_;  ///< empty: samples of a session are put into it, and taken out
   std::vector<std::string> problems_;
   std::int64_t signedUpTo_ = 0;
   std::map<std::int64_t, std::int64_t> lastEvents_;
