@@ -1,8 +1,12 @@
 #include "analysis/summary/site_comparison.h"
 
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/analysis/golden_file.h"
 
 namespace site_comparison_test {
 
@@ -84,6 +88,54 @@ TEST(SiteComparison, ModelsSitesAsFixedAndAsRandomEffects) {
   const auto& components = all.randomSites.fit->components;
   EXPECT_EQ(components.back().name, "site:method");
   EXPECT_GT(components.back().variance, 0.1);
+}
+
+/// The answers of tests/data/stats/sites/models_golden.R, with the site of each participant.
+std::pair<AnswerTable, std::vector<std::string>> tableOf(const nlohmann::json& answers) {
+  AnswerTable table{.methods = {"a", "b"}, .rounds = {"1"}, .statements = {"1", "2"}};
+  std::vector<std::string> sites;
+  for (const auto& answer : answers) {
+    const auto person = answer[0].get<std::string>();
+    if (table.participants.empty() || table.participants.back() != person) {
+      table.participants.push_back(person);
+      sites.push_back(answer[1].get<std::string>());
+    }
+    const std::size_t method = answer[2] == "a" ? 0 : 1;
+    table.answers.push_back(
+        {.participant = table.participants.size() - 1,
+         .method = method,
+         .statement = static_cast<std::size_t>(answer[3] == "1" ? 0 : 1),
+         .position = static_cast<int>(method) + 1,
+         .score = answer[4].get<int>()});
+  }
+  return {table, sites};
+}
+
+void expectAsInLme4(
+    const analysis::TestRow& row,
+    const analysis::LinearMixedResult& model,
+    const nlohmann::json& golden) {
+  const auto number = [](const nlohmann::json& text) { return std::stod(text.get<std::string>()); };
+  // lme4 minimises the deviance, of which it knows some ten digits: half as many of the variances.
+  EXPECT_NEAR(row.estimate.value.value(), number(golden["a_minus_b"]), 1e-6);
+  EXPECT_NEAR(row.standardError.value(), number(golden["se"]), 1e-6);
+  ASSERT_TRUE(model.fit.has_value());
+  EXPECT_NEAR(-2.0 * model.fit->logLikelihood, number(golden["reml_deviance"]), 1e-8);
+  EXPECT_NEAR(model.fit->residualVariance, number(golden["variances"]["Residual"]), 1e-5);
+  EXPECT_EQ(model.fit->components.size() + 1, golden["variances"].size());
+  for (const auto& component : model.fit->components) {
+    EXPECT_NEAR(component.variance, number(golden["variances"][component.name]), 1e-5)
+        << component.name;
+  }
+}
+
+TEST(SiteComparison, ModelsSitesAsLme4Does) {
+  const auto golden = tests::statsJson("sites/models.json");
+  const auto [table, sites] = tableOf(golden["answers"]);
+  const auto all = analysis::compareSites(table, sites, kPair, 0.95);
+  const auto& row = all.rows.front();
+  expectAsInLme4(row.fixedSites, all.fixedSites, golden["fixed"]);
+  expectAsInLme4(row.randomSites, all.randomSites, golden["random"]);
 }
 
 TEST(SiteComparison, LeavesASiteOfOnePersonOutOfThePool) {
