@@ -47,7 +47,7 @@ std::uint64_t compareAll(const fs::path& folder) {
   std::uint64_t counted = 0;
   for (const auto& family : pooledResults(study, RunMode::Simulated).families) {
     for (const auto& cohort : family.cohorts) {
-      for (const auto& condition : cohort.conditions) counted += condition.counts.total();
+      for (const auto& condition : cohort.conditions) counted += condition.answers.total();
     }
   }
   return counted;

@@ -338,11 +338,9 @@ ResultJson sitesAsJson(const analysis::SiteComparison& row) {
 }
 
 ResultJson conditionAsJson(const std::string& condition, const analysis::AnswerSample& answers) {
-  ResultJson json{
-      {"condition", condition},
-      {"n", answers.total()},
-      {"mean", nullable(answers.mean())},
-      {"variance", nullable(answers.variance())}};
+  ResultJson json{{"condition", condition}, {"n", answers.total()}};
+  json["mean"] = nullable(answers.mean());
+  json["variance"] = nullable(answers.variance());
   if (const auto& points = answers.points()) {
     json["counts"] = std::vector<std::uint64_t>(points->counts().begin(), points->counts().end());
   }
