@@ -200,7 +200,11 @@ class AnswerWriter : HtmlWriter {
 
   void comparisons() {
     std::vector<std::string> headings{
-        say("Comparison"), say("Difference"), headingOfIntervals(), say("Effect size"), "p"};
+        say("Comparison"),
+        say("Difference"),
+        headingOfIntervals(),
+        say("Effect size"),
+        s_.wording == Wording::Vancouver ? "P" : "p"};
     const bool hasEffects = isAnyEffectKnown();
     if (!hasEffects) headings.erase(headings.end() - 2);
     const auto columns = headings.size();
@@ -241,12 +245,12 @@ class AnswerWriter : HtmlWriter {
     const auto& [group1, group2, difference, test] = comparison;
     const auto& effect = difference->effect;
     const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
-    const auto p = escaped(study::pInWords(
-        test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p));
+    const auto p = cellOfP(
+        test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
     std::vector<std::string> cells{
         withMean(part, group1) + " vs. " + withMean(part, group2),
         rounded(difference->estimate.value, 2),
-        intervalInWords(difference->interval)};
+        cellOf(difference->interval)};
     if (hasEffects) {
       cells.push_back(
           effect.value
@@ -284,9 +288,13 @@ class AnswerWriter : HtmlWriter {
 
   void weaknesses() {
     std::string items;
+    std::set<std::string> told;  // what several families share is said once
     for (const auto& family : s_.results.families) {
       const bool isOfPooled = isPooled(Profile::Declared, family.family);
-      for (const auto& [flag, found] : flagsByKind(family, isOfPooled)) items += weakness(found);
+      for (const auto& [flag, found] : flagsByKind(family, isOfPooled)) {
+        const auto item = weakness(found);
+        if (told.insert(item).second) items += item;
+      }
     }
     if (!s_.warnings.empty()) {
       items += "<li>" +

@@ -58,10 +58,10 @@ class ChecksWriter : HtmlWriter {
           cohort(part.cohort),
           say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
               rounded(slope.meanDifference, 2),
-              intervalInWords(part.position.slopeInterval),
+              intervalInWords(part.position.slopeInterval, s_.wording, s_.words),
               slope.degreesOfFreedom.value_or(0.0),
               rounded(slope.t, 2),
-              equalsInWords(pInWords(slope.p))));
+              equalsOfP(slope.p)));
     }
     put("</ul>");
   }
@@ -84,7 +84,7 @@ class ChecksWriter : HtmlWriter {
                                                 *spread.degreesOfFreedom1,
                                                 *spread.degreesOfFreedom2,
                                                 rounded(spread.f, 2),
-                                                equalsInWords(pInWords(spread.p)))
+                                                equalsOfP(spread.p))
                                           : std::string()),
           7);
       for (const auto& method : part.checks.methods) {

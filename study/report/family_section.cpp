@@ -142,11 +142,11 @@ class FamilyWriter : HtmlWriter {
     }
     put("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
         rounded(test.estimate.value, 2),
-        intervalInWords(test.interval),
+        cellOf(test.interval),
         rounded(test.statistic.value, 2),
         rounded(test.df, 2),
-        escaped(pInWords(test.p)),
-        escaped(pInWords(test.adjusted)));
+        cellOfP(test.p),
+        cellOfP(test.adjusted));
   }
 
   const FamilyResult& f_;

@@ -99,7 +99,7 @@ class SitesWriter : HtmlWriter {
             "Laird",
             pooled.sites - 1,
             rounded(pooled.q, 2),
-            equalsInWords(pInWords(pooled.qP)),
+            equalsOfP(pooled.qP),
             rounded(100.0 * pooled.reml.iSquared, 0),
             rounded(pooled.reml.tauSquared, 3),
             rounded(pooled.derSimonianLaird.tauSquared, 3)),

@@ -13,18 +13,6 @@
 namespace study::report {
 namespace {
 
-/// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
-/// significant.
-std::string pCell(const analysis::TestRow& test, bool isConfirmatory) {
-  if (!test.p) return {};
-  std::string text = escaped(pInWords(test.p));
-  if (test.adjusted && *test.adjusted != *test.p) {
-    text += " (" + escaped(pInWords(test.adjusted)) + ")";
-  }
-  return isConfirmatory && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>"
-                                                              : text;
-}
-
 /// The heading of a column of p values.
 std::string_view headingOf(std::string_view test) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShort{
@@ -95,6 +83,16 @@ class TestsWriter : HtmlWriter {
     }
   }
 
+  /// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
+  /// significant.
+  std::string pCell(const analysis::TestRow& test) const {
+    auto text = cellOfP(test.p);
+    if (!test.p) return text;
+    if (test.adjusted && *test.adjusted != *test.p) text += " (" + cellOfP(test.adjusted) + ")";
+    const bool isBold = f_.isConfirmatory(test.id) && test.isSignificant.value_or(false);
+    return isBold ? "<strong>" + text + "</strong>" : text;
+  }
+
   std::string pairOf(const analysis::WithinComparison& row) const {
     return condition(row.group1) + " vs. " + condition(row.group2);
   }
@@ -141,7 +139,7 @@ class TestsWriter : HtmlWriter {
       for (const auto& comparison : part.within.rows) {
         std::vector<std::string> cells{pairOf(comparison)};
         for (const auto& test : comparison.tests) {
-          if (test.isOfFamily) cells.push_back(pCell(test, f_.isConfirmatory(test.id)));
+          if (test.isOfFamily) cells.push_back(pCell(test));
         }
         row(cells);
       }
@@ -211,9 +209,15 @@ class TestsWriter : HtmlWriter {
   }
 
   /// The effect, with its interval if it has one.
-  static std::string effectOf(const analysis::TestRow& test) {
+  std::string effectOf(const analysis::TestRow& test) const {
     return cellOf(test.effect.value, 2) +
-           (test.effectInterval ? " " + intervalInWords(test.effectInterval) : "");
+           (test.effectInterval ? " " + inBrackets(test.effectInterval) : "");
+  }
+
+  /// In brackets: those of APA's interval are its own.
+  std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
+    const auto words = cellOf(interval);
+    return s_.wording == Wording::Vancouver ? "(" + words + ")" : words;
   }
 
   void sentences() {

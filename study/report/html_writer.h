@@ -73,11 +73,15 @@ class HtmlWriter {
   static std::string cellOf(const std::optional<double>& value, int digits) {
     return value ? rounded(value, digits) : std::string();
   }
-  static std::string cellOf(const std::optional<analysis::Interval>& interval) {
-    return interval ? intervalInWords(interval) : std::string();
+  std::string cellOf(const std::optional<analysis::Interval>& interval) const {
+    return interval ? escaped(intervalInWords(interval, s_.wording, s_.words)) : std::string();
   }
-  static std::string cellOfP(const std::optional<double>& p) {
-    return p ? escaped(pInWords(p)) : std::string();
+  std::string cellOfP(const std::optional<double>& p) const {
+    return p ? escaped(pInWords(p, s_.wording)) : std::string();
+  }
+  /// "= .021" after a p, "< .001".
+  std::string equalsOfP(const std::optional<double>& p) const {
+    return equalsInWords(pInWords(p, s_.wording));
   }
   void rowOver(const std::string& text, std::size_t columns) {
     put("<tr><td colspan=\"{}\"><em>{}</em></td></tr>", columns, text);
@@ -93,7 +97,11 @@ class HtmlWriter {
           say(caption));
       return;
     }
-    put("<figure>{}<figcaption{}>{}</figcaption></figure>", svg, idOf(key), say(caption));
+    captioned(svg, say(caption), key);
+  }
+  /// @param caption  in the language of the report, escaped.
+  void captioned(const std::string& svg, const std::string& caption, const std::string& key) {
+    put("<figure>{}<figcaption{}>{}</figcaption></figure>", svg, idOf(key), caption);
   }
 
   /// The number of a table or figure of this study: "Table 3" (numbering.h).

@@ -194,11 +194,12 @@ std::string evidenceInWords(double bayesFactor) {
   return bayesFactor > 1000.0 ? "> 1000" : fmt::format("{:.3g}", bayesFactor);
 }
 
-std::string pInWords(const std::optional<double>& p) {
+std::string pInWords(const std::optional<double>& p, Wording wording) {
+  const std::string_view zero = wording == Wording::Apa ? "" : "0";
   if (!p) return "–";
-  if (*p < 0.001) return "< .001";
+  if (*p < 0.001) return fmt::format("< {}.001", zero);
   if (*p >= 0.9995) return "1.000";
-  return fmt::format("{:.3f}", *p).substr(1);
+  return fmt::format("{}{}", zero, fmt::format("{:.3f}", *p).substr(1));
 }
 
 std::string equalsInWords(const std::string& number) {
@@ -223,12 +224,9 @@ Wording wordingNamed(std::string_view name) noexcept {
 
 std::string pEquals(const std::optional<double>& p, std::string_view correction, Wording wording) {
   const bool isApa = wording == Wording::Apa;
-  std::string number = pInWords(p);
-  const auto point = number.find('.');
-  if (!isApa && point != std::string::npos && number.front() != '1') number.insert(point, "0");
   const std::string name = isApa ? "p" : "P";
   return name + (correction.empty() ? "" : "_" + std::string(correction)) + " " +
-         equalsInWords(number);
+         equalsInWords(pInWords(p, wording));
 }
 
 std::string_view nameOf(protocols::CorrectionType correction) noexcept {

@@ -17,9 +17,6 @@ std::string rounded(const std::optional<double>& value, int digits);
 /// A Bayes factor to three digits; "> 1000" above, where larger values are not told apart.
 std::string evidenceInWords(double bayesFactor);
 
-/// A p value in running text: ".021", "< .001"; "–" if there is none.
-std::string pInWords(const std::optional<double>& p);
-
 /// The part after a letter and its equals sign: "= .021"; "< .001" and "> 1000" keep their own
 /// sign.
 std::string equalsInWords(const std::string& number);
@@ -30,6 +27,9 @@ std::string intervalInWords(const std::optional<analysis::Interval>& interval);
 /// How sentences write numbers: "p = .021, [0.41, 2.42]" as the APA asks (7th edition), or "P =
 /// 0.021, 0.41 to 2.42" as most medical journals do that have Vancouver's style of references.
 enum class Wording { Apa, Vancouver };
+
+/// A p value: ".021", "< .001"; "0.021", "< 0.001"; "–" if there is none.
+std::string pInWords(const std::optional<double>& p, Wording wording = Wording::Apa);
 
 /// Of "apa" and "vancouver".
 Wording wordingNamed(std::string_view name) noexcept;

@@ -362,6 +362,18 @@ TEST_F(ReportTables, AreFollowedByTheSameNumbersAsMedicalJournalsWriteThem) {
   expectSaid("equivalent within ±0.26: TOST P = 0.327");
 }
 
+TEST_F(ReportTables, HaveVancouversNumbersInEveryTable) {
+  section_.wording = Wording::Vancouver;
+  const auto page = asHtml({section_});
+  for (auto at = page.find("<td>"); at != std::string::npos; at = page.find("<td>", at + 1)) {
+    const auto cell = page.substr(at + 4, page.find("</td>", at) - at - 4);
+    EXPECT_FALSE(cell.starts_with(".")) << cell;
+    EXPECT_EQ(cell.find("&lt; ."), std::string::npos) << cell;
+    const bool isInterval = cell.starts_with("[") && cell.find('%') == std::string::npos;
+    EXPECT_FALSE(isInterval) << cell;
+  }
+}
+
 TEST(Wording, WritesBoundsAndOnesWithTheirDigits) {
   EXPECT_EQ(pEquals(0.0001), "p < .001");
   EXPECT_EQ(pEquals(0.0001, "Holm", Wording::Vancouver), "P_Holm < 0.001");
