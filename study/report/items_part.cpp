@@ -17,6 +17,7 @@ class ItemsWriter : HtmlWriter {
     for (const auto& instrument : s_.instruments) {
       numbers(instrument);
       choices(instrument);
+      figures(instrument);
     }
     if (html_.empty()) return {};
     note(
@@ -104,6 +105,34 @@ class ItemsWriter : HtmlWriter {
           chosenIn(instrument, *one));
     }
     endTable();
+  }
+
+  /// The figures of its items, with a sentence that refers to them.
+  void figures(const questionnaires::Instrument& instrument) {
+    std::string references;
+    for (const auto& one : s_.figures.items) {
+      if (one.instrument != instrument.id) continue;
+      references += (references.empty() ? "" : ", ") + reference(keyOf(one));
+    }
+    if (references.empty()) return;
+    put("<p>{} {}.</p>", say("Its answers by alternative:"), references);
+    for (const auto& one : s_.figures.items) {
+      if (one.instrument != instrument.id) continue;
+      const bool isChoice = !instrument.item(one.item)->options.empty();
+      const auto* caption =
+          isChoice ? "“{}”: how often each answer was given, by cohort and alternative."
+                   : "“{}”: a dot is the mean of one participant’s answers; above, "
+                     "their density; the box holds the middle half, with the median; "
+                     "the diamond is the mean.";
+      captioned(
+          one.svg,
+          fmt::format(fmt::runtime(escaped(s_.words(caption))), questionOf(instrument, one.item)),
+          keyOf(one));
+    }
+  }
+
+  static std::string keyOf(const ItemFigure& figure) {
+    return "item-" + figure.instrument + "-" + figure.item;
   }
 
   /// "left 3, right 12", without the options that nobody chose.

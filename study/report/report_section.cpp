@@ -107,6 +107,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
     add(id + "-sites", all.families[i].sites);
   }
   add("preferences", all.votes);
+  for (const auto& one : all.items) add("item-" + one.instrument + "-" + one.item, one.svg);
   for (std::size_t i = 0; i < all.felt.size(); ++i) {
     add("felt" + (all.felt.size() > 1 ? "-" + std::to_string(i + 1) : std::string()), all.felt[i]);
   }

@@ -24,8 +24,16 @@ struct FamilyFigures {
   std::string sites;      ///< differences by site, pooled; empty if there are not several
 };
 
+/// The answers to one item, by alternative.
+struct ItemFigure {
+  std::string instrument;
+  std::string item;
+  std::string svg;
+};
+
 struct Figures {
   std::vector<FamilyFigures> families;
+  std::vector<ItemFigure> items;
   std::string votes;
   std::vector<std::string> felt;  ///< one for each device
   std::string timing;

@@ -48,6 +48,61 @@ FamilyFigures figuresOf(
   return figures;
 }
 
+/// The participants' answers to a slider or a number, as a table of one statement.
+FamilyResult asFamily(const questionnaires::Item& item, const std::vector<ItemSummary>& summaries) {
+  FamilyResult family;
+  const bool isSlider = item.type == questionnaires::ItemType::Slider;
+  double low = isSlider ? item.least : *summaries.front().least;
+  double high = isSlider ? item.most : *summaries.front().most;
+  for (const auto& one : summaries) {
+    low = std::min(low, *one.least);
+    high = std::max(high, *one.most);
+    if (family.cohorts.empty() || family.cohorts.back().cohort != one.cohort) {
+      family.cohorts.push_back({.cohort = one.cohort, .table = {.isOfPoints = false}});
+    }
+    auto& table = family.cohorts.back().table;
+    for (std::size_t i = 0; i < one.values.size(); ++i) {
+      if (i >= table.participants.size()) table.participants.push_back(std::to_string(i));
+      table.answers.push_back(
+          {.participant = i, .method = table.methods.size(), .score = one.values[i]});
+    }
+    table.methods.push_back(one.condition);
+  }
+  if (low == high) high = low + 1.0;
+  for (auto& cohort : family.cohorts) {
+    cohort.table.lowest = low;
+    cohort.table.highest = high;
+  }
+  return family;
+}
+
+/// The figure of one item, if it is a choice, a slider or a number that was asked about
+/// alternatives.
+std::string itemFigure(
+    const ReportSection& section,
+    const questionnaires::Instrument& instrument,
+    const questionnaires::Item& item,
+    const FigureFormat& format) {
+  std::vector<ItemSummary> summaries;
+  for (const auto& one : section.results.answers.items) {
+    const bool isOf = one.instrument == instrument.id && one.item == item.id;
+    if (isOf && !one.condition.empty()) summaries.push_back(one);
+  }
+  if (summaries.empty()) return {};
+  if (!summaries.front().options.empty()) {
+    return asSvg(
+        choiceFigureSize(summaries, format),
+        [&](QPainter& painter) { paintChoiceFigure(painter, section, item, summaries, format); },
+        format);
+  }
+  if (answerKindOf(item.type) != questionnaires::AnswerKind::Number) return {};
+  const auto family = asFamily(item, summaries);
+  return asSvg(
+      raincloudFigureSize(family, format),
+      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format); },
+      format);
+}
+
 /// The 99th percentile and the largest lateness of each trial.
 std::string timingFigure(const ReportSection& section, const FigureFormat& format) {
   std::map<std::string, std::pair<ChartSeries, ChartSeries>> byDevice;
@@ -80,6 +135,12 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
   section.figures = {};
   for (const auto& family : section.results.families) {
     section.figures.families.push_back(figuresOf(section, withAnswers(family), format));
+  }
+  for (const auto& instrument : section.instruments) {
+    for (const auto& item : instrument.items) {
+      auto svg = itemFigure(section, instrument, item, format);
+      if (!svg.empty()) section.figures.items.push_back({instrument.id, item.id, std::move(svg)});
+    }
   }
   if (!section.results.votes.empty()) {
     section.figures.votes = asSvg(

@@ -73,4 +73,14 @@ void paintSiteFigure(
 QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format);
 void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format);
 
+/// How often each option of @p item was chosen, by cohort and alternative.
+/// @param summaries  those of the item that are about an alternative
+QSizeF choiceFigureSize(const std::vector<ItemSummary>& summaries, const FigureFormat& format);
+void paintChoiceFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const questionnaires::Item& item,
+    const std::vector<ItemSummary>& summaries,
+    const FigureFormat& format);
+
 }  // namespace study::report

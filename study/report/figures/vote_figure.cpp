@@ -1,3 +1,5 @@
+#include "analysis/data/vote_shares.h"
+#include "questionnaires/model/answer.h"
 #include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
@@ -9,11 +11,81 @@ constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 26.0};
 constexpr double kVoteBar = 18.0;
 constexpr double kVoteGap = 10.0;
 
-class VotePainter {
+/// One bar.
+struct Share {
+  std::string name;
+  std::uint64_t times = 0;
+  std::optional<analysis::Interval> interval;
+  int colour = 0;  ///< of categoryColour()
+};
+
+/// Bars below a heading.
+struct Shares {
+  std::string heading;
+  std::uint64_t total = 0;
+  std::vector<Share> bars;
+  bool isOfEqualChance = false;  ///< the share of each, if all were chosen equally often, is marked
+};
+
+std::vector<Shares> sharesOf(const ReportSection& section) {
+  std::vector<Shares> all;
+  for (const auto& cohort : section.results.flow) {
+    for (const auto& vote : section.results.votes) {
+      if (vote.cohort != cohort.cohort) continue;
+      auto& group = all.emplace_back(Shares{
+          .heading = section.cohortTitle(vote.cohort) + ", " + vote.block,
+          .total = vote.votes.total(),
+          .isOfEqualChance = true});
+      const auto shares = vote.votes.shares();
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        group.bars.push_back(
+            {.name = section.conditionTitle(shares[i].option),
+             .times = shares[i].votes,
+             .interval = i < vote.intervals.size() ? vote.intervals[i] : std::nullopt,
+             .colour = section.conditionPlace(shares[i].option)});
+      }
+    }
+  }
+  return all;
+}
+
+/// A group for each cohort and alternative, a bar for each option.
+std::vector<Shares> sharesOf(
+    const ReportSection& section,
+    const questionnaires::Item& item,
+    const std::vector<ItemSummary>& summaries) {
+  std::vector<Shares> all;
+  for (const auto& one : summaries) {
+    auto& group = all.emplace_back(Shares{
+        .heading = section.cohortTitle(one.cohort) + ", " + section.conditionTitle(one.condition),
+        .total = one.answers});
+    for (const auto& [id, times] : one.options) {
+      const auto label = questionnaires::labelOf(item, id, section.words.language());
+      group.bars.push_back(
+          {.name = label.empty() ? id : label,
+           .times = times,
+           .interval = analysis::wilsonInterval(times, one.answers),
+           .colour = section.conditionPlace(one.condition)});
+    }
+  }
+  return all;
+}
+
+double heightOf(std::size_t bars, const FigureFormat& format) {
+  return RowsCanvas::kHeading + kVoteGap +
+         static_cast<double>(bars) * RowsCanvas::rowHeight(format, kVoteRows.height);
+}
+
+QSizeF sizeOf(const std::vector<Shares>& groups, const FigureFormat& format) {
+  double height = RowsCanvas::kAxis;
+  for (const auto& group : groups) height += heightOf(group.bars.size(), format);
+  return {format.layoutWidth(), height};
+}
+
+class SharePainter {
  public:
-  VotePainter(QPainter& painter, const ReportSection& section, const FigureFormat& format)
+  SharePainter(QPainter& painter, const FigureFormat& format)
       : painter_(painter),
-        section_(section),
         format_(format),
         canvas_(
             painter,
@@ -21,68 +93,49 @@ class VotePainter {
             kVoteRows,
             AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
-  void paint() {
-    const double bottom = voteFigureSize(section_, format_).height() - RowsCanvas::kAxis;
-    canvas_.axis(
-        RowsCanvas::kHeading,
-        bottom,
-        section_.words("share of the votes, with Wilson’s 95 % interval"),
-        QStringLiteral(" %"));
+  void paint(const std::vector<Shares>& groups, const std::string& axis) {
+    const double bottom = sizeOf(groups, format_).height() - RowsCanvas::kAxis;
+    canvas_.axis(RowsCanvas::kHeading, bottom, axis, QStringLiteral(" %"));
     double y = 0.0;
-    for (const auto& cohort : section_.results.flow) {
-      for (const auto& vote : section_.results.votes) {
-        if (vote.cohort == cohort.cohort) y = group(vote, y);
+    for (const auto& group : groups) {
+      canvas_.heading(group.heading, y);
+      y += RowsCanvas::kHeading;
+      const double top = y;
+      for (const auto& share : group.bars) {
+        bar(share, group.total, y);
+        y += RowsCanvas::rowHeight(format_, kVoteRows.height);
       }
+      if (group.isOfEqualChance && !group.bars.empty()) {
+        canvas_.reference(100.0 / static_cast<double>(group.bars.size()), top, y, Qt::DashLine);
+      }
+      y += kVoteGap;
     }
   }
 
  private:
-  double group(const VoteResult& vote, double y) {
-    canvas_.heading(section_.cohortTitle(vote.cohort) + ", " + vote.block, y);
-    y += RowsCanvas::kHeading;
-    const auto shares = vote.votes.shares();
-    const double top = y;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      row(shares[i].option, shares[i].votes, vote.votes.total(), vote, i, y);
-      y += RowsCanvas::rowHeight(format_, kVoteRows.height);
-    }
-    if (!shares.empty()) {
-      canvas_.reference(100.0 / static_cast<double>(shares.size()), top, y, Qt::DashLine);
-    }
-    return y + kVoteGap;
-  }
-
-  void row(
-      const std::string& option,
-      std::uint64_t votes,
-      std::uint64_t total,
-      const VoteResult& vote,
-      std::size_t index,
-      double y) {
-    canvas_.name(section_.conditionTitle(option), y, kVoteRows.height);
-    canvas_.words(std::to_string(votes) + " / " + std::to_string(total), y, kVoteRows.height);
+  void bar(const Share& share, std::uint64_t total, double y) {
+    canvas_.name(share.name, y, kVoteRows.height);
+    canvas_.words(std::to_string(share.times) + " / " + std::to_string(total), y, kVoteRows.height);
     if (total == 0) return;
     y = canvas_.drawingOf(y);
-    const double share = 100.0 * static_cast<double>(votes) / static_cast<double>(total);
+    const double percent = 100.0 * static_cast<double>(share.times) / static_cast<double>(total);
     painter_.setPen(Qt::NoPen);
-    painter_.setBrush(categoryColour(section_.conditionPlace(option)));
+    painter_.setBrush(categoryColour(share.colour));
     painter_.drawRect(QRectF(
         canvas_.x(0.0),
         y + (kVoteRows.height - kVoteBar) / 2,
-        canvas_.x(share) - canvas_.x(0.0),
+        canvas_.x(percent) - canvas_.x(0.0),
         kVoteBar));
-    if (index >= vote.intervals.size() || !vote.intervals[index]) return;
-    const auto& interval = *vote.intervals[index];
+    if (!share.interval) return;
     canvas_.interval(
-        100.0 * interval.low,
-        100.0 * interval.high,
+        100.0 * share.interval->low,
+        100.0 * share.interval->high,
         y + kVoteRows.height / 2,
         QColor(40, 40, 40),
         1.6);
   }
 
   QPainter& painter_;
-  const ReportSection& section_;
   FigureFormat format_;
   RowsCanvas canvas_;
 };
@@ -90,18 +143,30 @@ class VotePainter {
 }  // namespace
 
 QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format) {
-  double height = RowsCanvas::kAxis;
-  for (const auto& vote : section.results.votes) {
-    height += RowsCanvas::kHeading +
-              static_cast<double>(vote.votes.shares().size()) *
-                  RowsCanvas::rowHeight(format, kVoteRows.height) +
-              kVoteGap;
-  }
-  return {format.layoutWidth(), height};
+  return sizeOf(sharesOf(section), format);
 }
 
 void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format) {
-  VotePainter(painter, section, format).paint();
+  SharePainter(painter, format)
+      .paint(sharesOf(section), section.words("share of the votes, with Wilson’s 95 % interval"));
+}
+
+QSizeF choiceFigureSize(const std::vector<ItemSummary>& summaries, const FigureFormat& format) {
+  double height = RowsCanvas::kAxis;
+  for (const auto& one : summaries) height += heightOf(one.options.size(), format);
+  return {format.layoutWidth(), height};
+}
+
+void paintChoiceFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const questionnaires::Item& item,
+    const std::vector<ItemSummary>& summaries,
+    const FigureFormat& format) {
+  SharePainter(painter, format)
+      .paint(
+          sharesOf(section, item, summaries),
+          section.words("share of the answers, with Wilson’s 95 % interval"));
 }
 
 }  // namespace study::report

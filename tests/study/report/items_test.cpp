@@ -283,6 +283,19 @@ TEST(ItemSummaries, AreShownInTheReport) {
       std::string::npos)
       << items;
   EXPECT_NE(items.find("<td class=\"words\">The right 1</td>"), std::string::npos) << items;
+  EXPECT_EQ(items.find("<figure>"), std::string::npos);
+  section.figures.items = {{"mine", "vas", "<svg>1</svg>"}, {"mine", "hand", "<svg>2</svg>"}};
+  const auto illustrated = report::itemsAsHtml(section);
+  EXPECT_NE(
+      illustrated.find("by alternative: <a href=\"#item-mine-vas\"></a>, "
+                       "<a href=\"#item-mine-hand\"></a>.</p>"),
+      std::string::npos)
+      << illustrated;
+  EXPECT_NE(
+      illustrated.find(
+          "<svg>2</svg><figcaption id=\"item-mine-hand\">“Question &lt;hand&gt;”: how"),
+      std::string::npos)
+      << illustrated;
   const auto quotes = report::quotesAsHtml(section);
   EXPECT_NE(quotes.find("<em>KF</em>"), std::string::npos);
   EXPECT_NE(quotes.find("<li>“a &lt;bit&gt; soft”</li>"), std::string::npos) << quotes;
