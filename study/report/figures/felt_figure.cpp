@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <QPainterPath>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr double kFeltHeight = 420.0;
 constexpr double kFeltAxis = 52.0;   // below the plot
 constexpr double kFeltEntry = 24.0;  // of a legend below the plot
+constexpr std::size_t kMarks = 8;    // along a line
+constexpr double kMark = 5.5;        // radius
 
 /// The plot; a narrow figure has its legend below, others beside.
 QRectF feltPlotOf(const FigureFormat& format) {
@@ -134,6 +137,26 @@ class FeltPainter {
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(colour, 2.2));
     painter_.drawPath(path);
+    const std::size_t step = std::max<std::size_t>(curve.points.size() / kMarks, 1);
+    for (std::size_t i = step / 2; i < curve.points.size(); i += step) {
+      mark(curve, at(curve.points[i].travel, curve.points[i].median));
+    }
+  }
+
+  /// A mark of the condition, so that lines differ by more than their colour: a regular polygon of
+  /// three corners for the first condition, four for the second, and so on.
+  void mark(const FeltCurve& curve, const QPointF& where) {
+    const int place = section_.conditionPlace(curve.condition);
+    const int corners = 3 + place % 5;
+    QPolygonF polygon;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / corners - 0.5 * std::numbers::pi;
+      polygon << where + kMark * QPointF(std::cos(angle), std::sin(angle));
+    }
+    painter_.setPen(QPen(Qt::white, 0.8));
+    painter_.setBrush(categoryColour(place));
+    painter_.drawPolygon(polygon);
+    painter_.setBrush(Qt::NoBrush);
   }
 
   void meant(const FeltCurve& curve, const QColor& colour) {
@@ -152,6 +175,7 @@ class FeltPainter {
     for (const auto* curve : curves_) {
       painter_.setPen(QPen(categoryColour(section_.conditionPlace(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
+      mark(*curve, {plot_.left() + 11, y + 11});
       painter_.setPen(Qt::black);
       drawText(
           painter_,
@@ -173,6 +197,7 @@ class FeltPainter {
       const double x = plot_.right() + 18;
       painter_.setPen(QPen(categoryColour(section_.conditionPlace(curves_[i]->condition)), 3));
       painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
+      mark(*curves_[i], {x + 13, y + 10});
       painter_.setPen(Qt::black);
       drawText(
           painter_,

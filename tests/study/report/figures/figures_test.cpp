@@ -14,12 +14,14 @@
 #include <QXmlStreamReader>
 
 #include "study/cohort/simulated_participant.h"
+#include "study/report/figures/palette.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "study/results/apa_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 #include "tests/support/child_process.h"
+#include "tests/support/colour_vision.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::report {
@@ -50,6 +52,38 @@ TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
   EXPECT_EQ(figures.felt.size(), 1U);
   EXPECT_FALSE(figures.votes.empty());
   EXPECT_FALSE(figures.timing.empty());
+}
+
+/// The smallest difference between two of @p colours, for every kind of colour vision.
+double smallestDifference(const std::vector<QColor>& colours) {
+  double least = 1e9;
+  const auto compare = [&](const tests::Matrix& eye) {
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        least = std::min(least, tests::colourDifference(colours[i], colours[j], eye));
+      }
+    }
+  };
+  compare(tests::kNormal);
+  for (const auto& eye : tests::kColourBlind) compare(eye);
+  return least;
+}
+
+TEST(Palette, IsToldApartByEveryColourVision) {
+  constexpr double kClearly = 15.0;  // ΔE of CIE 1976; what is below about 2.3 is invisible
+  std::vector<QColor> categories;
+  for (int i = 0; i < 7; ++i) categories.push_back(categoryColour(i));
+  EXPECT_GT(smallestDifference(categories), kClearly);
+  std::vector<QColor> points;
+  for (int i = 0; i < 5; ++i) points.push_back(divergingColour(i, 5));
+  EXPECT_GT(smallestDifference(points), kClearly);
+  EXPECT_LT(smallestDifference({QColor("#cc0000"), QColor("#2f7f00")}), kClearly);  // red and green
+}
+
+TEST(Figures, TellLinesApartByMarksToo) {
+  const auto section = painted();
+  const auto& felt = section.figures.felt.front();
+  EXPECT_NE(felt.find("<polygon"), std::string::npos);
 }
 
 TEST(Figures, SayHowOftenEachPointWasChosen) {
