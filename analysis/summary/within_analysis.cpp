@@ -133,6 +133,11 @@ class Comparing {
     if (needsBound) settings.bound = options_.equivalenceBound;
     for (auto& row : computeTest(test, data, settings)) {
       row.isOfFamily = test.use == StudyUse::Pairs;
+      // An exact test of one person is defined (p = 1) and says nothing of how people differ.
+      if (row.isOfFamily && row.p && data.values.front().values.size() < 2) {
+        row.p.reset();
+        row.reason = reason("two_participants_needed");
+      }
       rows.push_back(std::move(row));
     }
   }

@@ -123,14 +123,18 @@ class AnswerWriter : HtmlWriter {
     const auto& lower = s_.conditionTitle(isTurned ? row.group1 : row.group2);
     auto interval = row.difference->interval;
     if (interval && isTurned) interval = analysis::Interval{-interval->high, -interval->low};
-    std::string numbers = s_.words.say(
-        "{:g} % CI {}",
-        100.0 * (1.0 - family.family.alpha),
-        intervalInWords(interval, s_.wording, s_.words));
-    if (const auto& effect = row.difference->effect; effect.value) {
-      numbers += fmt::format(", {} = {}", effect.name, rounded(sign * *effect.value, 2));
+    std::string numbers;
+    if (interval) {
+      numbers = s_.words.say(
+                    "{:g} % CI {}",
+                    100.0 * (1.0 - family.family.alpha),
+                    intervalInWords(interval, s_.wording, s_.words)) +
+                ", ";
     }
-    numbers += ", " + pInWords(family, *row.test);
+    if (const auto& effect = row.difference->effect; effect.value) {
+      numbers += fmt::format("{} = {}, ", effect.name, rounded(sign * *effect.value, 2));
+    }
+    numbers += pInWords(family, *row.test);
     const bool isInDoubt = family.isDeclared && !row.test->isSignificant.value_or(true);
     return withSubscripts(
         say(isInDoubt ? "{} was rated {} points higher than {}, which is not significant ({})"

@@ -87,6 +87,18 @@ TEST(WithinAnalysis, HasTheProbabilityOfAnswersAboveTheMiddleOfEachMethod) {
   }
 }
 
+TEST(WithinAnalysis, TestsNothingWhereOnePersonAnswered) {
+  auto table = professionals();
+  std::erase_if(table.answers, [](const auto& answer) { return answer.participant > 0; });
+  const std::vector<analysis::DeclaredPair> pairs{{"interpolation", "fem"}};
+  const auto result = analysis::compareWithin(table, pairs, {});
+  for (const auto& test : result.rows.at(0).tests) {
+    if (!test.isOfFamily) continue;
+    EXPECT_FALSE(test.p) << test.id;
+    EXPECT_FALSE(test.reason.empty()) << test.id;
+  }
+}
+
 TEST(WithinAnalysis, SaysWhyThereIsNoProbability) {
   auto table = professionals();
   for (auto& answer : table.answers)

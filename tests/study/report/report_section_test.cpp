@@ -65,6 +65,15 @@ TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
   EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());
 }
 
+TEST(ReportSection, HasNoCellWithADashWhereOnePersonTookPart) {
+  tests::MadeStudy study;
+  simulateCohorts(*study, study.clock, 1, 3, [](const auto&) {});
+  const auto page = asHtml({gather(*study, RunMode::Simulated)});
+  const std::regex dash("<td[^>]*>(<[^>]*>)*(–|-|nan)[^<]{0,3}</");
+  EXPECT_FALSE(std::regex_search(page, dash)) << page;
+  EXPECT_EQ(page.find("CI –"), std::string::npos);
+}
+
 TEST(ReportSection, HasItemsThatAreInTheTerminalAsWell) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.form = "background"})));
   simulateCohorts(*study, study.clock, 3, 3, [](const auto&) {});
