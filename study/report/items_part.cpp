@@ -121,9 +121,8 @@ class ItemsWriter : HtmlWriter {
       const bool isChoice = !instrument.item(one.item)->options.empty();
       const auto* caption =
           isChoice ? "“{}”: how often each answer was given, by cohort and alternative."
-                   : "“{}”: a dot is the mean of one participant’s answers; above, "
-                     "their density; the box holds the middle half, with the median; "
-                     "the diamond is the mean.";
+                   : "“{}”: a dot is the mean of one participant’s answers; the box holds "
+                     "the middle half, with the median; the diamond is the mean.";
       captioned(
           one.svg,
           fmt::format(fmt::runtime(escaped(s_.words(caption))), questionOf(instrument, one.item)),

@@ -98,8 +98,10 @@ std::string itemFigure(
   if (answerKindOf(item.type) != questionnaires::AnswerKind::Number) return {};
   const auto family = asFamily(item, summaries);
   return asSvg(
-      raincloudFigureSize(family, format),
-      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format); },
+      raincloudFigureSize(family, format, Clouds::Hidden),
+      [&](QPainter& painter) {
+        paintRaincloudFigure(painter, section, family, format, Clouds::Hidden);
+      },
       format);
 }
 

@@ -48,15 +48,20 @@ void paintPositionFigure(
     const FamilyResult& family,
     const FigureFormat& format);
 
+/// Whether a raincloud has densities; a small figure has none.
+enum class Clouds { Shown, Hidden };
+
 /// The rating of every method by every participant: a dot for each, equal ones above one another;
 /// above them their density, between them the interquartile range and the median; a diamond is the
 /// mean. After Allen et al. 2021 (raincloud plots).
-QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format);
+QSizeF raincloudFigureSize(
+    const FamilyResult& family, const FigureFormat& format, Clouds clouds = Clouds::Shown);
 void paintRaincloudFigure(
     QPainter& painter,
     const ReportSection& section,
     const FamilyResult& family,
-    const FigureFormat& format);
+    const FigureFormat& format,
+    Clouds clouds = Clouds::Shown);
 
 /// Forest plot: the difference of two methods at each site with its interval at 1 − α, a square
 /// whose area is the site's weight, and a diamond for the pooled difference. Its size is empty for

@@ -14,6 +14,8 @@ namespace {
 
 constexpr RowMeasures kCloudRows{.names = 190.0, .texts = 110.0, .height = 84.0};
 constexpr double kCloud = 34.0;  // of a row, from its top
+constexpr RowMeasures kRainRows{.names = 190.0, .texts = 110.0, .height = 54.0};
+constexpr double kNoCloud = 4.0;
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
 constexpr double kMargin = 0.075;     // beside the scale, as a share of its width
@@ -55,23 +57,31 @@ double bandwidthOf(const std::vector<double>& sorted, double least) {
   return std::max(0.9 * spread * std::pow(n, -0.2), least);
 }
 
+const RowMeasures& rowsOf(Clouds clouds) {
+  return clouds == Clouds::Shown ? kCloudRows : kRainRows;
+}
+
 class RaincloudPainter {
  public:
   RaincloudPainter(
       QPainter& painter,
       const ReportSection& section,
       const FamilyResult& family,
-      const FigureFormat& format)
+      const FigureFormat& format,
+      Clouds clouds)
       : painter_(painter),
         section_(section),
         family_(family),
         format_(format),
+        clouds_(clouds),
+        rows_(rowsOf(clouds)),
+        cloud_(clouds == Clouds::Shown ? kCloud : kNoCloud),
         lowest_(family.cohorts.front().table.lowest),
         highest_(family.cohorts.front().table.highest),
         canvas_(
             painter,
             format,
-            kCloudRows,
+            rows_,
             AxisScale(
                 {.title = {},
                  .least = lowest_ - kMargin * (highest_ - lowest_),
@@ -80,7 +90,8 @@ class RaincloudPainter {
                 highest_)) {}
 
   void paint() {
-    const double bottom = raincloudFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+    const double bottom =
+        raincloudFigureSize(family_, format_, clouds_).height() - RowsCanvas::kAxis;
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
     double y = 0.0;
@@ -89,29 +100,29 @@ class RaincloudPainter {
       y += RowsCanvas::kHeading;
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
         row(cohort.table, method, y);
-        y += RowsCanvas::rowHeight(format_, kCloudRows.height);
+        y += RowsCanvas::rowHeight(format_, rows_.height);
       }
     }
   }
 
  private:
   void row(const analysis::AnswerTable& table, std::size_t method, double y) {
-    canvas_.name(section_.conditionTitle(table.methods[method]), y, kCloudRows.height);
+    canvas_.name(section_.conditionTitle(table.methods[method]), y, rows_.height);
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
-    if (values.empty()) return canvas_.words(number, y, kCloudRows.height / 2);
+    if (values.empty()) return canvas_.words(number, y, rows_.height / 2);
     const std::string mean = "μ = " + rounded(meanOf(values), 2);
     if (canvas_.isNarrow()) {
-      canvas_.words(mean + ", " + number, y, kCloudRows.height / 2);
+      canvas_.words(mean + ", " + number, y, rows_.height / 2);
     } else {
-      canvas_.words(number, y, kCloudRows.height / 2);
-      canvas_.words(mean, y + kCloudRows.height / 2 - 12, kCloudRows.height / 2);
+      canvas_.words(number, y, rows_.height / 2);
+      canvas_.words(mean, y + rows_.height / 2 - 12, rows_.height / 2);
     }
     y = canvas_.drawingOf(y);
     const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
-    if (values.size() > 2) cloud(values, y + kCloud, colour);
-    box(values, y + kCloud + 4 + kBox / 2, colour);
-    rain(values, y + kCloud + kBox + 10, colour);
+    if (values.size() > 2 && clouds_ == Clouds::Shown) cloud(values, y + cloud_, colour);
+    box(values, y + cloud_ + 4 + kBox / 2, colour);
+    rain(values, y + cloud_ + kBox + 10, colour);
   }
 
   /// The density within the scale's ends, scaled to the height of its row.
@@ -164,7 +175,7 @@ class RaincloudPainter {
     }
     std::size_t highest = 1;
     for (const auto& [place, column] : columns) highest = std::max(highest, column.size());
-    const double room = kCloudRows.height - (kCloud + kBox + 10) - kDot;
+    const double room = rows_.height - (cloud_ + kBox + 10) - kDot;
     const double step = std::min(2.0 * kDot, room / static_cast<double>(highest));
     for (const auto& [place, column] : columns) {
       double y = top;
@@ -179,6 +190,9 @@ class RaincloudPainter {
   const ReportSection& section_;
   const FamilyResult& family_;
   FigureFormat format_;
+  Clouds clouds_;
+  RowMeasures rows_;
+  double cloud_;  ///< height, of a row from its top
   double lowest_;
   double highest_;
   RowsCanvas canvas_;
@@ -186,11 +200,11 @@ class RaincloudPainter {
 
 }  // namespace
 
-QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format) {
+QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format, Clouds clouds) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
     height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
-                                         RowsCanvas::rowHeight(format, kCloudRows.height);
+                                         RowsCanvas::rowHeight(format, rowsOf(clouds).height);
   }
   return {format.layoutWidth(), height};
 }
@@ -199,8 +213,9 @@ void paintRaincloudFigure(
     QPainter& painter,
     const ReportSection& section,
     const FamilyResult& family,
-    const FigureFormat& format) {
-  RaincloudPainter(painter, section, family, format).paint();
+    const FigureFormat& format,
+    Clouds clouds) {
+  RaincloudPainter(painter, section, family, format, clouds).paint();
 }
 
 }  // namespace study::report
