@@ -61,6 +61,11 @@ std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options)
   const auto readers = readersOf(study, options);
   auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
   tables.push_back(itemsTable(study, readers));
+  if (options.format == ExportFormat::Csv && !options.publicClass) {
+    const StudyRows rows(study, options);
+    tables.push_back(
+        filled(wideTable(study.protocol()), wideRows(study.protocol(), rows.answers()), readers));
+  }
   if (!options.isBlinded && !options.publicClass) {
     const auto results = resultsFor(study, options);
     tables.push_back(statisticsTable(study, options, results));

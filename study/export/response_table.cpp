@@ -1,8 +1,12 @@
-// The columns of responses.csv and texts.csv.
+// The columns of responses.csv, texts.csv and wide.csv.
+#include <algorithm>
+#include <cctype>
 #include <initializer_list>
+#include <tuple>
 
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
+#include "questionnaires/scoring/scoring.h"
 #include "study/export/study_columns.h"
 #include "study/export/value_lists.h"
 
@@ -137,7 +141,132 @@ Columns<ExportedAnswer> joined(std::initializer_list<Columns<ExportedAnswer>> pa
   return all;
 }
 
+/// The instruments that blocks ask, in the order of the protocol.
+std::vector<const questionnaires::Instrument*> askedInBlocks(
+    const protocols::LoadedProtocol& loaded) {
+  std::vector<const questionnaires::Instrument*> all;
+  for (const auto& phase : loaded.protocol.phases) {
+    for (const auto& asked : phase.trials.questionnaires) {
+      const auto* instrument = loaded.instrument(asked.instrument);
+      if (std::ranges::count(all, instrument) == 0) all.push_back(instrument);
+    }
+  }
+  return all;
+}
+
+/// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program takes.
+std::string wideName(const std::string& instrument, const std::string& what) {
+  std::string name = instrument + "__" + what;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+std::string scoreName(const std::string& instrument, const std::string& score) {
+  return wideName(instrument, "score_" + score);
+}
+
+Column<ExportedForms> itemColumn(
+    const questionnaires::Instrument& instrument,
+    const questionnaires::Item& item,
+    const std::string& language) {
+  using namespace holds;
+  const auto name = wideName(instrument.id, item.id);
+  const auto cell = [name](const ExportedForms& row) {
+    const auto found = row.cells.find(name);
+    return found == row.cells.end() ? Cell() : found->second;
+  };
+  const auto& text = item.text.in(language);
+  const auto description =
+      "As given to item " + item.id + " of " + instrument.id + (text.empty() ? "" : ": " + text);
+  switch (answerKindOf(item.type)) {
+    case questionnaires::AnswerKind::Point:
+      return {name, Integer{}, description, cell};
+    case questionnaires::AnswerKind::Number:
+      return {name, Number{}, description, cell};
+    default:
+      return {name, FreeText{}, description, cell};
+  }
+}
+
+Column<ExportedForms> scoreColumn(
+    const questionnaires::Instrument& instrument, const questionnaires::Score& score) {
+  const auto name = scoreName(instrument.id, score.id);
+  return {
+      name,
+      holds::Number{},
+      "Score " + score.id + " of " + instrument.id + "; empty where too few items were answered",
+      [name](const ExportedForms& row) {
+        const auto found = row.cells.find(name);
+        return found == row.cells.end() ? Cell() : found->second;
+      }};
+}
+
 }  // namespace
+
+Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded) {
+  using C = ExportedForms;
+  Columns<C> columns{
+      participantColumn<C>(),
+      sessionNumberColumn<C>(),
+      cohortColumn<C>(),
+      runModeColumn<C>(),
+      blockColumn<C>(),
+      positionColumn<C>(),
+      alternativeColumn<C>(),
+      conditionCodeColumn<C>(),
+      conditionColumn<C>()};
+  const auto& language = loaded.protocol.languages.front();
+  for (const auto* instrument : askedInBlocks(loaded)) {
+    for (const auto& item : instrument->items) {
+      const bool isText = answerKindOf(item.type) == questionnaires::AnswerKind::Text;
+      if (!isText && !item.isIdentifying) {
+        columns.push_back(itemColumn(*instrument, item, language));
+      }
+    }
+    for (const auto& score : instrument->scores) columns.push_back(scoreColumn(*instrument, score));
+  }
+  return {
+      .name = "wide",
+      .description =
+          "One row per participant, block and alternative, with a column for each question and "
+          "each "
+          "score: the answers that the statistics count, as they were given.",
+      .columns = std::move(columns)};
+}
+
+std::vector<ExportedForms> wideRows(
+    const protocols::LoadedProtocol& loaded, const std::vector<ExportedAnswer>& answers) {
+  using Key = std::tuple<SessionId, std::string_view, int>;
+  std::map<Key, std::size_t> places;
+  std::vector<ExportedForms> rows;
+  std::vector<std::map<std::string, std::vector<questionnaires::Answer>>> given;  // by instrument
+  for (const auto& answer : answers) {
+    const bool counts = answer.excluded.empty() && answer.alternative && answer.position;
+    if (!counts || answer.record->step.kind != StepKind::Questionnaire) continue;
+    const Key key{answer.owner.session, answer.block, *answer.alternative};
+    const auto [found, isNew] = places.try_emplace(key, rows.size());
+    if (isNew) {
+      rows.push_back({answer, {}});
+      given.emplace_back();
+    }
+    const auto& instrument = answer.record->step.instrument;
+    const auto& item = answer.record->answer.item;
+    // A band of a number about the person is no number.
+    if (answer.band.empty())
+      rows[found->second].cells[wideName(instrument, item)] = answer.response;
+    given[found->second][instrument].push_back({item, answer.record->answer.response});
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const auto* instrument : askedInBlocks(loaded)) {
+      for (const auto& score : instrument->scores) {
+        const auto result = questionnaires::scored(*instrument, score, given[i][instrument->id]);
+        if (result) rows[i].cells[scoreName(instrument->id, score.id)] = *result;
+      }
+    }
+  }
+  return rows;
+}
 
 Table<ExportedAnswer> responseTable() {
   return {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "study/export/column.h"
 #include "study/export/export_rows.h"
 #include "study/storage/trace_store.h"
@@ -13,6 +17,16 @@ Table<ExportedAnswer> textTable();
 Table<ExportedTrial> trialTable();
 Table<ExportedCut> cutTable();
 Table<ExportedEvent> eventTable();
+
+/// What a participant answered about one alternative of a block, and what it comes to.
+struct ExportedForms : ExportedStep {
+  std::map<std::string, Cell> cells;  ///< by the name of their column
+};
+/// One row per participant and alternative with a column for each question and score, as SPSS and
+/// jamovi read repeated measures. Only answers that the statistics count; no texts.
+Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded);
+std::vector<ExportedForms> wideRows(
+    const protocols::LoadedProtocol& loaded, const std::vector<ExportedAnswer>& answers);
 
 /// A sample of a trial, with its time by the nominal rate [s].
 struct ExportedTick {

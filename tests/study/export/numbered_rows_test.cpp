@@ -3,7 +3,9 @@
 // tests/study/report/exported_results_test.cpp.
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 #include "questionnaires/model/answer.h"
 #include "study/export/codebook.h"
 #include "study/export/condition_codes.h"
+#include "study/export/study_tables.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/exported_rows.h"
 #include "tests/study/made_study.h"
@@ -45,6 +48,38 @@ class NumberedRows : public testing::Test {
   std::optional<Session> session_;
   Step felt_;
 };
+
+TEST_F(NumberedRows, AreOneForEachAlternativeInAWideTable) {
+  const StudyRows rows(*study_, {.isBlinded = false});
+  const auto answers = rows.answers();
+  const auto wide = wideRows(study_->protocol(), answers);
+  std::set<std::tuple<std::string_view, std::string_view, int>> alternatives;
+  std::size_t points = 0;
+  for (const auto& answer : answers) {
+    const bool isAsked = answer.record->step.kind == StepKind::Questionnaire;
+    if (!answer.excluded.empty() || !answer.alternative || !isAsked) continue;
+    alternatives.emplace(answer.owner.participant, answer.block, *answer.alternative);
+    ++points;
+  }
+  EXPECT_EQ(wide.size(), 3U);
+  EXPECT_EQ(wide.size(), alternatives.size());
+  std::size_t cells = 0;
+  std::size_t scores = 0;
+  for (const auto& row : wide) {
+    for (const auto& [column, cell] : row.cells) {
+      (column.find("__score_") == std::string::npos ? cells : scores) += 1;
+    }
+  }
+  EXPECT_EQ(cells, points);
+  EXPECT_EQ(scores, wide.size());
+  const auto table = wideTable(study_->protocol());
+  for (const auto& [name, cell] : wide.front().cells) {
+    const std::string& column = name;
+    EXPECT_TRUE(std::ranges::any_of(table.columns, [&](const auto& one) {
+      return one.name() == column;
+    })) << column;
+  }
+}
 
 TEST_F(NumberedRows, OfAnAnswerHasEachNumberInTheColumnThatIsNamedAfterIt) {
   const auto items = session_->items();
