@@ -136,6 +136,7 @@ class Comparing {
       // An exact test of one person is defined (p = 1) and says nothing of how people differ.
       if (row.isOfFamily && row.p && data.values.front().values.size() < 2) {
         row.p.reset();
+        row.log10P.reset();
         row.reason = reason("two_participants_needed");
       }
       rows.push_back(std::move(row));
