@@ -51,12 +51,14 @@ void write(const ReportOrder& order, const Progress& progress) {
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
   sections.back().wording = order.wording;
+  sections.back().hasQuotes = order.hasQuotes;
   tell(progress, kStep, "painting the figures");
   report::paintFigures(sections.front());
   tell(progress, 2 * kStep, "setting the page");
   const auto html = report::asHtml(sections);
   const bool isPdf = std::filesystem::path(order.out).extension() == ".pdf";
-  const auto page = isPdf ? report::asPdf(html, sections.front().protocol.study.title) : html;
+  const auto page =
+      isPdf ? report::asPdf(html, sections.front().protocol.study.title, order.paper) : html;
   tell(progress, 3 * kStep, "writing it");
   writeNewFile(order.out, page);
   if (order.figures.empty()) return;

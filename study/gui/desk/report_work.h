@@ -5,6 +5,7 @@
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
 #include "study/report/figures/figure_format.h"
+#include "study/report/pdf_report.h"
 #include "study/results/apa_text.h"
 
 namespace study::gui {
@@ -15,6 +16,8 @@ struct ReportOrder {
   RunMode mode = RunMode::Live;
   std::string language = "en";
   Wording wording = Wording::Apa;
+  report::Paper paper = report::Paper::A4;  ///< of a PDF
+  bool hasQuotes = true;                    ///< shows what participants wrote
   std::string out;              ///< ends in .html or .pdf; an existing file is not overwritten
   std::string figures;          ///< folder for each figure as a file of its own; empty: none
   report::FigureFormat format;  ///< of these files

@@ -168,6 +168,8 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       mode_(runModeChoice(study, this)),
       language_(new QComboBox(this)),
       wording_(new QComboBox(this)),
+      paper_(new QComboBox(this)),
+      quotes_(new QCheckBox(tr("With what participants wrote"), this)),
       reason_(new QLineEdit(this)),
       target_(new PathField(
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
@@ -183,10 +185,18 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   wording_->setAccessibleName(tr("Numbers in sentences"));
   wording_->addItem(tr("APA: p = .021 [0.41, 2.42]"), static_cast<int>(Wording::Apa));
   wording_->addItem(tr("Vancouver: P = 0.021, 0.41 to 2.42"), static_cast<int>(Wording::Vancouver));
+  paper_->setAccessibleName(tr("Pages of a PDF"));
+  paper_->setObjectName(QStringLiteral("paper"));
+  paper_->addItem(QStringLiteral("A4"), static_cast<int>(report::Paper::A4));
+  paper_->addItem(QStringLiteral("Letter"), static_cast<int>(report::Paper::Letter));
+  quotes_->setObjectName(QStringLiteral("quotes"));
+  quotes_->setChecked(true);
   target_->setPath(newPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Language"), language_);
   form().addRow(tr("Numbers in sentences"), wording_);
+  form().addRow(tr("Pages of a PDF"), paper_);
+  form().addRow(tr("Quotes"), quotes_);
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
   form().addRow(tr("Reason for unblinding"), reason_);
@@ -238,6 +248,8 @@ void ReportDialog::work() {
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),
       .wording = static_cast<Wording>(wording_->currentData().toInt()),
+      .paper = static_cast<report::Paper>(paper_->currentData().toInt()),
+      .hasQuotes = quotes_->isChecked(),
       .out = target_->path().toStdString(),
       .figures = figures_->isChecked()
                      ? newPathBeside(folder_, QStringLiteral("figures")).toStdString()

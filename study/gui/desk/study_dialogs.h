@@ -70,6 +70,8 @@ class ReportDialog final : public WorkDialog {
   QComboBox* mode_;
   QComboBox* language_;
   QComboBox* wording_;
+  QComboBox* paper_;
+  QCheckBox* quotes_;
   QLineEdit* reason_;
   PathField* target_;
   QCheckBox* figures_;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDate>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -142,6 +144,22 @@ TEST_F(StudyDialogsTest, ReportCanBeOpenedAndWrittenAgain) {
   EXPECT_EQ(
       documentsOf(QString::fromStdString(study())).front().path.toStdString(),
       out_ / "report.html");
+}
+
+TEST_F(StudyDialogsTest, ReportHasPagesOfLetterSizeAndNoQuotesIfAsked) {
+  ReportDialog dialog(summary());
+  auto* paper = dialog.findChild<QComboBox*>(QStringLiteral("paper"));
+  paper->setCurrentIndex(paper->findText(QStringLiteral("Letter")));
+  press(dialog, out_ / "report.pdf");
+  // Letter is 612×792 pt, A4 595×842 pt.
+  EXPECT_NE(tests::contentOf(out_ / "report.pdf").find("/MediaBox [0 0 612.0"), std::string::npos);
+
+  auto* quotes = dialog.findChild<QCheckBox*>(QStringLiteral("quotes"));
+  press(dialog, out_ / "with.html");
+  quotes->setChecked(false);
+  press(dialog, out_ / "without.html");
+  EXPECT_LT(
+      tests::contentOf(out_ / "without.html").size(), tests::contentOf(out_ / "with.html").size());
 }
 
 TEST_F(StudyDialogsTest, StatisticsAreThoseOfTheCommandLine) {
