@@ -9,6 +9,21 @@
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
+namespace {
+
+/// Qt does not wrap the words of a button.
+QString inLines(QString text) {
+  constexpr qsizetype kLine = 48;  // [characters] that fit into the column of a small window
+  for (qsizetype start = 0; text.size() - start > kLine;) {
+    const auto space = text.lastIndexOf(QLatin1Char(' '), start + kLine);
+    if (space <= start) break;
+    text[space] = QLatin1Char('\n');
+    start = space + 1;
+  }
+  return text;
+}
+
+}  // namespace
 
 OptionButtons::OptionButtons(
     const std::vector<Option>& options, int columns, const QString& role, QWidget* parent)
@@ -18,7 +33,7 @@ OptionButtons::OptionButtons(
   layout->setSpacing(scaled(*this, 8));
   for (int column = 0; column < columns_; ++column) layout->setColumnStretch(column, 1);
   for (const auto& option : options) {
-    auto* button = new QPushButton(option.text, this);
+    auto* button = new QPushButton(inLines(option.text), this);
     button->setCheckable(true);
     button->setProperty("role", role);
     button->setAccessibleName(option.accessibleName);

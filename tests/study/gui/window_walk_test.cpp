@@ -384,7 +384,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& each) { return each.param; });
 
 /// The participant's window at each step of a session.
-TEST(ParticipantWalk, HasNoFlawOnAnyPage) {
+TEST(ParticipantWalk, HasNoFlawOnAnyPageInAnyLanguage) {
   const auto opened = windows().all().at("OperatorWindow")();
   auto& window = static_cast<OperatorWindow&>(*opened.window);
   window.show();
@@ -403,6 +403,18 @@ TEST(ParticipantWalk, HasNoFlawOnAnyPage) {
       expectNone(tests::unreadableTexts(page, 4.5));
       expectNone(tests::unnamedElements(page));
       if (!isOver) expectNone(tests::lostFocus(page));
+      for (const auto& language : session.protocol().protocol.languages) {
+        if (isOver || language == session.language()) continue;
+        const auto before = QString::fromStdString(session.language());
+        window.controller()->chooseLanguage(QString::fromStdString(language));
+        QApplication::processEvents();
+        EXPECT_EQ(session.language(), language) << where;
+        for (const QSize screen : {QSize(683, 384), QSize(1366, 768)}) {
+          expectNone(tests::cutOffAt(page, screen));
+        }
+        window.controller()->chooseLanguage(before);
+        QApplication::processEvents();
+      }
       for (const QSize screen :
            {QSize(683, 384),
             QSize(960, 540),
