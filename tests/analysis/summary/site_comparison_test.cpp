@@ -106,7 +106,7 @@ std::pair<AnswerTable, std::vector<std::string>> tableOf(const nlohmann::json& a
          .method = method,
          .statement = static_cast<std::size_t>(answer[3] == "1" ? 0 : 1),
          .position = static_cast<int>(method) + 1,
-         .score = answer[4].get<int>()});
+         .score = answer[4].get<double>()});
   }
   return {table, sites};
 }
