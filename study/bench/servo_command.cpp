@@ -53,13 +53,13 @@ std::vector<ServoMode> servoModes() {
 
 /// Runs the loop for @p seconds, each tick with 20 µs of work.
 ServoRun runServo(const ServoMode& mode, double rate, double seconds) {
-  using Clock = std::chrono::steady_clock;
+  using Steady = std::chrono::steady_clock;
   constexpr std::chrono::microseconds kWork{20};
   haptics::engine::RealtimeLoop loop(
       {.rate = rate, .spinning = mode.spinning, .asksForRealtime = mode.asksForRealtime},
       [&](double, double) {
-        const auto until = Clock::now() + kWork;
-        while (Clock::now() < until) {
+        const auto until = Steady::now() + kWork;
+        while (Steady::now() < until) {
         }
       });
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
