@@ -21,6 +21,11 @@ DICTIONARIES = {"columns"}
 TIME = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$")
 
 
+def is_answer(table, column):
+    """In the wide table the columns of questions and scores are called INSTRUMENT__QUESTION."""
+    return column in ANSWERS or (table == "wide" and "__" in column)
+
+
 class Truth:
     """What each alternative of a simulated study was, from its database: (participant, step from 1) → (block, condition)"""
 
@@ -184,7 +189,7 @@ class Artefact:
                 continue
             case = self.case_of(row)
             numbers = {column: number_in(text) for column, text in row.items()
-                       if column not in ANSWERS | CODES | {"participant_id"}}
+                       if not is_answer(table, column) and column not in CODES | {"participant_id"}}
             rows_of[id(case) if case else whose].append((case, whose, index, row, numbers))
             for column, value in numbers.items():
                 if value is None:
