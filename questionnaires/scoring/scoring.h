@@ -33,7 +33,7 @@ struct ScoreResult {
 ScoreResult computeScore(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
-/// Where @p score can lie. A mean lies within the widest range of its items, whatever their
+/// Where @p score can lie. A mean lies within the widest range of its items, for any
 /// weights.
 Range rangeOf(const Instrument& instrument, const Score& score);
 

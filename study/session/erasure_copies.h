@@ -17,7 +17,7 @@ struct KnownCopy {
 };
 
 /// Backups, exports and reports that the audit trail knows, and what lies in the study's `exports`.
-/// Where a copy was moved to, nobody knows. Consent copies are not known: the names of their files
+/// A copy that was moved is not found. Consent copies are not known: the names of their files
 /// may name people, and the trail keeps them for good.
 std::vector<KnownCopy> knownCopies(Study& study);
 

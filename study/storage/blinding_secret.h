@@ -34,7 +34,8 @@ class BlindingSecret {
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
   std::string commitment() const;
 
-  /// The permanent name of a study: 128 bits of a keyed hash, from which nobody finds the seed.
+  /// The permanent name of a study: 128 bits of a keyed hash, from which the seed cannot be
+  /// computed.
   /// @param protocolHash  storage::sha256() of the protocol with its files
   std::string studyUuid(std::uint64_t seed, const std::string& protocolHash) const;
 

@@ -1,4 +1,4 @@
--- The schema palpate, step 2: the way in. Whatever is wrong raises PC001: the batch is undone as a whole, and ingest()
+-- The schema palpate, step 2: the way in. Any fault raises PC001: the batch is undone as a whole, and ingest()
 -- keeps an incident.
 
 CREATE FUNCTION refuse(what text, detail text) RETURNS void LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$

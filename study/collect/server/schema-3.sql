@@ -1,4 +1,4 @@
--- The schema palpate, step 3: the ways out. Whoever pulls gets the map of conditions as well: with a reason, which is
+-- The schema palpate, step 3: the ways out. A pull returns the map of conditions as well: with a reason, which is
 -- kept.
 
 CREATE FUNCTION unblind(of_study text, because text) RETURNS bigint
@@ -73,7 +73,7 @@ $$;
 -- ---------------------------------------------------------------------------------------------------------------------
 -- What others may see. A view is read with the rights of its owner.
 
--- Points alone: numbers and words may tell who somebody is.
+-- Points alone: numbers and words may identify a person.
 CREATE VIEW answers AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, a.phase, a.instrument,
        a.alternative, a.item, a.point, s.codes[s.coded[a.step + 1]] AS code

@@ -1,5 +1,5 @@
-// The words of a study stay those of its forms when it was made, whatever forms the program ships
-// later (docs/decisions/0073).
+// The words of a study stay those of its forms when it was made, also when the program ships other
+// forms later (docs/decisions/0073).
 
 #include <gtest/gtest.h>
 
