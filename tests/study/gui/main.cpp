@@ -16,6 +16,13 @@
 #include "study/gui/widgets/theme.h"
 #include "tests/support/standstill.h"
 
+/// Fontconfig drops patterns that it has not freed; the leak sanitizer asks this function what to
+/// suppress.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libfontconfig.so\n";
+}
+
 namespace {
 
 /// Drops a message that the offscreen platform prints for each window, and prints all others.
