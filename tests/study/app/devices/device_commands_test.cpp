@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -273,13 +274,19 @@ TEST(DeviceFirmware, UnderQemuGivesTheSameForcesAndItsEndIsDetected) {
       "devices.json",
       R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "punch-serial", "port": ")" +
           port + R"(", "newtons_per_volt": 0.667}]})");
-  const auto check = [&] {
-    return tests::run({tests::program(), "device", "check", file, "--seconds", "1", "--json"});
-  };
-  auto checked = check();
-  // On a computer that shares its processors QEMU may stand still for longer than a punch waits.
-  for (int i = 0; i < 9 && checked.status != 0; ++i) checked = check();
-  ASSERT_EQ(checked.status, 0) << checked.out << checked.error;
+  const auto checked =
+      tests::run({tests::program(), "device", "check", file, "--seconds", "1", "--json"});
+  const auto json = nlohmann::json::parse(checked.out, nullptr, false);
+  ASSERT_EQ(json["devices"].size(), 1U) << checked.out << checked.error;
+  const auto& findings = json["devices"][0]["findings"];
+  EXPECT_GE(findings.size(), 7U) << findings;
+  // QEMU shares its processor with other programs: the board's times are no times of a board.
+  const std::set<std::string> times{
+      "telemetry", "frames lost, doubled, late, damaged", "round trip"};
+  for (const auto& finding : findings) {
+    if (times.contains(finding["what"])) continue;
+    EXPECT_EQ(finding["finding"], "PASS") << finding;
+  }
 
   const std::string study = folder / "study";
   ASSERT_EQ(
