@@ -114,6 +114,18 @@ TEST(CompiledScene, ReportsItsSteepestSlope) {
   EXPECT_DOUBLE_EQ(CompiledScene({.model = steep}).largestStiffness(), 4.0);
 }
 
+TEST(CompiledScene, CountsTheWayFromOneBranchToTheOtherAsSteep) {
+  const InterpolationSpec spec{
+      .curve = {{0.0, 0.0}, {2.0, 8.0}},
+      .options = {.rampLength = 3.0},
+      .branches = Branches::Hysteresis,
+      .opening = {{0.0, 0.0}, {1.0, 2.0}, {2.0, 8.0}},
+      .turningWidth = 0.5};
+  const CompiledScene scene(SceneSpec{.model = spec});
+  // The steeper branch has 6; at a travel of 1 they are 2 apart, which is crossed in half a unit.
+  EXPECT_DOUBLE_EQ(scene.largestStiffness(), 6.0 + 2.0 / 0.5);
+}
+
 TEST(MaterialModel, IsTheLowerCurveAtZeroAndTheUpperOneAtOne) {
   for (const double h : {0.0, 1.0}) {
     MaterialModel model(bone(h));
