@@ -232,6 +232,14 @@ void Study::copyForms() {
 }
 
 void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {
+  const auto& id = this->protocol().protocol.study.id;
+  if (protocol.protocol.study.id != id) {
+    throw UserError(
+        "This study has the protocol '" + id + "', and that is '" + protocol.protocol.study.id +
+        "': not another version of it. Make a folder of its own for another study, or give the "
+        "version the id '" +
+        id + "'.");
+  }
   transact([&] {
     const auto ids = protocols().all();
     const bool hasBegun = std::any_of(

@@ -130,6 +130,13 @@ TEST(Enrolment, AmendsFreelyBeforeAndOnlyWithAReasonAfterTheFirstParticipant) {
   EXPECT_EQ(study->protocols().current().reason, "two cuts are too few");
 }
 
+TEST(Enrolment, TakesNoOtherStudysProtocolForAVersion) {
+  MadeStudy study;
+  const auto before = study->protocols().all().size();
+  EXPECT_THROW(study->amend(tests::libraryProtocol("reaming-hardness"), "by mistake"), UserError);
+  EXPECT_EQ(study->protocols().all().size(), before);
+}
+
 TEST(Enrolment, ResumesASessionUnderItsOwnProtocol) {
   MadeStudy study;
   auto before = Session::enrol(*study, {.cohort = "surgeons"});

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "study/collect/exchange/bundle.h"
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/protocol_files.h"
@@ -130,8 +132,22 @@ bool putStudy(
   const auto sent = asSent(protocol);
   if (!server.query("SELECT 1 FROM palpate.study WHERE name = $1", {name}).isEmpty()) {
     const auto uuid = findStudy(server, name).uuid;
+    const auto present = protocolsOf(server, uuid).back();
+    const auto id = protocolOf(present.text, filesIn(present.files)).protocol.study.id;
+    if (id != protocol.protocol.study.id) {
+      throw UserError(fmt::format(
+          "The study '{}' has the protocol '{}', and this is '{}': not another version of it. "
+          "Choose another name for another study (--study), or give the version the id '{}'.",
+          name,
+          id,
+          protocol.protocol.study.id,
+          id));
+    }
     inTransaction(server, [&] {
       addProtocol(server, uuid, sent);
+      server.query(
+          "UPDATE palpate.study SET title = $2 WHERE uuid = $1",
+          {uuid, protocol.protocol.study.title});
       putBackground(server, uuid, backgroundOf(protocol));
     });
     return false;

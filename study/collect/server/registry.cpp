@@ -48,7 +48,7 @@ void addStudy(Connection& server, const StudyOnServer& study) {
 void addProtocol(Connection& server, const std::string& study, const ProtocolOnServer& protocol) {
   server.query(
       "INSERT INTO palpate.protocol (study, sha256, text, files) VALUES ($1, $2, $3, $4::json) "
-      "ON CONFLICT DO NOTHING",
+      "ON CONFLICT (study, sha256) DO UPDATE SET added = clock_timestamp()",
       {study, protocol.sha256, protocol.text, protocol.files});
 }
 
@@ -130,12 +130,21 @@ void revokeStation(
     const std::string& study,
     const std::string& label,
     const std::string& reason) {
-  const auto rows = server.query(
-      "UPDATE palpate.station SET revoked = now(), revoked_reason = $3, revoked_by = "
-      "session_user "
-      "WHERE study = $1 AND label = $2 RETURNING id",
+  const auto before = server.query(
+      std::string("SELECT to_char(revoked AT TIME ZONE 'UTC', ") + kUtc +
+          "), revoked_reason FROM palpate.station WHERE study = $1 AND label = $2",
+      {study, label});
+  if (before.isEmpty()) throw UserError("There is no station named '" + label + "' in this study.");
+  const auto revoked = server.query(
+      "UPDATE palpate.station SET revoked = now(), revoked_reason = $3, revoked_by = session_user "
+      "WHERE study = $1 AND label = $2 AND revoked IS NULL RETURNING id",
       {study, label, reason});
-  if (rows.isEmpty()) throw UserError("There is no station named '" + label + "' in this study.");
+  if (!revoked.isEmpty()) return;
+  throw UserError(fmt::format(
+      "'{}' was shut out already, on {}: {}. That stays as it is.",
+      label,
+      before.text(0, 0).substr(0, 10),
+      before.text(0, 1)));
 }
 
 void setAsideStation(

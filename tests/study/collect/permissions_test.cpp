@@ -266,6 +266,17 @@ TEST_F(Permissions, ARevokedStationIsToldWhy) {
   EXPECT_EQ(incidents(), std::vector<std::string>{"revoked"});
 }
 
+TEST_F(Permissions, AStationIsRevokedOnceAndTheFirstReasonStays) {
+  addStation("oslo");
+  auto owner = admin();
+  const auto study = study::collect::findStudy(owner, "short");
+  study::collect::revokeStation(owner, study.uuid, "oslo", "the laptop was stolen");
+  EXPECT_THROW(
+      study::collect::revokeStation(owner, study.uuid, "oslo", "another"), study::UserError);
+  const auto kept = owner.query("SELECT revoked_reason FROM palpate.station");
+  EXPECT_EQ(kept.text(0, 0), "the laptop was stolen");
+}
+
 TEST_F(Permissions, AnAnalystSeesPointsAndNoCondition) {
   addStation("oslo");
   runSession("oslo");

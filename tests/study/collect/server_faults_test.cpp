@@ -221,6 +221,25 @@ TEST_F(ServerFaults, AStationThatIsEnrolledAfterTheProtocolWasChangedHasTheNewes
   EXPECT_EQ(versions.text(2, 1), "t") << versions.text(2, 0);
 }
 
+TEST_F(ServerFaults, AnotherStudysProtocolIsNoVersionAndTheLastOneAddedIsNewest) {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    auto text = tests::shortProtocol();
+    text.replace(text.find(from), from.size(), to);
+    return tests::protocolFrom(text);
+  };
+  auto owner = admin();
+  EXPECT_THROW(
+      study::collect::putStudy(
+          owner, "short", changed(R"("id": "short")", R"("id": "another")"), std::nullopt),
+      study::UserError);
+  const auto second = changed(R"("version": "1")", R"("version": "2")");
+  study::collect::putStudy(owner, "short", second, std::nullopt);
+  study::collect::putStudy(
+      owner, "short", tests::protocolFrom(tests::shortProtocol()), std::nullopt);
+  const auto study = study::collect::findStudy(owner, "short").uuid;
+  EXPECT_NE(study::collect::protocolsOf(owner, study).back().text, second.text);
+}
+
 TEST_F(ServerFaults, AClockThatIsAYearOffChangesNoOrder) {
   constexpr std::int64_t kYear = std::int64_t{365} * 24 * 3600 * 1000;  // [ms]
   addStation("oslo");
