@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <sodium.h>
 
 #include "study/collect/exchange/hexadecimal.h"
@@ -233,6 +234,26 @@ class BundleReader {
   std::uint64_t size_ = 0;
 };
 
+/// @return  how many bytes were written
+std::uint64_t written(
+    Outbox& outbox,
+    const storage::StationStore& station,
+    const std::string& bundleKey,
+    const Bundle& bundle,
+    const std::filesystem::path& file) {
+  BundleWriter writer(file);
+  writer.put(
+      std::string(kFirstWord) + " " + bundle.study + " " + bundle.station + " " +
+      std::to_string(bundle.first) + " " + std::to_string(bundle.last) + "\n");
+  writer.begin(bundleKey);
+  outbox.forEachBatch(bundle.first - 1, [&](const Batch& batch) {
+    const bool isLast = !batch.events.empty() && batch.events.back().seq == bundle.last;
+    writer.putRecord(asRecord(batch), isLast);
+    return true;
+  });
+  return writer.finish(station);
+}
+
 }  // namespace
 
 std::string bundleKeyOf(const storage::BlindingSecret& secret) {
@@ -251,7 +272,14 @@ Bundle writeBundle(
       .station = outbox.station().uuid,
       .first = after + 1,
       .last = outbox.lastEvent()};
-  if (after >= bundle.last) {
+  if (after > bundle.last) {
+    throw UserError(fmt::format(
+        "There are {} events here, and {} is none of them. Is this the folder of the station that "
+        "the server means?",
+        bundle.last,
+        after));
+  }
+  if (after == bundle.last) {
     throw UserError("The server has everything already: there is nothing to be put into a bundle.");
   }
   if (bytesOfHexadecimal(bundleKey).size() != crypto_box_PUBLICKEYBYTES) {
@@ -259,24 +287,19 @@ Bundle writeBundle(
         "This station was enrolled without a key for bundles. Ask for a new enrolment.");
   }
   writeNewFile(file.string(), "");  // for its owner alone, and never over another one
-  BundleWriter writer(file);
-  writer.put(
-      std::string(kFirstWord) + " " + bundle.study + " " + bundle.station + " " +
-      std::to_string(bundle.first) + " " + std::to_string(bundle.last) + "\n");
-  writer.begin(bundleKey);
-  outbox.forEachBatch(after, [&](const Batch& batch) {
-    const bool isLast = !batch.events.empty() && batch.events.back().seq == bundle.last;
-    writer.putRecord(asRecord(batch), isLast);
-    return true;
-  });
-  bundle.bytes = writer.finish(station);
+  try {
+    bundle.bytes = written(outbox, station, bundleKey, bundle, file);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);  // half of it is of no use, and would be in the way
+    throw;
+  }
   return bundle;
 }
 
 Bundle bundleIn(const std::filesystem::path& file) {
   return BundleReader(file).head();
 }
-
 void readBundle(
     const std::filesystem::path& file,
     const storage::BlindingSecret& secret,

@@ -1,11 +1,16 @@
 // Files for hospitals without a network.
 #include "study/collect/exchange/bundle.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/server/registry.h"
+#include "study/model/storage_error.h"
 #include "study/model/user_error.h"
 #include "study/storage/study_schema.h"
 #include "tests/study/collect/collected_study_at.h"
@@ -108,6 +113,43 @@ TEST_F(Bundles, OfAStudyThatWasChangedOnItsStationAreRefused) {
   EXPECT_TRUE(contentOfServer().empty());
   EXPECT_EQ(incidents(), std::vector<std::string>{"bundle"});
   EXPECT_EQ(take(file), last_) << "the control: as it was before it is taken";
+}
+
+TEST_F(Bundles, AreNotMadeAfterAnEventThatIsNotThere) {
+  addStation("oslo");
+  runSession("oslo");
+  const auto reason = [&](std::int64_t after) -> std::string {
+    try {
+      bundleOf("oslo", after, "none.bundle");
+    } catch (const study::UserError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  bundleOf("oslo", 0, "a.bundle");  // says which is the last
+  EXPECT_NE(reason(last_ + 1).find("none of them"), std::string::npos) << reason(last_ + 1);
+  EXPECT_NE(reason(last_).find("everything already"), std::string::npos) << reason(last_);
+}
+
+TEST_F(Bundles, ThatDoNotFitOnTheDiskAreRemoved) {
+  addStation("oslo");
+  runSession("oslo");
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  const auto home = study::collect::homeServerOf(folderOf("oslo"));
+  const auto station =
+      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{.rlim_cur = 100, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_THROW(
+      study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / "full"),
+      study::storage::StorageError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "full"));
 }
 
 TEST_F(Bundles, TellNothingToWhoeverFindsThem) {
