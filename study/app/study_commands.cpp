@@ -147,7 +147,7 @@ int simulate(const StudyArguments& options) {
       study,
       clock,
       participants,
-      options.seed.value_or(study.seed()),
+      options.seed.value_or(simulationSeed(study)),
       acknowledge,
       options.devices);
   const int now = static_cast<int>(endings.size());

@@ -71,7 +71,7 @@ class TerminalSession {
             deviceSetFor(deviceFile, study.folder(), [this](const protocols::DeviceNeed& need) {
               return simulatedHandFor(
                   need,
-                  study_.seed(),
+                  simulationSeed(study_),
                   session_.cohort(),
                   static_cast<std::uint64_t>(session_.slot()),
                   mostFeedOn(session_.protocol().protocol, need.id));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/random.h"
 #include "haptics/devices/device.h"
 #include "haptics/timing/standstill_watch.h"
 #include "study/cohort/simulated_participant.h"
@@ -317,6 +318,11 @@ std::vector<SimulatedEnding> simulateCohorts(
     ++finished[cohort];
   }
   return endings;
+}
+
+std::uint64_t simulationSeed(const Study& study) {
+  if (study.station().isNone()) return study.seed();
+  return base::RandomStream(study.seed(), 0, "people at " + study.station().label).bits();
 }
 
 int plannedParticipants(const protocols::Protocol& protocol) {

@@ -122,6 +122,10 @@ std::vector<SimulatedEnding> simulateCohorts(
     const std::string& deviceFile = {},
     haptics::timing::StandstillWatch* watch = nullptr);
 
+/// The seed of hands and answers where none is given: the study's. A station has one of its own, so
+/// that two stations of a study do not simulate the same people.
+std::uint64_t simulationSeed(const Study& study);
+
 /// The number of participants that the protocol plans in all; 10 for each cohort without a number.
 int plannedParticipants(const protocols::Protocol& protocol);
 

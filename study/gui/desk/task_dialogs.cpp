@@ -130,7 +130,8 @@ void SimulateDialog::work() {
     SimulatedClock clock;
     auto study = Study::open(folder_, clock);
     int begun = 0;
-    endings = simulateCohorts(study, clock, wanted, study.seed(), [&](const Acknowledged& done) {
+    const auto seed = simulationSeed(study);
+    endings = simulateCohorts(study, clock, wanted, seed, [&](const Acknowledged& done) {
       if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
       tell(progress, kUnknownShare, done.what);
     });

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/orders/schedule.h"
+#include "study/cohort/simulated_participant.h"
 #include "study/collect/exchange/batch.h"
 #include "study/collect/server/connection.h"
 #include "study/model/user_error.h"
@@ -58,6 +59,15 @@ TEST_F(JoinTest, MakesAStudyThatKnowsItsStation) {
   EXPECT_EQ(study.station().label, "oslo");
   EXPECT_FALSE(study.isCollected());
   EXPECT_EQ(study::collect::homeServerOf(scratch_ / "study").role, "station_oslo");
+}
+
+TEST_F(JoinTest, EachStationSimulatesItsOwnPeople) {
+  study::collect::join(fileFor("oslo-1", station().publicKey()), scratch_ / "one", clock_);
+  study::collect::join(fileFor("oslo-2", station().publicKey()), scratch_ / "two", clock_);
+  const auto one = Study::open(scratch_ / "one", clock_);
+  const auto two = Study::open(scratch_ / "two", clock_);
+  EXPECT_NE(study::simulationSeed(one), study::simulationSeed(two));
+  EXPECT_EQ(study::simulationSeed(one), study::simulationSeed(one));
 }
 
 TEST_F(JoinTest, AFileIsUsedOnce) {
