@@ -54,10 +54,15 @@ void requireReason(Study& study, const ErasureRequest& request) {
 void requireErasable(Study& study, const ErasureRequest& request) {
   const auto sessions = sessionsOf(study, request.participant);
   if (sessions.empty()) {
-    throw UserError("There is no participant '" + request.participant + "' in this study.");
+    throw UserError(
+        "There is no participant '" + request.participant +
+        "' in this study. 'palpate study status' lists the codes.");
   }
   if (sessions.front().runMode == RunMode::Simulated) {
-    throw UserError("'" + request.participant + "' was simulated: there is nobody to erase.");
+    throw UserError(
+        "'" + request.participant +
+        "' was simulated: there is nobody to erase. To try an erasure, run a pilot (palpate study "
+        "run --pilot) and erase that participant.");
   }
   for (const auto& row : sessions) {
     const auto holder = storage::Lease::holder(study.database(), row.id);

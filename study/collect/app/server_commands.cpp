@@ -95,7 +95,9 @@ int addOneStation(Connection& server, const ServerArguments& given) {
 }
 
 int init(const ServerArguments& given) {
-  if (given.protocol.empty() == given.station.empty()) {
+  const bool isOfSchemaAlone = given.protocol.empty() && given.station.empty() &&
+                               given.study.empty() && given.site.empty() && given.key.empty();
+  if (!isOfSchemaAlone && given.protocol.empty() == given.station.empty()) {
     throw UserError(
         "Say what to make: a study (--protocol FILE --study NAME) or a station of it (--station "
         "FILE --site SITE --key KEY).");
@@ -107,6 +109,10 @@ int init(const ServerArguments& given) {
     fmt::print("The schema palpate is brought from version {} to {}.\n", before, newestSchema());
   }
   if (const auto problem = logProblem(server)) fmt::print("{}\n", *problem);
+  if (isOfSchemaAlone) {
+    if (before == newestSchema()) fmt::print("The schema palpate has version {}.\n", before);
+    return 0;
+  }
   return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
 }
 
@@ -143,7 +149,8 @@ int takeIn(const ServerArguments& given) {
 
 void addServerCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<ServerArguments>();
-  auto* make = program.add_subcommand("init", "Make a study on the server, or enrol a station");
+  auto* make = program.add_subcommand(
+      "init", "Bring the server's schema up to date; make a study there, or enrol a station");
   addServerOption(*make, given->server);
   make->add_option("--study", given->study, "Name of the study on the server");
   make->add_option(

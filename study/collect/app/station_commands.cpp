@@ -14,6 +14,7 @@
 #include "study/collect/exchange/push.h"
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
+#include "study/model/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::collect {
@@ -186,8 +187,20 @@ void printIncidents(Connection& server) {
   }
 }
 
+Connection connectionOfAdministrator(const StationArguments& given) {
+  try {
+    return Connection(given.server);
+  } catch (const ServerError& error) {
+    if (!given.server.empty() || error.kind() != ServerError::Kind::Unreachable) throw;
+    throw UserError(
+        std::string(error.what()) +
+        "\nFor the sessions of a station name the folder of its study: palpate collect status "
+        "FOLDER. For another server: --server.");
+  }
+}
+
 int statusOfServer(const StationArguments& given) {
-  Connection server(given.server);
+  auto server = connectionOfAdministrator(given);
   requireSchema(server);
   const auto stations = stationsOf(server, given.study);
   fmt::print(

@@ -38,8 +38,11 @@ constexpr std::array kSettings{
 /// libpq's messages end with line feeds, and begin with what it tried.
 std::string sentence(const char* message) {
   std::string text = message == nullptr ? "" : message;
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (auto& c : text) c = c == '\n' ? ' ' : c;
+  // Ours put their own full stop.
+  while (!text.empty() && std::string_view("\n .?").find(text.back()) != std::string_view::npos) {
+    text.pop_back();
+  }
+  for (auto& c : text) c = c == '\n' || c == '\t' ? ' ' : c;
   return text;
 }
 
@@ -86,6 +89,10 @@ constexpr std::array kCauses{
         "The certificate of the server is for another name: it may be another server in its "
         "place."},
     Cause{"root certificate file", "This computer has not the certificate root.crt of the server."},
+    Cause{
+        "certificate authentication failed",
+        "The certificate of this computer is for another role than that of its station: each "
+        "station has its own."},
     Cause{"valid client certificate", "The server wants a certificate of this computer."},
     Cause{"alert certificate required", "The server wants a certificate of this computer."},
     Cause{"private key file", "The key of this computer's certificate cannot be used."},
@@ -122,7 +129,10 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
           causeIn(said).empty() ? "" : " ",
           said);
     case Kind::Denied:
-      return "The server (" + where + ") refuses that to this role: " + said + ".";
+      return "The server (" + where +
+             ") refuses that to this role. The page on collecting says which role may do what "
+             "(\"Roles\"); whoever runs the server gives it. It says: " +
+             said + ".";
     case Kind::Full:
       return "The disk of the server (" + where +
              ") is full. Nothing is lost: everything stays on this computer. Tell whoever runs the "
