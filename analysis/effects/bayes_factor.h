@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "analysis/data/reason.h"
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 namespace analysis {
 

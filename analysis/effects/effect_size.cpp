@@ -10,11 +10,11 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 #include "analysis/data/moments.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/numerics/distributions.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/fair_coin.h"
 #include "analysis/numerics/tail_probabilities.h"
-#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "analysis/data/ranks.h"
 #include "analysis/data/reason.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/numerics/interval.h"
-#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 

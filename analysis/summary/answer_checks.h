@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "analysis/data/answer_table.h"
+#include "analysis/hypothesis_tests/assumptions.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/reliability/reliability.h"
-#include "analysis/tests/assumptions.h"
-#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
 #include "analysis/summary/answer_checks.h"
-#include "analysis/tests/attainable_p.h"
 
 namespace analysis {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "analysis/data/csv_table.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/registry/test_rows.h"
-#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 namespace {

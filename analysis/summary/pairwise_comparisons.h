@@ -8,7 +8,7 @@
 
 #include "analysis/data/answer_sample.h"
 #include "analysis/data/test_row.h"
-#include "analysis/tests/adjustment.h"
+#include "analysis/hypothesis_tests/adjustment.h"
 
 namespace analysis {
 

@@ -10,10 +10,10 @@
 
 #include "analysis/data/answer_table.h"
 #include "analysis/data/test_row.h"
+#include "analysis/hypothesis_tests/adjustment.h"
 #include "analysis/models/cumulative_link_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
 #include "analysis/summary/pairwise_comparisons.h"
-#include "analysis/tests/adjustment.h"
 
 namespace analysis {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/sample_ring.h"
 #include "study/results/felt_bins.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/data/vote_shares.h"
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace study {

@@ -8,12 +8,12 @@
 
 #include "analysis/data/answer_table.h"
 #include "analysis/data/vote_shares.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 #include "analysis/summary/answer_checks.h"
 #include "analysis/summary/flags.h"
 #include "analysis/summary/pairwise_comparisons.h"
 #include "analysis/summary/site_comparison.h"
 #include "analysis/summary/within_analysis.h"
-#include "analysis/tests/vote_tests.h"
 #include "study/model/run_mode.h"
 #include "study/results/instrument_scores.h"
 #include "study/results/item_summaries.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/hypothesis_tests/attainable_p.h"
 #include "analysis/planning/simulated_power.h"
 #include "analysis/planning/site_power.h"
-#include "analysis/tests/attainable_p.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/session/session_length.h"
 

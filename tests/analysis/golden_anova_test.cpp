@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
+#include "analysis/hypothesis_tests/anova.h"
 #include "analysis/reliability/reliability.h"
-#include "analysis/tests/anova.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -9,8 +9,8 @@
 
 #include "analysis/data/csv_table.h"
 #include "analysis/data/moments.h"
-#include "analysis/tests/adjustment.h"
-#include "analysis/tests/vote_tests.h"
+#include "analysis/hypothesis_tests/adjustment.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

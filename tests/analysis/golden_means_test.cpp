@@ -11,7 +11,7 @@
 #include "analysis/data/csv_table.h"
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/effects/effect_size.h"
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -10,8 +10,8 @@
 
 #include "analysis/data/csv_table.h"
 #include "analysis/data/vote_shares.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/summary/pairwise_comparisons.h"
-#include "analysis/tests/t_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
+#include "analysis/hypothesis_tests/friedman.h"
+#include "analysis/hypothesis_tests/sign_tests.h"
 #include "analysis/numerics/exact_arithmetic.h"
-#include "analysis/tests/attainable_p.h"
-#include "analysis/tests/friedman.h"
-#include "analysis/tests/sign_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

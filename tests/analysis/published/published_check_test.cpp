@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/likert_counts.h"
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 namespace published_check_test {
 

@@ -1,4 +1,4 @@
-#include "analysis/tests/rank_tests.h"
+#include "analysis/hypothesis_tests/rank_tests.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/anova.h"
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/anova.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 namespace repeated_measures_anova_test {
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/hypothesis_tests/sign_tests.h"
 #include "analysis/numerics/exact_arithmetic.h"
-#include "analysis/tests/sign_tests.h"
 
 namespace sign_flip_test {
 

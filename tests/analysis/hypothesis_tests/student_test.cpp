@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 namespace student_test {
 

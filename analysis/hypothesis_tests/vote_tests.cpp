@@ -1,13 +1,13 @@
-#include "analysis/tests/vote_tests.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
 
+#include "analysis/hypothesis_tests/friedman.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/tail_probabilities.h"
-#include "analysis/tests/friedman.h"
 
 namespace analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/effects/effect_size.h"
-#include "analysis/tests/rank_tests.h"
+#include "analysis/hypothesis_tests/rank_tests.h"
 
 namespace mann_whitney_test {
 

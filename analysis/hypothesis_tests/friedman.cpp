@@ -1,4 +1,4 @@
-#include "analysis/tests/friedman.h"
+#include "analysis/hypothesis_tests/friedman.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/tests/assumptions.h"
+#include "analysis/hypothesis_tests/assumptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <boost/math/special_functions/erf.hpp>
 
+#include "analysis/hypothesis_tests/anova.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/tail_probabilities.h"
-#include "analysis/tests/anova.h"
 
 namespace analysis {
 namespace {

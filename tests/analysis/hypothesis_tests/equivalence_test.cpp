@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 namespace equivalence_test {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/assumptions.h"
+#include "analysis/hypothesis_tests/assumptions.h"
 #include "tests/analysis/digits.h"
 
 namespace shapiro_wilk_test {

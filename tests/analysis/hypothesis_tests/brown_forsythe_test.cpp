@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/assumptions.h"
+#include "analysis/hypothesis_tests/assumptions.h"
 
 namespace brown_forsythe_test {
 

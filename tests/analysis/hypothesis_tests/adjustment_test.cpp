@@ -1,4 +1,4 @@
-#include "analysis/tests/adjustment.h"
+#include "analysis/hypothesis_tests/adjustment.h"
 
 #include <cmath>
 #include <stdexcept>

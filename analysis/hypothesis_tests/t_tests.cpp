@@ -1,4 +1,4 @@
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/tests/friedman.h"
+#include "analysis/hypothesis_tests/friedman.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/attainable_p.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
 
 namespace friedman_test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/vote_tests.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 
 namespace equal_shares_test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/tests/t_tests.h"
+#include "analysis/hypothesis_tests/t_tests.h"
 #include "tests/analysis/digits.h"
 
 namespace welch_test {

@@ -1,4 +1,4 @@
-#include "analysis/tests/sign_tests.h"
+#include "analysis/hypothesis_tests/sign_tests.h"
 
 #include <algorithm>
 #include <cmath>

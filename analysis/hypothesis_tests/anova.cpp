@@ -1,4 +1,4 @@
-#include "analysis/tests/anova.h"
+#include "analysis/hypothesis_tests/anova.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "analysis/tests/contingency_tables.h"
+#include "analysis/hypothesis_tests/contingency_tables.h"
 
 #include <algorithm>
 #include <cstddef>

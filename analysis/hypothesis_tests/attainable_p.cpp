@@ -1,4 +1,4 @@
-#include "analysis/tests/attainable_p.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
-#include "analysis/tests/vote_tests.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 
 namespace analysis {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/tests/attainable_p.h"
+#include "analysis/hypothesis_tests/attainable_p.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/effects/effect_size.h"
-#include "analysis/tests/sign_tests.h"
+#include "analysis/hypothesis_tests/sign_tests.h"
 
 namespace signed_rank_test {
 

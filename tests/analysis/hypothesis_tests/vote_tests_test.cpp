@@ -1,4 +1,4 @@
-#include "analysis/tests/vote_tests.h"
+#include "analysis/hypothesis_tests/vote_tests.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/vote_shares.h"
-#include "analysis/tests/contingency_tables.h"
-#include "analysis/tests/friedman.h"
+#include "analysis/hypothesis_tests/contingency_tables.h"
+#include "analysis/hypothesis_tests/friedman.h"
 
 namespace vote_tests_test {
 
