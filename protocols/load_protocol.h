@@ -6,19 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "base/embedded_file.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 #include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {
 
-/// A file of protocols/library, compiled into the program.
-struct LibraryFile {
-  std::string_view name;  ///< "punch-face-validity.json"
-  std::string_view content;
-};
-
-std::span<const LibraryFile> libraryFiles();
+/// The files of protocols/library.
+std::span<const base::EmbeddedFile> libraryFiles();
 
 /// Reads a protocol and everything it refers to, and checks its consistency. std::nullopt if there
 /// are errors; warnings do not prevent its use.

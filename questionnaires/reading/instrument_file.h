@@ -7,17 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/embedded_file.h"
 #include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
 
-/// A file of questionnaires/library, as it was when the program was built.
-struct LibraryFile {
-  std::string_view name;  ///< "punch-face-validity.json"
-  std::string_view content;
-};
-
-std::span<const LibraryFile> libraryFiles();
+/// The files of questionnaires/library, as they were when the program was built.
+std::span<const base::EmbeddedFile> libraryFiles();
 
 /// What a laboratory has written for the blanks "[[key]]" in texts that participants read, by key.
 using BlankTexts = std::map<std::string, LocalizedText>;

@@ -6,7 +6,7 @@
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/export_parts.h"
-#include "study/export/library.h"
+#include "study/export/export_scripts.h"
 #include "study/export/public_history.h"
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"
@@ -159,7 +159,7 @@ void noteExport(
 
 void writeScripts(const fs::path& folder, const ExportOptions& options) {
   const bool hasStatistics = !options.isBlinded && !options.publicClass;
-  for (const auto& file : libraryFiles()) {
+  for (const auto& file : exportScripts()) {
     const bool isReader = file.name.starts_with("read_");
     const bool isForR = file.name.ends_with(".R");
     const bool isForOther = options.format == (isForR ? ExportFormat::Python : ExportFormat::R);

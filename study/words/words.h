@@ -10,17 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "base/embedded_file.h"
 #include "base/message.h"
 
 namespace study::words {
 
-/// A catalogue of study/words/library, compiled into the program.
-struct LibraryFile {
-  std::string_view name;  ///< "de.json"
-  std::string_view content;
-};
-
-std::span<const LibraryFile> libraryFiles();
+/// The catalogues of study/words/library, a file for each language.
+std::span<const base::EmbeddedFile> catalogueFiles();
 
 /// The texts of reports and of all windows in one language.
 struct Catalogue {

@@ -8,14 +8,14 @@ namespace study::words {
 
 std::vector<std::string> languages() {
   std::vector<std::string> all{"en"};
-  for (const auto& file : libraryFiles())
+  for (const auto& file : catalogueFiles())
     all.emplace_back(file.name.substr(0, file.name.find('.')));
   return all;
 }
 
 Words wordsIn(std::string_view language) {
   if (language == "en") return {};
-  for (const auto& file : libraryFiles()) {
+  for (const auto& file : catalogueFiles()) {
     if (file.name.substr(0, file.name.find('.')) != language) continue;
     const auto json = nlohmann::json::parse(file.content);
     Catalogue catalogue;

@@ -40,7 +40,7 @@ void makeRoles(Connection& server) {
 }  // namespace
 
 int newestSchema() {
-  return static_cast<int>(libraryFiles().size());
+  return static_cast<int>(schemaSteps().size());
 }
 
 int installedSchema(Connection& server) {
@@ -75,7 +75,7 @@ int installSchema(Connection& server) {
   }
   server.execute("SET LOCAL ROLE palpate_owner; SET LOCAL search_path = palpate, pg_temp");
   for (int step = before + 1; step <= newestSchema(); ++step) {
-    server.execute(std::string(libraryFiles()[static_cast<std::size_t>(step - 1)].content));
+    server.execute(std::string(schemaSteps()[static_cast<std::size_t>(step - 1)].content));
     server.query("INSERT INTO palpate.schema_step (step) VALUES ($1)", {std::int64_t{step}});
   }
   server.execute("COMMIT");

@@ -1,20 +1,14 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
+#include "base/embedded_file.h"
 #include "study/collect/server/connection.h"
 
 namespace study::collect {
 
-/// A file of this folder, as it was when the program was built.
-struct LibraryFile {
-  std::string_view name;  ///< "schema-1.sql"
-  std::string_view content;
-};
-
 /// The steps of the schema in order. Step n brings a server from version n - 1 to n.
-std::span<const LibraryFile> libraryFiles();
+std::span<const base::EmbeddedFile> schemaSteps();
 
 /// The version that this program installs and needs.
 int newestSchema();

@@ -160,7 +160,7 @@ TEST_F(ServerFaults, AServerOfAnOlderSchemaIsBroughtUpToDateWithWhatIsInIt) {
       "CREATE TABLE schema_step (step integer PRIMARY KEY, installed timestamptz DEFAULT now());"
       "GRANT USAGE ON SCHEMA palpate TO palpate_station;"
       "GRANT SELECT ON schema_step TO palpate_station;");
-  const auto steps = study::collect::libraryFiles();
+  const auto steps = study::collect::schemaSteps();
   const int before = study::collect::newestSchema() - 1;  // it can take in, and give nothing out
   for (int step = 1; step <= before; ++step) {
     owner.execute(std::string(steps[static_cast<std::size_t>(step) - 1].content));
