@@ -102,9 +102,9 @@ constexpr std::size_t placesIn(std::string_view pattern) {
 /// A key of the table @p kKinds for a message with @p kArguments arguments. An unknown key or a
 /// wrong number of arguments does not compile.
 template <const auto& kKinds, std::size_t kArguments>
-class KeyIn {
+class CheckedKey {
  public:
-  consteval KeyIn(const char* key) {  // NOLINT(google-explicit-constructor)
+  consteval CheckedKey(const char* key) {  // NOLINT(google-explicit-constructor)
     while (index_ < kKinds.size() && kKinds[index_].key != key) ++index_;
     if (index_ == kKinds.size()) throw "there is no message of this key";
     if (placesIn(kKinds[index_].english) != kArguments) throw "wrong number of arguments";
@@ -118,7 +118,7 @@ class KeyIn {
 
 /// A message of the table @p kKinds.
 template <const auto& kKinds, typename... Arguments>
-Message messageOf(KeyIn<kKinds, sizeof...(Arguments)> key, Arguments&&... arguments) {
+Message messageOf(CheckedKey<kKinds, sizeof...(Arguments)> key, Arguments&&... arguments) {
   std::vector<Argument> values;
   values.reserve(sizeof...(Arguments));
   (values.push_back(asArgument(std::forward<Arguments>(arguments))), ...);

@@ -58,7 +58,7 @@ struct ColumnHead {
   std::string unit;  ///< empty where none is given
 };
 
-ColumnHead headOf(std::string_view cell);
+ColumnHead columnHeadOf(std::string_view cell);
 
 /// The words in quotation marks, separated by commas.
 std::string listed(const std::vector<std::string>& words);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using questionnaires::Problems;
 
 /// Warnings are reported only if there are no errors.
-void tell(const Problems& found, Problems& problems) {
+void append(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
   for (const auto& problem : found.all()) {
     if (problem.severity == questionnaires::Severity::Error) problems.add(problem);
@@ -51,7 +51,7 @@ std::optional<LoadedProtocol> loadProtocol(
     std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
   Problems found;
   auto loaded = load(json, find, found, defaults);
-  tell(found, problems);
+  append(found, problems);
   return loaded;
 }
 
@@ -68,7 +68,7 @@ std::optional<LoadedProtocol> loadProtocol(
   };
   Problems found;
   auto loaded = load(json, find, found, defaults, find);
-  tell(found, problems);
+  append(found, problems);
   return loaded;
 }
 
@@ -102,7 +102,7 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
   if (!loaded) return std::nullopt;
   Problems limits;
   validateLimits(loaded->protocol, limits);
-  tell(limits, problems);
+  append(limits, problems);
   if (limits.hasErrors()) return std::nullopt;
   return loaded;
 }

@@ -160,7 +160,7 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
 
 /// One of them, with its arguments: reason("one_level", factor.name).
 template <typename... Arguments>
-Reason reason(base::KeyIn<kReasons, sizeof...(Arguments)> key, Arguments&&... arguments) {
+Reason reason(base::CheckedKey<kReasons, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kReasons>(key, std::forward<Arguments>(arguments)...);
 }
 

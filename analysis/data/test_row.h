@@ -59,7 +59,7 @@ struct TestRow {
   Reason reason;                  ///< why something above is missing; empty if nothing is
 
   /// An additional number; std::nullopt if the test does not have it, or it is not defined.
-  std::optional<double> also(std::string_view name) const {
+  std::optional<double> additional(std::string_view name) const {
     for (const auto& number : more) {
       if (number.name == name) return number.value;
     }

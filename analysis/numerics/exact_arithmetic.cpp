@@ -113,7 +113,7 @@ DoubleDouble exactQuotient(Wide numerator, Wide denominator) {
   return scaled({high, low}, exponent);
 }
 
-std::optional<Multiples> commonUnitOf(std::span<const double> numbers) {
+std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers) {
   const double largest = largestOf(numbers);
   for (std::int64_t parts = 1; parts <= kMostParts; ++parts) {
     const auto q = static_cast<double>(parts);
@@ -124,7 +124,7 @@ std::optional<Multiples> commonUnitOf(std::span<const double> numbers) {
     });
     if (!fits || (largest > 0.0 && largest * q < 0.5)) continue;  // all would round to zero
 
-    Multiples result{.multiples = {}, .denominator = parts};
+    ScaledIntegers result{.multiples = {}, .denominator = parts};
     for (const double number : numbers) {
       result.multiples.push_back(static_cast<std::int64_t>(std::round(number * q)));
     }

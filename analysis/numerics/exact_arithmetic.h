@@ -57,7 +57,7 @@ __extension__ using Wide = __int128;
 DoubleDouble exactQuotient(Wide numerator, Wide denominator);
 
 /// Numbers as whole multiples of 1/denominator.
-struct Multiples {
+struct ScaledIntegers {
   std::vector<std::int64_t> multiples;
   std::int64_t denominator = 1;
 };
@@ -70,7 +70,7 @@ struct Multiples {
 /// two means that should be equal often differ in the last digit, and are then not seen as ties.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
-std::optional<Multiples> commonUnitOf(std::span<const double> numbers);
+std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers);
 
 /// The numbers as the doubles nearest to their multiples of a common unit, so that what should be
 /// equal is equal; as they are if there is no such unit.

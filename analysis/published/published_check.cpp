@@ -202,8 +202,8 @@ bool overlap(const Interval& a, const Interval& b) {
   return a.low <= b.high && b.low <= a.high;
 }
 
-bool ConventionCheck::eachFollows() const {
-  return std::ranges::all_of(comparisons, &ComparisonCheck::follows);
+bool ConventionCheck::allAttainable() const {
+  return std::ranges::all_of(comparisons, &ComparisonCheck::isAttainable);
 }
 
 ConventionCheck checkAt(
@@ -216,9 +216,10 @@ ConventionCheck checkAt(
     const Interval attainable = attainableP(
         table.groups[first], sizes[first], table.groups[second], sizes[second], convention);
     check.comparisons.push_back(
-        {.attainable = attainable, .follows = overlap(attainable, p.bounds(convention.reading))});
+        {.attainable = attainable,
+         .isAttainable = overlap(attainable, p.bounds(convention.reading))});
   }
-  if (check.eachFollows()) check.row = momentsOfRow(table, sizes, convention);
+  if (check.allAttainable()) check.row = momentsOfRow(table, sizes, convention);
   return check;
 }
 

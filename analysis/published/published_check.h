@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/numerics/interval.h"
-#include "analysis/published/fitting_sizes.h"
+#include "analysis/published/consistent_sizes.h"
 #include "analysis/published/published_convention.h"
 #include "analysis/published/published_table.h"
 
@@ -54,7 +54,7 @@ bool overlap(const Interval& a, const Interval& b);
 /// One printed p value, and the range of possible ones.
 struct ComparisonCheck {
   Interval attainable;
-  bool follows = false;  ///< some attainable p would be printed like this
+  bool isAttainable = false;  ///< some attainable p would be printed like this
 };
 
 /// A row of a published table at given sizes of the groups, by one convention.
@@ -64,7 +64,7 @@ struct ConventionCheck {
   std::vector<ComparisonCheck> comparisons;         ///< in the order of the table
   std::optional<std::vector<MeanAndVariance>> row;  ///< means and variances that give all p at once
 
-  bool eachFollows() const;
+  bool allAttainable() const;
 };
 
 /// @param sizes  of every group, at least 2.

@@ -16,7 +16,7 @@ using base::Message;
 
 /// One of kFlagMessages, with its arguments.
 template <typename... Arguments>
-Message text(base::KeyIn<kFlagMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
+Message text(base::CheckedKey<kFlagMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kFlagMessages>(key, std::forward<Arguments>(arguments)...);
 }
 

@@ -54,7 +54,7 @@ LinkLoop::~LinkLoop() {
   if (loop_) finish();
 }
 
-void LinkLoop::standStill(std::int64_t duration) noexcept {
+void LinkLoop::stallTick(std::int64_t duration) noexcept {
   stoodAt_.store(0, std::memory_order_relaxed);
   orderedAt_.store(timing::now(), std::memory_order_relaxed);
   ordered_.store(duration, std::memory_order_release);

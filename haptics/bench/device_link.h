@@ -44,10 +44,10 @@ class LinkLoop {
 
   /// Any thread: a tick is to take @p duration [ns] longer, as soon as a force of 5 % of the
   /// largest begins to fall; after three seconds without one, any tick.
-  void standStill(std::int64_t duration) noexcept;
+  void stallTick(std::int64_t duration) noexcept;
   /// Any thread: when it began to stand still as it was told last [ns on CLOCK_MONOTONIC]; 0: it
   /// has not yet.
-  std::int64_t stoodAt() const noexcept { return stoodAt_.load(std::memory_order_acquire); }
+  std::int64_t stalledAt() const noexcept { return stoodAt_.load(std::memory_order_acquire); }
 
   /// Stops, and disarms the device. Once.
   LinkRun finish();

@@ -143,7 +143,7 @@ struct Tally {
 };
 
 template <typename Filter>
-void follow(
+void tallyErrors(
     Filter filter,
     const std::vector<double>& travelled,
     const std::vector<double>& expected,
@@ -183,12 +183,12 @@ void attack(double decades, const AccuracyRun& run) {
     for (const double d : travelled) {
       expected.push_back(static_cast<double>(reference.step(d, 3, 2)));
     }
-    follow(OurCovariance<double>(n), travelled, expected, tallies[0]);
-    follow(OurCovariance<float>(n), travelled, expected, tallies[1]);
-    follow(peers::StandardFilter<double>(n), travelled, expected, tallies[2]);
-    follow(peers::JosephFilter<double>(n), travelled, expected, tallies[3]);
-    follow(peers::StandardFilter<float>(n), travelled, expected, tallies[4]);
-    follow(peers::JosephFilter<float>(n), travelled, expected, tallies[5]);
+    tallyErrors(OurCovariance<double>(n), travelled, expected, tallies[0]);
+    tallyErrors(OurCovariance<float>(n), travelled, expected, tallies[1]);
+    tallyErrors(peers::StandardFilter<double>(n), travelled, expected, tallies[2]);
+    tallyErrors(peers::JosephFilter<double>(n), travelled, expected, tallies[3]);
+    tallyErrors(peers::StandardFilter<float>(n), travelled, expected, tallies[4]);
+    tallyErrors(peers::JosephFilter<float>(n), travelled, expected, tallies[5]);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto& errors = tallies[i].errors;

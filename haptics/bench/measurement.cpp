@@ -59,13 +59,13 @@ std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) 
 std::vector<std::optional<Timing>> AccuracyRun::times(
     const std::vector<Contestant>& contestants) const {
   if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
-  return optional(timing::race(contestants));
+  return optional(timing::compareTimes(contestants));
 }
 
 std::vector<std::optional<Timing>> AccuracyRun::coldTimes(
     const std::vector<Contestant>& contestants, int rounds) const {
   if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
-  return optional(timing::raceCold(contestants, rounds));
+  return optional(timing::compareColdTimes(contestants, rounds));
 }
 
 std::string asLine(const Measurement& m) {
@@ -96,7 +96,7 @@ std::optional<Measurement> fromLine(const std::string& line) {
   return m;
 }
 
-std::vector<Repeated> gathered(const std::vector<Measurement>& measurements) {
+std::vector<Repeated> mergedOverProcesses(const std::vector<Measurement>& measurements) {
   struct Times {
     std::vector<double> medians;
     std::vector<double> p99s;

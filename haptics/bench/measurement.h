@@ -32,9 +32,9 @@ struct AccuracyRun {
   std::function<void(const Measurement&)> report;
   bool isShort = false;  ///< errors only, of small models: for ./check
 
-  /// Times of contestants beside each other, see timing::race(); none in a short run.
+  /// Times of contestants beside each other, see timing::compareTimes(); none in a short run.
   std::vector<std::optional<Timing>> times(const std::vector<Contestant>& contestants) const;
-  /// The same with cold caches, see timing::raceCold().
+  /// The same with cold caches, see timing::compareColdTimes().
   std::vector<std::optional<Timing>> coldTimes(
       const std::vector<Contestant>& contestants, int rounds) const;
 };
@@ -86,7 +86,7 @@ struct Repeated {
 };
 
 /// In the order in which things were first measured.
-std::vector<Repeated> gathered(const std::vector<Measurement>& measurements);
+std::vector<Repeated> mergedOverProcesses(const std::vector<Measurement>& measurements);
 
 /// What a measurement was taken with: processor, kernel, governor, load, compiler, peers. Pairs of
 /// a name and words.

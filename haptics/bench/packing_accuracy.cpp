@@ -18,8 +18,8 @@ namespace haptics::bench {
 namespace {
 
 using reaming::Packing;
-using reaming::Plunge;
 using reaming::SphereField;
+using reaming::StrokeRange;
 
 constexpr const char* kPackingFamily = "packing";
 constexpr double kReachOfReamer = 0.026;  // its radius [m]
@@ -32,7 +32,7 @@ double depthOf(std::size_t step) {
 
 /// A loop over all groups of spheres with the same kernel, without the search by cells.
 double overAll(const SphereField& field, const reaming::Reamer& reamer) {
-  const reaming::Stretch all{0, static_cast<std::uint32_t>(field.groups().size())};
+  const reaming::GroupRange all{0, static_cast<std::uint32_t>(field.groups().size())};
   const reaming::KernelReamer tool{
       .z = static_cast<float>(reamer.centre.z), .radius = static_cast<float>(reamer.radius)};
   reaming::KernelSums sums;
@@ -41,7 +41,7 @@ double overAll(const SphereField& field, const reaming::Reamer& reamer) {
 }
 
 /// The largest departure of the area from its mean while the reamer goes through [%].
-double ripple(const SphereField& field, const Plunge& plunge) {
+double ripple(const SphereField& field, const StrokeRange& plunge) {
   std::vector<double> areas;
   double mean = 0.0;
   constexpr int kPlaces = 400;
@@ -56,7 +56,7 @@ double ripple(const SphereField& field, const Plunge& plunge) {
 
 Contestant contestant(
     const std::string& name,
-    const Plunge& plunge,
+    const StrokeRange& plunge,
     std::function<double(const reaming::Reamer&)> felt) {
   return {name, [felt = std::move(felt), plunge, next = std::size_t{0}](int steps) mutable {
             double sum = 0.0;
@@ -70,7 +70,7 @@ Packing boneOf(std::size_t spheres) {
 }
 
 /// The largest difference of the pressure from that of a loop over all spheres, relative.
-double largestDifference(const SphereField& field, const Plunge& plunge) {
+double largestDifference(const SphereField& field, const StrokeRange& plunge) {
   double largest = 0.0;
   for (std::size_t step = 0; step < 300; ++step) {
     const auto reamer = plunge.at(depthOf(step));
@@ -83,7 +83,7 @@ double largestDifference(const SphereField& field, const Plunge& plunge) {
 void compareContacts(const Packing& packing, const AccuracyRun& run) {
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   const SphereField field(packing, densities);
-  const Plunge plunge = reaming::plungeInto(field, kReachOfReamer);
+  const StrokeRange plunge = reaming::strokeInto(field, kReachOfReamer);
   const auto count = static_cast<double>(packing.spheres.size());
   run.report(
       {.family = kPackingFamily,
@@ -126,7 +126,7 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   constexpr double kTick = 0.001;  // [s]
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   reaming::Bone bone(packing, densities, {.coverage = packing.coverage(), .cuttingDamping = 100.0});
-  const Plunge plunge = reaming::plungeInto(bone.field(), kReachOfReamer);
+  const StrokeRange plunge = reaming::strokeInto(bone.field(), kReachOfReamer);
   double depth = -0.0005;
   while (bone.tool().centre.z < plunge.start + 0.006) {  // in, as fast as it goes
     bone.step(plunge.at(depth), kTick);

@@ -15,7 +15,7 @@ namespace {
 using reaming::Bone;
 using reaming::BoneOptions;
 using reaming::Packing;
-using reaming::Plunge;
+using reaming::StrokeRange;
 using reaming::Vec3;
 
 constexpr double kTick = 0.001;
@@ -25,7 +25,7 @@ constexpr double kReamerRadius = 0.026;  // of the reamer [m]
 struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
       : bone(packing, densities, withCoverage(options, packing)),
-        plunge(reaming::plungeInto(bone.field(), kReamerRadius)),
+        plunge(reaming::strokeInto(bone.field(), kReamerRadius)),
         whole(bone.remainingMass()),
         coupling(options.coupling) {
     for (int i = 0; i < 50; ++i) bone.step(plunge.at(-0.0005), kTick);
@@ -51,13 +51,13 @@ struct Run {
   /// Groups of spheres that a step reads with the tool at @p depth: its cost.
   double groupsRead(double depth) const {
     double groups = 0.0;
-    bone.field().eachStretch(
+    bone.field().forEachRange(
         plunge.at(depth), [&](std::uint32_t begin, std::uint32_t end) { groups += end - begin; });
     return groups;
   }
 
   Bone bone;
-  Plunge plunge;
+  StrokeRange plunge;
   double whole;
   double coupling;
   double largestForce = 0.0;

@@ -20,7 +20,7 @@ struct StabilityCheck {
 };
 
 /// A virtual wall that a hand presses on.
-struct WallPoint {
+struct VirtualWall {
   double rate = 0.0;       ///< [Hz]
   double stiffness = 0.0;  ///< K [N/travel unit]
   double damping = 0.0;    ///< b, of mechanism and hand together [N·s/travel unit]
@@ -35,7 +35,7 @@ struct WallPoint {
 
 struct StabilityResult {
   std::vector<StabilityCheck> checks;
-  std::vector<WallPoint> walls;
+  std::vector<VirtualWall> walls;
 };
 
 /// Adds the checks of one sweep to a result.

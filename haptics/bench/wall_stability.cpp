@@ -33,7 +33,7 @@ struct Range {
 /// held.
 class Wall {
  public:
-  explicit Wall(WallPoint& point)
+  explicit Wall(VirtualWall& point)
       : point_(point),
         period_(1.0 / point.rate),
         observer_(
@@ -97,7 +97,7 @@ class Wall {
     }
   }
 
-  WallPoint& point_;
+  VirtualWall& point_;
   double period_;
   engine::EnergyObserver observer_;
   std::vector<double> pending_;
@@ -109,7 +109,7 @@ class Wall {
   double lowInTick_ = 0.0, highInTick_ = 0.0;
 };
 
-WallPoint judged(WallPoint point) {
+VirtualWall judged(VirtualWall point) {
   Wall wall(point);
   wall.run();
   wall.judge();
@@ -126,7 +126,7 @@ void sweepWalls(double effort, StabilityResult& result) {
       for (int i = 0; i < stiffnesses; ++i) {
         // From a tenth of the passive limit to a hundred times as much.
         const double ratio = std::pow(10.0, -1.0 + 3.0 * i / (stiffnesses - 1));
-        WallPoint point{.rate = rate, .stiffness = ratio * limit, .damping = damping};
+        VirtualWall point{.rate = rate, .stiffness = ratio * limit, .damping = damping};
         result.walls.push_back(judged(point));
         point.isControlled = true;
         result.walls.push_back(judged(point));

@@ -91,8 +91,8 @@ struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
-  /// About the tool's axis since travel was 0, right-handed about the way of advancing [rad]; 0
-  /// for a device that does not measure it.
+  /// Angle about the tool's axis since travel was 0 [rad], positive in the right-handed sense about
+  /// the direction of advance; 0 for a device that does not measure it.
   double turn = 0.0;
   bool isHeld = true;      ///< the dead-man switch is held, or the device has no such switch
   bool isReamerOn = true;  ///< the reamer's switch or pedal is pressed, or the device has none

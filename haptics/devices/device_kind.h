@@ -15,7 +15,7 @@ namespace haptics::devices {
 enum class Tissue : std::uint8_t { Meniscus, Bone };
 
 /// What can be seen while an instrument is felt.
-enum class View : std::uint8_t { None, Knee, Cup };
+enum class View : std::uint8_t { None, Knee, Hip };
 
 /// How the real instruments of a kind are connected.
 enum class Wire : std::uint8_t {
@@ -77,7 +77,7 @@ struct DeviceKind {
   } travel;
 
   /// How people read the travel.
-  struct Shown {
+  struct TravelDisplay {
     double factor;                  ///< from the unit to the one that is shown
     std::string_view unit;          ///< "mm"
     std::string_view suffix;        ///< behind a number where room is scarce: " mm"; or nothing
@@ -86,7 +86,7 @@ struct DeviceKind {
     std::string_view axis;          ///< of figures, in the catalogues: "depth [mm]"
   } shown;
 
-  /// What an ordinary hand does: a plot's ranges at first, in the shown unit.
+  /// The ranges with which a plot begins, in the shown unit: those of a usual hand.
   struct Plot {
     double force;         ///< [N]
     double travel;        ///< [shown unit]
@@ -123,7 +123,7 @@ struct DeviceKind {
 
     /// Whether the mechanism can reach @p travel, however wrong its zero is. An encoder that lost
     /// count, or a fault in its cable, gives places far outside.
-    bool mayBeAt(double travel) const noexcept {
+    bool canReach(double travel) const noexcept {
       const double span = believable.most - believable.least;
       return travel >= believable.least - span && travel <= believable.most + span;
     }

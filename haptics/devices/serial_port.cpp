@@ -71,7 +71,7 @@ void makeRaw(int descriptor, const std::string& path, int baud) {
     if (speed == nullptr) {
       throw DeviceError(
           "A serial port cannot go at " + std::to_string(baud) + " baud here. Choose " +
-          SerialPort::speeds() + ", or 0 for USB.");
+          SerialPort::supportedSpeeds() + ", or 0 for USB.");
     }
     cfsetspeed(&settings, speed->second);
   }
@@ -84,7 +84,7 @@ bool SerialPort::canGoAt(int baud) noexcept {
   return baud == 0 || speedOf(baud) != nullptr;
 }
 
-std::string SerialPort::speeds() {
+std::string SerialPort::supportedSpeeds() {
   std::string text;
   for (const auto& [baud, speed] : kSpeeds) {
     const bool isLast = baud == kSpeeds.back().first;
@@ -107,7 +107,7 @@ void SerialPort::open(const std::string& path, int baud) {
     close();
     throw;
   }
-  forgetInput();
+  discardInput();
 }
 
 void SerialPort::close() noexcept {
@@ -159,7 +159,7 @@ bool SerialPort::write(std::span<const std::uint8_t> bytes) noexcept {
   return written == bytes.size();
 }
 
-void SerialPort::forgetInput() noexcept {
+void SerialPort::discardInput() noexcept {
   if (descriptor_ >= 0) tcflush(descriptor_, TCIFLUSH);
 }
 

@@ -20,7 +20,7 @@ class SerialPort {
   /// Whether this computer has a line at @p baud; 0, for USB, always.
   static bool canGoAt(int baud) noexcept;
   /// The others, in words: "115200, … or 2000000".
-  static std::string speeds();
+  static std::string supportedSpeeds();
 
   /// @param baud  0: as it is (USB and pseudo-terminals have none).
   /// @throws DeviceError  if it is not there, not allowed, in use, or no serial line.
@@ -38,7 +38,7 @@ class SerialPort {
   bool write(std::span<const std::uint8_t> bytes) noexcept;
 
   /// Throws away what has come.
-  void forgetInput() noexcept;
+  void discardInput() noexcept;
 
  private:
   int descriptor_ = -1;

@@ -7,7 +7,7 @@
 
 namespace haptics::devices {
 
-WireDevice::WireDevice(Capabilities capabilities, Keeping keeping)
+WireDevice::WireDevice(Capabilities capabilities, KeepAliveState keeping)
     : capabilities_(std::move(capabilities)), keeping_(keeping) {}
 
 void WireDevice::close() noexcept {

@@ -34,12 +34,12 @@ class WireDevice : public Device, private Pacer {
 
  protected:
   /// How the keeper waits.
-  struct Keeping {
+  struct KeepAliveState {
     std::int64_t turn;     ///< for a message at most, before it looks again [ns]
     std::int64_t silence;  ///< that is a fault [ns]
   };
 
-  WireDevice(Capabilities capabilities, Keeping keeping);
+  WireDevice(Capabilities capabilities, KeepAliveState keeping);
 
   /// "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
@@ -85,7 +85,7 @@ class WireDevice : public Device, private Pacer {
   std::array<std::int64_t, 64> sentAt_{};  ///< answers, by their number [ns]
 
  private:
-  Keeping keeping_;
+  KeepAliveState keeping_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
   std::atomic<const char*> why_{""};
   std::jthread keeper_;

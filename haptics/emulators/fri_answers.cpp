@@ -14,65 +14,65 @@ int numberOf(std::size_t joint) noexcept {
 
 }  // namespace
 
-FriEnd FriJudge::missing(const wire::fri::CommandData& command) const noexcept {
-  if (!command.jointPosition) return FriEnd::PositionMissing;
-  if (mode_ == Mode::Wrench && !command.wrench) return FriEnd::WrenchMissing;
-  if (mode_ == Mode::Torque && !command.jointTorque) return FriEnd::TorqueMissing;
-  return FriEnd::None;
+FriEndReason FriCommandCheck::missing(const wire::fri::CommandData& command) const noexcept {
+  if (!command.jointPosition) return FriEndReason::PositionMissing;
+  if (mode_ == Mode::Wrench && !command.wrench) return FriEndReason::WrenchMissing;
+  if (mode_ == Mode::Torque && !command.jointTorque) return FriEndReason::TorqueMissing;
+  return FriEndReason::None;
 }
 
-FriVerdict FriJudge::judge(
+FriVerdict FriCommandCheck::judge(
     const wire::fri::CommandData& command,
     const wire::fri::Joints& before,
     double seconds) const noexcept {
-  const FriEnd lack = missing(command);
-  if (lack != FriEnd::None) return {.end = lack};
+  const FriEndReason lack = missing(command);
+  if (lack != FriEndReason::None) return {.end = lack};
   const FriVerdict verdict = judgePosition(*command.jointPosition, before, seconds);
-  if (verdict.end != FriEnd::None) return verdict;
+  if (verdict.end != FriEndReason::None) return verdict;
   if (mode_ == Mode::Wrench) return judgeWrench(*command.wrench);
   if (mode_ == Mode::Torque) return judgeTorque(*command.jointTorque);
   return {};
 }
 
-bool FriJudge::isMirror(
+bool FriCommandCheck::isMirror(
     const wire::fri::CommandData& command, const wire::fri::Joints& joints) const noexcept {
-  if (missing(command) != FriEnd::None) return false;
+  if (missing(command) != FriEndReason::None) return false;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (!(std::abs((*command.jointPosition)[i] - joints[i]) <= limits_.mirrorReach)) return false;
   }
   return true;
 }
 
-FriVerdict FriJudge::judgePosition(
+FriVerdict FriCommandCheck::judgePosition(
     const wire::fri::Joints& position,
     const wire::fri::Joints& before,
     double seconds) const noexcept {
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (!(std::abs(position[i]) <= arm_.maxPosition[i] + kTolerance)) {
-      return {.end = FriEnd::PositionLimit, .joint = numberOf(i)};
+      return {.end = FriEndReason::PositionLimit, .joint = numberOf(i)};
     }
     if (!(std::abs(position[i] - before[i]) <= arm_.maxVelocity[i] * seconds + kTolerance)) {
-      return {.end = FriEnd::PositionLeap, .joint = numberOf(i)};
+      return {.end = FriEndReason::PositionLeap, .joint = numberOf(i)};
     }
   }
   return {};
 }
 
-FriVerdict FriJudge::judgeTorque(const wire::fri::Joints& torque) const noexcept {
+FriVerdict FriCommandCheck::judgeTorque(const wire::fri::Joints& torque) const noexcept {
   for (std::size_t i = 0; i < torque.size(); ++i) {
     if (!(std::abs(torque[i]) <= arm_.maxTorque[i] + kTolerance)) {
-      return {.end = FriEnd::TorqueLimit, .joint = numberOf(i)};
+      return {.end = FriEndReason::TorqueLimit, .joint = numberOf(i)};
     }
   }
   return {};
 }
 
-FriVerdict FriJudge::judgeWrench(const wire::fri::Vector6& wrench) const noexcept {
+FriVerdict FriCommandCheck::judgeWrench(const wire::fri::Vector6& wrench) const noexcept {
   const double force = std::hypot(wrench[0], wrench[1], wrench[2]);
   const double moment = std::hypot(wrench[3], wrench[4], wrench[5]);
   const bool isWithin =
       force <= limits_.maxForce + kTolerance && moment <= limits_.maxMoment + kTolerance;
-  return {.end = isWithin ? FriEnd::None : FriEnd::WrenchLimit};
+  return {.end = isWithin ? FriEndReason::None : FriEndReason::WrenchLimit};
 }
 
 void FriAnswers::sent(std::int64_t now, bool isAnswerable) noexcept {
@@ -97,7 +97,7 @@ bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcep
     ++counts_.restarts;
     hasHeard_ = false;
   }
-  follow(header.sequence);
+  noteReceived(header.sequence);
   if (message != nullptr && !message->isAnswerable) {
     ++counts_.unasked;
   } else if (!isInTime) {
@@ -110,7 +110,7 @@ bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcep
   return false;
 }
 
-void FriAnswers::follow(std::uint32_t sequence) noexcept {
+void FriAnswers::noteReceived(std::uint32_t sequence) noexcept {
   if (hasHeard_ && sequence <= heard_) {
     if (counts_.lost > 0) --counts_.lost;  // it comes after others, and was not lost
     return;

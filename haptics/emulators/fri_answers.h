@@ -21,17 +21,17 @@ struct FriLimits {
 
 /// What is wrong with a command, and with which joint of it.
 struct FriVerdict {
-  FriEnd end = FriEnd::None;
+  FriEndReason end = FriEndReason::None;
   int joint = 0;  ///< 1 to 7; 0: none in particular
 };
 
 /// Says whether a command may be followed: it has what its mode needs, and all of that within the
 /// limits of position, velocity (from command to command), torque and wrench.
-class FriJudge {
+class FriCommandCheck {
  public:
   using Mode = wire::fri::ClientCommandMode;
 
-  FriJudge(devices::IiwaModel model, const FriLimits& limits, Mode mode) noexcept
+  FriCommandCheck(devices::IiwaModel model, const FriLimits& limits, Mode mode) noexcept
       : arm_(devices::propertiesOf(model)), limits_(limits), mode_(mode) {}
 
   /// @param before   the joint position of the last command [rad]
@@ -47,7 +47,7 @@ class FriJudge {
       const wire::fri::CommandData& command, const wire::fri::Joints& joints) const noexcept;
 
  private:
-  FriEnd missing(const wire::fri::CommandData& command) const noexcept;
+  FriEndReason missing(const wire::fri::CommandData& command) const noexcept;
   FriVerdict judgePosition(
       const wire::fri::Joints& position,
       const wire::fri::Joints& before,
@@ -113,7 +113,7 @@ class FriAnswers {
     bool isAnswered = false;
   };
 
-  void follow(std::uint32_t sequence) noexcept;
+  void noteReceived(std::uint32_t sequence) noexcept;
 
   std::uint32_t multiplier_;
   std::uint32_t next_ = 0;

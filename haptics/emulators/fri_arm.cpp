@@ -126,7 +126,7 @@ FriArm::FriArm(const Options& options)
 void FriArm::hold() noexcept {
   arm_.setControl(stiff_);
   held_ = jointsOf(arm_.position());
-  obey({});
+  apply({});
 }
 
 void FriArm::beginMotion() noexcept {
@@ -134,11 +134,11 @@ void FriArm::beginMotion() noexcept {
   if (options_.control == ControlMode::JointImpedance) arm_.setControl(options_.joint);
 }
 
-void FriArm::beGripped() noexcept {
+void FriArm::attachHand() noexcept {
   if (options_.hasHand) arm_.setHand(&surgeon_);
 }
 
-void FriArm::obey(const wire::fri::CommandData& command) noexcept {
+void FriArm::apply(const wire::fri::CommandData& command) noexcept {
   arm_.commandPosition(vectorOf(command.jointPosition.value_or(held_)));
   setOverlay(command);
   arm_.setOverlayTorque(vectorOf(overlayTorque_));

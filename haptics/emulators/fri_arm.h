@@ -50,11 +50,11 @@ class FriArm {
   /// The program's motion: its impedance about where the arm was held.
   void beginMotion() noexcept;
   /// The surgeon takes the tool.
-  void beGripped() noexcept;
-  void beLetGo() noexcept { arm_.setHand(nullptr); }
+  void attachHand() noexcept;
+  void detachHand() noexcept { arm_.setHand(nullptr); }
 
-  /// Follows a command that FriJudge has accepted.
-  void obey(const wire::fri::CommandData& command) noexcept;
+  /// Follows a command that FriCommandCheck has accepted.
+  void apply(const wire::fri::CommandData& command) noexcept;
 
   /// @p dt [s], in (0, 0.1].
   void step(double dt) noexcept;

@@ -92,7 +92,7 @@ void FriController::step() noexcept {
   closePeriod();
   takeOrders();
   goOn();
-  if (orders_.take(FriOrders::Once::Stall)) {
+  if (orders_.take(FriOrders::OneTime::Stall)) {
     ++report_.stalled;
   } else {
     sendMessage();
@@ -129,20 +129,20 @@ void FriController::takeOrders() noexcept {
   if (orders_.take(Event::SafetyStop)) session_.stopSafely(true);
   if (orders_.take(Event::SafetyReset)) session_.stopSafely(false);
   if (orders_.take(Event::Idle)) {
-    stopMotion(FriEnd::Idle);
+    stopMotion(FriEndReason::Idle);
     session_.toIdle();
-    arm_.beLetGo();
+    arm_.detachHand();
   }
   if (orders_.take(Event::Motion)) session_.queue();
   if (orders_.take(Event::Restart)) restart();
 }
 
 void FriController::restart() noexcept {
-  stopMotion(FriEnd::Restart);
+  stopMotion(FriEndReason::Restart);
   session_.restart();
   answers_.restart();
   connection_.forget();
-  arm_.beLetGo();
+  arm_.detachHand();
   isBlockAnswered_ = false;
   isWrongVersion_ = false;
 }
@@ -159,13 +159,13 @@ void FriController::goOn() noexcept {
   lastPosition_ = arm_.heldPosition();
   sinceCommand_ = 1;
   if (session_.isActive()) {
-    arm_.beGripped();
+    arm_.attachHand();
   } else {
     arm_.beginMotion();
   }
 }
 
-void FriController::stopMotion(FriEnd end, int joint) noexcept {
+void FriController::stopMotion(FriEndReason end, int joint) noexcept {
   if (!session_.end(end)) return;
   report_.endJoint = joint;
   brake();
@@ -192,7 +192,7 @@ wire::fri::ConnectionQuality FriController::quality() const noexcept {
 }
 
 void FriController::sendMessage() noexcept {
-  const FriStanding standing{
+  const FriLinkFields standing{
       .sequence = answers_.nextSequence(),
       .reflected = answers_.reflected(),
       .quality = quality(),
@@ -204,31 +204,31 @@ void FriController::sendMessage() noexcept {
   answers_.sent(options_.clock(), session_.state() != State::Idle);
   ++report_.messages;
   hand(std::span(out_).first(size), framing);
-  if (orders_.take(FriOrders::Once::Impostor)) sendImpostor(message);
+  if (orders_.take(FriOrders::OneTime::Impostor)) sendImpostor(message);
 }
 
 void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noexcept {
   const auto send = [this](std::span<const std::uint8_t> bytes) {
     ++(socket_.send(bytes, options_.client) ? report_.datagrams : report_.unsent);
   };
-  if (spoil(datagram, framing)) {
-    impairment_.passSpared(datagram, send);
+  if (corrupt(datagram, framing)) {
+    impairment_.passUnimpaired(datagram, send);
   } else {
     impairment_.pass(datagram, send);
   }
 }
 
 /// One fault at most, here too.
-bool FriController::spoil(std::span<std::uint8_t> datagram, Version framing) noexcept {
+bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) noexcept {
   if (isWrongVersion_) {
     ++report_.wrongVersion;
     return true;
   }
-  if (orders_.take(FriOrders::Once::SixJoints)) {
+  if (orders_.take(FriOrders::OneTime::SixJoints)) {
     report_.sixJoints += leaveOutJoint(datagram, framing) ? 1 : 0;
     return true;
   }
-  if (orders_.take(FriOrders::Once::NotANumber)) {
+  if (orders_.take(FriOrders::OneTime::NotANumber)) {
     report_.notANumber += makeNotANumber(datagram, framing) ? 1 : 0;
     return true;
   }
@@ -288,13 +288,13 @@ void FriController::act(const wire::fri::CommandMessage& answer) noexcept {
   }
   const double seconds = std::max(sinceCommand_, 1) * options_.sendPeriod / 1000.0;
   const FriVerdict verdict = judge_.judge(command, lastPosition_, seconds);
-  if (verdict.end != FriEnd::None) {
+  if (verdict.end != FriEndReason::None) {
     stopMotion(verdict.end, verdict.joint);
     return;
   }
   lastPosition_ = *command.jointPosition;
   sinceCommand_ = 0;
-  arm_.obey(command);
+  arm_.apply(command);
   noteOverlay();
 }
 

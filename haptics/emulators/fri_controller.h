@@ -109,11 +109,11 @@ class FriController {
   void sendMessage() noexcept;
   void sendImpostor(const wire::fri::MonitoringMessage& message) noexcept;
   void hand(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
-  bool spoil(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
+  bool corrupt(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
   void readImpostor() noexcept;
   void take(std::span<const std::uint8_t> datagram) noexcept;
   void act(const wire::fri::CommandMessage& answer) noexcept;
-  void stopMotion(FriEnd end, int joint = 0) noexcept;
+  void stopMotion(FriEndReason end, int joint = 0) noexcept;
   void brake() noexcept;
   void restart() noexcept;
   void noteOverlay() noexcept;
@@ -126,7 +126,7 @@ class FriController {
   Impairment impairment_;
   FriOrders orders_;
   FriArm arm_;
-  FriJudge judge_;
+  FriCommandCheck judge_;
   FriSession session_;
   FriAnswers answers_;
   ConnectionQuality connection_;

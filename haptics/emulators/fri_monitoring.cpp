@@ -197,7 +197,7 @@ std::span<std::uint8_t> measuredJoints(std::span<std::uint8_t> payload) noexcept
 }  // namespace
 
 wire::fri::MonitoringMessage monitoringMessage(
-    const FriStanding& standing, const FriSession& session, const FriArm& arm) noexcept {
+    const FriLinkFields& standing, const FriSession& session, const FriArm& arm) noexcept {
   wire::fri::MonitoringMessage message;
   message.header.sequence = standing.sequence;
   message.header.reflected = standing.reflected;

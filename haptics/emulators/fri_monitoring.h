@@ -17,7 +17,7 @@ struct FriReport {
   FriSession::State state = FriSession::State::Idle;
   wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;  ///< as told
   ConnectionQuality::Measures connection;
-  FriEnd lastEnd = FriEnd::None;
+  FriEndReason lastEnd = FriEndReason::None;
   int endJoint = 0;        ///< 1 to 7; 0: none in particular
   std::int64_t endAt = 0;  ///< when the last motion ended [ns of the clock]; 0: none has
   bool hasOverlay = false;
@@ -45,7 +45,7 @@ struct FriReport {
 std::string statusOf(const FriReport& report);
 
 /// The content of a monitoring message that the arm does not measure.
-struct FriStanding {
+struct FriLinkFields {
   std::uint32_t sequence = 0;
   std::uint32_t reflected = 0;
   wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;
@@ -57,7 +57,7 @@ struct FriStanding {
 /// present version does not have. There are always 7 joints; the interpolator's position is set in
 /// the commanding states only.
 wire::fri::MonitoringMessage monitoringMessage(
-    const FriStanding& standing, const FriSession& session, const FriArm& arm) noexcept;
+    const FriLinkFields& standing, const FriSession& session, const FriArm& arm) noexcept;
 
 /// Makes the seventh measured joint position of an encoded message an unknown field, so
 /// that six are left, without a change of length; or makes the first no number. The CRC of 2.7 is

@@ -49,7 +49,7 @@ struct FriOrders::Word {
   std::string_view name;
   std::string_view usage;
   std::size_t arguments;
-  void (*obey)(FriOrders& orders, int first, int second);
+  void (*execute)(FriOrders& orders, int first, int second);
 };
 
 const FriOrders::Word FriOrders::kWords[] = {
@@ -65,10 +65,10 @@ const FriOrders::Word FriOrders::kWords[] = {
      }},
     {"garbage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Garbage, n); }},
     {"damage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Damage, n); }},
-    {"stall", "MS", 1, [](FriOrders& o, int ms, int) { o.add(Once::Stall, o.periodsOf(ms)); }},
-    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::SixJoints, n); }},
-    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::NotANumber, n); }},
-    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::Impostor, n); }},
+    {"stall", "MS", 1, [](FriOrders& o, int ms, int) { o.add(OneTime::Stall, o.periodsOf(ms)); }},
+    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::SixJoints, n); }},
+    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::NotANumber, n); }},
+    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::Impostor, n); }},
     {"quality",
      kQualityLevels,
      1,
@@ -86,7 +86,7 @@ std::optional<std::string> FriOrders::give(std::string_view line) {
   const auto words = wordsOf(line);
   if (words.empty()) return "There is no word in this line.";
   for (const Word& word : kWords) {
-    if (word.name == words.front()) return obey(word, line, std::span(words).subspan(1));
+    if (word.name == words.front()) return execute(word, line, std::span(words).subspan(1));
   }
   return "'" + std::string(line) + "' is no command. There are: " + help();
 }
@@ -100,7 +100,7 @@ std::string FriOrders::help() {
   return known + "status, help, quit; N and MS are whole numbers from 1 to 1000000";
 }
 
-std::optional<std::string> FriOrders::obey(
+std::optional<std::string> FriOrders::execute(
     const Word& word, std::string_view line, std::span<const std::string_view> texts) {
   std::array<int, 2> arguments{};
   bool isUnderstood = texts.size() == word.arguments;
@@ -117,15 +117,15 @@ std::optional<std::string> FriOrders::obey(
                 ? ""
                 : "; N and MS are whole numbers from 1 to 1000000");
   }
-  word.obey(*this, arguments[0], arguments[1]);
+  word.execute(*this, arguments[0], arguments[1]);
   return std::nullopt;
 }
 
-void FriOrders::add(Once order, int howMany) noexcept {
+void FriOrders::add(OneTime order, int howMany) noexcept {
   once_[static_cast<std::size_t>(order)].fetch_add(howMany, std::memory_order_relaxed);
 }
 
-bool FriOrders::take(Once order) noexcept {
+bool FriOrders::take(OneTime order) noexcept {
   auto& left = once_[static_cast<std::size_t>(order)];
   if (left.load(std::memory_order_relaxed) <= 0) return false;
   left.fetch_sub(1, std::memory_order_relaxed);  // the only thread that takes

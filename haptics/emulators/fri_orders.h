@@ -18,13 +18,13 @@ namespace haptics::emulators {
 /// Any thread gives orders; the one that steps the controller takes them, once each.
 class FriOrders {
  public:
-  enum class Once : std::uint8_t {
+  enum class OneTime : std::uint8_t {
     SixJoints,   ///< messages with six joints
     NotANumber,  ///< messages in which a joint is NaN
     Impostor,    ///< messages from another sender
     Stall        ///< periods in which nothing is sent
   };
-  static constexpr std::size_t kOnceCount = 4;
+  static constexpr std::size_t kOneTimeCount = 4;
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
@@ -41,22 +41,22 @@ class FriOrders {
   static std::string help();
 
   /// One fewer; false if none was ordered.
-  bool take(Once order) noexcept;
+  bool take(OneTime order) noexcept;
   bool take(Event event) noexcept;
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }
 
  private:
   struct Word;
   static const Word kWords[];
-  std::optional<std::string> obey(
+  std::optional<std::string> execute(
       const Word& word, std::string_view line, std::span<const std::string_view> texts);
-  void add(Once order, int howMany) noexcept;
+  void add(OneTime order, int howMany) noexcept;
   void raise(Event event) noexcept;
   int periodsOf(int milliseconds) const noexcept;
 
   Impairment& impairment_;
   int period_;  ///< [ms]
-  std::array<std::atomic<int>, kOnceCount> once_{};
+  std::array<std::atomic<int>, kOneTimeCount> once_{};
   std::atomic<std::uint32_t> events_{0};  ///< one bit each
   std::atomic<bool> isQualityPoor_{false};
 };

@@ -72,30 +72,31 @@ constexpr std::array<std::string_view, 16> kEnds{
 
 }  // namespace
 
-std::string_view nameOf(FriEnd end) noexcept {
+std::string_view nameOf(FriEndReason end) noexcept {
   return kEnds[static_cast<std::size_t>(end)];
 }
 
 bool FriSession::advance(const Input& input) noexcept {
   periods_ = std::min(periods_ + 1, 1'000'000'000);
-  const FriEnd reason = reasonToEnd(input);
-  if (reason != FriEnd::None) return end(reason);
+  const FriEndReason reason = reasonToEnd(input);
+  if (reason != FriEndReason::None) return end(reason);
   goOn(input);
   return false;
 }
 
-FriEnd FriSession::reasonToEnd(const Input& input) const noexcept {
-  if (!isCommanding()) return FriEnd::None;
+FriEndReason FriSession::reasonToEnd(const Input& input) const noexcept {
+  if (!isCommanding()) return FriEndReason::None;
   const double period = options_.period;
-  if (isStopped_) return FriEnd::SafetyStop;
+  if (isStopped_) return FriEndReason::SafetyStop;
   if (options_.isTorque && input.sinceAnswered * period > kCommandTimeout) {
-    return FriEnd::CommandsTooRare;
+    return FriEndReason::CommandsTooRare;
   }
-  if (input.missed > kMostMissed) return FriEnd::AnswersMissing;
-  if (input.quality < ConnectionQuality::Level::Good) return FriEnd::QualityLost;
-  if (!isActive()) return periods_ * period > kMirrorTime ? FriEnd::NotMirrored : FriEnd::None;
+  if (input.missed > kMostMissed) return FriEndReason::AnswersMissing;
+  if (input.quality < ConnectionQuality::Level::Good) return FriEndReason::QualityLost;
+  if (!isActive())
+    return periods_ * period > kMirrorTime ? FriEndReason::NotMirrored : FriEndReason::None;
   const int time = options_.stay.commandingActive;
-  return time > 0 && periods_ >= time ? FriEnd::Completed : FriEnd::None;
+  return time > 0 && periods_ >= time ? FriEndReason::Completed : FriEndReason::None;
 }
 
 void FriSession::goOn(const Input& input) noexcept {
@@ -131,24 +132,24 @@ void FriSession::enter(State state) noexcept {
   mirrored_ = 0;
 }
 
-bool FriSession::end(FriEnd end) noexcept {
+bool FriSession::end(FriEndReason end) noexcept {
   if (!isCommanding()) return false;
   lastEnd_ = end;
   isQueued_ = options_.queuesAgain;
-  const bool isOver = end == FriEnd::Completed;
+  const bool isOver = end == FriEndReason::Completed;
   isClosed_ = isOver;
   enter(isOver ? State::Idle : State::MonitoringWait);
   return true;
 }
 
 void FriSession::toIdle() noexcept {
-  end(FriEnd::Idle);
+  end(FriEndReason::Idle);
   enter(State::Idle);
   isClosed_ = true;
 }
 
 void FriSession::restart() noexcept {
-  end(FriEnd::Restart);
+  end(FriEndReason::Restart);
   enter(State::Idle);
   isClosed_ = false;
   isQueued_ = true;

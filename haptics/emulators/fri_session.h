@@ -80,7 +80,7 @@ class ConnectionQuality {
 
 /// Why a motion with overlay ended: what KUKA's controller would put into CK_COMPOUND_RETURN_ERROR,
 /// in our own words. Numbers on the limits are with FriLimits.
-enum class FriEnd : std::uint8_t {
+enum class FriEndReason : std::uint8_t {
   None,
   Completed,  ///< the motion's time was over
   AnswersMissing,
@@ -100,7 +100,7 @@ enum class FriEnd : std::uint8_t {
 };
 
 /// A sentence for the person at the desk.
-std::string_view nameOf(FriEnd end) noexcept;
+std::string_view nameOf(FriEndReason end) noexcept;
 
 /// The states of a session as the controller goes through them, one period at a time.
 ///
@@ -153,7 +153,7 @@ class FriSession {
 
   /// Ends a motion, if there is one, for @p end; not in any state but the commanding ones. True if
   /// there was one.
-  bool end(FriEnd end) noexcept;
+  bool end(FriEndReason end) noexcept;
   void toIdle() noexcept;   ///< and stays there
   void restart() noexcept;  ///< from Idle, and on
   /// The program queues its motion (again), also after Idle.
@@ -167,11 +167,11 @@ class FriSession {
   bool isCommanding() const noexcept { return state_ >= State::CommandingWait; }
   bool isActive() const noexcept { return state_ == State::CommandingActive; }
   bool isStopped() const noexcept { return isStopped_; }
-  FriEnd lastEnd() const noexcept { return lastEnd_; }
+  FriEndReason lastEnd() const noexcept { return lastEnd_; }
 
  private:
   void enter(State state) noexcept;
-  FriEnd reasonToEnd(const Input& input) const noexcept;
+  FriEndReason reasonToEnd(const Input& input) const noexcept;
   void goOn(const Input& input) noexcept;
 
   Options options_;
@@ -181,7 +181,7 @@ class FriSession {
   bool isQueued_ = true;
   bool isClosed_ = false;  ///< no session begins any more
   bool isStopped_ = false;
-  FriEnd lastEnd_ = FriEnd::None;
+  FriEndReason lastEnd_ = FriEndReason::None;
 };
 
 }  // namespace haptics::emulators

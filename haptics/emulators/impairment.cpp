@@ -73,7 +73,7 @@ std::optional<Fault> Impairment::orderedFault() noexcept {
   return std::nullopt;
 }
 
-std::optional<Fault> Impairment::chanceFault() noexcept {
+std::optional<Fault> Impairment::randomFault() noexcept {
   double left = random_.uniform();
   for (std::size_t i = 0; i < options_.shares.size(); ++i) {
     left -= options_.shares[i];
@@ -87,10 +87,10 @@ std::optional<Fault> Impairment::chanceFault() noexcept {
 std::optional<Fault> Impairment::nextFault() noexcept {
   if (isSwapping_) return std::nullopt;
   const auto ordered = orderedFault();
-  return ordered ? ordered : chanceFault();
+  return ordered ? ordered : randomFault();
 }
 
-Impairment::Passage Impairment::decide(std::span<const std::uint8_t> frame) noexcept {
+Impairment::Delivery Impairment::decide(std::span<const std::uint8_t> frame) noexcept {
   passed_.fetch_add(1, std::memory_order_relaxed);
   const bool isFit = !frame.empty() && frame.size() <= kLongestFrame;
   std::optional<Fault> fault;
@@ -103,7 +103,7 @@ Impairment::Passage Impairment::decide(std::span<const std::uint8_t> frame) noex
   return impair(frame, *fault);
 }
 
-Impairment::Passage Impairment::impair(std::span<const std::uint8_t> frame, Fault fault) noexcept {
+Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fault fault) noexcept {
   switch (fault) {
     case Fault::Drop:
       note(fault);
@@ -150,7 +150,7 @@ void Impairment::age(bool overtakes) noexcept {
   if (overtakes) isSwapping_ = false;
 }
 
-void Impairment::hurry() noexcept {
+void Impairment::releaseAll() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     if (places_[i].isOvertaken) note(places_[i].fault);
     places_[i].left = 0;

@@ -79,16 +79,16 @@ class Impairment {
   ///              bytes are gone when it returns.
   template <typename Send>
   void pass(std::span<const std::uint8_t> frame, Send&& send) {
-    const Passage passage = decide(frame);
-    if (!passage.garbage.empty()) send(passage.garbage);
-    for (int i = 0; i < passage.copies; ++i) send(passage.frame);
+    const Delivery delivery = decide(frame);
+    if (!delivery.garbage.empty()) send(delivery.garbage);
+    for (int i = 0; i < delivery.copies; ++i) send(delivery.frame);
     sendDue(send);
   }
 
   /// Hands on @p frame as it is: something else is wrong with it already, so it meets no fault, and
   /// overtaking it would not be seen.
   template <typename Send>
-  void passSpared(std::span<const std::uint8_t> frame, Send&& send) {
+  void passUnimpaired(std::span<const std::uint8_t> frame, Send&& send) {
     spare();
     send(frame);
     sendDue(send);
@@ -98,7 +98,7 @@ class Impairment {
   /// overtaken do not count.
   template <typename Send>
   void flush(Send&& send) {
-    hurry();
+    releaseAll();
     sendDue(send);
   }
 
@@ -112,7 +112,7 @@ class Impairment {
  private:
   using Bytes = std::array<std::uint8_t, kLongestFrame>;
 
-  struct Passage {
+  struct Delivery {
     std::span<const std::uint8_t> garbage;
     std::span<const std::uint8_t> frame;
     int copies = 1;
@@ -125,16 +125,16 @@ class Impairment {
     Fault fault = Fault::Reorder;
   };
 
-  Passage decide(std::span<const std::uint8_t> frame) noexcept;
-  Passage impair(std::span<const std::uint8_t> frame, Fault fault) noexcept;
+  Delivery decide(std::span<const std::uint8_t> frame) noexcept;
+  Delivery impair(std::span<const std::uint8_t> frame, Fault fault) noexcept;
   void spare() noexcept;
   std::optional<Fault> nextFault() noexcept;
   std::optional<Fault> orderedFault() noexcept;
-  std::optional<Fault> chanceFault() noexcept;
+  std::optional<Fault> randomFault() noexcept;
   bool hasRoomFor(Fault fault) const noexcept;
   void hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept;
   void age(bool overtakes) noexcept;
-  void hurry() noexcept;
+  void releaseAll() noexcept;
   std::span<const std::uint8_t> nextDue() noexcept;  ///< The next frame that is due; empty if there
                                                      ///< is none. Valid until the next frame is
                                                      ///< passed.

@@ -32,7 +32,7 @@ class PseudoTerminal {
   void write(std::span<const std::uint8_t> bytes) noexcept;
 
  private:
-  void refuseNameOfAnother();
+  void requireFreeName();
   void removeLink() noexcept;
 
   std::string link_;

@@ -135,7 +135,7 @@ void PunchEmulator::noteFault() noexcept {
   hadForce_ = voltage_ != 0;
 }
 
-std::optional<double> PunchEmulator::letGoAfter() const noexcept {
+std::optional<double> PunchEmulator::motorOffAfter() const noexcept {
   if (faultAt_ == 0 || !hadForce_ || forceOffAt_ == 0) return std::nullopt;
   return 1e-6 * static_cast<double>(forceOffAt_ - faultAt_);
 }
@@ -186,7 +186,7 @@ std::string PunchEmulator::command(std::string_view line) {
 
 std::string PunchEmulator::status() const {
   std::array<char, 256> text{};
-  const auto after = letGoAfter();
+  const auto after = motorOffAfter();
   std::snprintf(
       text.data(),
       text.size(),

@@ -53,7 +53,7 @@ class PunchEmulator {
   Injected injected() const noexcept { return impairment_.counts(); }
   /// How long after the last command that broke something the motor was first without voltage [ms];
   /// nothing while it has not been, or if it had none before.
-  std::optional<double> letGoAfter() const noexcept;
+  std::optional<double> motorOffAfter() const noexcept;
   double force() const noexcept { return 1e-3 * voltage_ * options_.newtonsPerVolt; }  ///< [N]
   double travel() const noexcept { return travel_; }  ///< [travel units]
 

@@ -110,7 +110,7 @@ double MaterialModel::largestStiffness() const noexcept {
 namespace {
 
 /// How deep a reamer goes until it is through the bone [m].
-double depthOf(const reaming::SphereField& field, const reaming::Plunge& plunge) {
+double depthOf(const reaming::SphereField& field, const reaming::StrokeRange& plunge) {
   double last = plunge.start;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
     const double radius = field.group(slot).radius[slot % reaming::kLanes];
@@ -133,7 +133,7 @@ reaming::BoneOptions optionsOf(const PackingSpec& spec, const Reamer& reamer) {
 
 PackingModel::PackingModel(const PackingSpec& spec, const Reamer& reamer)
     : field_(spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale)),
-      plunge_(reaming::plungeInto(field_, spec.bone->reamerRadius)),
+      plunge_(reaming::strokeInto(field_, spec.bone->reamerRadius)),
       coverage_(spec.bone->packing.coverage()),
       friction_(reamer.torqueSign() * spec.options.friction) {
   constexpr double kStep = 20e-6;  // [m]
@@ -160,7 +160,7 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& r
           spec.bone->packing,
           spec.bone->densities(spec.hardness, spec.forceScale),
           optionsOf(spec, reamer)),
-      plunge_(reaming::plungeInto(bone_.field(), spec.bone->reamerRadius)),
+      plunge_(reaming::strokeInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
       isForwards_(reamer.speed > 0.0),
       torqueSign_(spec.options.friction > 0.0 ? reamer.torqueSign() : 0),
@@ -177,14 +177,14 @@ models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
 void RemovalModel::updateView() noexcept {
   if (bone_.restorations() != restorations_) {
     restorations_ = bone_.restorations();
-    view_->tell({SphereChange::kAllAnew, {}});
+    view_->add({SphereChange::kAllAnew, {}});
   }
-  view_->setUnreported(bone_.untoldChanges());
+  view_->setUnreported(bone_.droppedChanges());
   view_->setDepth(bone_.tool().centre.z - plunge_.start);
   for (const auto slot : bone_.changed()) {
     const auto& group = bone_.field().group(slot);
     const std::size_t lane = slot % reaming::kLanes;
-    view_->tell({slot, {group.x[lane], group.y[lane], group.z[lane], group.radius[lane]}});
+    view_->add({slot, {group.x[lane], group.y[lane], group.z[lane], group.radius[lane]}});
   }
 }
 

@@ -46,7 +46,7 @@ class BoneView {
   }
 
   /// For the writer.
-  void tell(const SphereChange& change) noexcept { changes_.push(change); }
+  void add(const SphereChange& change) noexcept { changes_.push(change); }
   void setDepth(double depth) noexcept { depth_.store(depth, std::memory_order_relaxed); }
   void setUnreported(std::uint64_t changes) noexcept {
     unreported_.store(changes, std::memory_order_relaxed);
@@ -187,7 +187,7 @@ class PackingModel final : public ForceModel {
   }
 
   reaming::SphereField field_;
-  reaming::Plunge plunge_;
+  reaming::StrokeRange plunge_;
   double coverage_;
   double friction_;  ///< with the sign of the torque
   double torque_ = 0.0;
@@ -221,7 +221,7 @@ class RemovalModel final : public ForceModel {
   void updateView() noexcept;
 
   reaming::Bone bone_;
-  reaming::Plunge plunge_;
+  reaming::StrokeRange plunge_;
   double stiffness_;
   bool isForwards_;  ///< the reamer turns as its teeth cut
   int torqueSign_;

@@ -32,7 +32,7 @@ KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements) {
   return {
       .interpolation = publishedInterpolation(),
       .finiteElements = publishedElements(elements),
-      .noise = models::KalmanNoise<double>::published(models::ProcessReading::StateOrder),
+      .noise = models::KalmanNoise<double>::published(models::ProcessNoiseReading::StateOrder),
       .scheme = scheme};
 }
 

@@ -125,7 +125,7 @@ struct Builder {
     } else {
       model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
     }
-    const bool isAbsent = spec.interpolation.options.beyond == models::BeyondCurve::Absent;
+    const bool isAbsent = spec.interpolation.options.extrapolation == models::Extrapolation::Absent;
     interpolation(
         spec.interpolation,
         isAbsent ? "the filter corrects with it; beyond it there is no measurement (absent)"

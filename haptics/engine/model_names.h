@@ -15,11 +15,11 @@ struct Named {
 };
 
 inline constexpr std::array kBeyondNames{
-    Named<models::BeyondCurve>{"ramp-out", models::BeyondCurve::RampOut},
-    Named<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
-    Named<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
-    Named<models::BeyondCurve>{"authors-clamp", models::BeyondCurve::AuthorsClamp},
-    Named<models::BeyondCurve>{"absent", models::BeyondCurve::Absent},
+    Named<models::Extrapolation>{"ramp-out", models::Extrapolation::RampOut},
+    Named<models::Extrapolation>{"hold", models::Extrapolation::Hold},
+    Named<models::Extrapolation>{"zero", models::Extrapolation::Zero},
+    Named<models::Extrapolation>{"authors-clamp", models::Extrapolation::AuthorsClamp},
+    Named<models::Extrapolation>{"absent", models::Extrapolation::Absent},
 };
 inline constexpr std::array kBranchesNames{
     Named<Branches>{"closing-only", Branches::ClosingOnly},
@@ -45,10 +45,10 @@ inline constexpr std::array kSchemeNames{
     Named<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
 };
 inline constexpr std::array kProcessNames{
-    Named<models::ProcessReading>{"as-printed", models::ProcessReading::AsPrinted},
-    Named<models::ProcessReading>{"symmetrised", models::ProcessReading::Symmetrised},
-    Named<models::ProcessReading>{"state-order", models::ProcessReading::StateOrder},
-    Named<models::ProcessReading>{"product", models::ProcessReading::Product},
+    Named<models::ProcessNoiseReading>{"as-printed", models::ProcessNoiseReading::AsPrinted},
+    Named<models::ProcessNoiseReading>{"symmetrised", models::ProcessNoiseReading::Symmetrised},
+    Named<models::ProcessNoiseReading>{"state-order", models::ProcessNoiseReading::StateOrder},
+    Named<models::ProcessNoiseReading>{"product", models::ProcessNoiseReading::Product},
 };
 inline constexpr std::array kSmoothingNames{
     Named<models::Smoothing>{"none", models::Smoothing::None},

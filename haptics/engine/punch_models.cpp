@@ -58,7 +58,7 @@ double IndexedCurve::largestSlope() const noexcept {
     const auto& b = nodes_[i];
     largest = std::max(largest, std::abs((b.force - a.force) / (b.travel - a.travel)));
   }
-  if (options_.beyond == models::BeyondCurve::RampOut) {
+  if (options_.extrapolation == models::Extrapolation::RampOut) {
     const double end = std::max(std::abs(nodes_.front().force), std::abs(nodes_.back().force));
     largest = std::max(largest, end / options_.rampLength);
   }
@@ -68,14 +68,14 @@ double IndexedCurve::largestSlope() const noexcept {
 bool IndexedCurve::hasJumpAtEnd() const noexcept {
   const double first = nodes_.front().force;
   const double last = nodes_.back().force;
-  switch (options_.beyond) {
-    case models::BeyondCurve::RampOut:
-    case models::BeyondCurve::Hold:
+  switch (options_.extrapolation) {
+    case models::Extrapolation::RampOut:
+    case models::Extrapolation::Hold:
       return false;
-    case models::BeyondCurve::Zero:
-    case models::BeyondCurve::Absent:
+    case models::Extrapolation::Zero:
+    case models::Extrapolation::Absent:
       return first != 0.0 || last != 0.0;
-    case models::BeyondCurve::AuthorsClamp:
+    case models::Extrapolation::AuthorsClamp:
       constexpr double kLeast = models::Interpolation<double>::kAuthorsLeast;
       return first > kLeast || last > kLeast;
   }

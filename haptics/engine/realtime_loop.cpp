@@ -48,7 +48,7 @@ void HoleDetector::restart() noexcept {
   before_ = waited();
 }
 
-std::int64_t HoleDetector::ours(std::int64_t late) noexcept {
+std::int64_t HoleDetector::accountableLateness(std::int64_t late) noexcept {
   const std::int64_t now = waited();
   const bool isCounted = now >= 0 && before_ >= 0;
   const std::int64_t ours = isCounted ? std::clamp<std::int64_t>(now - before_, 0, late) : late;
@@ -174,7 +174,7 @@ void RealtimeLoop::run(const std::stop_token& stop) {
     const std::int64_t late = pace.wait();
     std::int64_t own = late;
     if (late > suspicious) {
-      own = std::min(late, std::max(holes.ours(late), overrun));
+      own = std::min(late, std::max(holes.accountableLateness(late), overrun));
     } else if (report_.ticks % kRestartEvery == 0) {
       holes.restart();
     }

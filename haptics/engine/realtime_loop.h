@@ -32,7 +32,7 @@ class HoleDetector {
   void restart() noexcept;
 
   /// Of @p late [ns], what this machine answers for [ns]; the rest is a hole. Restarts.
-  std::int64_t ours(std::int64_t late) noexcept;
+  std::int64_t accountableLateness(std::int64_t late) noexcept;
 
  private:
   std::int64_t waited() const noexcept;

@@ -29,8 +29,8 @@ struct RenderedSlope {
 /// - 10 and 45 units/s all the way, in and out of the recording, and with a reversal after every
 ///   tenth of it.
 ///
-/// Units are those that people read (DeviceKind::Shown): travel units of the punch, mm of a reamer.
-/// After 0.2 s of rest a force that still spans more than 1 mN is a limit cycle.
+/// Units are those that people read (DeviceKind::TravelDisplay): travel units of the punch, mm of a
+/// reamer. After 0.2 s of rest a force that still spans more than 1 mN is a limit cycle.
 RenderedSlope renderedSlope(const SceneSpec& spec, const devices::DeviceKind& kind, double rate);
 
 }  // namespace haptics::engine

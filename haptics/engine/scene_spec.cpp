@@ -184,8 +184,9 @@ std::optional<double> endOfData(const ModelSpec& model) {
   const auto parts = partsOf(model);
   if (parts.cut != nullptr && !parts.cut->curve.empty()) {
     const auto& options = parts.cut->options;
-    if (options.beyond == models::BeyondCurve::Absent) return std::nullopt;  // elements go on
-    const bool isRamp = options.beyond == models::BeyondCurve::RampOut;
+    if (options.extrapolation == models::Extrapolation::Absent)
+      return std::nullopt;  // elements go on
+    const bool isRamp = options.extrapolation == models::Extrapolation::RampOut;
     const auto& last = parts.cut->curve.back();
     return last.travel + (isRamp && last.force != 0.0 ? options.rampLength : 0.0);
   }
@@ -206,7 +207,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
   constexpr double kNoticeable = 0.05;  // [N]
   const auto* cut = partsOf(model).cut;
   // Absent: there is no force beyond, and a filter takes the recording up little by little.
-  if (cut == nullptr || cut->options.beyond == models::BeyondCurve::Absent) return {};
+  if (cut == nullptr || cut->options.extrapolation == models::Extrapolation::Absent) return {};
   std::vector<ForceJump> jumps;
   for (const auto* nodes : {&cut->curve, &cut->opening}) {
     if (nodes->empty() || (nodes == &cut->opening && cut->branches == Branches::ClosingOnly)) {

@@ -128,12 +128,12 @@ class ChipScene {
   wire::punch::ModelVerdict finish() noexcept {
     using wire::punch::ModelKind;
     using wire::punch::ModelVerdict;
-    if (model_.kind == ModelKind::None) return ModelVerdict::Taken;
+    if (model_.kind == ModelKind::None) return ModelVerdict::Accepted;
     const bool hasCurve = model_.kind != ModelKind::FiniteElements;
     const bool hasElements = model_.kind != ModelKind::Interpolation;
     if (hasCurve && points_ < model_.tableSize) return ModelVerdict::Incomplete;
     const Curve::Options options{
-        static_cast<models::BeyondCurve>(model_.beyond), model_.rampLength};
+        static_cast<models::Extrapolation>(model_.extrapolation), model_.rampLength};
     const auto count = static_cast<size_t>(points_);
     const auto parameters = elementParameters();
     const bool isWeighing = ((model_.readings >> 1U) & 3U) <= 2U;
@@ -149,7 +149,7 @@ class ChipScene {
     }
     reset();
     isReady_ = true;
-    return ModelVerdict::Taken;
+    return ModelVerdict::Accepted;
   }
 
   wire::punch::Model model_;

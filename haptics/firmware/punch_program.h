@@ -49,7 +49,7 @@ class PunchProgram {
     receive();
     observe();
     drive(passed);
-    tell();
+    sendState();
     lastTime_ = now_;
   }
 
@@ -76,13 +76,13 @@ class PunchProgram {
     for (int i = 0; i < kMostBytesAStep; ++i) {
       const int byte = hardware_.read();
       if (byte < 0) break;
-      if (decoder_.take(static_cast<uint8_t>(byte), frame)) obey(frame);
+      if (decoder_.take(static_cast<uint8_t>(byte), frame)) handle(frame);
     }
     const uint32_t damaged = decoder_.damaged() - damagedBefore;
-    if (damaged > 0) spoil(damaged);
+    if (damaged > 0) countDamaged(damaged);
   }
 
-  void spoil(uint32_t frames) noexcept {
+  void countDamaged(uint32_t frames) noexcept {
     faults_ |= wire::punch::kBadFrames;
     const uint32_t all = badFrames_ + frames;
     badFrames_ = static_cast<uint16_t>(all > 0xFFFF ? 0xFFFF : all);
@@ -92,7 +92,7 @@ class PunchProgram {
   template <typename Message>
   bool readOr(const wire::punch::Frame& frame, Message& message) noexcept {
     if (!wire::punch::read(frame, message)) {
-      spoil(1);
+      countDamaged(1);
       return false;
     }
     echo_ = frame.sequence;
@@ -100,10 +100,10 @@ class PunchProgram {
     return true;
   }
 
-  void obey(const wire::punch::Frame& frame) noexcept {
+  void handle(const wire::punch::Frame& frame) noexcept {
     // Nothing but Hello means anything before Hello.
     if (frame.type == Type::Hello) {
-      greet(frame);
+      answerHello(frame);
     } else if (!isGreeted_) {
       return;
     } else if (frame.type == Type::Arm) {
@@ -119,18 +119,18 @@ class PunchProgram {
       readOr(frame, order);
       disarm();  // for any reason
     } else {
-      spoil(1);
+      countDamaged(1);
     }
   }
 
-  void greet(const wire::punch::Frame& frame) noexcept {
+  void answerHello(const wire::punch::Frame& frame) noexcept {
     wire::punch::Hello host;
     if (!readOr(frame, host)) return;
     disarm();
     isGreeted_ = host.protocolVersion == wire::punch::kProtocolVersion;
     lateLoops_ = 0;
     badFrames_ = 0;
-    say(wire::punch::Hello{
+    send(wire::punch::Hello{
         .protocolVersion = wire::punch::kProtocolVersion,
         .build = limits_.build,
         .serial = limits_.serial,
@@ -138,7 +138,7 @@ class PunchProgram {
         .rate = limits_.rate,
         .largestVoltage = limits_.largestVoltage,
         .largestSlew = limits_.largestSlew});
-    if (!isGreeted_) say(wire::punch::Stop{wire::punch::StopReason::VersionMismatch});
+    if (!isGreeted_) send(wire::punch::Stop{wire::punch::StopReason::VersionMismatch});
   }
 
   void arm(const wire::punch::Frame& frame) noexcept {
@@ -188,7 +188,7 @@ class PunchProgram {
   }
 
   void takeScene(const wire::punch::Frame& frame) noexcept {
-    wire::punch::ModelTaken answer;
+    wire::punch::ModelReply answer;
     wire::punch::Model model;
     wire::punch::ModelTable table;
     const bool isModel = frame.type == Type::Model;
@@ -201,7 +201,7 @@ class PunchProgram {
       answer.verdict = scene_.take(table, frame.payload, frame.size);
     }
     answer.hash = scene_.hash();
-    say(answer);
+    send(answer);
   }
 
   /// Reads the encoder and estimates the velocity. A change of counts or a velocity that no
@@ -271,10 +271,10 @@ class PunchProgram {
     hardware_.drive(static_cast<int16_t>(voltage_));
   }
 
-  void tell() noexcept {
+  void sendState() noexcept {
     if (!isGreeted_) return;
     const uint8_t armed = isArmed_ ? 0 : wire::punch::kNotArmed;
-    say(wire::punch::State{
+    send(wire::punch::State{
         .counts = lastCounts_,
         .velocity = velocity_,
         .voltage = static_cast<int16_t>(voltage_),
@@ -289,11 +289,11 @@ class PunchProgram {
   }
 
   void report(EventCode code, uint32_t value) noexcept {
-    if (isGreeted_) say(wire::punch::Event{code, value});
+    if (isGreeted_) send(wire::punch::Event{code, value});
   }
 
   template <typename Message>
-  void say(const Message& message) noexcept {
+  void send(const Message& message) noexcept {
     uint8_t bytes[wire::punch::kLargestOnWire];
     const size_t count = wire::punch::encode(message, sequence_++, now_, bytes);
     hardware_.write(bytes, count);

@@ -37,7 +37,7 @@ class FloatPunch {
   /// The fused force [N] at a travel [travel units].
   float step(float travel) noexcept {
     const float elastic = elements_.at(travel, state_).force;
-    for (int i = 0; i < kElements; ++i) mesh_[i] = shape_[i] * elastic;
+    for (int i = 0; i < kElements; ++i) displacements_[i] = shape_[i] * elastic;
     const float recorded = curve_.at(travel, hint_).force;
     const float travelled = hasTravel_ ? travel - last_ : 0.0F;
     last_ = travel;
@@ -46,7 +46,7 @@ class FloatPunch {
   }
 
   /// How far the midpoints give way under the last force [travel units].
-  const float* mesh() const noexcept { return mesh_; }
+  const float* displacements() const noexcept { return displacements_; }
 
  private:
   using Elements = models::FiniteElements<float>;
@@ -60,7 +60,7 @@ class FloatPunch {
   Elements elements_{parameters()};
   Elements::State state_;
   float shape_[kElements] = {};
-  float mesh_[kElements] = {};
+  float displacements_[kElements] = {};
   models::Interpolation<float> curve_{kCut, kCutPoints, {}};
   size_t hint_ = 0;
   models::KalmanFilter<float> filter_{
@@ -78,11 +78,11 @@ class ElementsPunch {
   /// The force [N] at a travel [travel units].
   float step(float travel) noexcept {
     const float force = elements_.at(travel, state_).force;
-    for (int i = 0; i < kElements; ++i) mesh_[i] = shape_[i] * force;
+    for (int i = 0; i < kElements; ++i) displacements_[i] = shape_[i] * force;
     return force;
   }
 
-  const float* mesh() const noexcept { return mesh_; }  ///< [travel units]
+  const float* displacements() const noexcept { return displacements_; }  ///< [travel units]
 
  private:
   using Elements = models::FiniteElements<float>;
@@ -96,7 +96,7 @@ class ElementsPunch {
   Elements elements_{parameters()};
   Elements::State state_;
   float shape_[kElements] = {};
-  float mesh_[kElements] = {};
+  float displacements_[kElements] = {};
 };
 
 /// A step of the interpolation, with finite elements for the mesh only.
@@ -109,7 +109,9 @@ class InterpolationPunch {
     return curve_.at(travel, hint_).force;
   }
 
-  const float* mesh() const noexcept { return elements_.mesh(); }  ///< [travel units]
+  const float* displacements() const noexcept {
+    return elements_.displacements();
+  }  ///< [travel units]
 
  private:
   ElementsPunch<kElements> elements_;

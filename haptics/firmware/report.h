@@ -67,7 +67,7 @@ class Report {
       const float travel = static_cast<float>(travelAt(i)) / 65536.0F;
       start_();
       force_ = punch.step(travel);
-      mesh_ = punch.mesh()[0];
+      mesh_ = punch.displacements()[0];
       const uint32_t spent = count_();
       if (spent > most) most = spent;
     }

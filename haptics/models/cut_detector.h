@@ -108,7 +108,7 @@ class CutDetector {
     const Landmark sample{travel, force, true};
     if (isClosed_ && travel < parameters_.openBelow) return complete(sample);
     if (phase_ == Phase::Opened && travel > cut_.largestTravel) closeAgain();
-    follow(sample);
+    updateLargest(sample);
     if (travel < cut_.largestTravel - parameters_.retreat) return goBack(sample);
     switch (phase_) {
       case Phase::Searching:
@@ -144,7 +144,7 @@ class CutDetector {
   static bool isBad(Scalar value) noexcept { return !std::isfinite(value) || value < Scalar{0}; }
   static bool isPositive(Scalar value) noexcept { return !isBad(value) && value > Scalar{0}; }
 
-  void follow(const Landmark& sample) noexcept {
+  void updateLargest(const Landmark& sample) noexcept {
     const bool wasIdle = phase_ == Phase::Searching && !isClosed_;
     if (sample.travel > parameters_.closedAbove) isClosed_ = true;
     if (wasIdle || sample.travel > cut_.largestTravel) cut_.largestTravel = sample.travel;

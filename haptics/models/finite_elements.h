@@ -162,7 +162,7 @@ class FiniteElements {
     Scalar weightLeft{};
     Scalar weightRight{};
   };
-  struct Beside {
+  struct Flexibilities {
     Scalar left{};
     Scalar right{};
   };
@@ -236,11 +236,11 @@ class FiniteElements {
 
   /// From the ends to @p x, which need not be a node. Within a spring the flexibility is spread as
   /// its halves are.
-  constexpr Beside flexibilitiesBeside(Scalar x) const noexcept {
+  constexpr Flexibilities flexibilitiesBeside(Scalar x) const noexcept {
     const int node = nodesBefore(x);
     const Scalar before = (x - position(node)) / length();  // in elements
     const Scalar after = (position(node + 1) - x) / length();
-    Beside within;
+    Flexibilities within;
     if (node == 0 || node == p_.elements) {
       const Scalar whole = before + after;  // half an element
       const Scalar spring = springAfter(node);

@@ -16,7 +16,7 @@ struct CurveNode {
 
 /// What is felt beyond either end of a recorded curve, of which eq. (2) of the punch paper says
 /// nothing. The numbers are those of docs/punch-protocol.md.
-enum class BeyondCurve {
+enum class Extrapolation {
   RampOut,       ///< the force at the end fades to nothing over a length: "reduced to zero"
   Hold,          ///< the force at the end stays
   Zero,          ///< nothing, at once
@@ -35,7 +35,7 @@ template <typename Scalar>
 class Interpolation {
  public:
   struct Options {
-    BeyondCurve beyond = BeyondCurve::RampOut;
+    Extrapolation extrapolation = Extrapolation::RampOut;
     /// [travel units], > 0. RampOut: beyond each end, over which the force fades. Absent: within
     /// each end, over which the trust grows.
     Scalar rampLength{1.5};
@@ -81,14 +81,14 @@ class Interpolation {
     const auto& b = nodes_[k + 1];
     const Scalar slope = (b.force - a.force) / (b.travel - a.travel);
     const Response<Scalar> response{a.force + slope * (travel - a.travel), slope, true};
-    return options_.beyond == BeyondCurve::AuthorsClamp ? clamped(response) : response;
+    return options_.extrapolation == Extrapolation::AuthorsClamp ? clamped(response) : response;
   }
 
   /// How far the curve is a measurement at @p travel [travel units]: 1 for most policies. With
   /// Absent 0 beyond the curve and 1 from the ramp's length within, straight in between, so that a
   /// filter takes it up and lets go of it without a step.
   constexpr Scalar trustAt(Scalar travel) const noexcept {
-    if (options_.beyond != BeyondCurve::Absent) return Scalar{1};
+    if (options_.extrapolation != Extrapolation::Absent) return Scalar{1};
     const Scalar before = travel - nodes_[0].travel;
     const Scalar behind = nodes_[count_ - 1].travel - travel;
     const Scalar within = before < behind ? before : behind;
@@ -109,10 +109,11 @@ class Interpolation {
 
   constexpr Response<Scalar> beyond(
       Scalar force, Scalar distance, Scalar direction) const noexcept {
-    if (!(distance > Scalar{0}) || options_.beyond == BeyondCurve::Absent) return {};
-    if (options_.beyond == BeyondCurve::AuthorsClamp) return {kAuthorsLeast, Scalar{0}, true};
-    if (options_.beyond == BeyondCurve::Hold) return {force, Scalar{0}, true};
-    if (options_.beyond == BeyondCurve::Zero || distance >= options_.rampLength) {
+    if (!(distance > Scalar{0}) || options_.extrapolation == Extrapolation::Absent) return {};
+    if (options_.extrapolation == Extrapolation::AuthorsClamp)
+      return {kAuthorsLeast, Scalar{0}, true};
+    if (options_.extrapolation == Extrapolation::Hold) return {force, Scalar{0}, true};
+    if (options_.extrapolation == Extrapolation::Zero || distance >= options_.rampLength) {
       return {Scalar{0}, Scalar{0}, true};
     }
     const Scalar slope = -direction * force / options_.rampLength;

@@ -104,11 +104,11 @@ class KalmanFilter {
     force_ += stiffness_ * travelled;
     covariance_.predict(
         travelled,
-        scheme_ == KalmanScheme::SpaceDomain ? wanderingOver(travelled) : noise_.process);
+        scheme_ == KalmanScheme::SpaceDomain ? processVariances(travelled) : noise_.process);
   }
 
   /// Factored beforehand: slope 3/2Δθ, and a quarter of the stiffness' variance is left.
-  constexpr Variances wanderingOver(Scalar travelled) const noexcept {
+  constexpr Variances processVariances(Scalar travelled) const noexcept {
     if constexpr (requires(Variances v) { v.slope; }) {
       const Scalar way = travelled < Scalar{0} ? -travelled : travelled;
       const Scalar third = noise_.wandering * way * way * way / Scalar{3};
@@ -143,7 +143,7 @@ class KalmanFilter {
 
 /// What can be made of the process noise that eq. (22) of the punch paper prints:
 /// [7.0275 0.02772; 0.2772 6.1024].
-enum class ProcessReading {
+enum class ProcessNoiseReading {
   AsPrinted,    ///< not symmetric: for replaying what was published, nothing else
   Symmetrised,  ///< 0.2772 on both sides: 0.02772 is a misprint
   StateOrder,   ///< and the diagonal in the order of the state (f, ζ): the recordings give 6.1024
@@ -162,13 +162,13 @@ struct KalmanNoise {
   Scalar wandering = Scalar(7.0275);          ///< q of SpaceDomain [N²/travel unit³]
 
   /// With the published process noise, read so. AsPrinted reads as Symmetrised here.
-  static constexpr KalmanNoise published(ProcessReading reading) noexcept {
+  static constexpr KalmanNoise published(ProcessNoiseReading reading) noexcept {
     KalmanNoise noise;
-    if (reading == ProcessReading::StateOrder) {
+    if (reading == ProcessNoiseReading::StateOrder) {
       noise.processForce = Scalar(6.1024);
       noise.processStiffness = Scalar(7.0275);
     }
-    if (reading == ProcessReading::Product) {
+    if (reading == ProcessNoiseReading::Product) {
       noise.processCovariance = Scalar(6.5486);  // √(7.0275 · 6.1024)
     }
     return noise;

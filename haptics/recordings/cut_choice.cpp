@@ -210,7 +210,7 @@ CutChoice chooseCut(
   return typicalClosure(trace, closures, source);
 }
 
-RecordingSurvey surveyOf(const Recording& recording, const Trace& trace, double yieldLoad) {
+RecordingSurvey summariseCuts(const Recording& recording, const Trace& trace, double yieldLoad) {
   std::vector<double> travels;
   RecordingSurvey survey{.rows = recording.rows.size(), .sampling = samplingOf(recording)};
   for (const Recording::Row& row : recording.rows) {

@@ -174,7 +174,7 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   const ForceCalibration calibration =
       options.calibration ? *options.calibration : calibrationFor(recording);
   const Trace trace = traceOf(recording, calibration, options.filter);
-  ImportReport report{.survey = surveyOf(recording, trace, options.yieldLoad)};
+  ImportReport report{.survey = summariseCuts(recording, trace, options.yieldLoad)};
   CutChoice choice = chooseCut(trace, report.survey.closures, options, recording.source);
   report.closures = std::move(choice.closures);
   report.rows = std::move(choice.rows);

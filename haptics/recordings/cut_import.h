@@ -106,7 +106,7 @@ struct RecordingSurvey {
 
 /// @param trace  of the same recording.
 /// @param yieldLoad  as in landmarksAlong() [N].
-RecordingSurvey surveyOf(
+RecordingSurvey summariseCuts(
     const Recording& recording, const Trace& trace, double yieldLoad = kLeastYieldLoad);
 
 /// What was in a recording, what was taken from it and why, and what was changed.

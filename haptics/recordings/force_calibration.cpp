@@ -36,7 +36,7 @@ bool isExtrapolated(double reading, const ForceCalibration& calibration) noexcep
   return reading < calibration.lowest || reading > calibration.highest;
 }
 
-ForceCalibration paperEq1() {
+ForceCalibration publishedCalibration() {
   return {
       .name = "paper-eq1",
       .coefficients = {0.0, 0.7815, -2e-4, 3e-7},
@@ -91,7 +91,7 @@ std::size_t placeOf(
 }
 
 std::string unitIn(const std::string& cell) {
-  std::string unit = base::headOf(cell).unit;
+  std::string unit = base::columnHeadOf(cell).unit;
   if (cell.find_first_of("[(") != std::string::npos) return unit;
   // After an underscore units are often in lower case.
   unit = base::lowerCase(unit);

@@ -33,7 +33,7 @@ bool isExtrapolated(double reading, const ForceCalibration& calibration) noexcep
 ///
 /// Up to 869 counts (900 g) readings and loads kept together in the authors' calibration; readings
 /// of 870 and more stood for 700 to 1,300 g.
-ForceCalibration paperEq1();
+ForceCalibration publishedCalibration();
 
 /// `recorder-2021`, the force column of the published recordings (there in grams, although their
 /// heading says otherwise), kept to compare with; it reads a sixth less at full scale:

@@ -184,7 +184,7 @@ class Reader {
  public:
   explicit Reader(std::string_view source) {
     recording_.source = source;
-    recording_.calibration = paperEq1();
+    recording_.calibration = publishedCalibration();
     recording_.saturation = kSaturatedReading;
   }
 

@@ -113,7 +113,7 @@ Recording readRecordingFile(const std::filesystem::path& path);
 /// one that lacks columns, or whose line does not end and whose time lies before the row above.
 ///
 /// @param source  what messages and provenance call it.
-/// Its calibration is paperEq1(), and it saturates at kSaturatedReading.
+/// Its calibration is publishedCalibration(), and it saturates at kSaturatedReading.
 ///
 /// @throws UserError  if there is nothing in it, if it is no text, if no line of it is a row (a
 /// file

@@ -58,7 +58,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<Timing> race(const std::vector<Contestant>& contestants) {
+std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants) {
   std::vector<Plan> plans;
   int rounds = 0;
   for (const auto& contestant : contestants) {
@@ -80,7 +80,7 @@ std::vector<Timing> race(const std::vector<Contestant>& contestants) {
   return timings;
 }
 
-std::vector<Timing> raceCold(const std::vector<Contestant>& contestants, int rounds) {
+std::vector<Timing> compareColdTimes(const std::vector<Contestant>& contestants, int rounds) {
   constexpr std::size_t kEnough = std::size_t{80} * 1024 * 1024 / sizeof(std::uint64_t);
   static std::vector<std::uint64_t> other(kEnough, 1);
   std::vector<std::vector<double>> times(contestants.size());

@@ -110,13 +110,13 @@ class Validator {
     for (const double value : values) validate(value);
   }
 
-  void validate(const List<double, 12>& elements) noexcept {
+  void validate(const BoundedArray<double, 12>& elements) noexcept {
     expect(elements.count <= mostElements(version_), Refusal::ElementCount);
     for (const double element : elements) validate(element);
   }
 
   template <typename T, std::size_t N>
-  void validate(const List<T, N>& list) noexcept {
+  void validate(const BoundedArray<T, N>& list) noexcept {
     for (const T& item : list) validate(item);
   }
 
@@ -193,11 +193,11 @@ class FieldReader {
 
   bool take(Joints& joints) noexcept { return takeArray(joints); }
   bool take(Vector6& vector) noexcept { return takeArray(vector); }
-  bool take(List<double, 12>& elements) noexcept {
+  bool take(BoundedArray<double, 12>& elements) noexcept {
     return takeNumbers(in_, tag_, [&](double value) { append(elements, value); });
   }
 
-  bool take(List<DriveState, 7>& states) noexcept {
+  bool take(BoundedArray<DriveState, 7>& states) noexcept {
     if (is(Varint)) {
       takeDriveState(in_, states);
       return true;
@@ -210,7 +210,7 @@ class FieldReader {
   }
 
   template <Message T, std::size_t N>
-  bool take(List<T, N>& list) noexcept {
+  bool take(BoundedArray<T, N>& list) noexcept {
     if (!is(Delimited)) return false;
     T* const place = list.add();
     return place != nullptr ? take(*place) : takeSurplus<T>();
@@ -266,12 +266,12 @@ class FieldReader {
     return true;
   }
 
-  void takeDriveState(Reader& in, List<DriveState, 7>& states) noexcept {
+  void takeDriveState(Reader& in, BoundedArray<DriveState, 7>& states) noexcept {
     if (const std::optional<DriveState> state = choice<DriveState>(in)) append(states, *state);
   }
 
   template <typename T, std::size_t N>
-  void append(List<T, N>& list, T value) noexcept {
+  void append(BoundedArray<T, N>& list, T value) noexcept {
     if (T* const place = list.add()) {
       *place = value;
     } else {

@@ -67,13 +67,13 @@ class Writer {
     nest(number, [&] { packed(1, vector); });
   }
 
-  void put(std::uint32_t number, const List<double, 12>& elements) noexcept {
+  void put(std::uint32_t number, const BoundedArray<double, 12>& elements) noexcept {
     if (elements.count > mostElements(version_)) return fail();
     if (elements.count > 0) packed(number, {elements.begin(), elements.count});
   }
 
   template <typename T, std::size_t N>
-  void put(std::uint32_t number, const List<T, N>& list) noexcept {
+  void put(std::uint32_t number, const BoundedArray<T, N>& list) noexcept {
     if (list.count > N) return fail();
     for (const T& item : list) put(number, item);
   }

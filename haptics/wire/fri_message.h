@@ -64,7 +64,7 @@ using Vector6 = std::array<double, 6>;  ///< Fx Fy Fz [N], torques about A B C [
 
 /// Up to N values in a row.
 template <typename T, std::size_t N>
-struct List {
+struct BoundedArray {
   std::array<T, N> items{};
   std::size_t count = 0;  ///< at most N
 
@@ -79,7 +79,7 @@ struct List {
     return &items[count++];
   }
 
-  friend constexpr bool operator==(const List& a, const List& b) noexcept {
+  friend constexpr bool operator==(const BoundedArray& a, const BoundedArray& b) noexcept {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
 };
@@ -119,7 +119,7 @@ struct TimeStamp {
 /// 1.x: a 3 x 4 matrix, 12 elements. 2.x: 7 elements, x y z [mm] qw qx qy qz. Less may come.
 struct Transformation {
   Name name;
-  List<double, 12> elements;
+  BoundedArray<double, 12> elements;
   std::optional<TimeStamp> timestamp;
   friend bool operator==(const Transformation&, const Transformation&) = default;
 };
@@ -152,7 +152,7 @@ struct ConnectionInfo {
 struct RobotInfo {
   std::optional<std::int32_t> jointCount;
   std::optional<SafetyState> safetyState;
-  List<DriveState, 7> driveStates;
+  BoundedArray<DriveState, 7> driveStates;
   std::optional<OperationMode> operationMode;
   std::optional<ControlMode> controlMode;
   friend bool operator==(const RobotInfo&, const RobotInfo&) = default;
@@ -166,7 +166,7 @@ struct MonitorData {
   std::optional<Joints> commandedTorque;    ///< [N m]
   std::optional<Joints> externalTorque;     ///< [N m]
   std::optional<Vector6> externalForce;     ///< 2.7 only
-  List<IoValue, 10> inputs;                 ///< since 1.14
+  BoundedArray<IoValue, 10> inputs;         ///< since 1.14
   std::optional<Transformation> pose;       ///< 2.x
   std::optional<Redundancy> redundancy;     ///< 2.x
   std::optional<TimeStamp> timestamp;
@@ -189,8 +189,8 @@ struct CommandData {
   std::optional<Joints> jointPosition;  ///< [rad]
   std::optional<Vector6> wrench;
   std::optional<Joints> jointTorque;  ///< [N m]
-  List<Transformation, 5> transformations;
-  List<IoValue, 10> outputs;             ///< since 1.14
+  BoundedArray<Transformation, 5> transformations;
+  BoundedArray<IoValue, 10> outputs;     ///< since 1.14
   std::optional<Transformation> pose;    ///< 2.x
   std::optional<Redundancy> redundancy;  ///< 2.x
   friend bool operator==(const CommandData&, const CommandData&) = default;
@@ -214,7 +214,7 @@ struct MonitoringMessage {
   std::optional<MonitorData> monitorData;
   std::optional<ConnectionInfo> connection;  ///< missing: to be taken as Idle
   std::optional<IpoData> ipoData;
-  List<Transformation, 5> requestedTransformations;
+  BoundedArray<Transformation, 5> requestedTransformations;
   std::optional<EndOfMessage> endOfMessage;
   friend bool operator==(const MonitoringMessage&, const MonitoringMessage&) = default;
 };

@@ -34,7 +34,7 @@ inline bool read(const Frame& frame, Hello& m) noexcept {
 
 inline constexpr uint8_t kLongestExpiry = 20;  ///< [ms]
 
-inline bool isExpiry(uint8_t expiry) noexcept {
+inline bool isValidExpiry(uint8_t expiry) noexcept {
   return expiry >= 1 && expiry <= kLongestExpiry;
 }
 
@@ -48,7 +48,7 @@ inline bool read(const Frame& frame, Arm& m) noexcept {
   const uint8_t armed = r.u8();
   m.isArmed = armed == 1;
   m.expiry = r.u8();
-  return r.hasAll() && armed <= 1 && isExpiry(m.expiry);
+  return r.hasAll() && armed <= 1 && isValidExpiry(m.expiry);
 }
 
 inline void write(Writer& w, const SetForce& m) noexcept {
@@ -60,7 +60,7 @@ inline bool read(const Frame& frame, SetForce& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.voltage = r.i16();
   m.expiry = r.u8();
-  return r.hasAll() && isExpiry(m.expiry);
+  return r.hasAll() && isValidExpiry(m.expiry);
 }
 
 inline void write(Writer& w, const State& m) noexcept {
@@ -115,7 +115,7 @@ inline void write(Writer& w, const Model& m) noexcept {
   w.f32(m.toolPosition);
   w.f32(m.contact);
   w.f32(m.yieldForce);
-  w.u8(m.beyond);
+  w.u8(m.extrapolation);
   w.f32(m.rampLength);
   w.u8(m.scheme);
   for (const float v : m.noise) w.f32(v);
@@ -142,12 +142,12 @@ inline bool read(const Frame& frame, Model& m) noexcept {
   f32(m.toolPosition);
   f32(m.contact);
   f32(m.yieldForce);
-  m.beyond = r.u8();
+  m.extrapolation = r.u8();
   f32(m.rampLength);
   m.scheme = r.u8();
   for (float& v : m.noise) f32(v);
   return r.hasAll() && isNumber && m.kind <= ModelKind::Kalman && m.tableSize <= kLargestTable &&
-         m.readings < 16 && m.beyond < 5 && m.scheme < 4;
+         m.readings < 16 && m.extrapolation < 5 && m.scheme < 4;
 }
 
 inline void write(Writer& w, const ModelTable& m) noexcept {
@@ -173,12 +173,12 @@ inline bool read(const Frame& frame, ModelTable& m) noexcept {
   return r.hasAll() && isNumber;
 }
 
-inline void write(Writer& w, const ModelTaken& m) noexcept {
+inline void write(Writer& w, const ModelReply& m) noexcept {
   w.u8(static_cast<uint8_t>(m.verdict));
   w.u32(m.hash);
 }
 
-inline bool read(const Frame& frame, ModelTaken& m) noexcept {
+inline bool read(const Frame& frame, ModelReply& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.verdict = static_cast<ModelVerdict>(r.u8());
   m.hash = r.u32();
@@ -196,7 +196,7 @@ inline bool read(const Frame& frame, Render& m) noexcept {
   m.hash = r.u32();
   m.expiry = r.u8();
   m.most = r.i16();
-  return r.hasAll() && isExpiry(m.expiry) && m.most >= 0;
+  return r.hasAll() && isValidExpiry(m.expiry) && m.most >= 0;
 }
 
 inline void write(Writer& w, const Stop& m) noexcept {
@@ -230,8 +230,8 @@ constexpr Type typeOf(const Model&) noexcept {
 constexpr Type typeOf(const ModelTable&) noexcept {
   return Type::ModelTable;
 }
-constexpr Type typeOf(const ModelTaken&) noexcept {
-  return Type::ModelTaken;
+constexpr Type typeOf(const ModelReply&) noexcept {
+  return Type::ModelReply;
 }
 constexpr Type typeOf(const Render&) noexcept {
   return Type::Render;

@@ -17,7 +17,7 @@ enum class Type : uint8_t {
   Event = 0x12,       ///< from the device
   Model = 0x20,       ///< to the device
   ModelTable = 0x21,  ///< to the device
-  ModelTaken = 0x22,  ///< from the device
+  ModelReply = 0x22,  ///< from the device
   Render = 0x23,      ///< to the device
   Stop = 0x7F,        ///< both ways
 };
@@ -105,7 +105,7 @@ struct Model {
   float contact = 4.0F;
   float yieldForce = 7.0F;
   // Interpolation: haptics/models/interpolation.h.
-  uint8_t beyond = 0;
+  uint8_t extrapolation = 0;
   float rampLength = 1.5F;
   // Kalman filter: haptics/models/kalman_filter.h.
   uint8_t scheme = 0;
@@ -123,11 +123,11 @@ struct ModelTable {
   float force[kTableChunk] = {};   ///< [N]
 };
 
-/// Why a model cannot be rendered.
-enum class ModelVerdict : uint8_t { Taken = 0, Incomplete = 1, Unsound = 2, Armed = 3 };
+/// Whether the device renders a model, and why not.
+enum class ModelVerdict : uint8_t { Accepted = 0, Incomplete = 1, Unsound = 2, Armed = 3 };
 
-struct ModelTaken {
-  ModelVerdict verdict = ModelVerdict::Taken;
+struct ModelReply {
+  ModelVerdict verdict = ModelVerdict::Accepted;
   uint32_t hash = 0;  ///< CRC-32 of the payloads of Model and ModelTable as they came
 };
 

@@ -33,7 +33,7 @@ struct Context {
 template <typename Spec>
 using Read = std::optional<Spec>;
 
-constexpr auto kUsualProcess = models::ProcessReading::StateOrder;
+constexpr auto kUsualProcess = models::ProcessNoiseReading::StateOrder;
 using haptics::reaming::TestSet;
 
 constexpr std::array kTestSets{
@@ -57,15 +57,16 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
 
 /// @param beyond  default, if the file has none.
 Read<engine::InterpolationSpec> readInterpolation(
-    const Node& node, const Context& context, models::BeyondCurve beyond) {
+    const Node& node, const Context& context, models::Extrapolation beyond) {
   engine::InterpolationSpec spec;
-  spec.options.beyond = beyond;
+  spec.options.extrapolation = beyond;
   if (!node.isObjectWith(
           {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
     return std::nullopt;
   }
   const std::string name = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
-  spec.options.beyond = node.choice("beyond", engine::kBeyondNames, spec.options.beyond);
+  spec.options.extrapolation =
+      node.choice("beyond", engine::kBeyondNames, spec.options.extrapolation);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
@@ -140,7 +141,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
   constexpr double kMost = 1e9;
   const auto reading = node.choice("process", engine::kProcessNames, kUsualProcess);
   auto noise = models::KalmanNoise<double>::published(reading);
-  spec.isProcessAsPrinted = reading == models::ProcessReading::AsPrinted;
+  spec.isProcessAsPrinted = reading == models::ProcessNoiseReading::AsPrinted;
   if (spec.isProcessAsPrinted) refuseNumbersBesideAsPrinted(node);
   noise.processForce = node.number("process_force", 0.0, kMost, noise.processForce);
   noise.processCovariance =
@@ -162,13 +163,13 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
   const auto beyond = context.sources.defaults() == Defaults::Release01
-                          ? models::BeyondCurve::RampOut
-                          : models::BeyondCurve::Absent;
+                          ? models::Extrapolation::RampOut
+                          : models::Extrapolation::Absent;
   Read<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
     interpolation = readInterpolation(*part, context, beyond);
   } else {
-    interpolation.emplace().options.beyond = beyond;
+    interpolation.emplace().options.extrapolation = beyond;
     useCut(*context.sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
   Read<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
@@ -293,8 +294,8 @@ template <typename Spec>
 Read<Spec> readModel(const Node& parameters, const Context& context) = delete;
 template <>
 Read<engine::InterpolationSpec> readModel(const Node& node, const Context& context) {
-  auto spec = readInterpolation(node, context, models::BeyondCurve::RampOut);
-  if (spec && spec->options.beyond == models::BeyondCurve::Absent) {
+  auto spec = readInterpolation(node, context, models::Extrapolation::RampOut);
+  if (spec && spec->options.extrapolation == models::Extrapolation::Absent) {
     node.problem(
         "beyond",
         "without the recording nothing would be felt: only a filter has another force",

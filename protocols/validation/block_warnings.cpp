@@ -24,7 +24,7 @@ class BlockAdvice {
   void all() {
     for (std::size_t i = 0; i < phase_.trials.questionnaires.size(); ++i) relativeItems(i);
     if (phase_.trials.order.type == OrderType::Fixed) {
-      sameForEverybody();
+      warnOfFixedOrder();
     } else {
       balance();
     }
@@ -59,7 +59,7 @@ class BlockAdvice {
     return condition == (isBackwards ? order.back() : order.front());
   }
 
-  void sameForEverybody() {
+  void warnOfFixedOrder() {
     if (phase_.trials.conditions.size() < 2) return;
     problems_.warn(path_ + ".order", message("same_order"), message("same_order.fix"));
   }

@@ -89,7 +89,7 @@ void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
     problems.add(
         path + ".anatomy",
         "a knee is seen with a punch, not with a " + std::string(device->kind->name),
-        device->kind->view == View::Cup ? "remove it; the bone that a reamer shows is its packing"
+        device->kind->view == View::Hip ? "remove it; the bone that a reamer shows is its packing"
                                         : "remove it");
   }
   if (device != nullptr && device->kind->view == View::None && isSeen(draft, condition)) {

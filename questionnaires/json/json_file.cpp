@@ -95,14 +95,14 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       const nlohmann::detail::exception& error) override {
     const std::string where = lineAndColumn(text_.substr(0, position));
     if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr) {
-      tell(
+      addProblem(
           position,
           where + ": the number " + shown(lastToken) + " is too large",
           "write a finite number");
       return false;
     }
     const std::string near = lastToken.empty() ? "" : ", near '" + ending(lastToken) + "'";
-    tell(
+    addProblem(
         position,
         where + ": this is not JSON" + near,
         "look for a missing comma, quote or bracket just before it; JSON has no comments, no NaN "
@@ -118,7 +118,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   };
 
   /// A mistake in the text itself.
-  void tell(std::size_t position, std::string what, std::string fix) {
+  void addProblem(std::size_t position, std::string what, std::string fix) {
     const auto before = text_.substr(0, position);
     problems_.add(
         {.path = path(),

@@ -29,7 +29,8 @@ inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
 
 /// One of them, with its arguments.
 template <typename... Arguments>
-base::Message warning(base::KeyIn<kWarnings, sizeof...(Arguments)> key, Arguments&&... arguments) {
+base::Message warning(
+    base::CheckedKey<kWarnings, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kWarnings>(key, std::forward<Arguments>(arguments)...);
 }
 
@@ -65,7 +66,7 @@ class TextProblems {
  private:
   void demand(
       const std::string& path, const LocalizedText& text, const std::string& language) const;
-  void inspectWhatIsThere(const std::string& path, const LocalizedText& text) const;
+  void inspectLanguages(const std::string& path, const LocalizedText& text) const;
 
   const std::vector<std::string>& languages_;
   Problems& problems_;

@@ -27,7 +27,7 @@ class TextReader {
   LocalizedText optional(const Node& node, std::string_view key) const;
   /// Reads @p node as a text, or as an object with a text for each language.
   LocalizedText read(const Node& node) const;
-  LocalizedText standIn() const;
+  LocalizedText fallbackText() const;
 
  private:
   std::vector<std::string> languages_;
@@ -60,7 +60,7 @@ class ItemReader {
   Item read(const Node& node, std::size_t index) const;
 
  private:
-  void readHead(const Node& node, Item& item) const;
+  void readCommonKeys(const Node& node, Item& item) const;
   void readKind(const Node& node, Item& item) const;
   void readScaleOf(const Node& node, Item& item) const;
   void readEnds(const Node& node, Item& item) const;

@@ -31,10 +31,10 @@ void readLabels(const Node& node, const TextReader& texts, Scale& scale) {
   }
   const bool isUnread = scale.pointLabels.empty();
   if (scale.lowLabel.isEmpty()) {
-    scale.lowLabel = isUnread ? texts.standIn() : scale.pointLabels.front();
+    scale.lowLabel = isUnread ? texts.fallbackText() : scale.pointLabels.front();
   }
   if (scale.highLabel.isEmpty()) {
-    scale.highLabel = isUnread ? texts.standIn() : scale.pointLabels.back();
+    scale.highLabel = isUnread ? texts.fallbackText() : scale.pointLabels.back();
   }
 }
 
@@ -58,8 +58,8 @@ Scale readScale(const Node& node, const TextReader& texts) {
 
 Scale defaultScale(const TextReader& texts) {
   Scale scale;
-  scale.lowLabel = texts.standIn();
-  scale.highLabel = texts.standIn();
+  scale.lowLabel = texts.fallbackText();
+  scale.highLabel = texts.fallbackText();
   return scale;
 }
 
@@ -222,7 +222,7 @@ void readLength(const Node& node, Item& item) {
 Item ItemReader::read(const Node& node, std::size_t index) const {
   Item item;
   item.id = "unread." + std::to_string(index);
-  item.text = texts_.standIn();
+  item.text = texts_.fallbackText();
   item.scale = defaultScale(texts_);
   if (!knowsItsKeys(node)) return item;
 
@@ -233,12 +233,12 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
     refuseKeysOfOtherTypes(node, *type);
     if (node.has("wording") && has(keysOf(item.type), "wording")) readWithheld(node, item);
   }
-  readHead(node, item);
+  readCommonKeys(node, item);
   if (type) readKind(node, item);
   return item;
 }
 
-void ItemReader::readHead(const Node& node, Item& item) const {
+void ItemReader::readCommonKeys(const Node& node, Item& item) const {
   const bool mayBeWordless = item.type == ItemType::SemanticDifferential;
   item.text = mayBeWordless && !item.withholds(WordingField::Text)
                   ? texts_.optional(node, "text")
@@ -334,7 +334,7 @@ void ItemReader::readOptions(const Node& node, Item& item) const {
 
 Option ItemReader::readOption(const Node& node, std::size_t index) const {
   if (!node.isObjectWith({"id", "text"})) {
-    return {.id = "unread." + std::to_string(index), .text = texts_.standIn()};
+    return {.id = "unread." + std::to_string(index), .text = texts_.fallbackText()};
   }
   return {.id = idOrGenerated(node, "id", index), .text = texts_.required(node, "text")};
 }

@@ -66,7 +66,7 @@ void readMissing(const Node& node, Score& score) {
 Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
   Score score;
   score.id = "unread." + std::to_string(index);
-  score.title = texts.standIn();
+  score.title = texts.fallbackText();
   if (!node.isObjectWith(
           {"id",
            "title",

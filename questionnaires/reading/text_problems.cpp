@@ -116,12 +116,12 @@ void TextProblems::inspect(const std::string& path, const LocalizedText& text) c
   for (const auto& language : languages_) {
     if (language != "en") demand(path, text, language);
   }
-  inspectWhatIsThere(path, text);
+  inspectLanguages(path, text);
 }
 
 void TextProblems::inspectForResearchers(const std::string& path, const LocalizedText& text) const {
   demand(path, text, "en");
-  inspectWhatIsThere(path, text);
+  inspectLanguages(path, text);
 }
 
 void TextProblems::demand(
@@ -136,7 +136,7 @@ void TextProblems::demand(
   problems_.add(path + "." + language, "the text in '" + language + "' is missing", std::move(fix));
 }
 
-void TextProblems::inspectWhatIsThere(const std::string& path, const LocalizedText& text) const {
+void TextProblems::inspectLanguages(const std::string& path, const LocalizedText& text) const {
   for (const auto& [language, words] : text.all()) {
     std::string place = path;
     place.append(".").append(language);

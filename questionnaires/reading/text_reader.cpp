@@ -41,7 +41,7 @@ LocalizedText textsByLanguage(const Node& node) {
 LocalizedText TextReader::required(const Node& node, std::string_view key) const {
   if (node.has(key)) return optional(node, key);
   node.problem("", "'" + std::string(key) + "' is missing", "add it");
-  return standIn();
+  return fallbackText();
 }
 
 LocalizedText TextReader::optional(const Node& node, std::string_view key) const {
@@ -53,16 +53,16 @@ LocalizedText TextReader::read(const Node& node) const {
   if (!node.isObject()) {
     const bool isText = node.isText();
     const std::string text = textOf(node);
-    return isText ? LocalizedText({{"en", text}}) : standIn();
+    return isText ? LocalizedText({{"en", text}}) : fallbackText();
   }
   if (node.members().empty()) {
     node.problem("", "this text is in no language", "write {\"en\": \"…\"}");
-    return standIn();
+    return fallbackText();
   }
   return textsByLanguage(node);
 }
 
-LocalizedText TextReader::standIn() const {
+LocalizedText TextReader::fallbackText() const {
   std::map<std::string, std::string> byLanguage{{"en", std::string(kStandIn)}};
   for (const auto& language : languages_) byLanguage[language] = kStandIn;
   return LocalizedText(std::move(byLanguage));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kFormat = "wording-1";
 
-void readHead(const Node& root, Wording& wording) {
+void readKeys(const Node& root, Wording& wording) {
   root.requireFormat("format", kFormat);
   wording.instrument = root.id("instrument");
   wording.version = root.id("version");
@@ -45,7 +45,7 @@ Wording readWordingRoot(const Node& root) {
            "texts"})) {
     return wording;
   }
-  readHead(root, wording);
+  readKeys(root, wording);
   root.text("words_from", "");
   if (const auto keys = root.object("keys")) {
     for (const auto& key : keys->members()) {

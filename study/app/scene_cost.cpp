@@ -133,7 +133,7 @@ std::vector<SceneCost> costsOf(
   } else {
     addMeniscus(spec, middle, contestants);
   }
-  const auto timings = timing::race(contestants);
+  const auto timings = timing::compareTimes(contestants);
   std::vector<SceneCost> costs;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     costs.push_back({contestants[i].method, timings[i]});

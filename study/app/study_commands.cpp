@@ -51,7 +51,7 @@ std::string commitmentOf(Study& study) {
   const auto commitment = study.events().commitment();
   return commitment.empty()
              ? commitment
-             : "commitment of orders and codes: " + storage::inGroups(commitment) + "\n";
+             : "commitment of orders and codes: " + storage::inGroupsOfFour(commitment) + "\n";
 }
 
 std::string keyAdviceOn(Study& study, const std::string& folder) {
@@ -188,7 +188,7 @@ int status(const StudyArguments& options) {
     std::fputs(statusAsJson(study).c_str(), stdout);
     return 0;
   }
-  const auto rights = remarkOnRights(options.folder);
+  const auto rights = describeOtherAccess(options.folder);
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(

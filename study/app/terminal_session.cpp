@@ -74,7 +74,7 @@ class TerminalSession {
                   simulationSeed(study_),
                   session_.cohort(),
                   static_cast<std::uint64_t>(session_.slot()),
-                  mostFeedOn(session_.protocol().protocol, need.id));
+                  feedLimitOn(session_.protocol().protocol, need.id));
             })) {}
 
   void run() {
@@ -104,7 +104,7 @@ class TerminalSession {
     }
     if (session_.state() == SessionState::Paused) session_.resumeAfterPause();
     if (session_.step().kind == StepKind::Trial) {
-      acceptsOffer() ? feel() : session_.declineOffer();
+      acceptsOffer() ? feel() : session_.skipOfferedTrial();
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -273,7 +273,7 @@ class TerminalSession {
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
     } else {
-      session_.breakOffTrial(record);
+      session_.abortTrial(record);
     }
   }
 

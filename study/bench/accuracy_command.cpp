@@ -320,7 +320,7 @@ Measured measure(const AccuracyOptions& options) {
     const AccuracyRun run{.report = keep, .isShort = options.isShort};
     options.processes == 1 ? measureHere(options, run) : measureInProcess(options, wanted, run);
   }
-  return haptics::bench::gathered(all);
+  return haptics::bench::mergedOverProcesses(all);
 }
 
 /// Prints the errors that exceed their bounds. Returns whether all are within.

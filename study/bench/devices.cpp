@@ -258,8 +258,8 @@ std::vector<LinkSeries> runTogether(double seconds) {
 void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
   constexpr double kPollPeriod = 0.0003;  // [s]
   const RealtimePriority priority;
-  while (loop.stoodAt() == 0 && !loop.isOver()) pauseFor(kPollPeriod);
-  const std::int64_t begin = loop.stoodAt();
+  while (loop.stalledAt() == 0 && !loop.isOver()) pauseFor(kPollPeriod);
+  const std::int64_t begin = loop.stalledAt();
   if (begin == 0) return;
   ++series.stalls;
   const auto standing = emulated.ask();
@@ -271,7 +271,7 @@ void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
     const bool hasForce = emulated.ask().hasForce;
     const std::int64_t at = timing::now();
     if (!hadForce || hasForce || at >= end) continue;
-    series.letGoAfter.push_back(1e-6 * static_cast<double>(at - begin));
+    series.motorOffAfter.push_back(1e-6 * static_cast<double>(at - begin));
     hadForce = false;  // only the first time counts
   }
   pauseFor(0.05);
@@ -283,7 +283,7 @@ StallSeries stallAt(EmulatedDevice emulated, double milliseconds, int stalls) {
   SupervisedLoop supervised(emulated, SupervisedLoop::Start::Urgent);
   for (int i = 0; i < stalls; ++i) {
     superviseFor(0.8, {&supervised});
-    supervised.loop().standStill(static_cast<std::int64_t>(1e6 * milliseconds));
+    supervised.loop().stallTick(static_cast<std::int64_t>(1e6 * milliseconds));
     watchStall(emulated, supervised.loop(), series);
     if (!emulated.ask().isArmed || supervised.loop().isOver()) ++series.disarmed;
   }

@@ -35,9 +35,9 @@ struct StallSeries {
   LinkSeries link;
   double duration = 0.0;  ///< of each [ms]
   int stalls = 0;
-  std::vector<double> forces;      ///< at its beginning, if there was one [N]
-  std::vector<double> letGoAfter;  ///< until the device switched its force off [ms]
-  int disarmed = 0;                ///< standstills after which the device was disarmed
+  std::vector<double> forces;         ///< at its beginning, if there was one [N]
+  std::vector<double> motorOffAfter;  ///< until the device switched its force off [ms]
+  int disarmed = 0;                   ///< standstills after which the device was disarmed
 };
 
 struct FaultCounts {

@@ -184,8 +184,8 @@ DataTable stallTable(const std::vector<StallSeries>& stalls) {
          series.duration,
          std::int64_t{series.stalls},
          medianOf(series.forces),
-         static_cast<std::int64_t>(series.letGoAfter.size()),
-         medianOf(series.letGoAfter),
+         static_cast<std::int64_t>(series.motorOffAfter.size()),
+         medianOf(series.motorOffAfter),
          integer(series.link.sum(&LinkReport::expired)),
          std::int64_t{series.disarmed},
          series.link.faults()});

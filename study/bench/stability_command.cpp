@@ -17,7 +17,7 @@ namespace study::bench {
 namespace {
 
 using haptics::bench::StabilityResult;
-using haptics::bench::WallPoint;
+using haptics::bench::VirtualWall;
 using report::Chart;
 using report::ChartSeries;
 

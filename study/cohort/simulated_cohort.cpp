@@ -62,7 +62,7 @@ class SimulatedSession {
         continue;
       }
       if (session_.step().isOffered) {
-        session_.declineOffer();
+        session_.skipOfferedTrial();
         continue;
       }
       if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
@@ -84,7 +84,7 @@ class SimulatedSession {
           seed_,
           session_.cohort(),
           static_cast<std::uint64_t>(session_.slot()),
-          mostFeedOn(session_.protocol().protocol, need.id));
+          feedLimitOn(session_.protocol().protocol, need.id));
     });
     Trial trial(deviceSet.device(deviceFor(session_)), setupFor(session_, study_.traces()));
     session_.beginTrial();
@@ -94,7 +94,7 @@ class SimulatedSession {
       session_.finishTrial(record);
       return;
     }
-    session_.breakOffTrial(record);
+    session_.abortTrial(record);
     session_.skipStep("a simulated trial broke off");
   }
 
@@ -132,7 +132,7 @@ class SimulatedSession {
       acknowledge_({Done::TrialOnDevice, which + "finished"});
       return;
     }
-    session_.breakOffTrial(record);
+    session_.abortTrial(record);
     const std::string why =
         record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
     // A break-off while the machine stood still is no evidence against the device.
@@ -288,7 +288,7 @@ std::vector<SimulatedEnding> simulateCohorts(
   std::unique_ptr<DeviceSet> devices;
   if (!deviceFile.empty()) {
     devices = deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
-      return simulatedHandFor(need, seed, {}, 0, mostFeedOn(study.protocol().protocol, need.id));
+      return simulatedHandFor(need, seed, {}, 0, feedLimitOn(study.protocol().protocol, need.id));
     });
   }
   std::vector<SimulatedEnding> endings;

@@ -131,7 +131,7 @@ Json bidsDescription(Study& study, const ExportOptions& options) {
       {"BIDSVersion", "1.8.0"},
       {"DatasetType", "raw"},
       {"GeneratedBy", {{{"Name", "palpate"}, {"Version", appVersion()}}}},
-      {"palpate", Json::parse(headAsJson(study, options))}};
+      {"palpate", Json::parse(exportMetadataAsJson(study, options))}};
   const auto& authors = study.protocol().protocol.study.authors;
   if (!authors.empty()) json["Authors"] = authors;
   return json;

@@ -100,7 +100,8 @@ std::string Coarsening::band(double from, double width) const {
          (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));
 }
 
-std::string Coarsening::told(std::size_t level, const questionnaires::Response& response) const {
+std::string Coarsening::releasedValue(
+    std::size_t level, const questionnaires::Response& response) const {
   const auto& chosen = levels_.at(level);
   const auto stored = storage::stored(response);
   if (chosen.width > 0.0) {

@@ -33,7 +33,7 @@ class Coarsening {
   const std::vector<Level>& values(std::size_t level) const { return levels_.at(level).values; }
 
   /// The released value of @p response; empty if the response is not valid for the item.
-  std::string told(std::size_t level, const questionnaires::Response& response) const;
+  std::string releasedValue(std::size_t level, const questionnaires::Response& response) const;
 
  private:
   struct CoarseLevel {

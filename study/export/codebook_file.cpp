@@ -116,7 +116,7 @@ Json levelsAsJson(const std::vector<Level>& levels) {
 
 }  // namespace
 
-std::string headAsJson(Study& study, const ExportOptions& options) {
+std::string exportMetadataAsJson(Study& study, const ExportOptions& options) {
   const auto& metadata = study.protocol().protocol.study;
   Json head;
   head["study_id"] = metadata.id;
@@ -133,7 +133,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   head["coarse"] = !options.isExact;
   head["texts"] = options.hasTexts;
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
-  if (leadsToTheStudy(options)) head["audit_trail"] = study.events().headInWords();
+  if (leadsToTheStudy(options)) head["audit_trail"] = study.events().headAsText();
   if (!options.codes.empty()) head["codes"] = options.codes;
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
@@ -192,7 +192,7 @@ std::string readmeOf(
   text += identifiabilityInWords(study, options);
   text += detailInWords(options);
   if (leadsToTheStudy(options)) {
-    text += "- The study's audit trail had " + study.events().headInWords() +
+    text += "- The study's audit trail had " + study.events().headAsText() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";
   }
   text += codesInWords(study, options) + codeSetInWords(options);
@@ -208,7 +208,7 @@ std::string readmeOf(
 
 std::string codebookAsJson(
     Study& study, const ExportOptions& options, const std::vector<ExportedTable>& tables) {
-  Json json = Json::parse(headAsJson(study, options));
+  Json json = Json::parse(exportMetadataAsJson(study, options));
   for (const auto& table : tables) {
     Json columns = Json::array();
     for (const auto& column : table.columns) {

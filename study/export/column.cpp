@@ -10,7 +10,7 @@ std::string_view nameOf(ColumnType type) noexcept {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-std::string Readers::inTheirWords(const std::string& description) const {
+std::string Readers::inDeviceWords(const std::string& description) const {
   if (device == nullptr) return description;
   for (const auto& sentence : device->sentences) {
     if (sentence.language == "en" && sentence.english == description)

@@ -62,7 +62,7 @@ struct Readers {
   bool hasSites() const { return lists.count(ValueList::Sites) == 1; }
 
   /// @p description, or the device's own text for it.
-  std::string inTheirWords(const std::string& description) const;
+  std::string inDeviceWords(const std::string& description) const;
 };
 
 /// A column of an exported table, as data dictionaries list it.
@@ -260,7 +260,7 @@ class Column {
       head.description = public_->description;
       head.isFreeText = false;
     }
-    head.description = readers.inTheirWords(head.description);
+    head.description = readers.inDeviceWords(head.description);
     const auto known = list_ ? readers.lists.find(*list_) : readers.lists.end();
     if (known != readers.lists.end()) head.levels = known->second;
     return head;
@@ -316,7 +316,7 @@ ExportedTable filled(
   ExportedTable result{
       .name = table.name,
       .description =
-          readers.isPublic ? table.inPublic.value() : readers.inTheirWords(table.description),
+          readers.isPublic ? table.inPublic.value() : readers.inDeviceWords(table.description),
       .columns = {},
       .rows = {}};
   std::vector<const Column<Row>*> columns;

@@ -39,7 +39,7 @@ std::map<std::string, std::string> conditionCodes(
   return codes;
 }
 
-bool hasCodesOfItsOwn(Study& study, RunMode mode) {
+bool drawsCodesForEachExport(Study& study, RunMode mode) {
   return study.secretFor(mode) != nullptr;
 }
 

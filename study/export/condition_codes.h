@@ -21,7 +21,7 @@ std::map<std::string, std::string> conditionCodes(
     Study& study, RunMode mode, const std::string& set = {});
 
 /// Whether the codes of that run mode are drawn for each export.
-bool hasCodesOfItsOwn(Study& study, RunMode mode);
+bool drawsCodesForEachExport(Study& study, RunMode mode);
 
 /// 128 random bits, the name of a new set of codes.
 std::string drawnCodeSet();

@@ -47,7 +47,7 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
   const auto sessions = tables.front().rows.size();
   if (hasReader(options)) tables.push_back(columnsTable(tables));
   if (options.format == ExportFormat::Json) {
-    Json json = Json::parse(headAsJson(study, options));
+    Json json = Json::parse(exportMetadataAsJson(study, options));
     for (const auto& table : tables) json[table.name] = asJson(table);
     writeNewFile((folder / "study.json").string(), json.dump(1) + "\n");
   } else {
@@ -108,7 +108,7 @@ bool isNoteRequired(const ExportOptions& options) {
 /// same in each.
 void drawCodes(Study& study, ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
-  if (options.publicClass || !hasCodesOfItsOwn(study, mode)) {
+  if (options.publicClass || !drawsCodesForEachExport(study, mode)) {
     if (options.codes.empty()) return;
     throw storage::StorageError(
         "These sessions have the same codes in each export: leave --codes-of out.");
@@ -129,7 +129,7 @@ void noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
         .values = {
             {"how", how},
             {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
-            {"folder", asNoted(target)}}};
+            {"folder", pathForAuditTrail(target)}}};
     if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
     study.note(exported);
   } catch (const storage::StorageError&) {
@@ -195,14 +195,14 @@ std::size_t exportStudy(
   }
   requireAllowed(options, reason);
   drawCodes(study, options);
-  if (options.publicClass) requireNothingLaidBare(study, options);
+  if (options.publicClass) requireSafeFromDifferencing(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, target, options, reason);
   const fs::path unfinished = newFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
     tell(options.progress, 1.0, "giving the folder its name");
-    nameFinished(unfinished, target);
+    moveIntoPlace(unfinished, target);
     return sessions;
   } catch (...) {
     fs::remove_all(unfinished, error);

@@ -11,7 +11,7 @@ namespace study {
 
 /// The study, the version of the protocol, the program, and whether the export is blinded: a JSON
 /// object.
-std::string headAsJson(Study& study, const ExportOptions& options);
+std::string exportMetadataAsJson(Study& study, const ExportOptions& options);
 
 /// Whether the folder is blinded, as a line of its README.
 std::string codesInWords(Study& study, const ExportOptions& options);

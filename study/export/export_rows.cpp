@@ -31,7 +31,7 @@ std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
 }
 
 /// The time of events since the session's first event.
-class Onsets {
+class StepStartTimes {
  public:
   double of(const storage::Event& event) {
     auto& last = last_[event.visit->session];
@@ -70,7 +70,7 @@ class Bands {
     const bool isTheirs = answer.step.kind == StepKind::Form && isAboutThePerson(item);
     if (!isTheirs || item.type != questionnaires::ItemType::Number) return {};
     const auto& bands = known_.try_emplace(&item, item, "").first->second;
-    return bands.levelCount() == 0 ? std::string() : bands.told(0, answer.answer.response);
+    return bands.levelCount() == 0 ? std::string() : bands.releasedValue(0, answer.answer.response);
   }
 
  private:
@@ -200,7 +200,7 @@ std::vector<ExportedCut> StudyRows::cuts() const {
 
 std::vector<ExportedEvent> StudyRows::events() const {
   std::vector<ExportedEvent> rows;
-  Onsets onsets;
+  StepStartTimes onsets;
   for (auto& event : study_.events().read()) {
     if (!event.visit) continue;
     const auto session = sessions_.find(event.visit->session);

@@ -70,7 +70,7 @@ Values withoutRareIn(
   for (const auto& [combination, members] : classes) {
     Values theirs;
     for (const auto person : members) theirs.push_back(values[person]);
-    theirs = withoutRare(theirs, k);
+    theirs = suppressRareValues(theirs, k);
     for (std::size_t i = 0; i < members.size(); ++i) kept[members[i]] = theirs[i];
   }
   return kept;
@@ -121,7 +121,7 @@ ClassSizes classSizes(
   return sizes;
 }
 
-Values withoutRare(const Values& values, std::size_t k) {
+Values suppressRareValues(const Values& values, std::size_t k) {
   std::vector<std::pair<std::size_t, std::string>> rarestFirst;
   std::size_t emptied = 0;
   for (const auto& [value, count] : countsOf(values)) {

@@ -57,7 +57,7 @@ ClassSizes classSizes(
 
 /// A column in which every value has at least @p k people: rarer values are suppressed. If fewer
 /// than @p k people are then without a value, the next rarest value is suppressed as well.
-Values withoutRare(const Values& values, std::size_t k);
+Values suppressRareValues(const Values& values, std::size_t k);
 
 /// k-anonymity (Sweeney 2002) by a deterministic greedy search over the quasi-identifiers in the
 /// order given. Each of them divides the present classes further. Values that fewer than k people

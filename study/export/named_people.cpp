@@ -60,7 +60,7 @@ Letter letterIn(std::string_view bytes) {
 }
 
 /// What is told of people besides their answers.
-std::string alikeInWords(const ClassSizes& classes) {
+std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
   return "- Who knows cohort and background of somebody finds the rest: " +
          std::to_string(classes.inSmall) + " of " +
@@ -152,7 +152,7 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) 
   return named;
 }
 
-ClassSizes alikeAsTold(Study& study, const ExportOptions& options) {
+ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options) {
   const PublicPeople people(study, options.runMode.value_or(RunMode::Live));
   std::vector<ReleasedColumn> columns;
   for (const auto& identifier : people.identifiers()) {
@@ -167,7 +167,7 @@ ClassSizes alikeAsTold(Study& study, const ExportOptions& options) {
 
 std::string identifiabilityInWords(Study& study, const ExportOptions& options) {
   if (options.runMode == RunMode::Simulated) return "- Nothing in this folder names a person.\n";
-  return alikeInWords(alikeAsTold(study, options)) +
+  return describeClassSizes(classSizesAsReleased(study, options)) +
          namesInWords(namedPeople(study, exportTables(study, options)));
 }
 

@@ -29,7 +29,7 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
 
 /// The people who completed, in classes that are alike in their cohort and in what an export with
 /// @p options tells of them; k is 2, so that people in small classes are alone.
-ClassSizes alikeAsTold(Study& study, const ExportOptions& options);
+ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options);
 
 /// What an export for colleagues tells of people, in lines of a README: who can be found again, and
 /// whether it names somebody.

@@ -68,7 +68,7 @@ Json descriptionOf(
       {"description",
        metadata.description.empty() || options.isBlinded ? metadata.title : metadata.description},
       {"variableMeasured", variablesOf(tables)}};
-  json["palpate"] = Json::parse(headAsJson(study, options));
+  json["palpate"] = Json::parse(exportMetadataAsJson(study, options));
   return json;
 }
 

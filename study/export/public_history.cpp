@@ -45,7 +45,7 @@ Values ofThese(const Values& values, const std::vector<std::size_t>& people) {
 
 /// What an earlier export said of everybody: a column for each of its own. People who were not in
 /// it have a value that no one else has.
-std::vector<ReleasedColumn> saidBy(
+std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,
     const PublicPeople& people,
     const std::vector<QuasiIdentifier>& identifiers) {
@@ -75,7 +75,7 @@ std::vector<ReleasedColumn> saidBy(
 
 }  // namespace
 
-AfterEarlierExports afterEarlierExports(Study& study, const ExportOptions& options) {
+ExportHistory exportHistory(Study& study, const ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
   const auto k = options.publicClass.value_or(kSmallestPublicClass);
   if (mode == RunMode::Simulated) return {};
@@ -87,10 +87,11 @@ AfterEarlierExports afterEarlierExports(Study& study, const ExportOptions& optio
   for (const auto& column : publicRelease(study, options).columns) {
     if (column.level) columns.push_back(column);
   }
-  AfterEarlierExports after{.earlier = earlier.size(), .newPeople = people.count()};
+  ExportHistory after{.earlier = earlier.size(), .newPeople = people.count()};
   std::set<SessionId> known;
   for (const auto& one : earlier) {
-    for (auto& column : saidBy(one, people, identifiers)) columns.push_back(std::move(column));
+    for (auto& column : columnsOfEarlierExport(one, people, identifiers))
+      columns.push_back(std::move(column));
     known.insert(one.completed.begin(), one.completed.end());
   }
   for (const auto& session : people.sessions()) after.newPeople -= known.count(session.id);
@@ -98,8 +99,8 @@ AfterEarlierExports afterEarlierExports(Study& study, const ExportOptions& optio
   return after;
 }
 
-void requireNothingLaidBare(Study& study, const ExportOptions& options) {
-  const auto after = afterEarlierExports(study, options);
+void requireSafeFromDifferencing(Study& study, const ExportOptions& options) {
+  const auto after = exportHistory(study, options);
   if (after.together.inSmall == 0) return;
   const auto k = options.publicClass.value_or(kSmallestPublicClass);
   throw storage::StorageError(

@@ -98,7 +98,8 @@ QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) con
     const std::size_t person = people_.at(answer.step.visit.session);
     identifier.exact[person] = asWritten(answer.answer.response);
     for (std::size_t level = 0; level < levelCount; ++level) {
-      identifier.levels[level][person] = question.coarsening.told(level, answer.answer.response);
+      identifier.levels[level][person] =
+          question.coarsening.releasedValue(level, answer.answer.response);
     }
   }
   return identifier;

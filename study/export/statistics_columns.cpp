@@ -31,7 +31,7 @@ auto valueOfNumber(analysis::NamedNumber TestRow::*number) {
 
 /// A getter of a number that only some tests have.
 auto extra(const char* name) {
-  return [name](const Row& row) { return row.test.also(name); };
+  return [name](const Row& row) { return row.test.additional(name); };
 }
 
 /// A getter of an end of an interval, where there is one.

@@ -50,7 +50,8 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
 
 /// One of these messages, with its arguments.
 template <typename... Arguments>
-base::Message message(base::KeyIn<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
+base::Message message(
+    base::CheckedKey<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kMessages>(key, std::forward<Arguments>(arguments)...);
 }
 

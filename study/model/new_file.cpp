@@ -77,7 +77,7 @@ void flushFolder(const std::filesystem::path& folder) {
   flush(folderOf(folder));
 }
 
-void nameFinished(const std::filesystem::path& folder, const std::filesystem::path& target) {
+void moveIntoPlace(const std::filesystem::path& folder, const std::filesystem::path& target) {
   flushFolder(folder);
   std::error_code error;
   std::filesystem::rename(folder, target, error);

@@ -15,8 +15,8 @@ void keepNewFilesPrivate() noexcept;
 ///     nothing is ever overwritten.
 void writeNewFile(const std::string& path, const std::string& content);
 
-/// A new empty folder beside @p target, for nameFinished() when it is complete. Its owner alone can
-/// read it.
+/// A new empty folder beside @p target, for moveIntoPlace() when it is complete. Its owner alone
+/// can read it.
 /// @throws storage::StorageError  in words, if it cannot be made.
 std::filesystem::path newFolderBeside(const std::filesystem::path& target);
 
@@ -44,6 +44,6 @@ void flushFolder(const std::filesystem::path& folder);
 
 /// Gives a complete folder its name. After a power cut it is there as a whole or not at all.
 /// @throws storage::StorageError  in words, if it cannot be renamed or the disk fails.
-void nameFinished(const std::filesystem::path& folder, const std::filesystem::path& target);
+void moveIntoPlace(const std::filesystem::path& folder, const std::filesystem::path& target);
 
 }  // namespace study

@@ -46,7 +46,7 @@ Finding findingOf(const SafetyEvent& event, double duration) {
   const auto found = [&](Verdict verdict, auto key) {
     return Finding{verdict, message(key, event.times, event.duration)};
   };
-  using Key = base::KeyIn<kMessages, 2>;
+  using Key = base::CheckedKey<kMessages, 2>;
   switch (event.kind) {
     case SafetyKind::TooFast:
       return found(Verdict::Warn, Key("trial.too_fast"));

@@ -81,12 +81,12 @@ class AnswerWriter : HtmlWriter {
   void sentences() {
     forEachAnswered([&](const auto& family, const auto& part) {
       const auto text = sentenceOf(family, part);
-      put("<p>{}: {}</p>", whoOf(family, part), text);
+      put("<p>{}: {}</p>", cohortLabelOf(family, part), text);
     });
   }
 
   /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
-  std::string whoOf(const FamilyResult& family, const CohortResult& part) const {
+  std::string cohortLabelOf(const FamilyResult& family, const CohortResult& part) const {
     const auto complete = part.within.participants;  // who judged every method
     const auto who = escaped(s_.words.count(
         complete > 0 ? complete : part.table.participants.size(),
@@ -219,10 +219,10 @@ class AnswerWriter : HtmlWriter {
         "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
-        rowOver(whoOf(family, part) + ": " + say("not tested"), columns);
+        rowOver(cohortLabelOf(family, part) + ": " + say("not tested"), columns);
         return;
       }
-      rowOver(whoOf(family, part), columns);
+      rowOver(cohortLabelOf(family, part), columns);
       for (const auto& comparison : declaredIn(family, part)) {
         if (comparison.isDefined()) comparisonRow(family, part, comparison, hasEffects);
       }
@@ -276,7 +276,7 @@ class AnswerWriter : HtmlWriter {
   void means() {
     table(say("The mean of each method"), {say("Method"), say("Mean"), say("Answers")}, "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
-      rowOver(whoOf(family, part), 3);
+      rowOver(cohortLabelOf(family, part), 3);
       for (const auto& one : part.conditions) {
         if (one.answers.total() == 0) continue;
         row(

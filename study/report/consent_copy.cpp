@@ -133,7 +133,7 @@ class ConsentPage {
                  "one the code {}. These eight groups can be read aloud: with them it can be "
                  "checked later that nothing recorded until then was changed or removed.",
                  trail_.events,
-                 storage::inGroups(trail_.hash))) +
+                 storage::inGroupsOfFour(trail_.hash))) +
              "</p>\n";
   }
 

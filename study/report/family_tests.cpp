@@ -156,7 +156,7 @@ class TestsWriter : HtmlWriter {
     if (first.empty()) return;
     table(
         say("How likely answers of {:g} or more are, by the ordinal mixed model",
-            first.front().also("from").value_or(0.0)),
+            first.front().additional("from").value_or(0.0)),
         {say("Method"),
          say("Answers"),
          say("Observed share"),

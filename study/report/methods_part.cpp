@@ -47,12 +47,12 @@ class MethodsWriter : HtmlWriter {
         say("The study's audit trail had {} events when this was written, the last one with the "
             "hash {}. 'palpate study verify --expect' finds whether the study goes on from there.",
             s_.trail.events,
-            storage::inGroups(s_.trail.hash)));
+            storage::inGroupsOfFour(s_.trail.hash)));
     if (s_.commitment.empty()) return;
     put("<p>{}</p>",
         say("Orders and codes of the conditions were fixed when the study was made. What they were "
             "drawn from has the commitment {}: any other would have another one.",
-            storage::inGroups(s_.commitment)));
+            storage::inGroupsOfFour(s_.commitment)));
   }
 
   std::string titleOf(const std::string& instrument) const {

@@ -40,7 +40,7 @@ Span spanOf(
   return {first, last + end.size()};
 }
 
-void takeFigures(PrintHtml& page) {
+void extractFigures(PrintHtml& page) {
   for (auto span = spanOf(page.html, "<svg", "</svg>", 0); span.begin != std::string::npos;
        span = spanOf(page.html, "<svg", "</svg>", span.begin)) {
     page.figures.push_back(page.html.substr(span.begin, span.end - span.begin));
@@ -159,7 +159,7 @@ void breaks(std::string& html) {
 
 PrintHtml forPrint(std::string_view html) {
   PrintHtml page{.html = std::string(html), .figures = {}};
-  takeFigures(page);
+  extractFigures(page);
   auto& text = page.html;
   if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {
     text.replace(

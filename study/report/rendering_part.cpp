@@ -61,14 +61,15 @@ class RenderingWriter : HtmlWriter {
   }
 
   void againstMaterial() {
-    const bool isBone = std::any_of(
-        s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return rmsFromMeant(curve); });
+    const bool isBone = std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
+      return rmsFromIntended(curve);
+    });
     if (!isBone) return;
     table(
         say("Felt against the material: root mean square difference of the median force"),
         {say("Alternative"), "[N]"});
     for (const auto& curve : s_.curves) {
-      const auto difference = rmsFromMeant(curve);
+      const auto difference = rmsFromIntended(curve);
       if (difference) row({condition(curve.condition), rounded(difference, 2)});
     }
     endTable();

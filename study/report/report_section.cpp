@@ -122,7 +122,7 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .instruments = study.protocol().instruments,
       .sources = study.protocol().sources,
       .protocolHash = study.protocols().current().sha256,
-      .history = planHistory(study),
+      .history = analysisPlanHistory(study),
       .seed = study.seed(),
       .uuid = study.uuid(),
       // Simulated sessions are made again from a seed, with the same report.

@@ -7,7 +7,7 @@
 #include "study/results/apa_text.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
-#include "study/session/plan_history.h"
+#include "study/session/analysis_plan_history.h"
 #include "study/session/study.h"
 #include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
@@ -69,7 +69,7 @@ struct ReportSection {
   std::vector<questionnaires::Instrument> instruments;
   std::vector<protocols::FeltSource> sources;
   std::string protocolHash;
-  PlanHistory history;  ///< of the protocol's versions
+  AnalysisPlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
   storage::TrailEnd trail = {};  ///< how far the audit trail was; empty in simulated sessions

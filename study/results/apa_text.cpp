@@ -87,7 +87,7 @@ class ApaWriter {
     if (!test.p) return w_.say("equivalence not defined: {}", w_(test.reason));
     return w_.say(
         "equivalent within ±{:g}: TOST {}",
-        test.also("equivalence_bound").value_or(0.0),
+        test.additional("equivalence_bound").value_or(0.0),
         pEquals(test.p));
   }
 
@@ -99,7 +99,7 @@ class ApaWriter {
         rounded(test.statistic.value, 2),
         pEquals(test.p),
         rounded(test.effect.value, 2));
-    const auto exactP = test.also("p_permutation");
+    const auto exactP = test.additional("p_permutation");
     if (exactP) line += w_.say(", exact {}", pEquals(exactP));
     return line;
   }
@@ -113,9 +113,9 @@ class ApaWriter {
         rounded(test.statistic.value, 2),
         pEquals(test.p),
         rounded(test.effect.value, 2));
-    if (const auto p = test.also("p_epsilon")) {
+    if (const auto p = test.additional("p_epsilon")) {
       line += fmt::format(
-          ", Greenhouse–Geisser ε = {}, {}", rounded(test.also("epsilon"), 2), pEquals(p));
+          ", Greenhouse–Geisser ε = {}, {}", rounded(test.additional("epsilon"), 2), pEquals(p));
     }
     return line;
   }

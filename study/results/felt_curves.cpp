@@ -66,17 +66,17 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     }
     curve.points = bins.points();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
-    curve.meant = intendedForces(*condition.model, curve.points);
+    curve.intended = intendedForces(*condition.model, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;
 }
 
-std::optional<double> rmsFromMeant(const FeltCurve& curve) {
-  if (curve.meant.empty() || curve.points.empty()) return std::nullopt;
+std::optional<double> rmsFromIntended(const FeltCurve& curve) {
+  if (curve.intended.empty() || curve.points.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const double off = curve.points[i].median - curve.meant[i];
+    const double off = curve.points[i].median - curve.intended[i];
     sum += off * off;  // not pow(), which compilers round differently
   }
   return std::sqrt(sum / static_cast<double>(curve.points.size()));

@@ -29,7 +29,7 @@ struct FeltCurve {
   std::vector<Point> points;
   /// For bone: the force of its material at the travel of each point, moved slowly [N]; otherwise
   /// empty.
-  std::vector<double> meant = {};
+  std::vector<double> intended = {};
   /// The median force in every bin that a participant reached, by participant [N].
   std::map<std::string, std::map<int, double>> medians = {};
 };
@@ -51,7 +51,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
 
 /// The root mean square difference of the median from the material's force [N]; std::nullopt if
 /// that is not known.
-std::optional<double> rmsFromMeant(const FeltCurve& curve);
+std::optional<double> rmsFromIntended(const FeltCurve& curve);
 
 /// Every pair of curves of the same device over the same travel.
 std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves);

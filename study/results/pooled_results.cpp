@@ -8,7 +8,7 @@
 
 #include "analysis/data/reason.h"
 #include "study/results/answer_tables.h"
-#include "study/session/plan_history.h"
+#include "study/session/analysis_plan_history.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -124,7 +124,7 @@ Results pooledResults(Study& study, RunMode mode) {
     return FamilyLayout(loaded, family).table().isOfPoints;
   });
   if (!isOfPoints) return computeResults(study, mode);  // numbers and scores cannot be counted
-  const auto history = planHistory(study);
+  const auto history = analysisPlanHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
   std::map<std::string, std::set<std::string>> participants;  // of completed sessions, by cohort

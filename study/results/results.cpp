@@ -13,7 +13,7 @@
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
 #include "study/results/pooled_results.h"
-#include "study/session/plan_history.h"
+#include "study/session/analysis_plan_history.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -30,7 +30,7 @@ class Computation {
       : mode_(mode),
         loaded_(study.protocol()),
         records_(study.database()),
-        history_(planHistory(study)) {
+        history_(analysisPlanHistory(study)) {
     for (auto& session : records_.sessions()) {
       if (session.runMode != mode) continue;
       sites_.insert(session.site);
@@ -293,7 +293,7 @@ class Computation {
   RunMode mode_;
   const protocols::LoadedProtocol& loaded_;
   Records records_;
-  PlanHistory history_;
+  AnalysisPlanHistory history_;
   std::set<std::string> sites_;
   std::map<std::string, std::string> siteOf_;  ///< of the participant's first session
   std::map<SessionId, SessionRecord> sessions_;

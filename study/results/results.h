@@ -70,7 +70,8 @@ std::string_view idOf(protocols::TestType test) noexcept;
 
 struct FamilyResult {
   protocols::Family family;
-  bool isDeclared = true;  ///< as it is now, before the first live participant (plan_history.h)
+  /// As it is now, before the first live participant (analysis_plan_history.h).
+  bool isDeclared = true;
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 

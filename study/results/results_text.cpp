@@ -175,7 +175,7 @@ class Writer {
     line(fmt::format(
         "  {}: answers of {:g} or more: observed {}, probability {}",
         titleOf(row.group1),
-        row.also("from").value_or(0.0),
+        row.additional("from").value_or(0.0),
         rounded(row.statistic.value, 2),
         row.effect.value ? fmt::format(
                                "{}, {:g} % CI {} (ordinal mixed model)",

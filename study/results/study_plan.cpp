@@ -104,12 +104,12 @@ analysis::PowerSimulation simulationOf(
   return simulation;
 }
 
-SiteProspect atSites(
+SiteDetectability atSites(
     const FamilyPlan& family,
     const PlanQuestion& question,
     const analysis::SitePlan& sites,
     std::uint64_t participants) {
-  SiteProspect prospect{
+  SiteDetectability prospect{
       .designEffect = sites.designEffect(participants),
       .power = analysis::pooledSitesPower(question.dz, participants, sites, family.alphaPerTest)};
   if (question.studies == 0 || family.answers == 0) return prospect;
@@ -121,9 +121,9 @@ SiteProspect atSites(
   return prospect;
 }
 
-Prospect prospectOf(
+Detectability prospectOf(
     const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants) {
-  Prospect prospect{
+  Detectability prospect{
       .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
   prospect.canFindPairs = prospect.pair.p <= family.alphaPerTest;
   if (family.conditions > 2) {
@@ -186,9 +186,9 @@ FamilyPlan familyPlan(
   }
   for (const auto& cohort : study.cohorts) {
     const auto same =
-        std::ranges::find(plan.prospects, cohort.participants, &Prospect::participants);
+        std::ranges::find(plan.prospects, cohort.participants, &Detectability::participants);
     plan.prospects.push_back(
-        same != plan.prospects.end() ? Prospect(*same)
+        same != plan.prospects.end() ? Detectability(*same)
                                      : prospectOf(plan, study.question, cohort.participants));
   }
   return plan;

@@ -39,7 +39,7 @@ struct BlockPlan {
 };
 
 /// What a family of comparisons can detect at several sites.
-struct SiteProspect {
+struct SiteDetectability {
   double designEffect = 1.0;
   double power = 0.0;  ///< of the pooled difference for the requested effect, in closed form
   std::optional<analysis::SimulatedSitePower> found;     ///< simulated with that effect
@@ -47,7 +47,7 @@ struct SiteProspect {
 };
 
 /// What a family of comparisons can detect with a number of participants.
-struct Prospect {
+struct Detectability {
   std::uint64_t participants = 0;
   analysis::AttainableP pair;  ///< smallest p of an exact paired test (sign flip, signed rank)
   bool canFindPairs = false;   ///< whether that p reaches alpha per comparison
@@ -56,7 +56,7 @@ struct Prospect {
   std::optional<analysis::SimulatedPower> found;     ///< simulated with that effect
   std::optional<analysis::SimulatedPower> invented;  ///< simulated without an effect
   /// At several sites, if each has two participants.
-  std::optional<SiteProspect> sites = {};
+  std::optional<SiteDetectability> sites = {};
 };
 
 /// A family of comparisons as the protocol declares it.
@@ -76,7 +76,7 @@ struct FamilyPlan {
   std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
   /// Participants over all sites for that effect and power; absent also if no number is enough.
   std::optional<std::uint64_t> forPowerAtSites = {};
-  std::vector<Prospect> prospects = {};  ///< for every cohort, in the protocol's order
+  std::vector<Detectability> prospects = {};  ///< for every cohort, in the protocol's order
 };
 
 /// A vote between the alternatives of a block, in one cohort.

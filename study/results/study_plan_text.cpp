@@ -72,7 +72,7 @@ std::string ordersText(const StudyPlan& plan) {
   return text;
 }
 
-std::string pairVerdict(const FamilyPlan& family, const Prospect& prospect) {
+std::string pairVerdict(const FamilyPlan& family, const Detectability& prospect) {
   const auto smallest = pText(prospect.pair);
   if (prospect.canFindPairs) {
     return fmt::format(
@@ -88,7 +88,7 @@ std::string pairVerdict(const FamilyPlan& family, const Prospect& prospect) {
       family.fewestForAnyP);
 }
 
-std::string friedmanVerdict(const FamilyPlan& family, const Prospect& prospect) {
+std::string friedmanVerdict(const FamilyPlan& family, const Detectability& prospect) {
   if (!prospect.friedman) return {};
   const bool can = prospect.friedman->p <= family.alpha;
   return fmt::format(
@@ -98,7 +98,7 @@ std::string friedmanVerdict(const FamilyPlan& family, const Prospect& prospect) 
       pText(family.alpha));
 }
 
-std::string simulationText(const Prospect& prospect) {
+std::string simulationText(const Detectability& prospect) {
   if (!prospect.found || !prospect.invented) return {};
   const auto& found = *prospect.found;
   const auto& invented = *prospect.invented;
@@ -116,7 +116,7 @@ std::string simulationText(const Prospect& prospect) {
   return text;
 }
 
-std::string siteVerdict(const StudyPlan& plan, const Prospect& prospect) {
+std::string siteVerdict(const StudyPlan& plan, const Detectability& prospect) {
   const auto& sites = *plan.question.sites;
   if (!prospect.sites) {
     return fmt::format(

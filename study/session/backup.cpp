@@ -170,7 +170,7 @@ void noteBackup(const fs::path& from, const fs::path& target) {
     study.note(
         {.actor = storage::Actor::Operator,
          .kind = EventKind::MadeBackup,
-         .values = {{"folder", asNoted(target)}}});
+         .values = {{"folder", pathForAuditTrail(target)}}});
   } catch (const StorageError&) {
     return;
   }
@@ -192,7 +192,7 @@ Backup copyInto(
   removeLogs(unfinished);
   backup.bytes = bytesIn(unfinished);
   // Last: the target appears only when the copy is complete and verified.
-  nameFinished(unfinished, target);
+  moveIntoPlace(unfinished, target);
   return backup;
 }
 

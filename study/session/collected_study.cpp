@@ -66,40 +66,40 @@ struct CollectedStudy::Files {
   std::unique_ptr<Transaction> ofIdentities;
 };
 
-CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Beginning& beginning)
+CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& origin)
     : target_(std::move(folder)),
       folder_(newFolderBeside(target_)),
       clock_(clock),
-      commitment_(beginning.secret.commitment()),
-      protocolName_(beginning.protocols.at(0).protocol.study.id) {
+      commitment_(origin.secret.commitment()),
+      protocolName_(origin.protocols.at(0).protocol.study.id) {
   fs::create_directory(folder_ / "exports");
   files_ = std::make_unique<Files>(StudyFiles{folder_});
   const bool isOpen =
-      std::any_of(beginning.protocols.begin(), beginning.protocols.end(), [](const auto& protocol) {
+      std::any_of(origin.protocols.begin(), origin.protocols.end(), [](const auto& protocol) {
         return protocol.protocol.isBlindingOpen;
       });
   if (isOpen) {
-    files_->identities.put(beginning.secret);
+    files_->identities.put(origin.secret);
   } else {
-    storage::keepKey(beginning.secret, target_);
-    files_->identities.putForFingerprints(beginning.secret.forFingerprints());
-    files_->study.giveKey(storage::SealingKey(beginning.secret.bytes()));
+    storage::keepKey(origin.secret, target_);
+    files_->identities.storeFingerprintSecret(origin.secret.forFingerprints());
+    files_->study.giveKey(storage::SealingKey(origin.secret.bytes()));
   }
   files_->begin();
   events_ = std::make_unique<storage::EventSpool>((folder_ / kWaiting).string());
   storage::ProtocolRepository protocols(files_->study);
-  for (const auto& protocol : beginning.protocols) {
+  for (const auto& protocol : origin.protocols) {
     protocols.add(protocol, "collected", asUtc(clock.now().wall));
   }
   storage::Statement insert(
       files_->study,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, beginning.uuid)
-      .bind(2, std::to_string(beginning.seed))
+  insert.bind(1, origin.uuid)
+      .bind(2, std::to_string(origin.seed))
       .bind(3, std::int64_t{base::kRandomVersion})
       .bind(4, appVersion())
-      .bind(5, beginning.createdUtc);
+      .bind(5, origin.createdUtc);
   insert.run();
 }
 
@@ -197,7 +197,7 @@ void CollectedStudy::finish(const std::string& reason) {
     auto study = Study::open(folder_, clock_);
     study.transact([&] { study.signTrail(nameOf(EventKind::CollectedStudy)); });
   }
-  nameFinished(folder_, target_);
+  moveIntoPlace(folder_, target_);
 }
 
 }  // namespace study

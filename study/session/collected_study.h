@@ -26,7 +26,7 @@ namespace study {
 /// its hashes and signatures; the last hash of each is in that event.
 class CollectedStudy {
  public:
-  struct Beginning {
+  struct Origin {
     std::string uuid;
     std::uint64_t seed = 0;
     storage::BlindingSecret secret;  ///< from which those of the stations are made
@@ -43,7 +43,7 @@ class CollectedStudy {
 
   /// Makes the folder. Until finish() it has another name beside it; the destructor removes it.
   /// @throws storage::StorageError  if there is such a folder, or it cannot be made.
-  CollectedStudy(std::filesystem::path folder, Clock& clock, const Beginning& beginning);
+  CollectedStudy(std::filesystem::path folder, Clock& clock, const Origin& origin);
   ~CollectedStudy();
   CollectedStudy(const CollectedStudy&) = delete;
   CollectedStudy& operator=(const CollectedStudy&) = delete;

@@ -78,7 +78,7 @@ void requireErasable(Study& study, const ErasureRequest& request) {
 bool isSealed(Study& study, const std::string& participant) {
   const auto sessions = sessionsOf(study, participant);
   return std::none_of(sessions.begin(), sessions.end(), [&](const auto& row) {
-    return storage::hasOpenEvents(study.database(), row.id);
+    return storage::hasUnsealedEvents(study.database(), row.id);
   });
 }
 
@@ -306,7 +306,8 @@ void eraseAgain(Study& study, const storage::ListedErasure& erasure) {
 bool isErasureOpen(storage::Database& database) {
   if (!storage::ErasureRepository(database).unfinished().empty()) return true;
   storage::Statement uuid(database, "SELECT uuid FROM study WHERE id = 1");
-  return uuid.step() && !storage::notDone(database, storage::listedErasures(uuid.text(0))).empty();
+  return uuid.step() &&
+         !storage::missingErasures(database, storage::listedErasures(uuid.text(0))).empty();
 }
 
 void finishErasures(Study& study) {
@@ -315,7 +316,7 @@ void finishErasures(Study& study) {
     listOnStation(asListed(study, erasure));  // it was interrupted before that
   }
   const auto listed = storage::listedErasures(study.uuid());
-  for (const auto& erasure : storage::notDone(study.database(), listed)) {
+  for (const auto& erasure : storage::missingErasures(study.database(), listed)) {
     eraseAgain(study, erasure);
   }
 }

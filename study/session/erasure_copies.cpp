@@ -50,7 +50,7 @@ bool isToBeErasedFrom(const fs::path& folder, const storage::ListedErasure& eras
   if (!select.step() || select.text(0) != erasure.study) {
     throw UserError("It is another study. Nothing was changed in it.");
   }
-  return !storage::notDone(database, {erasure}).empty();
+  return !storage::missingErasures(database, {erasure}).empty();
 }
 
 /// @throws UserError  if the study's audit trail does not know the file
@@ -93,7 +93,8 @@ ErasedCopy eraseFrom(
   }
   if (isToBeErasedFrom(folder, erasure)) {
     auto study = Study::open(folder, clock);  // erases what this station has listed
-    for (const auto& open : storage::notDone(study.database(), {erasure})) eraseAgain(study, open);
+    for (const auto& open : storage::missingErasures(study.database(), {erasure}))
+      eraseAgain(study, open);
   } else {
     copy.outcome = ErasedCopy::Outcome::NotInIt;
   }

@@ -180,7 +180,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
   session.lastMoment_ = lastMomentOf(study, session.row_, holder);
   session.transact([&] {
     if (holder && holder->isAlive) {
-      session.say(
+      session.appendEvent(
           Actor::Operator,
           EventKind::TookOver,
           {{"station", holder->station},
@@ -188,11 +188,11 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
            {"since", holder->since},
            {"reason", takeOver}});
     }
-    session.say(Actor::Program, EventKind::Resumed);
+    session.appendEvent(Actor::Program, EventKind::Resumed);
   });
   noteIdentities(study, session.row_);
   if (session.state() == SessionState::InTrial) {
-    session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
+    session.abortTrial(session.abortedRecord(TrialEnding::ProgramEnded));
   }
   return session;
 }
@@ -274,11 +274,11 @@ void Session::resolveUnknownCommit() {
       "What could not be confirmed had been kept after all. Go on from the present step.");
 }
 
-void Session::say(Actor actor, EventKind kind, const std::string& detail) {
+void Session::appendEvent(Actor actor, EventKind kind, const std::string& detail) {
   keep({.actor = actor, .kind = kind, .detail = detail});
 }
 
-void Session::say(Actor actor, EventKind kind, base::NamedArguments values) {
+void Session::appendEvent(Actor actor, EventKind kind, base::NamedArguments values) {
   keep({.actor = actor, .kind = kind, .values = std::move(values)});
 }
 
@@ -308,12 +308,12 @@ std::string Session::utcNow() const {
 
 void Session::enter(SessionEvent event, Actor actor, const std::string& detail) {
   row_.state = *next(row_.state, event);
-  say(actor, kindOf(event), detail);
+  appendEvent(actor, kindOf(event), detail);
 }
 
 void Session::enter(SessionEvent event, Actor actor, base::NamedArguments values) {
   row_.state = *next(row_.state, event);
-  say(actor, kindOf(event), std::move(values));
+  appendEvent(actor, kindOf(event), std::move(values));
 }
 
 void Session::leaveStep(VisitStatus status, const std::string& reason) {

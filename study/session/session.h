@@ -90,15 +90,15 @@ class Session {
 
   /// Skips a trial that is only offered.
   /// @throws UserError  if nothing is offered in this step.
-  void declineOffer();
+  void skipOfferedTrial();
 
   void beginTrial();
   /// @param record  must have the ending Finished; a trial that ended otherwise goes to
-  ///     breakOffTrial().
+  ///     abortTrial().
   void finishTrial(const TrialRecord& record);
   /// The force is off. The operator now chooses between repeatStep(), skipStep() and
   /// giveUpOnDevice().
-  void breakOffTrial(const TrialRecord& record);
+  void abortTrial(const TrialRecord& record);
 
   /// Repeats this step (after a break-off) or the one before it from its start. Its answers are
   /// kept and marked as repeated.
@@ -123,8 +123,8 @@ class Session {
   void require(bool condition, const std::string& otherwise) const;
   void transact(const std::function<void()>& action);
   void resolveUnknownCommit();
-  void say(storage::Actor actor, EventKind kind, const std::string& detail = {});
-  void say(storage::Actor actor, EventKind kind, base::NamedArguments values);
+  void appendEvent(storage::Actor actor, EventKind kind, const std::string& detail = {});
+  void appendEvent(storage::Actor actor, EventKind kind, base::NamedArguments values);
   void keep(storage::Event event);
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;
@@ -136,7 +136,7 @@ class Session {
   void moveTo(int step);
   void end(storage::SlotState slot, const std::string& reason);
   void keepTrial(const TrialRecord& record);
-  TrialRecord brokenOff(TrialEnding ending);
+  TrialRecord abortedRecord(TrialEnding ending);
   int stepToRepeat() const;
   bool isRightAfterConsent() const noexcept;
   bool gaveConsent() const;

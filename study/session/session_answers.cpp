@@ -86,7 +86,7 @@ void Session::record(const GivenAnswer& answer) {
   }
   transact([&] {
     storage::AnswerRepository(study_.database()).put(visit(), asKept(item, answer), utcNow());
-    say(Actor::Participant, EventKind::Answered, storage::valuesOf(asKept(item, answer)));
+    appendEvent(Actor::Participant, EventKind::Answered, storage::valuesOf(asKept(item, answer)));
   });
 }
 
@@ -97,7 +97,7 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
   base::NamedArguments values{{"item", item.id}, {"kept_apart", std::int64_t{1}}};
   const auto fingerprint = fingerprintOf(study_, place(), item.id);
   if (!fingerprint.empty()) values.emplace_back("fingerprint", fingerprint);
-  transact([&] { say(Actor::Participant, EventKind::Answered, values); });
+  transact([&] { appendEvent(Actor::Participant, EventKind::Answered, values); });
 }
 
 void Session::retract(const std::string& id) {
@@ -107,7 +107,7 @@ void Session::retract(const std::string& id) {
     study_.withReservedSpace([&] { study_.identities().remove(place(), id); });
   transact([&] {
     storage::AnswerRepository(study_.database()).remove(visit(), id);
-    say(Actor::Participant, EventKind::Retracted, id);
+    appendEvent(Actor::Participant, EventKind::Retracted, id);
   });
 }
 
@@ -122,7 +122,7 @@ void Session::recordBenchmarkCuts(int cuts) {
         .itemOrder = 1,
         .language = row_.language};
     storage::AnswerRepository(study_.database()).put(visit(), answer, utcNow());
-    say(Actor::Participant, EventKind::Answered, storage::valuesOf(answer));
+    appendEvent(Actor::Participant, EventKind::Answered, storage::valuesOf(answer));
   });
 }
 

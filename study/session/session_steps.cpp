@@ -43,7 +43,7 @@ void Session::finishStep() {
   });
 }
 
-void Session::declineOffer() {
+void Session::skipOfferedTrial() {
   require(!isOver() && step().isOffered, "Nothing is offered in this step.");
   require(SessionEvent::SkippedStep);
   transact([&] {
@@ -75,7 +75,7 @@ void Session::finishTrial(const TrialRecord& record) {
   });
 }
 
-void Session::breakOffTrial(const TrialRecord& record) {
+void Session::abortTrial(const TrialRecord& record) {
   require(SessionEvent::BrokeOffTrial);
   transact([&] {
     keepTrial(record);
@@ -86,7 +86,7 @@ void Session::breakOffTrial(const TrialRecord& record) {
 
 void Session::keepTrial(const TrialRecord& record) {
   storage::TrialRepository(study_.database()).add(visit(), record);
-  say(Actor::Program, EventKind::KeptTrace, study_.traces().digest(visit()));
+  appendEvent(Actor::Program, EventKind::KeptTrace, study_.traces().digest(visit()));
   const auto& passivity = record.passivity;
   base::NamedArguments values{
       {"stiffness", passivity.stiffness},
@@ -98,27 +98,31 @@ void Session::keepTrial(const TrialRecord& record) {
     values.emplace_back("limit_cycle_n", passivity.limitCycle->amplitude);
     values.emplace_back("limit_cycle_hz", passivity.limitCycle->frequency);
   }
-  say(Actor::Program, EventKind::Passivity, std::move(values));
+  appendEvent(Actor::Program, EventKind::Passivity, std::move(values));
   if (record.hasTorque) {
-    say(Actor::Program,
+    appendEvent(
+        Actor::Program,
         EventKind::Torque,
         base::NamedArguments{
             {"rendered", std::int64_t{record.isTorqueRendered}},
             {"largest_nm", record.largestTorque},
             {"least_energy", record.leastTurnEnergy}});
   }
-  if (record.link.isThere) say(Actor::Program, EventKind::DeviceLink, valuesOf(record.link));
-  if (!record.deviceFault.empty()) say(Actor::Program, EventKind::DeviceFault, record.deviceFault);
-  if (record.view) say(Actor::Program, EventKind::View, valuesOf(*record.view));
+  if (record.link.isThere)
+    appendEvent(Actor::Program, EventKind::DeviceLink, valuesOf(record.link));
+  if (!record.deviceFault.empty())
+    appendEvent(Actor::Program, EventKind::DeviceFault, record.deviceFault);
+  if (record.view) appendEvent(Actor::Program, EventKind::View, valuesOf(*record.view));
   for (const auto& event : record.safety) {
-    say(Actor::Program,
+    appendEvent(
+        Actor::Program,
         kindOf(event.kind),
         base::NamedArguments{{"times", event.times}, {"duration_s", event.duration}});
   }
 }
 
 /// The record of a trial that no longer runs, from its stored trace alone.
-TrialRecord Session::brokenOff(TrialEnding ending) {
+TrialRecord Session::abortedRecord(TrialEnding ending) {
   TrialRecord record{.ending = ending};
   record.traceSamples = study_.traces().sampleCount(visit());
   record.ticks = record.traceSamples;
@@ -189,7 +193,7 @@ void Session::resumeAfterPause() {
 void Session::withdraw(const std::string& reason) {
   require(SessionEvent::Withdrew);
   transact([&] {
-    if (row_.state == SessionState::InTrial) keepTrial(brokenOff(TrialEnding::Stopped));
+    if (row_.state == SessionState::InTrial) keepTrial(abortedRecord(TrialEnding::Stopped));
     leaveStep(VisitStatus::BrokenOff, reason);
     enter(SessionEvent::Withdrew, Actor::Participant, reason);
     end(SlotState::Released, reason);
@@ -214,11 +218,12 @@ void Session::giveUpOnDevice(const std::string& reason) {
 }
 
 void Session::note(const std::string& text) {
-  transact([&] { say(Actor::Operator, EventKind::Note, text); });
+  transact([&] { appendEvent(Actor::Operator, EventKind::Note, text); });
 }
 
 void Session::noteReamerSwitch(bool isOn) {
-  transact([&] { say(Actor::Participant, EventKind::SwitchedReamer, isOn ? "on" : "off"); });
+  transact(
+      [&] { appendEvent(Actor::Participant, EventKind::SwitchedReamer, isOn ? "on" : "off"); });
 }
 
 void Session::setLanguage(const std::string& language) {
@@ -229,7 +234,7 @@ void Session::setLanguage(const std::string& language) {
       "The protocol has no texts in '" + language + "'.");
   transact([&] {
     row_.language = language;
-    say(Actor::Participant, EventKind::ChoseLanguage, language);
+    appendEvent(Actor::Participant, EventKind::ChoseLanguage, language);
   });
 }
 

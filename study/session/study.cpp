@@ -68,7 +68,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   auto traces = Database::open(files.traces(), storage::traceSchema(), access);
   auto identities = Database::open(files.identity(), storage::identitySchema(), access);
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
-  study.readHead();
+  study.readStudyRow();
   study.isWritable_ = access == Database::Access::ReadWrite;
   study.findKey();
   if (study.isWritable_) {
@@ -79,7 +79,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   return study;
 }
 
-void Study::readHead() {
+void Study::readStudyRow() {
   storage::Statement select(
       database_, "SELECT uuid, seed, random_version, created_utc FROM study WHERE id = 1");
   if (!select.step() || select.number(2) != base::kRandomVersion) {
@@ -110,7 +110,7 @@ void Study::readSecret() {
   isSealed_ = !committed.empty() && !found;
   if (isSealed_) found = storage::keptKey(committed);
   if (isSealed_ && !found) {
-    throw StorageError(storage::howToGetTheKey(folder_.string(), hasPassphrase()));
+    throw StorageError(storage::adviceOnMissingKey(folder_.string(), hasPassphrase()));
   }
   const bool isSound = committed.empty() || found->commitment() == committed;
   if (!isSound) {

@@ -147,7 +147,7 @@ class Study {
       storage::Database database,
       storage::Database traces,
       storage::Database identities);
-  void readHead();
+  void readStudyRow();
   void readSecret();
   void findKey() noexcept;
   void giveKey();

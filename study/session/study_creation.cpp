@@ -66,7 +66,7 @@ void begin(
     identities.put(secret);
   } else {
     storage::keepKey(secret, folder);
-    identities.putForFingerprints(secret.forFingerprints());
+    identities.storeFingerprintSecret(secret.forFingerprints());
   }
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
   // The row of the study is committed last. A folder without it was never finished, and

@@ -38,7 +38,7 @@ void requireLong(const std::string& passphrase) {
 /// What was changed before must not look sound when it is sealed.
 void requireSoundNames(Study& study) {
   auto& identities = study.identities();
-  if (!identities.hasOpenNames()) return;
+  if (!identities.hasUnsealedNames()) return;
   if (identities.damaged().empty() && checkIdentities(study).problems.empty()) return;
   throw storage::StorageError(
       "Names are not put behind a passphrase, because some of them were changed behind the "
@@ -54,7 +54,7 @@ void sealNamesOfOlderReleases(Study& study) {
     if (row.runMode == RunMode::Simulated || identities.hasDrawnKeys(row.participant)) continue;
     identities.drawMissingKey(storage::IdentityStore::Key::Identity, row.participant);
   }
-  for (const auto& participant : identities.sealOpenNames()) {
+  for (const auto& participant : identities.sealUnsealedNames()) {
     if (!study.secretOfFingerprints()) continue;
     study.note(
         {.kind = EventKind::NotedIdentities,
@@ -151,14 +151,14 @@ void dropKey(Study& study, const std::string& reason) {
   storage::dropKey(study.events().commitment());
 }
 
-bool hasOnlyKey(Study& study) {
+bool hasOnlyCopyOfKey(Study& study) {
   return study.isSealed() && study.hasKey() && !study.hasPassphrase() && !wasEverExported(study);
 }
 
 std::string sealInWords(Study& study) {
   if (study.events().commitment().empty() || study.protocol().protocol.isBlindingOpen) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
-  if (hasOnlyKey(study)) return "sealed; this account has the only key: save a copy of it";
+  if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
   const std::string passphrase = study.hasPassphrase() ? ", or a passphrase opens it" : "";
   return study.hasKey() ? "sealed; this account has the key" + passphrase
                         : "sealed; this account has not the key" + passphrase;

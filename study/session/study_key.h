@@ -48,7 +48,7 @@ void setPassphraseOfNames(
 void dropKey(Study& study, const std::string& reason);
 
 /// Whether this account has a key of which no copy was ever made.
-bool hasOnlyKey(Study& study);
+bool hasOnlyCopyOfKey(Study& study);
 
 /// Where the key of the study is, in a line for people: "sealed; this account has the key". Empty
 /// if there is nothing to seal.

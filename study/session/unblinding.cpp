@@ -23,7 +23,10 @@ void noteReport(
   const storage::Event event{
       .actor = storage::Actor::Operator,
       .kind = EventKind::Exported,
-      .values = {{"how", how}, {"run_mode", std::string(nameOf(mode))}, {"folder", asNoted(path)}}};
+      .values = {
+          {"how", how},
+          {"run_mode", std::string(nameOf(mode))},
+          {"folder", pathForAuditTrail(path)}}};
   try {
     if (study.isWritable()) return study.note(event);
     Study::open(study.folder(), study.clock()).note(event);

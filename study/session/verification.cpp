@@ -83,7 +83,7 @@ std::vector<std::string> remarksOn(Study& study) {
 /// Whether the files are whole; its remarks say who may read them.
 storage::Findings filesAndRights(Study& study) {
   storage::Findings findings{.problems = files(study)};
-  if (auto remark = remarkOnRights(study.folder()); !remark.empty()) {
+  if (auto remark = describeOtherAccess(study.folder()); !remark.empty()) {
     findings.remarks.push_back(std::move(remark));
   }
   return findings;
@@ -247,7 +247,7 @@ void checkTrace(
     Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
   const auto& visit = trial.step.visit;
   try {
-    const auto samples = study.traces().soundSamples(visit);
+    const auto samples = study.traces().intactSamples(visit);
     if (samples != trial.traceSamples) {
       problems.push_back(
           nameOf(visit) + ": " + std::to_string(samples) + " of " +
@@ -320,9 +320,9 @@ class OneMoment {
 
   void end() noexcept {
     for (auto* database : databases_) {
-      database->owesRollback();
+      database->scheduleRollback();
       try {
-        database->rollBackIfOwed();
+        database->rollBackIfScheduled();
       } catch (const storage::StorageError&) {
         continue;  // the next transaction of this connection rolls back first
       }
@@ -334,7 +334,7 @@ class OneMoment {
 
 }  // namespace
 
-std::string remarkOnRights(const std::filesystem::path& folder) {
+std::string describeOtherAccess(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   constexpr auto kOfOthers = fs::perms::group_all | fs::perms::others_all;
   std::error_code error;
@@ -399,7 +399,7 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
       return checkWitness(storage::TrailHeads(of.database()), witness);
     });
   }
-  result.head = study.events().headInWords();
+  result.head = study.events().headAsText();
   check(kOfTraces, [&](Study& of) { return traces(of, progress); });
   return result;
 }

@@ -37,7 +37,7 @@ struct VerifyOptions {
 
 /// That other accounts of the computer may enter the study's folder, and what to do; empty: only
 /// its owner may. Folders that release 0.1 made are open to all.
-std::string remarkOnRights(const std::filesystem::path& folder);
+std::string describeOtherAccess(const std::filesystem::path& folder);
 
 /// Reads a study to its last byte and checks the files and their references, the audit trail, every
 /// answer against it, the hashes of names and protocols, every order against the one drawn from the

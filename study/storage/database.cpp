@@ -93,7 +93,7 @@ Database::~Database() {
 Database::Database(Database&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, nullptr)),
-      owesRollback_(other.owesRollback_),
+      isRollbackScheduled_(other.isRollbackScheduled_),
       key_(other.key_) {}
 
 Database Database::create(const std::string& path, const Schema& schema) {
@@ -219,11 +219,11 @@ void Database::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(code, "write to");
 }
 
-void Database::rollBackIfOwed() {
+void Database::rollBackIfScheduled() {
   // In autocommit mode no transaction is open: SQLite rolls back by itself after some errors, for
   // example a full disk, and a ROLLBACK would then be an error.
-  if (owesRollback_ && sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
-  owesRollback_ = false;
+  if (isRollbackScheduled_ && sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
+  isRollbackScheduled_ = false;
 }
 
 bool Database::hasTable(const std::string& name) const {

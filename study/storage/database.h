@@ -53,10 +53,10 @@ class Database {
   /// Runs one or more statements without results. @throws StorageError
   void execute(const std::string& sql);
 
-  /// Marks the open transaction to be rolled back by rollBackIfOwed(): by the destructor of the
-  /// transaction or, if that fails, before the next one begins.
-  void owesRollback() noexcept { owesRollback_ = true; }
-  void rollBackIfOwed();
+  /// Marks the open transaction to be rolled back by rollBackIfScheduled(): by the destructor of
+  /// the transaction or, if that fails, before the next one begins.
+  void scheduleRollback() noexcept { isRollbackScheduled_ = true; }
+  void rollBackIfScheduled();
 
   /// False in a file of an older format that is only read.
   bool hasTable(const std::string& name) const;
@@ -115,7 +115,7 @@ class Database {
 
   std::string path_;
   sqlite3* handle_ = nullptr;
-  bool owesRollback_ = false;
+  bool isRollbackScheduled_ = false;
   std::optional<SealingKey> key_;
   bool areMeasurementsSealed_ = true;
 };

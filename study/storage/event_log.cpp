@@ -193,7 +193,7 @@ class Keys {
 };
 
 /// Whether an event of that kind tells what was rendered.
-bool tellsTheRendering(EventKind kind) {
+bool revealsCondition(EventKind kind) {
   return kind == EventKind::FinishedTrial || kind == EventKind::Passivity ||
          kind == EventKind::Torque || kind == EventKind::DeviceLink ||
          kind == EventKind::DeviceFault || kind == EventKind::View ||
@@ -363,7 +363,7 @@ std::vector<std::byte> EventLog::head() const {
   return last.step() ? last.blob(0) : std::vector<std::byte>();
 }
 
-std::string EventLog::headInWords() const {
+std::string EventLog::headAsText() const {
   Statement select(database_, "SELECT seq, lower(hex(hash)) FROM event ORDER BY seq DESC LIMIT 1");
   if (!select.step()) return {};
   std::string words = std::to_string(select.number(0)) + " events,";
@@ -444,7 +444,7 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
 
 std::optional<SealingKey> EventLog::keyOf(SessionId session, EventKind kind) const {
   auto own = keyOf(session);
-  const auto* key = tellsTheRendering(kind) ? database_.measurementKey() : nullptr;
+  const auto* key = revealsCondition(kind) ? database_.measurementKey() : nullptr;
   return own && key != nullptr ? key->joinedWith(*own) : own;
 }
 
@@ -461,7 +461,7 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
     const bool isOpen = row.sealed.empty() || keys.open(select.number(0), row);
     Event event{.actor = actorNamed(row.actor), .kind = eventKindNamed(row.kind)};
     if (event.kind == EventKind::Unknown) event.unknownName = row.kind;
-    const bool isHidden = !isOpen && studyKey() == nullptr && tellsTheRendering(event.kind) &&
+    const bool isHidden = !isOpen && studyKey() == nullptr && revealsCondition(event.kind) &&
                           keys.find(row.session.value_or(0)) != nullptr;
     event.isSealed = isHidden;
     event.isErased = !isOpen && !isHidden;

@@ -88,9 +88,9 @@ class EventLog {
 
   /// How many events there are, and the first 128 bits of the last one's hash in eight groups, to
   /// be read aloud: "812 events, 1a2b 3c4d 5e6f 7081 92a3 b4c5 d6e7 f809".
-  std::string headInWords() const;
+  std::string headAsText() const;
 
-  /// Whether some event has the head @p noted, as headInWords() gave it earlier, with or without
+  /// Whether some event has the head @p noted, as headAsText() gave it earlier, with or without
   /// the number of events before it. Then nothing up to that event was cut off or rewritten.
   /// @throws UserError  if it is no head.
   bool extends(const std::string& noted) const;

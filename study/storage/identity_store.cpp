@@ -273,12 +273,12 @@ bool IdentityStore::hasPassphrase() const {
   return Statement(database_, "SELECT 1 FROM wrapped_key").step();
 }
 
-bool IdentityStore::hasOpenNames() const {
+bool IdentityStore::hasUnsealedNames() const {
   const auto rows = nameRows(database_, std::nullopt);
   return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.sealed.empty(); });
 }
 
-std::set<std::string> IdentityStore::sealOpenNames() {
+std::set<std::string> IdentityStore::sealUnsealedNames() {
   std::set<std::string> sealed;
   Transaction transaction(database_);
   for (auto& row : nameRows(database_, std::nullopt)) {
@@ -355,7 +355,7 @@ std::optional<BlindingSecret> IdentityStore::blindingSecret() const {
   return secretIn(database_, "blinding_secret");
 }
 
-void IdentityStore::putForFingerprints(const BlindingSecret& secret) {
+void IdentityStore::storeFingerprintSecret(const BlindingSecret& secret) {
   insertSecret(database_, "fingerprint_key", secret);
 }
 

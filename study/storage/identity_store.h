@@ -76,10 +76,10 @@ class IdentityStore {
   /// Whether that key was not given to the database. Then no name can be read or added.
   bool isLocked() const { return database_.key() == nullptr && hasPassphrase(); }
   /// Whether a name is not sealed: an older release wrote it.
-  bool hasOpenNames() const;
+  bool hasUnsealedNames() const;
   /// Seals names that lie in the open although there is a key for them. One transaction. @return
   /// whose they are  @throws StorageError  if names are locked.
-  std::set<std::string> sealOpenNames();
+  std::set<std::string> sealUnsealedNames();
   /// Seals the keys of names with @p key. Inside the caller's transaction, which stores the key
   /// behind its passphrase, too; then it is given to the database.
   void sealKeysWith(const SealingKey& key);
@@ -90,7 +90,7 @@ class IdentityStore {
   std::optional<BlindingSecret> blindingSecret() const;
 
   /// What fingerprints of these rows are made with, if the secret is not here. One transaction.
-  void putForFingerprints(const BlindingSecret& secret);
+  void storeFingerprintSecret(const BlindingSecret& secret);
   std::optional<BlindingSecret> secretOfFingerprints() const;
 
   /// The rows that differ from what was written, or cannot be opened, by participant and item.

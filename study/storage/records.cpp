@@ -28,7 +28,7 @@ std::string stepColumns(const Database& database) {
   return std::string(kStepColumns) + sealedColumn(database);
 }
 
-VisitKey visitIn(const Statement& row) {
+VisitKey readVisitKey(const Statement& row) {
   return {
       SessionId{row.number(0)}, static_cast<int>(row.number(1)), static_cast<int>(row.number(2))};
 }
@@ -51,7 +51,7 @@ struct ConditionCell {
 };
 
 StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
-  const auto visit = visitIn(row);
+  const auto visit = readVisitKey(row);
   return {
       .visit = visit,
       .kind = known(stepKindNamed(row.text(3)), row.text(3)),
@@ -235,14 +235,14 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   const ConditionCell condition{database_, conditions_};
   bool isThere = answers.step();  // from now on both queries see the same state of the database
   while (visits.step() && isThere) {
-    const auto visit = visitIn(visits);
+    const auto visit = readVisitKey(visits);
     auto& items = counted[{
         visits.text(3),
         visits.text(4),
         visits.text(5),
         condition.in(visits, 6, 7, visit.session, visit.step)}];
-    while (isThere && visitIn(answers) < visit) isThere = answers.step();
-    for (; isThere && visitIn(answers) == visit; isThere = answers.step()) {
+    while (isThere && readVisitKey(answers) < visit) isThere = answers.step();
+    for (; isThere && readVisitKey(answers) == visit; isThere = answers.step()) {
       ++items[answers.text(3)][answers.number(4)];
     }
   }
@@ -322,7 +322,7 @@ std::vector<CutRecord> Records::cuts() const {
   std::vector<CutRecord> cuts;
   while (select.step()) {
     cuts.push_back(
-        {.visit = visitIn(select),
+        {.visit = readVisitKey(select),
          .number = static_cast<int>(select.number(3)),
          .interceptionTravel = select.optionalReal(4),
          .interceptionForce = select.optionalReal(5),
@@ -342,7 +342,7 @@ std::vector<CutRecord> Records::cuts() const {
           sealedTrialColumn(database_) +
           " AS sealed FROM trial AS x) AS x WHERE sealed IS NOT NULL");
   while (sealed.step()) {
-    const auto visit = visitIn(sealed);
+    const auto visit = readVisitKey(sealed);
     addCuts(visit, measuredIn(openedMeasurements(database_.key(), visit, sealed.blob(3))), cuts);
   }
   std::sort(cuts.begin(), cuts.end(), [](const CutRecord& a, const CutRecord& b) {

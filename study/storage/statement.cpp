@@ -150,15 +150,15 @@ std::string Statement::exactBytes(int column) const {
 }
 
 Transaction::Transaction(Database& database) : database_(database) {
-  database_.rollBackIfOwed();
+  database_.rollBackIfScheduled();
   database_.execute("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
   if (!isOpen_) return;
   try {
-    database_.owesRollback();
-    database_.rollBackIfOwed();
+    database_.scheduleRollback();
+    database_.rollBackIfScheduled();
   } catch (const StorageError&) {
     // Still marked: the next transaction rolls it back before it begins.
   }
@@ -166,7 +166,7 @@ Transaction::~Transaction() {
 
 void Transaction::commit() {
   // If COMMIT throws, the transaction stays open here and the destructor rolls it back, unless
-  // SQLite has ended it already (see Database::rollBackIfOwed()).
+  // SQLite has ended it already (see Database::rollBackIfScheduled()).
   database_.execute("COMMIT");
   isOpen_ = false;
 }

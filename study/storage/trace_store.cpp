@@ -55,7 +55,7 @@ std::optional<std::string> opened(
     const std::vector<std::byte>& sealed,
     const VisitKey& visit,
     std::int64_t number) {
-  if (database.key() == nullptr) throw StorageError(howToGetTheKey("DIR", false));
+  if (database.key() == nullptr) throw StorageError(adviceOnMissingKey("DIR", false));
   return database.key()->open(sealed, placeOf(visit, number));
 }
 
@@ -157,7 +157,7 @@ void TraceStore::failAt(std::int64_t chunk) const {
       message("traces.damaged", database_.path(), chunk + 1), StorageError::Kind::Damaged);
 }
 
-std::int64_t TraceStore::soundSamples(const VisitKey& visit) const {
+std::int64_t TraceStore::intactSamples(const VisitKey& visit) const {
   if (database_.key() != nullptr) return static_cast<std::int64_t>(read(visit).size());
   Statement select(
       database_,

@@ -53,7 +53,7 @@ class TraceStore {
 
   /// How many samples of a trial are stored as they were written; needs no key.
   /// @throws StorageError  (Damaged) as read()
-  std::int64_t soundSamples(const VisitKey& visit) const;
+  std::int64_t intactSamples(const VisitKey& visit) const;
 
   std::int64_t sampleCount(const VisitKey& visit) const;
 

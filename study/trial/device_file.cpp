@@ -104,7 +104,7 @@ int readBaud(const Node& node) {
   node.problem(
       "baud",
       "a serial port cannot go at " + std::to_string(baud) + " baud",
-      "write 0 for USB, or " + haptics::devices::SerialPort::speeds());
+      "write 0 for USB, or " + haptics::devices::SerialPort::supportedSpeeds());
   return 0;
 }
 

@@ -44,7 +44,7 @@ void keepPace(SimulatedHand::Person& person, double mostFeed) {
 
 }  // namespace
 
-double mostFeedOn(const protocols::Protocol& protocol, const std::string& device) {
+double feedLimitOn(const protocols::Protocol& protocol, const std::string& device) {
   double slowest = std::numeric_limits<double>::infinity();
   for (const auto& condition : protocol.conditions) {
     if (condition.device != device) continue;

@@ -58,7 +58,7 @@ class SimulatedDeviceSet final : public DeviceSet {
 
 /// The slowest feed that a reamer of @p protocol has on @p device [m/s]; infinite where nothing
 /// that is felt on it limits a tool.
-double mostFeedOn(const protocols::Protocol& protocol, const std::string& device);
+double feedLimitOn(const protocols::Protocol& protocol, const std::string& device);
 
 /// The hand of a simulated participant, drawn from the study's seed.
 ///

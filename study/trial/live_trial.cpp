@@ -39,14 +39,14 @@ void LiveTrial::tick(double dt, double lateness) noexcept {
   travel_.store(sample.travel, std::memory_order_relaxed);
   force_.store(sample.force, std::memory_order_relaxed);
   sampleTime_.store(sampleTime, std::memory_order_relaxed);
-  followTheCut(sample.landmark);
+  onCutLandmark(sample.landmark);
   if (sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted) {
     isDeviceGone_.store(true, std::memory_order_relaxed);
   }
   toKeep_->push(sample);
 }
 
-void LiveTrial::followTheCut(haptics::models::CutDetector<double>::Event landmark) noexcept {
+void LiveTrial::onCutLandmark(haptics::models::CutDetector<double>::Event landmark) noexcept {
   using enum haptics::models::CutDetector<double>::Event;
   if (landmark == Yield || landmark == BottomOut) {
     isCutThrough_.store(true, std::memory_order_relaxed);

@@ -57,7 +57,7 @@ class LiveTrial {
   using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
   void tick(double dt, double lateness) noexcept;
-  void followTheCut(haptics::models::CutDetector<double>::Event landmark) noexcept;
+  void onCutLandmark(haptics::models::CutDetector<double>::Event landmark) noexcept;
   void record(const std::stop_token& stop);
   void drain();
 

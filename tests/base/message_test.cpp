@@ -11,7 +11,7 @@ inline constexpr auto kKinds = std::to_array<MessageKind>({
 });
 
 template <typename... Arguments>
-Message message(KeyIn<kKinds, sizeof...(Arguments)> key, Arguments&&... arguments) {
+Message message(CheckedKey<kKinds, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return messageOf<kKinds>(key, std::forward<Arguments>(arguments)...);
 }
 

@@ -44,7 +44,7 @@ class Walked {
       const std::size_t samples = isWhole ? 500 : 50;
       const auto ticks = static_cast<std::int64_t>(samples);
       study_->traces().add(session.visit(), 0, std::vector<study::storage::TraceSample>(samples));
-      session.breakOffTrial(
+      session.abortTrial(
           {.ending = study::TrialEnding::Stopped, .ticks = ticks, .traceSamples = ticks});
       session.repeatStep("another attempt");
       if (isWhole) tests::walkToTheEnd(session);

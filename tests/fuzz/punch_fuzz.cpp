@@ -38,7 +38,7 @@ void checkAll(const Frame& frame) {
   check<Event>(frame);
   check<Model>(frame);
   check<ModelTable>(frame);
-  check<ModelTaken>(frame);
+  check<ModelReply>(frame);
   check<Render>(frame);
   check<Stop>(frame);
 }

@@ -82,7 +82,7 @@ TEST(ProtocolKeys, DescribeTheScenes) {
   ASSERT_EQ(cut.curve.size(), 2U);  // cuts/two-points.json
   EXPECT_EQ(cut.curve[1].force, 4.25);
   const auto curve = cut.options;
-  EXPECT_EQ(curve.beyond, models::BeyondCurve::Hold);
+  EXPECT_EQ(curve.extrapolation, models::Extrapolation::Hold);
   EXPECT_EQ(curve.rampLength, 0.5);
 
   const auto elastic = sceneOf<engine::FiniteElementsSpec>(protocol, "elastic").parameters;
@@ -104,7 +104,7 @@ TEST(ProtocolKeys, DescribeTheScenes) {
 TEST(ProtocolKeys, DescribeTheKalmanFilter) {
   const auto protocol = readGood("every-key");
   const auto fused = sceneOf<engine::KalmanSpec>(protocol, "fused");
-  EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Zero);
+  EXPECT_EQ(fused.interpolation.options.extrapolation, models::Extrapolation::Zero);
   EXPECT_EQ(fused.scheme, models::KalmanScheme::Sequential);
   EXPECT_EQ(fused.smoothing, models::Smoothing::TwoPoint);
   EXPECT_FALSE(fused.isProcessAsPrinted);
@@ -222,12 +222,12 @@ TEST(ProtocolKeys, HaveSoundDefaultsForModels) {
   const auto parametric = haptics::recordings::parametricCut().curve.nodes().size() + 1;
   EXPECT_EQ(soft.curve.size(), parametric);
   const auto options = soft.options;
-  EXPECT_EQ(options.beyond, models::BeyondCurve::RampOut);
+  EXPECT_EQ(options.extrapolation, models::Extrapolation::RampOut);
   EXPECT_EQ(options.rampLength, 1.5);
 
   const auto kalman = readGood("usual-kalman");
   const auto fused = sceneOf<engine::KalmanSpec>(kalman, "soft");
-  EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Absent);
+  EXPECT_EQ(fused.interpolation.options.extrapolation, models::Extrapolation::Absent);
   EXPECT_EQ(fused.interpolation.curve.size(), parametric);
   EXPECT_EQ(fused.finiteElements.parameters.elements, 5);
   EXPECT_EQ(fused.finiteElements.parameters.yieldForce, 7.0);

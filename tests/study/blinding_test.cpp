@@ -164,7 +164,7 @@ class BlindedStudy : public testing::Test {
     const auto folder = study_.scratch() / name;
     exportStudy(*study_, folder, {.format = format, .runMode = RunMode::Live});
     auto contents = contentsOf(folder);
-    const auto head = study_->events().headInWords();
+    const auto head = study_->events().headAsText();
     for (auto& [file, content] : contents) {
       if (const auto at = content.find(head); at != std::string::npos) {
         content.erase(at, head.size());

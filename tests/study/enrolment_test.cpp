@@ -62,7 +62,7 @@ void decline(Session& session) {
 void giveUp(Session& session) {
   tests::walkTo(session, StepKind::Trial);
   session.beginTrial();
-  session.breakOffTrial({.ending = TrialEnding::DeviceGone});
+  session.abortTrial({.ending = TrialEnding::DeviceGone});
   session.giveUpOnDevice("the cable is torn");
 }
 

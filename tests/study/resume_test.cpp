@@ -76,7 +76,7 @@ TEST_F(ResumeTest, CountsARunningTrialAsBrokenOff) {
 TEST_F(ResumeTest, StaysInterruptedUntilTheOperatorDecides) {
   tests::walkTo(*session_, StepKind::Trial);
   session_->beginTrial();
-  session_->breakOffTrial({.ending = TrialEnding::DeviceGone});
+  session_->abortTrial({.ending = TrialEnding::DeviceGone});
   EXPECT_EQ(again().state(), SessionState::Interrupted);
   EXPECT_EQ(storage::Records(study_->database()).trials().size(), 1U);
   session_->skipStep("no device");

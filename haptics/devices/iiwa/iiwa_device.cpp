@@ -124,10 +124,10 @@ void IiwaDevice::awaitMessages() {
     capabilities_.rate = 1e9 / static_cast<double>(period_ * std::max<std::int64_t>(multiplier, 1));
     return;
   }
-  throw DeviceError(name() + whyNothingIsHeard());
+  throw DeviceError(name() + describeSilence());
 }
 
-std::string IiwaDevice::whyNothingIsHeard() const {
+std::string IiwaDevice::describeSilence() const {
   if (report_.damaged > 0) {
     return " sends what cannot be read as FRI " + std::string(nameOf(settings_.version)) +
            ". Correct fri_version in the device file.";
@@ -145,7 +145,7 @@ std::string IiwaDevice::whyNothingIsHeard() const {
          "client.";
 }
 
-std::int64_t IiwaDevice::silence() const noexcept {
+std::int64_t IiwaDevice::timeSinceLastMessage() const noexcept {
   return std::min(kMissedCycles * period_, kMostSilence);
 }
 
@@ -212,12 +212,12 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;
   robot_.port = received.from.port;  // the first to send from the robot's address is the robot
   heard_ = message;
-  follow(at);
+  updateMotion(at);
   return true;
 }
 
 /// Where the arm is, and how it moves, by the message that has just come.
-void IiwaDevice::follow(std::int64_t at) noexcept {
+void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   const std::int64_t before = deviceTime_;
   hostTime_ = at;
   isNew_ = true;
@@ -301,7 +301,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
       .hostTime = hostTime_};
   if (!isNew_) {
     ++report_.stale;
-    if (timing::now() - hostTime_ <= silence()) return sample;
+    if (timing::now() - hostTime_ <= timeSinceLastMessage()) return sample;
     fail("it has missed 20 cycles, or been silent for 50 ms");
     return {.status = DeviceStatus::Gone};
   }

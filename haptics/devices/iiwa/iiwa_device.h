@@ -81,7 +81,7 @@ class IiwaDevice final : public WireDevice {
   void awaitReadiness() override;
   void beginForces() noexcept override;
   bool take(const DatagramSocket::Received& received, std::int64_t at) noexcept;
-  void follow(std::int64_t at) noexcept;
+  void updateMotion(std::int64_t at) noexcept;
   void answer(double force, double torque) noexcept;
   void overlayInto(wire::fri::CommandData& data, double force, double torque) noexcept;
   const char* whatIsWrong() const noexcept;
@@ -94,9 +94,9 @@ class IiwaDevice final : public WireDevice {
     std::optional<wire::fri::ClientCommandMode> mode;  ///< that the robot has named
   };
   Listening listen(double seconds);
-  std::string whyNothingIsHeard() const;
+  std::string describeSilence() const;
   void awaitMessages();
-  std::int64_t silence() const noexcept;
+  std::int64_t timeSinceLastMessage() const noexcept;
   SessionState state() const noexcept;
 
   IiwaSettings settings_;

@@ -23,7 +23,7 @@ const DeviceKind& reamerKind() {
   static const DeviceKind kind{
       .name = "reamer",
       .tissue = Tissue::Bone,
-      .view = View::Cup,
+      .view = View::Hip,
       .wire = Wire::Fri,
       // Reaming by hand stays below 0.1 m/s.
       .travel =

@@ -54,8 +54,8 @@ void PunchDevice::open() {
   decoder_ = {};
   isGreeted_ = false;
   try {
-    greet();
-    refuseStranger();
+    exchangeHello();
+    refuseOtherBoard();
   } catch (...) {
     port_.close();
     throw;
@@ -69,7 +69,7 @@ void PunchDevice::open() {
   beginKeeping();
 }
 
-void PunchDevice::greet() {
+void PunchDevice::exchangeHello() {
   const std::int64_t until = timing::now() + kHelloTime;
   int asked = 0;
   greetings_ = 0;
@@ -96,7 +96,7 @@ void PunchDevice::greet() {
       "board run palpate's firmware (docs/devices.md)?");
 }
 
-void PunchDevice::refuseStranger() const {
+void PunchDevice::refuseOtherBoard() const {
   if (hello_.protocolVersion != kProtocolVersion) {
     throw DeviceError(
         name() + " speaks version " + std::to_string(hello_.protocolVersion) +
@@ -194,8 +194,8 @@ void PunchDevice::take(const Frame& frame, std::int64_t at) noexcept {
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return;
   if (frame.type == Type::State) {
     takeState(frame, at);
-  } else if (frame.type == Type::ModelTaken) {
-    ModelTaken answer;
+  } else if (frame.type == Type::ModelReply) {
+    ModelReply answer;
     if (wire::punch::read(frame, answer)) taken_ = answer;
   }
 }
@@ -248,7 +248,7 @@ DeviceSample PunchDevice::read(double) noexcept {
   isNew_ = false;
   isUnanswered_ = true;
   const std::uint8_t faults = faultsThatCount();
-  if (faults == 0 && settings_.kind->serial.mayBeAt(sample.travel)) return sample;
+  if (faults == 0 && settings_.kind->serial.canReach(sample.travel)) return sample;
   fail(
       faults == 0                     ? "it is where it cannot be: its encoder has lost count"
       : (faults & kDriverFault) != 0  ? "the motor's driver reports a fault"

@@ -65,9 +65,9 @@ class PunchDevice final : public WireDevice {
   bool drain() noexcept;
   void take(const wire::punch::Frame& frame, std::int64_t at) noexcept;
   void takeState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
-  void greet();
-  void refuseStranger() const;
-  wire::punch::ModelTaken answerTo(std::int64_t deadline);
+  void exchangeHello();
+  void refuseOtherBoard() const;
+  wire::punch::ModelReply answerTo(std::int64_t deadline);
   template <typename Message>
   void send(const Message& message) noexcept {
     std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes{};
@@ -86,7 +86,7 @@ class PunchDevice final : public WireDevice {
   wire::punch::Hello hello_;
   bool isGreeted_ = false;
   int greetings_ = 0;  ///< number of Hello messages received
-  std::optional<wire::punch::ModelTaken> taken_;
+  std::optional<wire::punch::ModelReply> taken_;
   std::optional<std::uint32_t> sceneHash_;
 
   wire::SequenceCheck<std::uint16_t> sequence_;

@@ -43,7 +43,7 @@ void put(Model& model, const engine::FiniteElementsSpec& spec) {
 
 void put(Model& model, const engine::InterpolationSpec& spec) {
   model.tableSize = static_cast<std::uint8_t>(spec.curve.size());
-  model.beyond = static_cast<std::uint8_t>(spec.options.beyond);
+  model.extrapolation = static_cast<std::uint8_t>(spec.options.extrapolation);
   model.rampLength = f32(spec.options.rampLength);
 }
 
@@ -116,7 +116,7 @@ std::uint32_t hashOf(const Message& message, std::uint32_t before) {
 
 }  // namespace
 
-ModelTaken PunchDevice::answerTo(std::int64_t deadline) {
+ModelReply PunchDevice::answerTo(std::int64_t deadline) {
   while (!taken_ && port_.isOpen() && timing::now() < deadline) {
     isNew_ = false;
     waitForMessage(deadline);
@@ -150,7 +150,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
     return answerTo(timing::now() + 500 * timing::kMillisecond);
   };
   std::uint32_t hash = hashOf(model, 0);
-  ModelTaken answer;
+  ModelReply answer;
   try {
     answer = ask(model);
     for (const auto& table : messages.tables) {
@@ -162,7 +162,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
     throw;
   }
   startKeeper();
-  if (answer.verdict != ModelVerdict::Taken || answer.hash != hash) {
+  if (answer.verdict != ModelVerdict::Accepted || answer.hash != hash) {
     throw DeviceError(
         name() + " did not take the scene as it was sent (" +
         (answer.verdict == ModelVerdict::Unsound ? "it finds it unsound" : "its hash differs") +

@@ -118,9 +118,9 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   // bone; the force is the spring's. It is a god-object that can cut.
   felt.contact = field_.touch(tool_, true);
   const Vec3 out = outOf(felt.contact);
-  follow(device, felt.contact, out, dt);
+  moveTool(device, felt.contact, out, dt);
   cut();
-  tidy();
+  compactChanges();
   if (felt.contact.area <= 0.0) return felt;
   // Bone pushes, and never pulls a hand that is faster than the tool.
   const Vec3 held = tool_.centre - device.centre;
@@ -151,7 +151,7 @@ Vec3 Bone::outOf(const ReamerContact& contact) const noexcept {
 }
 
 /// Lets the tool go where the device pulls it and the bone lets it.
-void Bone::follow(
+void Bone::moveTool(
     const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept {
   const Vec3 axis = tool_.axis;
   Vec3 gap = device.centre - tool_.centre;
@@ -182,7 +182,7 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   const Vec3 normal = dot(gap, out) * out;
   const Vec3 across = gap - normal;
   const Vec3 back = push <= 0.0 ? normal : Vec3{};
-  // Coulomb's cone in lengths of the spring: what friction holds, the spring stretches.
+  // The friction cone as a length of the coupling's spring: up to that length friction holds.
   const double held = options_.friction * std::max(push, 0.0) / options_.coupling;
   const double slip = length(across) - held;
   return slip > 0.0 ? back + atMost(across, slip) : back;
@@ -222,19 +222,19 @@ void Bone::empty(std::uint32_t slot) noexcept {
   auto& group = field_.group(slot);
   group.radius[slot % kLanes] = 0.0F;
   group.depth[slot % kLanes] = 0.0F;
-  tell(slot);
+  noteChange(slot);
 }
 
-void Bone::tell(std::uint32_t slot) noexcept {
+void Bone::noteChange(std::uint32_t slot) noexcept {
   if (changed_.size() < kMostChanges) {
     changed_.push_back(slot);
   } else {
-    ++untold_;
+    ++dropped_;
   }
 }
 
 /// Looks after a few of the spheres that are partly cut.
-void Bone::tidy() noexcept {
+void Bone::compactChanges() noexcept {
   for (std::size_t looked = 0; looked < kTidiedAtOnce && !partial_.empty(); ++looked) {
     if (next_ >= partial_.size()) next_ = 0;
     const std::uint32_t slot = partial_[next_];
@@ -288,7 +288,7 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
   group.depth[lane] = 0.0F;
   group.radius[lane] = std::nextafter(static_cast<float>(main), 0.0F);
   field_.move(slot, middle);
-  tell(slot);
+  noteChange(slot);
   std::array<std::uint32_t, 4> spheres{slot};
   std::size_t count = 1;
   // A sphere of radius b beside the main one (radius m), touching it, the flat cut and the old
@@ -310,7 +310,7 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
       other.depth[free % kLanes] = 0.0F;
       field_.move(free, place);
       spheres[count++] = static_cast<std::uint32_t>(free);
-      tell(static_cast<std::uint32_t>(free));
+      noteChange(static_cast<std::uint32_t>(free));
     }
   }
   double volume = 0.0;

@@ -64,7 +64,7 @@ class Bone {
   /// Slots that the last step emptied, shrank, moved or filled, for the eye.
   std::span<const std::uint32_t> changed() const noexcept { return changed_; }
   /// Changes that found no room in the list.
-  std::uint64_t untoldChanges() const noexcept { return untold_; }
+  std::uint64_t droppedChanges() const noexcept { return dropped_; }
   /// Whether all spheres have been seen to be clear of the device since it began or was reset.
   /// Until then some are looked at in every step.
   bool isOutside() const noexcept { return isOutside_; }
@@ -75,16 +75,16 @@ class Bone {
   bool isWholeAgain() noexcept;
   bool isClear() noexcept;
   Vec3 outOf(const ReamerContact& contact) const noexcept;
-  void follow(const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept;
+  void moveTool(const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept;
   Vec3 slideOf(Vec3 gap, Vec3 out, double push) const noexcept;
   void cut() noexcept;
   void cutSlot(std::uint32_t slot) noexcept;
-  void tidy() noexcept;
+  void compactChanges() noexcept;
   bool isLeft(std::uint32_t slot) const noexcept;
   void leaveRemainder(std::uint32_t slot) noexcept;
   double massOf(std::uint32_t slot) const noexcept;
   void empty(std::uint32_t slot) noexcept;
-  void tell(std::uint32_t slot) noexcept;
+  void noteChange(std::uint32_t slot) noexcept;
 
   BoneOptions options_;
   bool isSpinning_;
@@ -95,7 +95,7 @@ class Bone {
   std::vector<char> isPartial_;
   std::vector<std::uint32_t> deeper_;  ///< room for what a step cuts
   std::vector<std::uint32_t> changed_;
-  std::uint64_t untold_ = 0;
+  std::uint64_t dropped_ = 0;
   std::uint64_t restorations_ = 0;
   std::size_t pending_ = 0;   ///< steps until all that lies behind the surface is cut
   std::size_t part_ = 0;      ///< whose turn it is

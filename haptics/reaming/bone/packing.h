@@ -32,7 +32,7 @@ inline double length(Vec3 a) noexcept {
 }
 
 /// The nearest place of a solid's surface.
-struct Boundary {
+struct SurfacePoint {
   double distance = 0.0;  ///< signed: above 0 inside [m]
   Vec3 inward;            ///< where that distance grows: a unit vector
 };
@@ -46,7 +46,7 @@ class Solid {
   Solid& operator=(const Solid&) = delete;
 
   /// Any number of threads.
-  virtual Boundary nearest(Vec3 place) const noexcept = 0;
+  virtual SurfacePoint nearest(Vec3 place) const noexcept = 0;
 
   virtual Vec3 lowest() const noexcept = 0;   ///< corner of its box
   virtual Vec3 highest() const noexcept = 0;  ///< and the opposite one

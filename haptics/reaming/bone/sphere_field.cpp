@@ -131,23 +131,23 @@ KernelReamer inSinglePrecision(const Reamer& reamer) noexcept {
 
 /// Hands over stretches many at a time.
 template <typename Work>
-void SphereField::together(const Reamer& reamer, Work work) const {
+void SphereField::runInParallel(const Reamer& reamer, Work work) const {
   constexpr std::size_t kTogether = 512;
-  std::array<Stretch, kTogether> stretches;
+  std::array<GroupRange, kTogether> stretches;
   std::size_t count = 0;
-  eachStretch(reamer, [&](std::uint32_t begin, std::uint32_t end) {
+  forEachRange(reamer, [&](std::uint32_t begin, std::uint32_t end) {
     stretches[count++] = {begin, end};
     if (count < kTogether) return;
-    work(std::span<const Stretch>(stretches).first(count));
+    work(std::span<const GroupRange>(stretches).first(count));
     count = 0;
   });
-  work(std::span<const Stretch>(stretches).first(count));
+  work(std::span<const GroupRange>(stretches).first(count));
 }
 
 ReamerContact SphereField::touch(const Reamer& reamer, bool isCut) const noexcept {
   const auto tool = inSinglePrecision(reamer);
   KernelSums sums;
-  together(reamer, [&](std::span<const Stretch> stretches) {
+  runInParallel(reamer, [&](std::span<const GroupRange> stretches) {
     addSpheres(groups_.data(), stretches, tool, isCut, sums);
   });
   using Sums = KernelSums;
@@ -181,7 +181,7 @@ std::size_t SphereField::findDeeper(
   const auto tool = inSinglePrecision(reamer);
   std::size_t count = 0;
   std::size_t seen = 0;
-  together(reamer, [&](std::span<const Stretch> stretches) {
+  runInParallel(reamer, [&](std::span<const GroupRange> stretches) {
     for (const auto& stretch : stretches) {
       if (seen++ % parts != part) continue;
       count +=
@@ -191,7 +191,7 @@ std::size_t SphereField::findDeeper(
   return count;
 }
 
-Plunge plungeInto(const SphereField& field, double radius) {
+StrokeRange strokeInto(const SphereField& field, double radius) {
   // A sphere is first touched, teeth foremost, where the reamer's centre is √((R+r)² − ρ²) before
   // it, ρ its distance from the axis.
   double start = std::numeric_limits<double>::infinity();

@@ -58,7 +58,7 @@ class SphereField {
   /// Calls @p see with every stretch of groups, from and to, that together hold all spheres that
   /// the surface of @p reamer may cut.
   template <typename See>
-  void eachStretch(const Reamer& reamer, See see) const;
+  void forEachRange(const Reamer& reamer, See see) const;
 
   /// A slot is a lane of a group: slot / kLanes, slot % kLanes.
   std::size_t slotCount() const noexcept { return kLanes * groups_.size(); }
@@ -94,7 +94,7 @@ class SphereField {
   }
   std::size_t cellOf(Vec3 place) const noexcept;
   template <typename Work>
-  void together(const Reamer& reamer, Work work) const;
+  void runInParallel(const Reamer& reamer, Work work) const;
   void layOut(const Packing& packing, std::size_t cells);
 
   Vec3 low_;
@@ -107,7 +107,7 @@ class SphereField {
 };
 
 template <typename See>
-void SphereField::eachStretch(const Reamer& reamer, See see) const {
+void SphereField::forEachRange(const Reamer& reamer, See see) const {
   // The surface is a shell: outer and inner reach of spheres that it may cut.
   const double pad = largest_ + drift_;
   const double outer = reamer.radius + pad;
@@ -170,7 +170,7 @@ void SphereField::eachStretch(const Reamer& reamer, See see) const {
 
 /// The one way that the experiment knows: a reamer along +z through the origin of the bone's frame,
 /// from just before it first touches (reaming paper, "Experimental setup").
-struct Plunge {
+struct StrokeRange {
   double radius = 0.026;  ///< of the reamer [m]
   double start = 0.0;     ///< z of its centre at a depth of 0 [m]
 
@@ -179,6 +179,6 @@ struct Plunge {
 
 /// The plunge that begins 10 µm before the reamer first touches a sphere of @p field.
 /// @throws std::invalid_argument  if it never does.
-Plunge plungeInto(const SphereField& field, double radius);
+StrokeRange strokeInto(const SphereField& field, double radius);
 
 }  // namespace haptics::reaming

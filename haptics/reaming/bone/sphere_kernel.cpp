@@ -109,7 +109,7 @@ PALPATE_INLINE void flush(Partial& partial, KernelSums& sums) {
 template <bool kIsCut>
 PALPATE_INLINE void add(
     const SphereGroup* groups,
-    std::span<const Stretch> stretches,
+    std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     KernelSums& sums) {
   constexpr std::size_t kAtMost = 1024;  // groups; rounding adds up to 1024 · 2⁻²⁴ = 6e-5 at most
@@ -132,7 +132,7 @@ PALPATE_INLINE void add(
 PALPATE_FOR_THIS_PROCESSOR
 void addSpheres(
     const SphereGroup* groups,
-    std::span<const Stretch> stretches,
+    std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     bool isCut,
     KernelSums& sums) noexcept {
@@ -146,7 +146,7 @@ void addSpheres(
 PALPATE_FOR_THIS_PROCESSOR
 std::size_t findDeeper(
     const SphereGroup* groups,
-    std::span<const Stretch> stretches,
+    std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     std::span<std::uint32_t> found) noexcept {
   std::size_t count = 0;

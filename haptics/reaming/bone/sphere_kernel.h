@@ -27,7 +27,7 @@ struct alignas(64) SphereGroup {
 };
 
 /// Groups from begin to end.
-struct Stretch {
+struct GroupRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
@@ -57,7 +57,7 @@ inline constexpr float kReleaseShare = 0.02F;
 /// Adds what is in @p stretches of @p groups; with @p isCut without what has been cut off.
 void addSpheres(
     const SphereGroup* groups,
-    std::span<const Stretch> stretches,
+    std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     bool isCut,
     KernelSums& sums) noexcept;
@@ -66,7 +66,7 @@ void addSpheres(
 /// @param found  takes their slots, group by group. @return how many, at most as many as it takes.
 std::size_t findDeeper(
     const SphereGroup* groups,
-    std::span<const Stretch> stretches,
+    std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     std::span<std::uint32_t> found) noexcept;
 

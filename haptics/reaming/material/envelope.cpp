@@ -67,7 +67,7 @@ class StatisticAlongDepth {
       auto moved = now;  // today's values with the shares of the place before
       for (std::size_t i = 0; i < moved.size(); ++i) moved[i].share = before_[i].share;
       const double values = statistic_(moved);
-      follow(values - value_, value - values);
+      addChange(values - value_, value - values);
     }
     before_ = now;
     value_ = value;
@@ -76,7 +76,7 @@ class StatisticAlongDepth {
 
  private:
   /// @param rise  because values have changed. @param change  because shares have.
-  void follow(double rise, double change) {
+  void addChange(double rise, double change) {
     risen_ += rise;
     if (added_ == 0.0) highest_ = risen_;
     if (risen_ > highest_) {

@@ -67,7 +67,7 @@ SpecimenCurve specimenOf(
     return {std::move(stretched), scale, curve.y.back(), isCensored};
   }
   const double step = scale / static_cast<double>(kPlaces - 1);
-  return {atPlaces(curve, scale, kPlaces), curve.x.back(), endOf(curve, step), isCensored};
+  return {resampled(curve, scale, kPlaces), curve.x.back(), endOf(curve, step), isCensored};
 }
 
 DepthEnvelope envelopeOf(
@@ -167,7 +167,7 @@ std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope) {
   return left;
 }
 
-std::vector<std::string> whatKeepsTheOrder(const FitOptions& options) {
+std::vector<std::string> optionsThatKeepOrder(const FitOptions& options) {
   std::vector<std::string> changes;
   if (options.envelope != EnvelopeRule::Pointwise) changes.emplace_back("--envelope pointwise");
   if (options.spline == SplineKind::NaturalCubic) {

@@ -15,7 +15,7 @@
 
 namespace haptics::reaming {
 
-/// What the curves of a test set lie over.
+/// The abscissa of the curves of a test set.
 enum class DepthAxis {
   Depth,  ///< [m]: a specimen counts at the depths at which it was measured
   /// Shares of the largest displacement of the test set, tests that have ended being absent: one
@@ -113,7 +113,7 @@ PreparedSeries prepared(const Series& series, const FitOptions& options);
 
 /// The options of `palpate material fit` to change so that curves are in order everywhere; empty if
 /// they are.
-std::vector<std::string> whatKeepsTheOrder(const FitOptions& options);
+std::vector<std::string> optionsThatKeepOrder(const FitOptions& options);
 
 /// Where a harder curve of an envelope lies below a softer one: there a higher hardness feels
 /// softer.

@@ -21,7 +21,7 @@ struct Piece {
 };
 
 /// Of a local kind: only what was split has to be looked at again.
-std::vector<std::size_t> greedyByPieces(const NodeError& error, double wanted) {
+std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wanted) {
   const auto pieceOf = [&](std::size_t from, std::size_t to) {
     const auto worst = error.between(from, to);
     return Piece{worst.error, worst.at, from, to};
@@ -43,7 +43,7 @@ std::vector<std::size_t> greedyByPieces(const NodeError& error, double wanted) {
 }
 
 /// Of a kind whose pieces depend on each other: every node changes all of them.
-std::vector<std::size_t> greedyAsAWhole(const NodeError& error, double wanted) {
+std::vector<std::size_t> greedyAsAWhole(const SplineDeviation& error, double wanted) {
   std::vector<std::size_t> nodes{0, error.size() - 1};
   for (auto worst = error.through(nodes); worst.error > wanted; worst = error.through(nodes)) {
     nodes.insert(std::upper_bound(nodes.begin(), nodes.end(), worst.at), worst.at);
@@ -52,7 +52,7 @@ std::vector<std::size_t> greedyAsAWhole(const NodeError& error, double wanted) {
 }
 
 /// |f″| of each sample, by the slopes of its neighbours.
-std::vector<double> curvatures(const NodeError& error) {
+std::vector<double> curvatures(const SplineDeviation& error) {
   const auto& x = error.curve().x;
   const auto& s = error.slopes();
   std::vector<double> result(error.size(), 0.0);
@@ -79,7 +79,7 @@ std::vector<std::size_t> above(
 }
 
 /// The threshold falls from the largest curvature on, by a hundredth part each time.
-std::vector<std::size_t> byThreshold(const NodeError& error, double wanted, bool isThinned) {
+std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted, bool isThinned) {
   constexpr double kFall = 0.99;
   constexpr int kMostFalls = 3000;
   const auto curvature = curvatures(error);
@@ -99,7 +99,7 @@ std::vector<std::size_t> byThreshold(const NodeError& error, double wanted, bool
 }
 
 /// Shortest path over the samples: an edge where one piece does it.
-std::vector<std::size_t> optimal(const NodeError& error, double wanted) {
+std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
   const std::size_t n = error.size();
   constexpr auto kUnreached = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> count(n, kUnreached);
@@ -138,14 +138,14 @@ std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeW
     thin.y.push_back(curve.y[i]);
   }
   std::vector<std::size_t> nodes;
-  for (const std::size_t node : optimal(NodeError(thin, wish), wish.error)) {
+  for (const std::size_t node : optimal(SplineDeviation(thin, wish), wish.error)) {
     nodes.push_back(kept[node]);
   }
   return nodes;
 }
 
 std::vector<std::size_t> nodesBy(
-    const SampledCurve& curve, const NodeError& error, const NodeWish& wish) {
+    const SampledCurve& curve, const SplineDeviation& error, const NodeWish& wish) {
   switch (wish.rule) {
     case NodeRule::Greedy:
       return isLocal(wish.kind) ? greedyByPieces(error, wish.error)
@@ -169,7 +169,7 @@ std::optional<std::string> problemOf(const NodeWish& wish) {
 }
 
 NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish) {
-  const NodeError error(curve, wish);
+  const SplineDeviation error(curve, wish);
   NodeChoice choice{.nodes = nodesBy(curve, error, wish)};
   choice.error = error.through(choice.nodes).error;
   choice.isMet = choice.error <= wish.error;
@@ -177,7 +177,7 @@ NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish) {
 }
 
 NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeWish& wish) {
-  const NodeError error(curve, wish);
+  const SplineDeviation error(curve, wish);
   NodeChoice choice{.nodes = nodesOfLeastError(error, count, wish)};
   choice.error = error.through(choice.nodes).error;
   choice.isMet = choice.error <= wish.error;
@@ -186,15 +186,15 @@ NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeW
 
 double largestError(
     const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish) {
-  return NodeError(curve, wish).through(nodes).error;
+  return SplineDeviation(curve, wish).through(nodes).error;
 }
 
-NodeError::NodeError(const SampledCurve& curve, const NodeWish& wish)
+SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeWish& wish)
     : curve_(curve), wish_(wish), slopes_(dataSlopes(curve)) {
   if (wish.rule == NodeRule::PaperLiteral) wish_.floor = 0.0;
 }
 
-NodeError::Worst NodeError::of(
+SplineDeviation::Worst SplineDeviation::of(
     const models::CubicSegment<double>& piece,
     std::size_t from,
     std::size_t to,
@@ -211,7 +211,8 @@ NodeError::Worst NodeError::of(
   return worst;
 }
 
-NodeError::Worst NodeError::between(std::size_t from, std::size_t to, double enough) const {
+SplineDeviation::Worst SplineDeviation::between(
+    std::size_t from, std::size_t to, double enough) const {
   models::HermiteNode<double> a{curve_.x[from], curve_.y[from], slopes_[from]};
   models::HermiteNode<double> b{curve_.x[to], curve_.y[to], slopes_[to]};
   if (wish_.kind == SplineKind::Linear) {
@@ -220,7 +221,8 @@ NodeError::Worst NodeError::between(std::size_t from, std::size_t to, double eno
   return of(models::CubicSegment<double>::between(a, b), from, to, enough);
 }
 
-NodeError::Worst NodeError::through(std::span<const std::size_t> nodes, double enough) const {
+SplineDeviation::Worst SplineDeviation::through(
+    std::span<const std::size_t> nodes, double enough) const {
   const auto spline = splineThrough(curve_, slopes_, nodes, wish_.kind);
   Worst worst;
   for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= enough; ++i) {

@@ -63,7 +63,7 @@ double largestError(
     const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish);
 
 /// How far splines through some samples of a curve are off.
-class NodeError {
+class SplineDeviation {
  public:
   struct Worst {
     double error = 0.0;  ///< by the measure of the wish
@@ -71,7 +71,7 @@ class NodeError {
   };
 
   /// @param curve  must outlive this object.
-  NodeError(const SampledCurve& curve, const NodeWish& wish);
+  SplineDeviation(const SampledCurve& curve, const NodeWish& wish);
 
   std::size_t size() const noexcept { return curve_.size(); }
   const SampledCurve& curve() const noexcept { return curve_; }
@@ -102,7 +102,7 @@ class NodeError {
 
 /// Nodes of the least largest error, as many as asked for: chooseNodes().
 std::vector<std::size_t> nodesOfLeastError(
-    const NodeError& error, std::size_t count, const NodeWish& wish);
+    const SplineDeviation& error, std::size_t count, const NodeWish& wish);
 
 /// One of the splines of a comparison.
 struct ComparedSpline {

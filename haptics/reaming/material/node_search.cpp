@@ -20,7 +20,7 @@ Nodes evenNodes(std::size_t samples, std::size_t count) {
 }
 
 /// Denser where the curve bends: each piece has the same share of the integral of √|f″|.
-Nodes nodesByCurvature(const NodeError& error, std::size_t count) {
+Nodes nodesByCurvature(const SplineDeviation& error, std::size_t count) {
   const auto& x = error.curve().x;
   const auto& slopes = error.slopes();
   std::vector<double> sum(error.size(), 0.0);
@@ -39,7 +39,7 @@ Nodes nodesByCurvature(const NodeError& error, std::size_t count) {
 }
 
 /// Of a local kind: the least largest error of count − 1 pieces between some of the places.
-Nodes byDynamicProgramming(const NodeError& error, std::size_t count) {
+Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
   constexpr std::size_t kPlaces = 400;
   const Nodes places = evenNodes(error.size(), std::max(count, std::min(error.size(), kPlaces)));
   const std::size_t n = places.size();
@@ -79,7 +79,7 @@ Nodes byDynamicProgramming(const NodeError& error, std::size_t count) {
 
 /// Of a local kind: each node to the best of the samples around it, all of them together, until
 /// none moves any more.
-Nodes settledByPieces(const NodeError& error, Nodes nodes) {
+Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
   constexpr std::ptrdiff_t kAround = 12;
   constexpr int kMostRounds = 40;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -126,7 +126,7 @@ Nodes settledByPieces(const NodeError& error, Nodes nodes) {
 }
 
 /// One after another where the spline is worst.
-Nodes worstFirst(const NodeError& error, std::size_t count) {
+Nodes worstFirst(const SplineDeviation& error, std::size_t count) {
   Nodes nodes{0, error.size() - 1};
   while (nodes.size() < count) {
     const auto worst = error.through(nodes);
@@ -141,7 +141,7 @@ Nodes worstFirst(const NodeError& error, std::size_t count) {
 /// of the inner nodes, and then every node moved by itself. The same each time.
 class Evolution {
  public:
-  Evolution(const NodeError& error, std::span<const Nodes> starts)
+  Evolution(const SplineDeviation& error, std::span<const Nodes> starts)
       : error_(error), count_(starts.front().size()) {
     for (std::size_t m = 0; m < kMembers; ++m) {
       auto places = innerOf(starts[m % starts.size()]);
@@ -241,7 +241,7 @@ class Evolution {
     }
   }
 
-  const NodeError& error_;
+  const SplineDeviation& error_;
   std::size_t count_;
   base::SplitMix64 random_{1};
   std::vector<Member> members_;
@@ -250,12 +250,12 @@ class Evolution {
 }  // namespace
 
 std::vector<std::size_t> nodesOfLeastError(
-    const NodeError& error, std::size_t count, const NodeWish& wish) {
+    const SplineDeviation& error, std::size_t count, const NodeWish& wish) {
   if (isLocal(wish.kind)) return settledByPieces(error, byDynamicProgramming(error, count));
   NodeWish local = wish;
   local.kind = SplineKind::HermiteDataSlope;
   const Nodes starts[]{
-      byDynamicProgramming(NodeError(error.curve(), local), count),
+      byDynamicProgramming(SplineDeviation(error.curve(), local), count),
       worstFirst(error, count),
       nodesByCurvature(error, count),
       evenNodes(error.size(), count)};

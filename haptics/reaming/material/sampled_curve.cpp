@@ -70,7 +70,7 @@ SampledCurve normalised(const SampledCurve& curve, std::size_t count) {
   return result;
 }
 
-SampledCurve atPlaces(const SampledCurve& curve, double whole, std::size_t count) {
+SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t count) {
   SampledCurve result;
   const auto last = static_cast<double>(count - 1);
   Reader reader(curve, 0.5 * whole / last);

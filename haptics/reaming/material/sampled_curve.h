@@ -27,7 +27,7 @@ SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 /// normalised() has it, the first is that of the curve.
 ///
 /// @param whole  at least the largest x of the curve.
-SampledCurve atPlaces(const SampledCurve& curve, double whole, std::size_t count);
+SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t count);
 
 /// The mean of the last samples of @p curve, over @p width of x.
 double endOf(const SampledCurve& curve, double width);

@@ -44,7 +44,7 @@ bool isOver(const SyntheticTest& test, double force, double torque) {
 
 double feedAt(const SyntheticTest& test, double depth) {
   const double feed = test.set == TestSet::Static ? kStaticFeed : test.feed;
-  const bool isAltered = test.mishap == Mishap::FeedChange && depth > 0.004;
+  const bool isAltered = test.mishap == SyntheticFault::FeedChange && depth > 0.004;
   return isAltered ? 2.5 * feed : feed;
 }
 
@@ -60,8 +60,9 @@ Series syntheticSeries(const SyntheticTest& test) {
   for (std::size_t i = 0; depth <= kFarthest; ++i) {
     const double time = static_cast<double>(i) / kRate;
     double force = isStatic ? staticForce(depth, test) : dynamicForce(depth, test, shift);
-    if (test.mishap == Mishap::BreakOut && depth > breaksAt) force *= 0.08;
-    if (test.mishap == Mishap::ReamedThrough) force *= 1.0 - step(1000.0 * depth, 10.5, 0.15);
+    if (test.mishap == SyntheticFault::BreakOut && depth > breaksAt) force *= 0.08;
+    if (test.mishap == SyntheticFault::ReamedThrough)
+      force *= 1.0 - step(1000.0 * depth, 10.5, 0.15);
     const double line = isStatic ? 0.0
                                  : test.rotation * std::min(1.0, force / 50.0) *
                                        std::sin(2.0 * std::numbers::pi * test.rotationRate * time);
@@ -94,12 +95,13 @@ std::vector<Series> syntheticStudy(std::uint64_t seed) {
       test.set = set;
       test.seed =
           seed * 1000 + static_cast<std::uint64_t>(specimen) * 10 + static_cast<std::uint64_t>(set);
-      test.mishap = Mishap::None;
+      test.mishap = SyntheticFault::None;
       const bool isDynamic1 = set == TestSet::Dynamic1;
       const bool isDynamic2 = set == TestSet::Dynamic2;
-      if (isDynamic1 && specimen <= 2) test.mishap = Mishap::FeedChange;
-      if (isDynamic2 && specimen >= 3 && specimen <= 6) test.mishap = Mishap::BreakOut;
-      if (isDynamic2 && specimen >= 7 && specimen <= 10) test.mishap = Mishap::ReamedThrough;
+      if (isDynamic1 && specimen <= 2) test.mishap = SyntheticFault::FeedChange;
+      if (isDynamic2 && specimen >= 3 && specimen <= 6) test.mishap = SyntheticFault::BreakOut;
+      if (isDynamic2 && specimen >= 7 && specimen <= 10)
+        test.mishap = SyntheticFault::ReamedThrough;
       auto series = syntheticSeries(test);
       series.name =
           "synthetic specimen " + std::to_string(specimen) + ", " + std::string(nameOf(set));

@@ -8,7 +8,7 @@
 namespace haptics::reaming {
 
 /// A fault that is put into a synthetic test.
-enum class Mishap {
+enum class SyntheticFault {
   None,
   FeedChange,     ///< the feed is changed during the test
   BreakOut,       ///< the acetabulum broke out of its resin
@@ -23,7 +23,7 @@ struct SyntheticTest {
   double noise = 1.0;       ///< standard deviation of the force sensor [N]
   double rotation = 3.0;    ///< amplitude of the line at the reamer's rotation [N]; 0 when static
   double rotationRate = 5;  ///< [Hz]
-  Mishap mishap = Mishap::None;
+  SyntheticFault mishap = SyntheticFault::None;
   std::uint64_t seed = 1;
 };
 

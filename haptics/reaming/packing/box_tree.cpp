@@ -18,7 +18,7 @@ bool Box::meets(const Box& other) const noexcept {
          other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
 }
 
-double Box::squareTo(Vec3 place) const noexcept {
+double Box::squaredDistanceTo(Vec3 place) const noexcept {
   const Vec3 off{
       std::max({low.x - place.x, 0.0, place.x - high.x}),
       std::max({low.y - place.y, 0.0, place.y - high.y}),

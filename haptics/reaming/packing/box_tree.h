@@ -15,7 +15,7 @@ struct Box {
   void add(const Box& other) noexcept;
   bool meets(const Box& other) const noexcept;
   /// Of @p place from the box, squared; 0 inside [m²].
-  double squareTo(Vec3 place) const noexcept;
+  double squaredDistanceTo(Vec3 place) const noexcept;
 };
 
 Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept;
@@ -28,7 +28,7 @@ class BoxTree {
 
   /// Calls @p see with the number of every box that meets @p box.
   template <typename See>
-  void eachMeeting(const Box& box, See see) const {
+  void forEachOverlapping(const Box& box, See see) const {
     std::uint32_t stack[64];
     int depth = 0;
     stack[depth++] = 0;
@@ -47,19 +47,19 @@ class BoxTree {
   /// Visits boxes, the nearer half first, that may hold something nearer to @p place than the
   /// squared distance that @p see last returned.
   template <typename See>
-  void eachNearer(Vec3 place, double square, See see) const {
+  void forEachNearer(Vec3 place, double square, See see) const {
     std::uint32_t stack[64];
     int depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
       const Node& node = nodes_[stack[--depth]];
-      if (node.box.squareTo(place) >= square) continue;
+      if (node.box.squaredDistanceTo(place) >= square) continue;
       if (node.isLeaf()) {
         square = see(node.item);
         continue;
       }
-      const double first = nodes_[node.item].box.squareTo(place);
-      const double second = nodes_[node.item + 1].box.squareTo(place);
+      const double first = nodes_[node.item].box.squaredDistanceTo(place);
+      const double second = nodes_[node.item + 1].box.squaredDistanceTo(place);
       const bool isFirstNearer = first < second;
       stack[depth++] = isFirstNearer ? node.item + 1 : node.item;
       stack[depth++] = isFirstNearer ? node.item : node.item + 1;

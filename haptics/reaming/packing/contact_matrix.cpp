@@ -39,7 +39,7 @@ template <typename ShareOf>
 ContactMatrix matrixOf(
     const Packing& packing,
     double coverage,
-    const Plunge& plunge,
+    const StrokeRange& plunge,
     std::span<const double> depths,
     const ShareOf& shareOf) {
   ContactMatrix matrix{.rows = depths.size(), .start = {0}, .row = {}, .value = {}};
@@ -72,7 +72,10 @@ ContactMatrix matrixOf(
 }  // namespace
 
 ContactMatrix contactMatrix(
-    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths) {
+    const Packing& packing,
+    double coverage,
+    const StrokeRange& plunge,
+    std::span<const double> depths) {
   // The axis' share of the normal.
   return matrixOf(packing, coverage, plunge, depths, [](double before, double d, double) {
     return before / d;
@@ -80,7 +83,10 @@ ContactMatrix contactMatrix(
 }
 
 ContactMatrix leverMatrix(
-    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths) {
+    const Packing& packing,
+    double coverage,
+    const StrokeRange& plunge,
+    std::span<const double> depths) {
   return matrixOf(
       packing, coverage, plunge, depths, [](double, double, double across) { return across; });
 }

@@ -29,12 +29,18 @@ struct ContactMatrix {
 
 /// @param depths  of the plunge [m]. @param coverage  of the packing, by which areas are divided.
 ContactMatrix contactMatrix(
-    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths);
+    const Packing& packing,
+    double coverage,
+    const StrokeRange& plunge,
+    std::span<const double> depths);
 
 /// What every sphere adds to the torque about the axis, per density and friction, at every depth:
 /// T = μ B ρ. Of the same shape as the contact matrix; values [m³].
 ContactMatrix leverMatrix(
-    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths);
+    const Packing& packing,
+    double coverage,
+    const StrokeRange& plunge,
+    std::span<const double> depths);
 
 /// The rows of @p upper, and below them those of @p lower times @p weight.
 ContactMatrix stacked(const ContactMatrix& upper, const ContactMatrix& lower, double weight);

@@ -62,7 +62,7 @@ struct VirtualExperiment {
   static constexpr std::size_t kTorqueStride = 4;  // a torque is as smooth as its force
 
   const Packing& packing;
-  Plunge plunge;
+  StrokeRange plunge;
   std::vector<double> depths;
   std::vector<double> torqueDepths = someOf(depths, kTorqueStride);
 
@@ -117,7 +117,7 @@ BoneFitReport fitTo(
   }
   const VirtualExperiment experiment{
       .packing = bone.packing,
-      .plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius),
+      .plunge = strokeInto(SphereField(bone.packing, ones), bone.reamerRadius),
       .depths = places};
   const auto matrix = experiment.forces(places);
   const bool isJoint = !torque.isEmpty() && !options.method;
@@ -176,7 +176,7 @@ FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, st
   double wantedSquare = 0.0;
   for (int k = 0; k < 3; ++k) {
     const SphereField field(bone.packing, bone.densities(0.5 * k, 1.0));
-    const Plunge plunge = plungeInto(field, bone.reamerRadius);
+    const StrokeRange plunge = strokeInto(field, bone.reamerRadius);
     for (std::size_t i = 0; i < depths; ++i) {
       const double depth = deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths);
       const double lever = field.touch(plunge.at(depth), false).lever / bone.packing.coverage();
@@ -205,7 +205,7 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
        .cuttingDamping = options.cuttingDamping,
        .mostFeed = options.mostFeed,
        .isGuided = true});
-  const Plunge plunge = plungeInto(cut.field(), bone.reamerRadius);
+  const StrokeRange plunge = strokeInto(cut.field(), bone.reamerRadius);
   const double whole = cut.remainingMass();
   const double dt = options.step / options.feed;
   constexpr double kBefore = -0.0005;  // outside, until the bone has seen the tool there [m]

@@ -16,12 +16,12 @@ Acetabulum::Acetabulum(double inner, double outer) : inner_(inner), outer_(outer
   }
 }
 
-Boundary Acetabulum::nearest(Vec3 place) const noexcept {
+SurfacePoint Acetabulum::nearest(Vec3 place) const noexcept {
   const double radius = length(place);
   const Vec3 outward = radius > 0.0 ? (1.0 / radius) * place : Vec3{0.0, 0.0, 1.0};
   // The nearest of the rim's plane z = 0, the outer sphere and the inner one; exact inside the
   // body.
-  Boundary found{place.z, {0.0, 0.0, 1.0}};
+  SurfacePoint found{place.z, {0.0, 0.0, 1.0}};
   if (outer_ - radius < found.distance) found = {outer_ - radius, -1.0 * outward};
   if (inner_ > 0.0 && radius - inner_ < found.distance) found = {radius - inner_, outward};
   return found;
@@ -118,11 +118,11 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
   }
 }
 
-Boundary MeshSolid::nearest(Vec3 place) const noexcept {
+SurfacePoint MeshSolid::nearest(Vec3 place) const noexcept {
   double square = std::numeric_limits<double>::infinity();
   NearestPart best;
   std::uint32_t triangle = 0;
-  tree_.eachNearer(place, square, [&](std::uint32_t i) {
+  tree_.forEachNearer(place, square, [&](std::uint32_t i) {
     const auto& t = mesh_.triangles[i];
     const auto found =
         nearestOn(place, mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]);

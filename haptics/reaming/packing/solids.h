@@ -14,7 +14,7 @@ class Acetabulum final : public Solid {
   /// @throws std::invalid_argument  if they are not.
   explicit Acetabulum(double inner = 0.0255, double outer = 0.041);
 
-  Boundary nearest(Vec3 place) const noexcept override;
+  SurfacePoint nearest(Vec3 place) const noexcept override;
   Vec3 lowest() const noexcept override { return {-outer_, -outer_, 0.0}; }
   Vec3 highest() const noexcept override { return {outer_, outer_, outer_}; }
   double volume() const noexcept override;
@@ -31,7 +31,7 @@ class MeshSolid final : public Solid {
   /// @param mesh  closed, right side out, without problems.
   explicit MeshSolid(TriangleMesh mesh);
 
-  Boundary nearest(Vec3 place) const noexcept override;
+  SurfacePoint nearest(Vec3 place) const noexcept override;
   Vec3 lowest() const noexcept override { return low_; }
   Vec3 highest() const noexcept override { return high_; }
   double volume() const noexcept override { return volume_; }

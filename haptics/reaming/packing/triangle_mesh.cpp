@@ -91,7 +91,7 @@ std::size_t pairsThatCut(const TriangleMesh& mesh) {
   const BoxTree tree(boxesOf(mesh));
   std::size_t pairs = 0;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    tree.eachMeeting(boxOf(mesh, mesh.triangles[i]), [&](std::uint32_t j) {
+    tree.forEachOverlapping(boxOf(mesh, mesh.triangles[i]), [&](std::uint32_t j) {
       if (j > i && cut(mesh, mesh.triangles[i], mesh.triangles[j])) ++pairs;
     });
   }

@@ -33,13 +33,13 @@ namespace fs = std::filesystem;
 constexpr const char* kPurpose = "timestamp";
 constexpr std::uintmax_t kLargestReply = 256 * 1024;  // [bytes]
 
-struct Ran {
+struct ProcessOutput {
   int status = -1;
   std::string output;
 };
 
 /// Runs a program of the system, without a shell.
-Ran run(std::vector<std::string> texts) {
+ProcessOutput run(std::vector<std::string> texts) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had. Try again.");
   posix_spawn_file_actions_t actions;
@@ -54,7 +54,7 @@ Ran run(std::vector<std::string> texts) {
   const int error = posix_spawnp(&id, words.front(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  Ran ran;
+  ProcessOutput ran;
   std::array<char, 4096> buffer{};
   for (ssize_t size = 0; (size = ::read(ends[0], buffer.data(), buffer.size())) > 0;) {
     ran.output.append(buffer.data(), static_cast<std::size_t>(size));

@@ -23,7 +23,7 @@ DataTable feedTable(
 /// curve's end. The mass of a curve is the work of its removal, ∫ F dz; what the machine has worked
 /// beyond that and the cutting damping is not accounted for.
 ///
-/// @param force  valid, over depth. @param middle  what the curve between the others is called.
+/// @param force  valid, over depth. @param middle  name of the middle curve.
 DataTable feedTable(
     const haptics::reaming::HardnessCurves& force,
     const std::string& middle,

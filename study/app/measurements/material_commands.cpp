@@ -49,7 +49,7 @@ void warnOfCrossings(
       "order with {}.\n",
       quantity,
       where,
-      fmt::join(reaming::whatKeepsTheOrder(options), " and "));
+      fmt::join(reaming::optionsThatKeepOrder(options), " and "));
 }
 
 /// The depth that all specimens reach, and how many remain at the end.

@@ -139,7 +139,7 @@ int import(ImportCommand& command) {
   command.options.filter = command.inputs.travelFilter();
   if (!command.rows.empty()) command.options.rows = rowRange(command.rows);
   const auto trace = recordings::traceOf(recording, calibration, command.options.filter);
-  const auto survey = recordings::surveyOf(recording, trace, command.options.yieldLoad);
+  const auto survey = recordings::summariseCuts(recording, trace, command.options.yieldLoad);
   const auto filter = recordings::parametersOf(command.options.filter, survey.sampling.rate);
   std::string whyNot;
   const auto imported = cutFrom(recording, command, whyNot);

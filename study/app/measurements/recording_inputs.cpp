@@ -16,7 +16,7 @@ namespace recordings = haptics::recordings;
 
 /// By its name, or from a file.
 recordings::ForceCalibration calibrationNamed(const std::string& name) {
-  for (const auto& known : {recordings::paperEq1(), recordings::recorder2021()}) {
+  for (const auto& known : {recordings::publishedCalibration(), recordings::recorder2021()}) {
     if (known.name == name) return known;
   }
   if (std::filesystem::exists(name)) return calibrationIn(name);

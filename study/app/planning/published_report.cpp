@@ -47,7 +47,7 @@ void findWholeAnswers(PublishedReport& report) {
     const analysis::AnswerLattice lattice(*report.question.scale, most);
     for (const auto& convention : analysis::publishedConventions()) {
       report.wholeAnswers.push_back(
-          analysis::fittingSizes(report.table, sizes, lattice, convention));
+          analysis::consistentSizes(report.table, sizes, lattice, convention));
     }
   } catch (const std::invalid_argument& error) {
     throw base::UserError(

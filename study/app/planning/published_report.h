@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/published/answer_lattice.h"
-#include "analysis/published/fitting_sizes.h"
+#include "analysis/published/consistent_sizes.h"
 #include "analysis/published/published_check.h"
 #include "analysis/published/published_table.h"
 
@@ -31,7 +31,7 @@ struct PublishedReport {
   std::vector<analysis::ConventionCheck> atEqual;
   /// Sets of whole answers that give the table's values, for every convention; empty without a
   /// scale.
-  std::vector<analysis::FittingSizes> wholeAnswers;
+  std::vector<analysis::ConsistentSizes> wholeAnswers;
 };
 
 /// @throws UserError  in words, if sizes are missing or there are too many combinations.

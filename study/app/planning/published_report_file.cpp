@@ -30,7 +30,7 @@ Json asJson(const analysis::PublishedTable& table, const analysis::ConventionChe
          {"printed", p.text()},
          {"p_low", check.comparisons[i].attainable.low},
          {"p_high", check.comparisons[i].attainable.high},
-         {"follows", check.comparisons[i].follows}});
+         {"follows", check.comparisons[i].isAttainable}});
   }
   json["row"] = nullptr;
   if (check.row) {
@@ -42,7 +42,7 @@ Json asJson(const analysis::PublishedTable& table, const analysis::ConventionChe
   return json;
 }
 
-Json asJson(const analysis::FittingSizes& fits) {
+Json asJson(const analysis::ConsistentSizes& fits) {
   Json json{
       {"convention", asJson(fits.convention)},
       {"tried", fits.tried},

@@ -38,7 +38,7 @@ std::string inRanges(const std::vector<std::uint64_t>& numbers) {
 }
 
 std::string verdict(const analysis::ComparisonCheck& check, const analysis::Interval& printed) {
-  if (check.follows) return "may be";
+  if (check.isAttainable) return "may be";
   const bool isTooLarge = printed.low > check.attainable.high;
   return fmt::format(
       "CANNOT BE: {} {}",
@@ -65,7 +65,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
         shortP(row.attainable.low) + " … " + shortP(row.attainable.high),
         verdict(row, p.bounds(check.convention.reading)));
   }
-  if (check.eachFollows()) {
+  if (check.allAttainable()) {
     text += check.row ? "  One mean and one variance for each group give all p at once.\n"
                       : "  Each p may be for itself; no means and variances were found that give "
                         "all of them at once.\n";
@@ -104,7 +104,7 @@ std::string equalPart(const PublishedReport& report) {
   return text + "\n";
 }
 
-std::string describeFits(const PublishedTable& table, const analysis::FittingSizes& fits) {
+std::string describeFits(const PublishedTable& table, const analysis::ConsistentSizes& fits) {
   if (fits.tried == 1) return fits.fitting.empty() ? "no answers fit" : "answers fit";
   if (fits.fitting.empty()) return fmt::format("none of {} fits", fits.tried);
   const auto equal = fits.equalSizes();

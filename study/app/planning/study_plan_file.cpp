@@ -45,7 +45,7 @@ Json asJson(const std::optional<analysis::SimulatedSitePower>& found) {
       {"median_half_width", orNull(found->halfWidth)}};
 }
 
-Json asJson(const std::optional<SiteProspect>& sites) {
+Json asJson(const std::optional<SiteDetectability>& sites) {
   if (!sites) return nullptr;
   return {
       {"design_effect", sites->designEffect},
@@ -54,7 +54,7 @@ Json asJson(const std::optional<SiteProspect>& sites) {
       {"simulated_without_effect", asJson(sites->invented)}};
 }
 
-Json asJson(const Prospect& prospect, const CohortPlan& cohort) {
+Json asJson(const Detectability& prospect, const CohortPlan& cohort) {
   return {
       {"cohort", cohort.id},
       {"participants", prospect.participants},

@@ -27,7 +27,7 @@ struct IngestSpeed {
 };
 
 /// Times of two ways to do the same [s], taken in turn.
-struct InTurn {
+struct AlternatedTimes {
   std::vector<double> ours;
   std::vector<double> bare;
 };
@@ -47,7 +47,7 @@ struct CollectMeasurement {
   std::vector<IngestSpeed> parts;  ///< one after another, with a growing table
   StationPush recorded;            ///< the station with samples
   std::vector<double> copyingTraces;
-  InTurn counts;  ///< the analyst's view, and a table of the same rows
+  AlternatedTimes counts;  ///< the analyst's view, and a table of the same rows
   std::size_t groups = 0;
   double pulling = 0.0;        ///< [s]
   double memoryBefore = 0.0;   ///< [MB]

@@ -282,7 +282,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   wait(0.5);  // until the window is shown and all spheres have been sent once
   const auto bytesBefore = view.renderer().sphereBytes();
   LiveTrial live(trial);
-  view.follow([&] { return lookAt(live, trial); });
+  view.setLookSource([&] { return lookAt(live, trial); });
   constexpr int kPictures = 5;
   for (int i = 0; i < kPictures; ++i) {
     wait(options.seconds / kPictures);
@@ -291,7 +291,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   }
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
-  view.follow({});
+  view.setLookSource({});
   measured.felt = live.finish(TrialEnding::Finished);
   return measured;
 }

@@ -25,7 +25,7 @@ struct PullArguments {
 };
 
 /// What was left out, and why. @return  whether all is as the stations signed it
-bool tellProblems(const Pulled& pulled) {
+bool tellProblems(const PullResult& pulled) {
   for (const auto& station : pulled.stations) {
     for (const auto& session : station.incomplete) {
       fmt::print(
@@ -86,12 +86,12 @@ class PassingPull {
   }
 
   std::filesystem::path study() const { return folder_ / "study"; }
-  const Pulled& pulled() const noexcept { return pulled_; }
+  const PullResult& pulled() const noexcept { return pulled_; }
 
  private:
   TemporaryFolder folder_;
   Account account_;
-  Pulled pulled_;
+  PullResult pulled_;
 };
 
 /// @param words  the options of 'palpate stats run', which is run on what came

@@ -105,7 +105,7 @@ std::optional<std::string> problemIn(
   });
   if (station == stations.end()) return "its station is not of this study";
   StationTrail trail(
-      reader.beginning(), *station, reader.events(*station), reader.keys(*station), bundle.last);
+      reader.origin(), *station, reader.events(*station), reader.keys(*station), bundle.last);
   if (!trail.problems().empty()) return trail.problems().front();
   std::optional<std::string> found;
   reader.forEachSession(*station, [&](const SessionOnServer& session) {
@@ -148,7 +148,7 @@ bool putStudy(
       server.query(
           "UPDATE palpate.study SET title = $2 WHERE uuid = $1",
           {uuid, protocol.protocol.study.title});
-      putBackground(server, uuid, backgroundOf(protocol));
+      replaceBackground(server, uuid, backgroundOf(protocol));
     });
     return false;
   }
@@ -163,7 +163,7 @@ bool putStudy(
   inTransaction(server, [&] {
     addStudy(server, study);
     addProtocol(server, study.uuid, sent);
-    putBackground(server, study.uuid, backgroundOf(protocol));
+    replaceBackground(server, study.uuid, backgroundOf(protocol));
   });
   return true;
 }

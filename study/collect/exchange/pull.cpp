@@ -38,14 +38,14 @@ class StationPull {
   StationPull(
       ServerReader& reader,
       const StationRow& station,
-      const CollectedStudy::Beginning& beginning,
+      const CollectedStudy::Origin& origin,
       CollectedStudy& study)
       : reader_(reader),
         station_(station),
-        studyUuid_(beginning.uuid),
+        studyUuid_(origin.uuid),
         study_(study),
         keys_(reader.keys(station)),
-        trail_(beginning, station, reader.events(station), keys_) {}
+        trail_(origin, station, reader.events(station), keys_) {}
 
   PulledStation run() {
     pulled_.label = station_.station.label;
@@ -146,20 +146,20 @@ std::vector<std::string> problemsOf(
 
 }  // namespace
 
-bool Pulled::isSound() const noexcept {
+bool PullResult::isSound() const noexcept {
   return problems.empty() &&
          std::all_of(stations.begin(), stations.end(), [](const PulledStation& station) {
            return station.problems.empty();
          });
 }
 
-std::size_t Pulled::sessions() const noexcept {
+std::size_t PullResult::sessions() const noexcept {
   std::size_t sessions = 0;
   for (const auto& station : stations) sessions += station.sessions;
   return sessions;
 }
 
-Pulled pull(
+PullResult pull(
     Connection& server, const PullRequest& request, Clock& clock, const Progress& progress) {
   std::error_code error;
   if (std::filesystem::exists(request.folder, error)) {
@@ -169,16 +169,16 @@ Pulled pull(
   }
   ServerReader reader(server, request.study, request.reason);
   const Snapshot snapshot(server);
-  const auto beginning = reader.beginning();
-  CollectedStudy study(request.folder, clock, beginning);
-  Pulled pulled;
+  const auto origin = reader.origin();
+  CollectedStudy study(request.folder, clock, origin);
+  PullResult pulled;
   const auto stations = reader.stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     tell(
         progress,
         static_cast<double>(i) / static_cast<double>(stations.size()),
         stations[i].station.label);
-    pulled.stations.push_back(StationPull(reader, stations[i], beginning, study).run());
+    pulled.stations.push_back(StationPull(reader, stations[i], origin, study).run());
   }
   study.finish(request.reason);
   pulled.problems = problemsOf(request.folder, clock, progress);

@@ -32,7 +32,7 @@ struct PulledStation {
 };
 
 /// What was pulled.
-struct Pulled {
+struct PullResult {
   std::vector<PulledStation> stations;
   std::vector<std::string> problems;  ///< that 'study verify' finds in the folder
 
@@ -47,7 +47,7 @@ struct Pulled {
 /// @throws ServerError
 /// @throws UserError  if the study is unknown, or there is no reason
 /// @throws storage::StorageError  (Damaged) if seed or protocols on the server are damaged
-Pulled pull(
+PullResult pull(
     Connection& server, const PullRequest& request, Clock& clock, const Progress& progress = {});
 
 }  // namespace study::collect

@@ -74,7 +74,7 @@ Snapshot::~Snapshot() {
   }
 }
 
-CollectedStudy::Beginning ServerReader::beginning() {
+CollectedStudy::Origin ServerReader::origin() {
   const auto rows =
       server_.query("SELECT uuid, seed, secret, created FROM palpate.pull_study($1)", {ticket_});
   const auto secret = rows.bytes(0, 2);

@@ -49,7 +49,7 @@ class ServerReader {
   ServerReader(Connection& server, const std::string& name, const std::string& reason);
 
   /// @throws storage::StorageError  (Damaged) if secret or protocols are not what was stored.
-  CollectedStudy::Beginning beginning();
+  CollectedStudy::Origin origin();
   std::vector<StationRow> stations();
   std::vector<storage::StoredEvent> events(const StationRow& station);
   /// Calls @p take with each session, in the order of their numbers.

@@ -62,7 +62,7 @@ std::string nameOf(const VisitKey& visit) {
 }  // namespace
 
 StationTrail::StationTrail(
-    const CollectedStudy::Beginning& study,
+    const CollectedStudy::Origin& study,
     const StationRow& station,
     std::vector<storage::StoredEvent> events,
     const std::vector<SentKey>& keys,
@@ -85,7 +85,7 @@ StationTrail::StationTrail(
 }
 
 void StationTrail::judge(
-    const CollectedStudy::Beginning& study, const StationRow& station, std::int64_t vouchedUpTo) {
+    const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo) {
   database_ = trailOf(study.uuid, events_);
   const storage::EventLog log(*database_);
   const auto broken = log.firstBreak();

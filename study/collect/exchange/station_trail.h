@@ -27,7 +27,7 @@ class StationTrail {
   /// @param keys  with which the trail says what it says of people
   /// @param vouchedUpTo  the station signed everything up to this event in another way, too
   StationTrail(
-      const CollectedStudy::Beginning& study,
+      const CollectedStudy::Origin& study,
       const StationRow& station,
       std::vector<storage::StoredEvent> events,
       const std::vector<SentKey>& keys,
@@ -61,7 +61,7 @@ class StationTrail {
 
  private:
   void judge(
-      const CollectedStudy::Beginning& study, const StationRow& station, std::int64_t vouchedUpTo);
+      const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo);
   bool agrees(std::int64_t session, const storage::StoredEvent& said);
   bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said);
   std::map<VisitKey, std::string> keptTraces(std::int64_t session);

@@ -24,7 +24,7 @@ void makeRole(Connection& server, const std::string& role, const char* options, 
   server.execute("GRANT " + std::string(group) + " TO " + server.quotedName(role));
 }
 
-StudyOnServer studyIn(const Rows& rows) {
+StudyOnServer readStudyRow(const Rows& rows) {
   return {
       .uuid = rows.text(0, 0),
       .name = rows.text(0, 1),
@@ -52,7 +52,7 @@ void addProtocol(Connection& server, const std::string& study, const ProtocolOnS
       {study, protocol.sha256, protocol.text, protocol.files});
 }
 
-void putBackground(
+void replaceBackground(
     Connection& server, const std::string& study, const std::vector<BackgroundItem>& items) {
   for (const auto& item : items) {
     server.query(
@@ -85,7 +85,7 @@ StudyOnServer findStudy(Connection& server, const std::string& name) {
   const std::string select = "SELECT uuid, name, title, seed, secret FROM palpate.study ";
   const auto rows = name.empty() ? server.query(select + "ORDER BY name")
                                  : server.query(select + "WHERE name = $1", {name});
-  if (rows.count() == 1) return studyIn(rows);
+  if (rows.count() == 1) return readStudyRow(rows);
   std::string names;
   for (int i = 0; i < rows.count(); ++i) names += (i == 0 ? "" : ", ") + rows.text(i, 1);
   throw UserError(

@@ -39,8 +39,8 @@ struct BackgroundItem {
   std::optional<double> width;  ///< of the bands of a number, in its unit
   bool isWhole = false;         ///< "20 to 24", otherwise "20 to <25"
 };
-/// Takes the place of what was known of these questions.
-void putBackground(
+/// Replaces all that is stored about these questions.
+void replaceBackground(
     Connection& server, const std::string& study, const std::vector<BackgroundItem>& items);
 /// All versions, the oldest first.
 std::vector<ProtocolOnServer> protocolsOf(Connection& server, const std::string& study);

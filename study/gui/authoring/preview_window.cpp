@@ -191,7 +191,7 @@ void PreviewWindow::goTo(int step) {
   }
   day_.reset();
   const auto id = sessionAt(folder, language(), step);
-  translator_.speak(language());
+  translator_.setLanguage(language());
   QCoreApplication::removeTranslator(&translator_);
   QCoreApplication::installTranslator(&translator_);
   day_ = std::make_unique<Day>(folder, id, [this](double share) { moveHand(share); });
@@ -229,7 +229,7 @@ void PreviewWindow::chooseLanguage() {
     attempt(this, [&] { goTo(steps_->currentRow()); });
     return;
   }
-  translator_.speak(language());
+  translator_.setLanguage(language());
   QCoreApplication::removeTranslator(&translator_);
   QCoreApplication::installTranslator(&translator_);
   day_->controller.chooseLanguage(languages_->currentData().toString());

@@ -193,7 +193,7 @@ void ProtocolWindow::fillInTexts() {
     }
   });
   if (!isSaved) return;
-  tellWritten(this, file);
+  announceWrittenFile(this, file);
   source_ = file;
   setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
   reload();

@@ -28,7 +28,7 @@ constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"BackgroundTask", ""},
     {"BackupDialog", "After each day"},
     {"BuildBoneDialog", "Write the protocol"},
-    {"CupWindow", "Write the protocol"},
+    {"BoneColoursWindow", "Write the protocol"},
     {"EraseDialog", "After each day"},
     {"ExportDialog", "The results"},
     {"FindingsDialog", "The day"},

@@ -109,7 +109,7 @@ HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
     : QMainWindow(parent), deviceFile_(std::move(deviceFile)) {
   setWindowTitle(tr("Palpate"));
   reading_.setSingleShot(true);
-  connect(&reading_, &QTimer::timeout, this, &HomeWindow::readNextInSight);
+  connect(&reading_, &QTimer::timeout, this, &HomeWindow::loadNextVisibleSummary);
   makeContents();
   resize(1240, 740);
 }
@@ -225,7 +225,7 @@ void HomeWindow::makeMenus() {
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
   study->addAction(tr("&Open a folder…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
   study->addAction(tr("Read a &protocol…"), this, &HomeWindow::askForProtocol);
-  study->addAction(tr("&Remove from list"), this, &HomeWindow::forgetChosen);
+  study->addAction(tr("&Remove from list"), this, &HomeWindow::removeSelectedFromList);
   study->addAction(tr("Re&fresh"), QKeySequence::Refresh, this, &HomeWindow::refresh);
   study->addSeparator();
   study->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
@@ -304,7 +304,7 @@ void HomeWindow::connectPanel() {
       openStudy(QString::fromStdString(study->folder), SessionId{id});
     }
   });
-  connect(panel_, &StudyPanel::forgetRequested, this, &HomeWindow::forgetChosen);
+  connect(panel_, &StudyPanel::forgetRequested, this, &HomeWindow::removeSelectedFromList);
   connect(panel_, &StudyPanel::backupRequested, this, &HomeWindow::openDialog<BackupDialog>);
   connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
   connect(panel_, &StudyPanel::erasureRequested, this, &HomeWindow::openDialog<EraseDialog>);
@@ -320,7 +320,7 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::previewRequested, this, &HomeWindow::previewChosen);
 }
 
-void HomeWindow::forgetChosen() {
+void HomeWindow::removeSelectedFromList() {
   const auto* study = chosen();
   if (study == nullptr) return;
   forgetStudy(QString::fromStdString(study->folder));
@@ -364,8 +364,8 @@ void HomeWindow::read(int row) {
   fillRow(row);
 }
 
-/// Reads one study, so that the window answers to the hand between two of them.
-void HomeWindow::readNextInSight() {
+/// Reads one study only, so that the window stays responsive.
+void HomeWindow::loadNextVisibleSummary() {
   const auto sight = list_->viewport()->rect();
   for (int row = 0; row < static_cast<int>(studies_.size()); ++row) {
     if (studies_[static_cast<std::size_t>(row)].isRead) continue;

@@ -61,9 +61,9 @@ class HomeWindow final : public QMainWindow {
   void select(const QString& folder);
   void showChosen();
   void read(int row);
-  void readNextInSight();
+  void loadNextVisibleSummary();
   void closeStudy();
-  void forgetChosen();
+  void removeSelectedFromList();
   void askForProtocol();
   /// Opens the form for the blanks of the selected study, and amends its protocol.
   void fillInTexts();

@@ -62,7 +62,7 @@ std::vector<fs::path> seriesIn(const std::string& folder) {
 }
 
 /// Reports progress. Returns false if cancelled, because the caller must not throw.
-bool goesOn(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
+bool onProgress(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
   try {
     tell(
         progress,
@@ -161,7 +161,7 @@ std::string buildBoneTo(
   try {
     const auto packing = reaming::pack(
         body, {.count = spheres, .seed = seed}, [&](const reaming::PackingProgress& now) {
-          return goesOn(progress, now, spheres);
+          return onProgress(progress, now, spheres);
         });
     if (!packing) throw Cancelled();
     bone.packing = *packing;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-QString inWords(const RecordingLook& look) {
+QString describe(const RecordingLook& look) {
   const auto& [recording, trace, survey] = look;
   QString words = RecordingPicture::tr("%1 rows at %2 Hz; force from %3 by calibration %4; %5 cuts")
                       .arg(survey.rows)
@@ -47,7 +47,7 @@ RecordingLook lookAt(const std::string& recording, const std::string& columns) {
   RecordingLook look{.recording = recordingIn(recording, columns), .trace = {}, .survey = {}};
   look.trace = haptics::recordings::traceOf(
       look.recording, haptics::recordings::calibrationFor(look.recording), {});
-  look.survey = haptics::recordings::surveyOf(look.recording, look.trace);
+  look.survey = haptics::recordings::summariseCuts(look.recording, look.trace);
   return look;
 }
 
@@ -69,7 +69,7 @@ RecordingPicture::RecordingPicture(QWidget* parent)
 
 void RecordingPicture::show(std::optional<RecordingLook> look) {
   look_ = std::move(look);
-  words_->setText(look_ ? inWords(*look_) : QString());
+  words_->setText(look_ ? describe(*look_) : QString());
   setVisible(look_.has_value());
   draw();
 }

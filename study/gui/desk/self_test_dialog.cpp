@@ -25,7 +25,7 @@ const Fill& rowFill(const Theme& colours, Finding finding) {
                                     : colours.paleBad;
 }
 
-QString inWords(Finding finding) {
+QString describe(Finding finding) {
   return finding == Finding::Pass   ? SelfTestDialog::tr("✓ good")
          : finding == Finding::Warn ? SelfTestDialog::tr("! look at it")
                                     : SelfTestDialog::tr("✕ fix it");
@@ -109,7 +109,7 @@ void SelfTestDialog::fill() {
     worst = std::max(worst, found.finding);
     const QString cells[]{
         capitalised(spoken(part)),
-        inWords(found.finding),
+        describe(found.finding),
         capitalised(spoken(found.what)),
         details_->isChecked() && !details.empty()
             ? spoken(found.measured) + QLatin1Char('\n') + asText(details)

@@ -11,7 +11,7 @@
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
-#include "study/gui/scene/cup_window.h"
+#include "study/gui/scene/bone_colours_window.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/attempt.h"
@@ -29,7 +29,7 @@ QWidget* boneWindow(std::shared_ptr<const haptics::reaming::PackedBone> bone, QW
     bone = uniform;
   }
   const haptics::engine::PackingSpec spec{.bone = std::move(bone)};
-  auto* window = new scene::CupWindow(spec, {}, parent);
+  auto* window = new scene::BoneColoursWindow(spec, {}, parent);
   window->removeColours(scene::SphereColours::Removal);
   if (!isFitted) window->removeColours(scene::SphereColours::Density);
   return window;

@@ -154,8 +154,9 @@ void StudyPanel::show(const StudySummary& summary) {
   texts_->setToolTip(
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
-  key_->setText(summary.isKeyAlone ? tr("Key… (!)") : tr("Key…"));
-  key_->setToolTip(summary.isKeyAlone ? tr("No copy of the study's key was saved yet") : QString());
+  key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (!)") : tr("Key…"));
+  key_->setToolTip(
+      summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
   while (auto* item = parts_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -202,16 +203,16 @@ void StudyPanel::showDocuments(const StudySummary& summary) {
 
 void StudyPanel::showUnfinished(const StudySummary& summary) {
   if (!summary.unfinished.empty()) addHeading(tr("Unfinished sessions"));
-  for (const auto& session : summary.unfinished) parts_->addWidget(cardOf(session));
+  for (const auto& session : summary.unfinished) parts_->addWidget(makeCard(session));
 }
 
-QWidget* StudyPanel::cardOf(const UnfinishedSession& session) {
+QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
   auto* card = new QFrame(place_);
   card->setProperty("role", QStringLiteral("card"));
   card->setObjectName(
       QStringLiteral("unfinished-%1").arg(QString::fromStdString(session.participant)));
   auto* layout = new QVBoxLayout(card);
-  layout->addWidget(bodyLabel(inWords(session), card));
+  layout->addWidget(bodyLabel(describeUnfinished(session), card));
   QString choices = session.isOpenElsewhere() ? QString() : tr("You can:");
   for (const auto& choice : session.choices) {
     choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +

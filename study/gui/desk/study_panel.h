@@ -50,7 +50,7 @@ class StudyPanel final : public QFrame {
   void showDocuments(const StudySummary& summary);
   void showUnfinished(const StudySummary& summary);
   void addHeading(const QString& text);
-  QWidget* cardOf(const UnfinishedSession& session);
+  QWidget* makeCard(const UnfinishedSession& session);
 
   QLabel* title_;
   QLabel* what_;

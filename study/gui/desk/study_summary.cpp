@@ -83,7 +83,7 @@ void fill(StudySummary& summary) {
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
   }
   summary.unfinished = unfinishedSessions(study);
-  summary.isKeyAlone = hasOnlyKey(study);
+  summary.isOnlyCopyOfKey = hasOnlyCopyOfKey(study);
   const auto blanks = protocols::blanksOf(study.protocol());
   summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
       blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));

@@ -26,10 +26,10 @@ struct StudySummary {
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< all of them, finished or not
   std::vector<CohortProgress> cohorts;
-  std::string lastSessionUtc;  ///< when the latest session of that run mode began; empty: none
-                               ///< has, or the sessions are simulated
-  std::size_t blanks = 0;      ///< in texts for participants, still to be filled in
-  bool isKeyAlone = false;     ///< no copy was made of the key with which conditions are sealed
+  std::string lastSessionUtc;    ///< when the latest session of that run mode began; empty: none
+                                 ///< has, or the sessions are simulated
+  std::size_t blanks = 0;        ///< in texts for participants, still to be filled in
+  bool isOnlyCopyOfKey = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
   std::optional<Arrivals> arrivals;  ///< at the server, of a station's study, as last noted
   std::string pushProblem;           ///< why the last push did not succeed (NotedPush::problem)

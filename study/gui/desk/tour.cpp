@@ -85,7 +85,7 @@ Tour::Tour(QWidget* parent)
   next_->setObjectName(QStringLiteral("tour-next"));
   next_->setProperty("role", QStringLiteral("main"));
   for (auto* button : {back_, next_}) button->setAutoDefault(false);
-  steps_->addWidget(makeFeeling());
+  steps_->addWidget(makeTrialDemonstration());
   steps_->addWidget(makeQuestions());
   steps_->addWidget(makeRecord());
   auto* skip = new QPushButton(tr("Close"), this);
@@ -139,13 +139,13 @@ void Tour::showEvent(QShowEvent* event) {
       std::clamp(own.top(), screen.top(), std::max(screen.top(), screen.bottom() - height())));
 }
 
-QWidget* Tour::makeFeeling() {
+QWidget* Tour::makeTrialDemonstration() {
   auto* step = new QWidget(this);
   auto* picture = new scene::SimulationView(
       std::make_unique<scene::KneeScene>(),
       scene::openGraphics(),
       scene::SimulationView::Pace::Display);
-  picture->follow([this] {
+  picture->setLookSource([this] {
     const auto status = punch_.status();
     return scene::Look{
         .travel = status.travel,
@@ -162,7 +162,7 @@ QWidget* Tour::makeFeeling() {
        .language = deskLanguage()},
       picture,
       step);
-  keepPlain(*page_);
+  disableMnemonics(*page_);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
   // They take the room that there is, and ask for none.
@@ -182,7 +182,7 @@ QWidget* Tour::makeFeeling() {
       step));
   layout->addLayout(columns, 1);
   connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
-  connect(page_, &TrialPage::enoughRequested, this, [this] {
+  connect(page_, &TrialPage::finishRequested, this, [this] {
     endFeeling();
     goTo(1);
   });
@@ -206,7 +206,7 @@ QWidget* Tour::makeQuestions() {
        .language = QString::fromStdString(deskLanguage()),
        .before = {}},
       step);
-  keepPlain(*page);
+  disableMnemonics(*page);
   auto* layout = new QVBoxLayout(step);
   layout->addWidget(bodyLabel(
       tr("This is what a participant sees next: the alternative by its number, never by what it "

@@ -44,7 +44,7 @@ class Tour final : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* makeFeeling();
+  QWidget* makeTrialDemonstration();
   QWidget* makeQuestions();
   QWidget* makeRecord();
   void goTo(int step);

@@ -179,7 +179,7 @@ void ControlPanel::showWho() {
   cohort_->setText(parts.join(QStringLiteral(" · ")));
 }
 
-void ControlPanel::follow(SessionController* controller) {
+void ControlPanel::setController(SessionController* controller) {
   controller_ = controller;
   showNotes();
   refresh();

@@ -25,7 +25,7 @@ class ControlPanel final : public QWidget {
   explicit ControlPanel(QWidget* parent = nullptr);
 
   /// Shows @p controller's session; nullptr: no session is open.
-  void follow(SessionController* controller);
+  void setController(SessionController* controller);
   void refresh();
   QPushButton* stopButton() const noexcept { return stop_; }
 

@@ -14,8 +14,8 @@ namespace {
 using haptics::devices::Finding;
 using Found = std::vector<FindingsDialog::Found>;
 
-/// The state of a device as an operator says it: a punch that is "closed" would be a punch that has
-/// bitten.
+/// The state of a device in the operator's words. Lifecycle::Closed is not called "closed": of a
+/// punch that would mean its jaws.
 QString describe(const haptics::devices::Device& device, haptics::devices::Wire wire) {
   using haptics::devices::Lifecycle;
   using haptics::devices::Wire;
@@ -91,7 +91,7 @@ void DevicePanel::refresh() {
 
 void DevicePanel::check() {
   const auto again = [this] { return checkDevices(); };
-  FindingsDialog(again(), FindingsDialog::Asks::Nothing, again, window()).exec();
+  FindingsDialog(again(), FindingsDialog::Question::Nothing, again, window()).exec();
 }
 
 bool DevicePanel::mayBegin(const Found& otherwise) {
@@ -107,7 +107,7 @@ bool DevicePanel::mayBegin(const Found& otherwise) {
   const bool mayMend = deviceSet_ != nullptr;
   FindingsDialog question(
       found,
-      FindingsDialog::Asks::GoWithout,
+      FindingsDialog::Question::GoWithout,
       mayMend ? FindingsDialog::CheckAgain(checkAll) : FindingsDialog::CheckAgain(),
       window());
   return question.exec() == QDialog::Accepted;

@@ -75,13 +75,13 @@ QTableWidget* emptyTable(QWidget* parent) {
 }  // namespace
 
 FindingsDialog::FindingsDialog(
-    const std::vector<Found>& found, Asks asks, const CheckAgain& checkAgain, QWidget* parent)
+    const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
     : QDialog(parent), verdict_(bodyLabel({}, this)), table_(emptyTable(this)) {
-  setWindowTitle(asks == Asks::GoWithout ? tr("Before the session") : tr("Devices"));
+  setWindowTitle(asks == Question::GoWithout ? tr("Before the session") : tr("Devices"));
   verdict_->setObjectName(QStringLiteral("verdict"));
   auto* buttons = new QDialogButtonBox(this);
   QPushButton* close = nullptr;
-  if (asks == Asks::GoWithout) {
+  if (asks == Question::GoWithout) {
     start_ = buttons->addButton(tr("Start anyway"), QDialogButtonBox::AcceptRole);
     start_->setAutoDefault(false);
     close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);

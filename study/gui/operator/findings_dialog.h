@@ -25,13 +25,16 @@ class FindingsDialog final : public QDialog {
   };
 
   /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
-  enum class Asks { Nothing, GoWithout };
+  enum class Question { Nothing, GoWithout };
 
   /// Checks once more, for *Check again*; without it there is no such button.
   using CheckAgain = std::function<std::vector<Found>()>;
 
   FindingsDialog(
-      const std::vector<Found>& found, Asks asks, const CheckAgain& checkAgain, QWidget* parent);
+      const std::vector<Found>& found,
+      Question asks,
+      const CheckAgain& checkAgain,
+      QWidget* parent);
 
   static bool hasFailed(const std::vector<Found>& found);
 

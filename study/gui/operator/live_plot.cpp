@@ -42,11 +42,11 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->yAxis->setLabel(tr("force [N]"));
   torque->setLabel(tr("torque [N·m]"));
   setMinimumHeight(150);
-  paintAsTheTheme();
+  applyThemeColours();
   begin(*haptics::deviceKinds().front(), 1000.0);
 }
 
-void LivePlot::paintAsTheTheme() {
+void LivePlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
   plot_->setBackground(colours.field.background);
   const auto paint = [&](QCPAxis* axis) {
@@ -71,7 +71,7 @@ void LivePlot::paintAsTheTheme() {
 }
 
 void LivePlot::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::StyleChange) paintAsTheTheme();
+  if (event->type() == QEvent::StyleChange) applyThemeColours();
   QWidget::changeEvent(event);
 }
 

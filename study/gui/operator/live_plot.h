@@ -52,7 +52,7 @@ class LivePlot final : public QWidget {
   };
 
   void endSlice();
-  void paintAsTheTheme();
+  void applyThemeColours();
 
   QCustomPlot* plot_;
   double scale_ = 1.0;  ///< factor for travel and velocity

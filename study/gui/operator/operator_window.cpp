@@ -196,10 +196,10 @@ void OperatorWindow::connectPanels() {
 }
 
 OperatorWindow::~OperatorWindow() {
-  mirror_->follow(nullptr);
+  mirror_->setPage(nullptr);
   if (controller_) controller_->disconnect(this);
-  trial_->follow(nullptr);
-  controls_->follow(nullptr);
+  trial_->setController(nullptr);
+  controls_->setController(nullptr);
 }
 
 void OperatorWindow::enrol(const Enrolment& enrolment) {
@@ -235,9 +235,9 @@ void OperatorWindow::begin(Session session) {
       this,
       &OperatorWindow::showWaitingErrors,
       Qt::QueuedConnection);
-  trial_->follow(controller_.get());
-  controls_->follow(controller_.get());
-  mirror_->follow(participant_.get());
+  trial_->setController(controller_.get());
+  controls_->setController(controller_.get());
+  mirror_->setPage(participant_.get());
   pages_->setCurrentIndex(1);
   updateAll();
   showParticipant();
@@ -313,7 +313,7 @@ void OperatorWindow::tile() {
 
 void OperatorWindow::useSessionLanguage() {
   QCoreApplication::removeTranslator(&translator_);
-  translator_.speak(controller_->session().language());
+  translator_.setLanguage(controller_->session().language());
   QCoreApplication::installTranslator(&translator_);
 }
 
@@ -351,7 +351,7 @@ void OperatorWindow::showInterview() {
        .language = QString::fromStdString(session.language()),  // of the person who is asked
        .before = session.answers()},
       this);
-  keepPlain(*interview_);
+  disableMnemonics(*interview_);
   connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
   connect(
       interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
@@ -365,9 +365,9 @@ void OperatorWindow::showInterview() {
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
   if (!controller_->saveAll() && !confirmLoss()) return;
-  trial_->follow(nullptr);
-  controls_->follow(nullptr);
-  mirror_->follow(nullptr);
+  trial_->setController(nullptr);
+  controls_->setController(nullptr);
+  mirror_->setPage(nullptr);
   participant_->allowClosing();
   participant_->close();
   participant_.reset();

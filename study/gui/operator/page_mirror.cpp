@@ -25,7 +25,7 @@ PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(ne
   connect(&timer_, &QTimer::timeout, this, &PageMirror::look);
 }
 
-void PageMirror::follow(QWidget* page) {
+void PageMirror::setPage(QWidget* page) {
   page_ = page;
   look();
 }

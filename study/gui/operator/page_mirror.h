@@ -15,7 +15,7 @@ class PageMirror final : public QWidget {
   explicit PageMirror(QWidget* parent);
 
   /// Shows @p page, a window; nullptr: nothing.
-  void follow(QWidget* page);
+  void setPage(QWidget* page);
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -238,7 +238,7 @@ void SessionsPage::showSelected() {
                                 : tr("Select a session that is in progress to continue it."));
     return;
   }
-  QString words = inWords(*one);
+  QString words = describeUnfinished(*one);
   for (const auto& choice : one->choices) {
     words += QStringLiteral("\n•  ") + spoken(choice);
   }

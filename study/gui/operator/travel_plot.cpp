@@ -45,10 +45,10 @@ void TravelPlot::beginStroke() {
     plot_->removePlottable(curves_.front());
     curves_.erase(curves_.begin());
   }
-  paintAsTheTheme();
+  applyThemeColours();
 }
 
-void TravelPlot::paintAsTheTheme() {
+void TravelPlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
   plot_->setBackground(colours.field.background);
   for (auto* axis : {plot_->xAxis, plot_->yAxis}) {
@@ -69,7 +69,7 @@ void TravelPlot::paintAsTheTheme() {
 }
 
 void TravelPlot::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::StyleChange) paintAsTheTheme();
+  if (event->type() == QEvent::StyleChange) applyThemeColours();
   QWidget::changeEvent(event);
 }
 

@@ -40,7 +40,7 @@ class TravelPlot final : public QWidget {
 
  private:
   void beginStroke();
-  void paintAsTheTheme();
+  void applyThemeColours();
 
   QCustomPlot* plot_;
   std::vector<QCPCurve*> curves_;  ///< the oldest first

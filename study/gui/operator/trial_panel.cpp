@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 
 #include "haptics/registry/device_kinds.h"
-#include "study/gui/operator/cup_button.h"
+#include "study/gui/operator/bone_colours_button.h"
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
@@ -30,7 +30,7 @@ TrialPanel::TrialPanel(QWidget* parent)
       health_(new QLabel(this)),
       cutCount_(bodyLabel({}, this)),
       numbers_(quietLabel({}, this)),
-      cup_(new CupButton(this)),
+      boneColours_(new BoneColoursButton(this)),
       plot_(new LivePlot(this)),
       travel_(new TravelPlot(this)),
       servo_(new ServoPanel(this)),
@@ -58,7 +58,7 @@ TrialPanel::TrialPanel(QWidget* parent)
   layout->addLayout(numbers);
   auto* below = new QHBoxLayout;
   below->addWidget(numbers_, 1);
-  below->addWidget(cup_);
+  below->addWidget(boneColours_);
   layout->addLayout(below);
   auto* plots = new QHBoxLayout;
   plots->addWidget(plot_, 3);
@@ -66,10 +66,10 @@ TrialPanel::TrialPanel(QWidget* parent)
   layout->addLayout(plots, 3);
   layout->addWidget(servo_);
   layout->addWidget(cuts_, 1);
-  follow(nullptr);
+  setController(nullptr);
 }
 
-void TrialPanel::follow(SessionController* controller) {
+void TrialPanel::setController(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
   // Removes the previous session's trial. The first device that the protocol declares says nothing
@@ -78,12 +78,12 @@ void TrialPanel::follow(SessionController* controller) {
       controller == nullptr ? nullptr : &controller->session().protocol().protocol.devices;
   const bool isFelt = devices != nullptr && !devices->empty();
   clearTrial(isFelt ? *devices->front().kind : *haptics::deviceKinds().front(), kNominalRate);
-  cup_->follow(controller);
+  boneColours_->setController(controller);
   updateSteps();
 }
 
 void TrialPanel::closeBoneWindow() {
-  cup_->closeWindow();
+  boneColours_->closeWindow();
 }
 
 void TrialPanel::showHealth(const QString& words, Health health) {
@@ -99,8 +99,8 @@ void TrialPanel::updateSteps() {
   const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
   if (isRunning && !wasRunning_) beginTrial();
   wasRunning_ = isRunning;
-  if (!isRunning) clearWhereATrialIsNext();
-  cup_->refresh();
+  if (!isRunning) clearBeforeNextTrial();
+  boneColours_->refresh();
   showState();
 }
 
@@ -115,7 +115,7 @@ void TrialPanel::beginTrial() {
   clearTrial(controller_->deviceKind(), controller_->trialRate());
 }
 
-void TrialPanel::clearWhereATrialIsNext() {
+void TrialPanel::clearBeforeNextTrial() {
   if (controller_ == nullptr) return;
   const auto& session = controller_->session();
   const bool isNext = !session.isOver() && session.state() != SessionState::Interrupted &&
@@ -166,7 +166,7 @@ void TrialPanel::updateTrial() {
           .arg(scale.factor * status.travel, 0, 'f', 2)
           .arg(scale.unit) +
       viewInWords(*controller_));
-  cup_->refresh();
+  boneColours_->refresh();
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {
     plot_->add(sample);

@@ -7,7 +7,7 @@
 
 namespace study::gui {
 
-class CupButton;
+class BoneColoursButton;
 class CutTable;
 class LivePlot;
 class ServoPanel;
@@ -24,7 +24,7 @@ class TrialPanel final : public QWidget {
 
   /// Shows @p controller's session; nullptr: no session is open. The controller must live until the
   /// next call.
-  void follow(SessionController* controller);
+  void setController(SessionController* controller);
   /// Updates the table after a change of step.
   void updateSteps();
   /// Shows new samples of the running trial.
@@ -37,7 +37,7 @@ class TrialPanel final : public QWidget {
 
   void beginTrial();
   /// Removes the curves of a trial that is over, once another one is next.
-  void clearWhereATrialIsNext();
+  void clearBeforeNextTrial();
   /// Clears all trial displays for a trial on @p device with ticks at @p rate [Hz].
   void clearTrial(const haptics::devices::DeviceKind& device, double rate);
   void showHealth(const QString& words, Health health);
@@ -48,7 +48,7 @@ class TrialPanel final : public QWidget {
   QLabel* health_;
   QLabel* cutCount_;
   QLabel* numbers_;
-  CupButton* cup_;
+  BoneColoursButton* boneColours_;
   LivePlot* plot_;
   TravelPlot* travel_;
   ServoPanel* servo_;

@@ -29,7 +29,7 @@ void AnswerSlider::answerWith(int position) {
   update();
 }
 
-void AnswerSlider::take(const QPointF& position) {
+void AnswerSlider::setFromPosition(const QPointF& position) {
   const int margin = scaled(*this, kMargin);
   const double share = (position.x() - margin) / std::max(1, width() - 2 * margin);
   const double mirrored = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
@@ -44,11 +44,11 @@ void AnswerSlider::take(const QPointF& position) {
 }
 
 void AnswerSlider::mousePressEvent(QMouseEvent* event) {
-  take(event->position());
+  setFromPosition(event->position());
 }
 
 void AnswerSlider::mouseMoveEvent(QMouseEvent* event) {
-  if ((event->buttons() & Qt::LeftButton) != 0) take(event->position());
+  if ((event->buttons() & Qt::LeftButton) != 0) setFromPosition(event->position());
 }
 
 void AnswerSlider::keyPressEvent(QKeyEvent* event) {
@@ -56,7 +56,7 @@ void AnswerSlider::keyPressEvent(QKeyEvent* event) {
                      event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
   if (moves && !isTouched_) {
     // The first key press puts the handle in the middle; later ones move it.
-    take(QPointF(width() / 2.0, height() / 2.0));
+    setFromPosition(QPointF(width() / 2.0, height() / 2.0));
     return;
   }
   QSlider::keyPressEvent(event);

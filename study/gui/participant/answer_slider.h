@@ -25,7 +25,7 @@ class AnswerSlider final : public QSlider {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void take(const QPointF& position);
+  void setFromPosition(const QPointF& position);
 
   bool isTouched_ = false;
 };

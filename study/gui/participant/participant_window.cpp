@@ -44,7 +44,7 @@ ParticipantWindow::ParticipantWindow(
       operator_(new QPushButton(this)),
       lock_(new ScreenLock(*this, *operator_, pin)) {
   setWindowTitle(QStringLiteral("Palpate"));
-  keepPlain(*this);
+  disableMnemonics(*this);
   progress_->setTextVisible(false);
   progress_->setFocusPolicy(Qt::NoFocus);
   for (const auto& language : controller.session().protocol().protocol.languages) {
@@ -301,8 +301,8 @@ QWidget* ParticipantWindow::makeTrialPage() {
       viewOfTrial(controller_, this),
       this);
   connect(trialPage_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
-  connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::declineOffer);
-  connect(trialPage_, &TrialPage::enoughRequested, &controller_, &SessionController::finishTrial);
+  connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::skipOfferedTrial);
+  connect(trialPage_, &TrialPage::finishRequested, &controller_, &SessionController::finishTrial);
   connect(trialPage_, &TrialPage::reamerSwitched, &controller_, &SessionController::toggleReamer);
   connect(trialPage_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });
   return trialPage_;

@@ -61,7 +61,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   }
   if (picture == nullptr) layout->addStretch(1);
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
-  connect(enough_, &QPushButton::clicked, this, &TrialPage::enoughRequested);
+  connect(enough_, &QPushButton::clicked, this, &TrialPage::finishRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
   hand_.setParent(this);
   hand_.setStartValue(0.0);

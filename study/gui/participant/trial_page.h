@@ -41,7 +41,7 @@ class TrialPage final : public QWidget {
 
  signals:
   void beginRequested();
-  void enoughRequested();
+  void finishRequested();
   /// The participant declined the optional trial.
   void declined();
   /// A key was pressed that switches the reamer on or off: R, also of a foot switch that types it.

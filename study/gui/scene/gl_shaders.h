@@ -17,7 +17,7 @@ uniform vec3 shadowAlong;
 uniform vec3 shadowSize;  // radius, reach, depth
 uniform vec3 disc;  // middle and radius in pixels; radius 0: none
 
-/// The share of light that is left, with the same equations as leftBy().
+/// The share of light that is left, with the same equations as lightAfterShadow().
 float leftByTool(vec3 place) {
   vec3 way = place - shadowFrom;
   float at = clamp(dot(way, shadowAlong) / max(dot(shadowAlong, shadowAlong), 1e-6), 0.0, 1.0);

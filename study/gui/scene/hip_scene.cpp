@@ -31,19 +31,19 @@ HipScene::HipScene(const Options& options) {
   scene_.parts.push_back({.mesh = std::move(reamer.cap), .isTool = true});
   scene_.parts.push_back({.mesh = std::move(reamer.shaft), .isTool = true});
   scene_.shadow = {.radius = radius, .reach = kHipShadow, .depth = kHipShadowDepth};
-  options.packing == nullptr ? addPlainCup() : addSpheres(options);
-  lookIntoTheCup();
+  options.packing == nullptr ? addUncutBone() : addSpheres(options);
+  setUpCamera();
   // Colours with a meaning need even light to be read.
   constexpr float kEven = 0.28F;
   if (options.colours != SphereColours::Neutral) scene_.shots.front().light.ambient = kEven;
-  follow({}, 0.0);
+  update({}, 0.0);
 }
 
 void HipScene::addSpheres(const Options& options) {
   const auto& spec = *options.packing;
   const haptics::reaming::SphereField field(
       spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale));
-  const auto plunge = haptics::reaming::plungeInto(field, spec.bone->reamerRadius);
+  const auto plunge = haptics::reaming::strokeInto(field, spec.bone->reamerRadius);
   start_ = kPerMetre * static_cast<float>(plunge.start);
   spheres_ = std::make_unique<SphereCloud>(
       field, SphereCloud::Options{.eye = kEye, .isHalved = true, .colours = options.colours});
@@ -51,7 +51,7 @@ void HipScene::addSpheres(const Options& options) {
 }
 
 /// Adds half of a hollow hemisphere, with the shape of the parametric packing.
-void HipScene::addPlainCup() {
+void HipScene::addUncutBone() {
   std::vector<Ring> rings;
   constexpr int kRings = 48;
   constexpr int kSteps = 28;
@@ -68,16 +68,16 @@ void HipScene::addPlainCup() {
     }
     rings.push_back(std::move(ring));
   }
-  Mesh cup = loft(rings);
-  paint(cup, kPlainBone);
-  crease(cup, 30.0F);
-  scene_.parts.push_back({.mesh = std::move(cup)});
+  Mesh bone = loft(rings);
+  paint(bone, kPlainBone);
+  crease(bone, 30.0F);
+  scene_.parts.push_back({.mesh = std::move(bone)});
   start_ = -std::sqrt(kPlainRadius * kPlainRadius - kPlainInner * kPlainInner);
 }
 
-void HipScene::lookIntoTheCup() {
+void HipScene::setUpCamera() {
   Shot shot;
-  // The opening of the cup points up and left, as a surgeon sees it.
+  // The opening of the acetabulum points up and left, as a surgeon sees it.
   shot.view.lookAt(kEye, kMiddle, {-0.55F, 0.0F, 0.62F});
   shot.fieldOfView = 22.0F;
   shot.nearest = 60.0F;
@@ -85,7 +85,7 @@ void HipScene::lookIntoTheCup() {
   shot.light = {.place = {-90.0F, 150.0F, 60.0F}, .reach = 0.0F, .ambient = 0.16F};
   shot.ground = {22, 26, 32, 0};
   shot.parts = {Cap, Shaft};
-  if (spheres_ == nullptr) shot.parts.push_back(Cup);
+  if (spheres_ == nullptr) shot.parts.push_back(Acetabulum);
   shot.showsSpheres = spheres_ != nullptr;
   scene_.shots.push_back(std::move(shot));
 }
@@ -94,7 +94,7 @@ void HipScene::apply(const haptics::engine::SphereChange& change) {
   if (spheres_ != nullptr) spheres_->apply(change);
 }
 
-void HipScene::follow(const Look& look, double seconds) {
+void HipScene::update(const Look& look, double seconds) {
   depth_ = look.travel;
   if (look.bone != nullptr && spheres_ != nullptr) {
     haptics::engine::SphereChange change;

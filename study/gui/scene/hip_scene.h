@@ -10,24 +10,25 @@
 
 namespace study::gui::scene {
 
-/// A cup that is being reamed, cut open along its axis so that the reamer is visible. It consists
-/// of the spheres of the condition's bone, or is a plain cup if the condition has none.
+/// The acetabulum while it is reamed, cut open along its axis so that the reamer is visible. It
+/// consists of the spheres of the condition's bone, or is a smooth surface if the condition has
+/// none.
 class HipScene final : public SimulatedScene {
  public:
   struct Options {
     const haptics::engine::PackingSpec* packing =
-        nullptr;  ///< of the condition; nullptr: a plain cup
+        nullptr;  ///< of the condition; nullptr: a smooth surface
     SphereColours colours = SphereColours::Neutral;
   };
 
   explicit HipScene(const Options& options);
 
-  void follow(const Look& look, double seconds) override;
+  void update(const Look& look, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
 
   /// Applies a change of a sphere that does not come from a trial's bone.
   void apply(const haptics::engine::SphereChange& change);
-  /// Also passes each change to @p listener from follow(); empty: to none.
+  /// Also passes each change to @p listener from update(); empty: to none.
   using Listener = std::function<void(const haptics::engine::SphereChange&)>;
   void setListener(Listener listener) { listener_ = std::move(listener); }
   /// The depth of the reamer along its path [m].
@@ -35,11 +36,11 @@ class HipScene final : public SimulatedScene {
   const SphereCloud* spheres() const noexcept { return spheres_.get(); }
 
  private:
-  enum PartIndex : std::size_t { Cap, Shaft, Cup };
+  enum PartIndex : std::size_t { Cap, Shaft, Acetabulum };
 
   void addSpheres(const Options& options);
-  void addPlainCup();
-  void lookIntoTheCup();
+  void addUncutBone();
+  void setUpCamera();
 
   Scene scene_;
   std::unique_ptr<SphereCloud> spheres_;

@@ -48,16 +48,16 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
       .radius = kJawHalfWidth,
       .reach = kKneeShadow,
       .depth = kKneeShadowDepth};
-  lookThroughTheScope();
-  lookAtTheHandles();
-  follow({}, 0.0);
+  setUpCamera();
+  setUpHandleCamera();
+  update({}, 0.0);
 }
 
 void KneeScene::add(Mesh mesh, const QMatrix4x4& pose) {
   scene_.parts.push_back({.mesh = std::move(mesh), .pose = pose});
 }
 
-void KneeScene::lookThroughTheScope() {
+void KneeScene::setUpCamera() {
   Shot shot{.place = {0.0, 0.0, 0.66, 1.0}, .isRound = true};
   shot.view.lookAt({-6.0F, 10.5F, 17.0F}, {1.2F, 2.6F, -16.0F}, {-0.05F, 1.0F, 0.0F});
   shot.fieldOfView = 62.0F;
@@ -69,8 +69,8 @@ void KneeScene::lookThroughTheScope() {
 }
 
 /// Shows the whole instrument with its handles apart, the widest that it becomes.
-void KneeScene::lookAtTheHandles() {
-  follow({}, 0.0);
+void KneeScene::setUpHandleCamera() {
+  update({}, 0.0);
   const QMatrix4x4 toPunch = punchPose(layout_).inverted();
   QRectF box;
   for (const auto part : {Body, Grip, Jaw, Rod, Lever}) {
@@ -99,8 +99,8 @@ void KneeScene::lookAtTheHandles() {
   scene_.shots.push_back(std::move(shot));
 }
 
-void KneeScene::follow(const Look& look, double seconds) {
-  followTheCut(look);
+void KneeScene::update(const Look& look, double seconds) {
+  updateCut(look);
   movePiece(seconds);
   const auto openness = static_cast<float>(std::clamp(1.0 - look.travel / kClosed, -0.02, 1.05));
   const QMatrix4x4 punch = punchPose(layout_);
@@ -121,7 +121,7 @@ void KneeScene::follow(const Look& look, double seconds) {
 }
 
 /// Cuts the tissue once per closure, and releases the piece when the hand opens.
-void KneeScene::followTheCut(const Look& look) {
+void KneeScene::updateCut(const Look& look) {
   const bool isThrough = look.isCutThrough || look.travel > kCertainlyCut;
   if (!isCut_ && look.travel > kOpenAgain && isThrough) {
     isCut_ = true;

@@ -17,7 +17,7 @@ class KneeScene final : public SimulatedScene {
   /// construction.
   explicit KneeScene(const protocols::Anatomy* own = nullptr);
 
-  void follow(const Look& look, double seconds) override;
+  void update(const Look& look, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
   const Meniscus& meniscus() const noexcept { return meniscus_; }
 
@@ -36,9 +36,9 @@ class KneeScene final : public SimulatedScene {
   };
 
   void add(Mesh mesh, const QMatrix4x4& pose = {});
-  void lookThroughTheScope();
-  void lookAtTheHandles();
-  void followTheCut(const Look& look);
+  void setUpCamera();
+  void setUpHandleCamera();
+  void updateCut(const Look& look);
   void movePiece(double seconds);
 
   KneeLayout layout_;

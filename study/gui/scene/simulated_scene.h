@@ -28,7 +28,7 @@ class SimulatedScene {
   SimulatedScene& operator=(const SimulatedScene&) = delete;
 
   /// Moves everything to the current state, @p seconds after the previous call.
-  virtual void follow(const Look& look, double seconds) = 0;
+  virtual void update(const Look& look, double seconds) = 0;
 
   virtual const Scene& scene() const noexcept = 0;
 };

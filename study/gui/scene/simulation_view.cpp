@@ -79,7 +79,7 @@ void SimulationView::paintEvent(QPaintEvent* /*event*/) {
   const double seconds =
       sinceLast_.isValid() ? 1e-9 * static_cast<double>(sinceLast_.nsecsElapsed()) : 0.0;
   sinceLast_.start();
-  scene_->follow(look, std::min(seconds, 0.1));
+  scene_->update(look, std::min(seconds, 0.1));
   if (look.bone != nullptr) lostChanges_ = static_cast<std::int64_t>(look.bone->lost());
   const QImage& picture = graphics_.renderer->draw(scene_->scene(), pictureSize());
   QPainter painter(this);

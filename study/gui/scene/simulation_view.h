@@ -33,7 +33,7 @@ class SimulationView final : public QWidget {
       QWidget* parent = nullptr);
 
   /// Sets the function that returns the current state; called before each picture.
-  void follow(std::function<Look()> look) { look_ = std::move(look); }
+  void setLookSource(std::function<Look()> look) { look_ = std::move(look); }
 
   /// The frame statistics of the running trial, or else of the last one.
   ViewReport report() const;

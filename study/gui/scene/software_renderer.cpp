@@ -54,7 +54,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   return {diffuse + metal * (steel - diffuse), power * shine};
 }
 
-float leftBy(const ContactShadow& shadow, QVector3D place) {
+float lightAfterShadow(const ContactShadow& shadow, QVector3D place) {
   const QVector3D way = place - shadow.from;
   const float length = std::max(shadow.along.lengthSquared(), 1e-6F);
   const float at = std::clamp(QVector3D::dotProduct(way, shadow.along) / length, 0.0F, 1.0F);
@@ -153,7 +153,8 @@ void SoftwareRenderer::light(
   const Tint tint = vertex.tint;
   auto bright =
       brightnessOf(frame.shot->light, corner.eye, normal, static_cast<float>(tint.gloss) / 255.0F);
-  if (!isTool && frame.shadow.depth > 0.0F) bright.diffuse *= leftBy(frame.shadow, corner.eye);
+  if (!isTool && frame.shadow.depth > 0.0F)
+    bright.diffuse *= lightAfterShadow(frame.shadow, corner.eye);
   corner.red = shown(linear(tint.red) * bright.diffuse + bright.shine);
   corner.green = shown(linear(tint.green) * bright.diffuse + bright.shine);
   corner.blue = shown(linear(tint.blue) * bright.diffuse + bright.shine);
@@ -163,7 +164,7 @@ void SoftwareRenderer::project(const Frame& frame, Corner& corner) const {
   const float distance = std::max(-corner.eye.z(), 1e-3F);
   const auto wide = static_cast<float>(frame.place.width());
   const auto high = static_cast<float>(frame.place.height());
-  corner.nearness = 1.0F / distance;
+  corner.inverseDepth = 1.0F / distance;
   corner.x = static_cast<float>(frame.place.left()) +
              0.5F * wide * (1.0F + frame.projection(0, 0) * corner.eye.x() / distance);
   corner.y = static_cast<float>(frame.place.top()) +
@@ -203,7 +204,7 @@ void SoftwareRenderer::fill(const Frame& frame, const Corner& a, const Corner& b
   };
   Corner right;
   Corner down;
-  for (const auto what : {&Corner::nearness, &Corner::red, &Corner::green, &Corner::blue}) {
+  for (const auto what : {&Corner::inverseDepth, &Corner::red, &Corner::green, &Corner::blue}) {
     right.*what = along(what, b.y - a.y, c.y - a.y);
     down.*what = -along(what, b.x - a.x, c.x - a.x);
   }
@@ -232,7 +233,7 @@ void SoftwareRenderer::fill(const Frame& frame, const Corner& a, const Corner& b
     const float dx = static_cast<float>(begin) + 0.5F - a.x;
     const float dy = middle - a.y;
     Corner at;
-    for (const auto what : {&Corner::nearness, &Corner::red, &Corner::green, &Corner::blue}) {
+    for (const auto what : {&Corner::inverseDepth, &Corner::red, &Corner::green, &Corner::blue}) {
       at.*what = a.*what + right.*what * dx + down.*what * dy;
     }
     fillRow(y, begin, end, at, right);
@@ -247,9 +248,9 @@ void SoftwareRenderer::fillRow(int y, int from, int to, const Corner& at, const 
   auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y)) + from;
   float* near = nearness_.data() + y * picture_.width() + from;
   for (int i = 0; i < to - from; ++i) {
-    const float nearness = at.nearness + static_cast<float>(i) * perPixel.nearness;
-    if (nearness <= near[i]) continue;
-    near[i] = nearness;
+    const float inverseDepth = at.inverseDepth + static_cast<float>(i) * perPixel.inverseDepth;
+    if (inverseDepth <= near[i]) continue;
+    near[i] = inverseDepth;
     row[i] = qRgb(red.at(i), green.at(i), blue.at(i));
   }
 }
@@ -267,15 +268,15 @@ void SoftwareRenderer::drawSphere(
   Corner middle{.eye = frame.shot->view.map(QVector3D(sphere.x, sphere.y, sphere.z))};
   if (-middle.eye.z() < frame.shot->nearest) return;
   project(frame, middle);
-  const float scale =
-      0.5F * static_cast<float>(frame.place.height()) * frame.projection(1, 1) * middle.nearness;
+  const float scale = 0.5F * static_cast<float>(frame.place.height()) * frame.projection(1, 1) *
+                      middle.inverseDepth;
   const float radius = std::max(0.7F, scale * sphere.radius);
   const QRect place = frame.place.intersected(picture_.rect());
   const int top = std::max(place.top(), static_cast<int>(std::ceil(middle.y - radius - 0.5F)));
   const int bottom = std::min(place.bottom(), static_cast<int>(middle.y + radius - 0.5F));
   const int first = std::max(place.left(), static_cast<int>(std::ceil(middle.x - radius - 0.5F)));
   const int last = std::min(place.right(), static_cast<int>(middle.x + radius - 0.5F));
-  const float left = frame.shadow.depth > 0.0F ? leftBy(frame.shadow, middle.eye) : 1.0F;
+  const float left = frame.shadow.depth > 0.0F ? lightAfterShadow(frame.shadow, middle.eye) : 1.0F;
   const float red = left * linear(sphere.tint.red);
   const float green = left * linear(sphere.tint.green);
   const float blue = left * linear(sphere.tint.blue);
@@ -287,11 +288,11 @@ void SoftwareRenderer::drawSphere(
     for (int x = first; x <= last; ++x) {
       const float nx = (static_cast<float>(x) + 0.5F - middle.x) / radius;
       const float rest = 1.0F - nx * nx - ny * ny;
-      if (rest <= 0.0F || middle.nearness <= near[x]) continue;
+      if (rest <= 0.0F || middle.inverseDepth <= near[x]) continue;
       const float nz = std::sqrt(rest);
-      const float nearness = 1.0F / (-middle.eye.z() - sphere.radius * nz);
-      if (nearness <= near[x]) continue;
-      near[x] = nearness;
+      const float inverseDepth = 1.0F / (-middle.eye.z() - sphere.radius * nz);
+      if (inverseDepth <= near[x]) continue;
+      near[x] = inverseDepth;
       const float facing = std::max(0.0F, nx * toLamp.x() + ny * toLamp.y() + nz * toLamp.z());
       // Little light reaches the gaps between spheres.
       const float bright = (0.45F + 0.55F * nz) * (ambient * (1.0F + 0.5F * ny) + 1.05F * facing);

@@ -23,7 +23,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
 
 /// The share of light that is left in the shadow of a tool, 1 outside of it. @param shadow, place
 /// in the same frame.
-float leftBy(const ContactShadow& shadow, QVector3D place);
+float lightAfterShadow(const ContactShadow& shadow, QVector3D place);
 
 /// The brightness at @p radius from the middle of a round view, whose rim is at 1.
 float vignette(float radius);
@@ -46,8 +46,8 @@ class SoftwareRenderer final : public Renderer {
  private:
   /// A vertex during projection.
   struct Corner {
-    QVector3D eye;                              ///< position in the eye's frame
-    float x = 0.0F, y = 0.0F, nearness = 0.0F;  ///< on the screen; 1 / distance
+    QVector3D eye;                                  ///< position in the eye's frame
+    float x = 0.0F, y = 0.0F, inverseDepth = 0.0F;  ///< on the screen; 1 / distance
     float red = 0.0F, green = 0.0F, blue = 0.0F;
   };
   struct Frame {

@@ -5,7 +5,7 @@
 
 namespace study::gui {
 
-void CatalogueTranslator::speak(std::string_view language) {
+void CatalogueTranslator::setLanguage(std::string_view language) {
   const auto all = words::languages();
   const bool isKnown = std::find(all.begin(), all.end(), language) != all.end();
   windows_ = isKnown ? words::wordsIn(language).catalogue().windows : words::Catalogue::Windows();

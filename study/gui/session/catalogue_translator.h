@@ -13,7 +13,7 @@ namespace study::gui {
 class CatalogueTranslator final : public QTranslator {
  public:
   /// From now on in @p language ("de").
-  void speak(std::string_view language);
+  void setLanguage(std::string_view language);
 
   bool isEmpty() const override { return windows_.empty(); }
   QString translate(

@@ -11,7 +11,7 @@
 
 namespace study::gui {
 
-std::optional<QString> OperatorPin::objection(const QString& digits) {
+std::optional<QString> OperatorPin::pinProblem(const QString& digits) {
   const bool isNumber =
       std::all_of(digits.begin(), digits.end(), [](QChar c) { return c >= u'0' && c <= u'9'; });
   if (isNumber && digits.size() >= kFewestDigits && digits.size() <= kMostDigits) {
@@ -21,7 +21,7 @@ std::optional<QString> OperatorPin::objection(const QString& digits) {
 }
 
 bool OperatorPin::opensWith(const QString& digits) {
-  if (waitLeft() > 0) return false;
+  if (secondsUntilNextTry() > 0) return false;
   if (isChosen() && digits == digits_) {
     wrong_ = 0;
     return true;
@@ -35,7 +35,7 @@ bool OperatorPin::opensWith(const QString& digits) {
   return false;
 }
 
-int OperatorPin::waitLeft() const {
+int OperatorPin::secondsUntilNextTry() const {
   return static_cast<int>((wait_.remainingTime() + 999) / 1000);
 }
 
@@ -50,7 +50,7 @@ QLineEdit* pinLine(QWidget* parent) {
 
 /// Why two entries are not accepted as a PIN; empty if they are.
 QString whyNot(const QString& first, const QString& second) {
-  if (const auto objection = OperatorPin::objection(first)) return *objection;
+  if (const auto objection = OperatorPin::pinProblem(first)) return *objection;
   return first == second ? QString() : PinDialog::tr("The two PINs are not the same yet.");
 }
 

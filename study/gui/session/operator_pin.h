@@ -21,18 +21,18 @@ class OperatorPin {
   static constexpr int kWait = 10;  ///< the first wait [s]; it doubles with every further wrong try
 
   /// Why @p digits cannot be a PIN; std::nullopt if they can.
-  static std::optional<QString> objection(const QString& digits);
+  static std::optional<QString> pinProblem(const QString& digits);
 
   bool isChosen() const noexcept { return !digits_.isEmpty(); }
   /// Sets the PIN.
-  /// @pre objection(digits) is nothing
+  /// @pre pinProblem(digits) is nothing
   void choose(const QString& digits) { digits_ = digits; }
 
-  /// Whether @p digits are the PIN. Always false while waitLeft() is not 0.
+  /// Whether @p digits are the PIN. Always false while secondsUntilNextTry() is not 0.
   bool opensWith(const QString& digits);
 
   /// The time until the next try is allowed [s].
-  int waitLeft() const;
+  int secondsUntilNextTry() const;
 
  private:
   QString digits_;

@@ -61,7 +61,7 @@ bool ScreenLock::eventFilter(QObject* watched, QEvent* event) {
     window_.activateWindow();
   }
   // The window was resized: close the question, which would no longer be in the middle.
-  if (event->type() == QEvent::Resize && sheet_ != nullptr) putAway();
+  if (event->type() == QEvent::Resize && sheet_ != nullptr) closeDialog();
   return QObject::eventFilter(watched, event);
 }
 
@@ -86,7 +86,7 @@ void ScreenLock::ask() {
   buttons->addStretch(1);
   buttons->addWidget(open);
   layout->addLayout(buttons);
-  connect(back, &QPushButton::clicked, this, &ScreenLock::putAway);
+  connect(back, &QPushButton::clicked, this, &ScreenLock::closeDialog);
   connect(open, &QPushButton::clicked, this, &ScreenLock::tryPin);
   connect(digits_, &QLineEdit::returnPressed, this, &ScreenLock::tryPin);
   constexpr int kWide = 460;
@@ -103,22 +103,22 @@ void ScreenLock::tryPin() {
   digits_->clear();
   if (isRight) {
     open();
-  } else if (pin_.waitLeft() > 0) {
-    answer_->setText(tr("That is not the PIN. Please wait %1 s.").arg(pin_.waitLeft()));
+  } else if (pin_.secondsUntilNextTry() > 0) {
+    answer_->setText(tr("That is not the PIN. Please wait %1 s.").arg(pin_.secondsUntilNextTry()));
   } else {
     answer_->setText(tr("That is not the PIN."));
   }
 }
 
 void ScreenLock::open() {
-  putAway();
+  closeDialog();
   isLocked_ = false;
   button_.hide();
   cover(false);
   emit opened();
 }
 
-void ScreenLock::putAway() {
+void ScreenLock::closeDialog() {
   if (sheet_ == nullptr) return;
   sheet_->hide();
   sheet_->deleteLater();

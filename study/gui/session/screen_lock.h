@@ -38,7 +38,7 @@ class ScreenLock final : public QObject {
   void ask();
   void tryPin();
   void open();
-  void putAway();
+  void closeDialog();
   void cover(bool isCovering);
   void grabKeyboard();
 

@@ -96,8 +96,8 @@ void SessionController::finishStep() {
   leaveStep([&] { session_.finishStep(); });
 }
 
-void SessionController::declineOffer() {
-  leaveStep([&] { session_.declineOffer(); });
+void SessionController::skipOfferedTrial() {
+  leaveStep([&] { session_.skipOfferedTrial(); });
 }
 
 void SessionController::beginTrial() {
@@ -155,7 +155,7 @@ void SessionController::endTrial(TrialEnding ending) {
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
     } else {
-      session_.breakOffTrial(record);
+      session_.abortTrial(record);
     }
   });
   trial_.reset();

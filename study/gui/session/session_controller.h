@@ -51,9 +51,9 @@ class SessionController final : public QObject {
   std::optional<ViewReport> viewReport() const {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
-  /// Sets the function that returns the cup shown to the participant; empty: no cup is shown.
-  void setCupSource(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
-  scene::HipScene* visibleCup() const { return cup_ ? cup_() : nullptr; }
+  /// Sets the function that returns the bone shown to the participant; empty: no bone is shown.
+  void setBoneSource(std::function<scene::HipScene*()> bone) { bone_ = std::move(bone); }
+  scene::HipScene* visibleBone() const { return bone_ ? bone_() : nullptr; }
   /// Takes the next sample for a plot.
   /// @return false if there is no further sample.
   bool nextToPlot(haptics::engine::TickSample& sample) {
@@ -86,7 +86,7 @@ class SessionController final : public QObject {
   void countBenchmarkCut();
   void finishStep();
   /// Skips the optional repetition of a trial.
-  void declineOffer();
+  void skipOfferedTrial();
   void beginTrial();
   /// Ends the trial if the participant has made enough cuts.
   void finishTrial();
@@ -140,7 +140,7 @@ class SessionController final : public QObject {
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first
   std::function<std::optional<ViewReport>()> viewReport_;
-  std::function<scene::HipScene*()> cup_;
+  std::function<scene::HipScene*()> bone_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
   bool isAllSaved_ = true;  ///< of the answers received since the last saveAll()

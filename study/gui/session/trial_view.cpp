@@ -25,7 +25,7 @@ std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
   switch (view) {
     case View::Knee:
       return std::make_unique<scene::KneeScene>(knee);
-    case View::Cup:
+    case View::Hip:
       return std::make_unique<scene::HipScene>(
           scene::HipScene::Options{.packing = haptics::engine::partsOf(spec.model).packing});
     case View::None:
@@ -56,12 +56,12 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
       SimulationView::Pace::Display,
       &place);
   place.layout()->addWidget(view);
-  view->follow([&controller] { return lookAt(controller); });
+  view->setLookSource([&controller] { return lookAt(controller); });
   controller.setViewReportSource([seen = QPointer(view)]() -> std::optional<ViewReport> {
     if (seen.isNull()) return std::nullopt;
     return seen->report();
   });
-  controller.setCupSource([seen = QPointer(view)]() -> scene::HipScene* {
+  controller.setBoneSource([seen = QPointer(view)]() -> scene::HipScene* {
     return seen.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&seen->scene());
   });
 }
@@ -70,7 +70,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
 
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.setViewReportSource({});
-  controller.setCupSource({});
+  controller.setBoneSource({});
   const auto spec = sceneFor(controller.session());
   const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
   if (!isSeen) return nullptr;

@@ -20,7 +20,7 @@ constexpr const char* kLanguageKey = "language";
 /// The texts of all windows but the participant's.
 class DeskTranslator final : public QTranslator {
  public:
-  void speak(words::Words words) { words_ = std::move(words); }
+  void setLanguage(words::Words words) { words_ = std::move(words); }
   const words::Words& words() const noexcept { return words_; }
 
   bool isEmpty() const override { return words_.catalogue().desk.empty(); }
@@ -53,13 +53,13 @@ const std::string& deskLanguage() noexcept {
   return desk().texts.words().language();
 }
 
-void speakAtTheDesk(std::string_view language) {
+void setDeskLanguage(std::string_view language) {
   auto& [texts, dialogs] = desk();
   QCoreApplication::removeTranslator(&texts);
   QCoreApplication::removeTranslator(&dialogs);
   const auto all = words::languages();
   const bool isKnown = std::find(all.begin(), all.end(), language) != all.end();
-  texts.speak(words::wordsIn(isKnown ? language : "en"));
+  texts.setLanguage(words::wordsIn(isKnown ? language : "en"));
   if (texts.isEmpty()) return;
   const auto file = QStringLiteral("qtbase_%1").arg(asText(language));
   if (dialogs.load(file, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
@@ -71,7 +71,7 @@ void speakAtTheDesk(std::string_view language) {
 void speakChosenLanguage() {
   const auto chosen = studioSettings().value(QLatin1String(kLanguageKey)).toString();
   const auto computer = QLocale::system().name().section(u'_', 0, 0);
-  speakAtTheDesk((chosen.isEmpty() ? computer : chosen).toStdString());
+  setDeskLanguage((chosen.isEmpty() ? computer : chosen).toStdString());
 }
 
 void addLanguagesTo(QMenu& menu) {
@@ -85,7 +85,7 @@ void addLanguagesTo(QMenu& menu) {
     group->addAction(action);
     QObject::connect(action, &QAction::triggered, action, [tag] {
       studioSettings().setValue(QLatin1String(kLanguageKey), tag);
-      speakAtTheDesk(tag.toStdString());
+      setDeskLanguage(tag.toStdString());
     });
   }
 }

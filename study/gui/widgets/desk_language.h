@@ -20,7 +20,7 @@ const std::string& deskLanguage() noexcept;
 
 /// From now on in @p language; English if it has no catalogue. Windows that are open keep their
 /// texts, apart from the home page, which is made again. Only while no task runs in the background.
-void speakAtTheDesk(std::string_view language);
+void setDeskLanguage(std::string_view language);
 
 /// The language that was chosen last; if none was, that of the computer.
 void speakChosenLanguage();

@@ -50,7 +50,7 @@ QString statusInWords(SessionState state) {
   return spoken(asText(statusOf(state)).replace(u'_', u' ').toStdString());
 }
 
-QString inWords(const UnfinishedSession& session) {
+QString describeUnfinished(const UnfinishedSession& session) {
   const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
   return QString::fromStdString(
       said(

@@ -20,7 +20,7 @@ QString capitalised(const QString& words);
 /// A session's status in the language of the desk: "in progress", "aborted hardware".
 QString statusInWords(SessionState state);
 /// Where an unfinished session stands and what happened to it, in the language of the desk.
-QString inWords(const UnfinishedSession& session);
+QString describeUnfinished(const UnfinishedSession& session);
 /// The name of a language in that language.
 QString nativeName(const QString& language);
 /// The title of a cohort in the language of the desk. If only an earlier version of the protocol

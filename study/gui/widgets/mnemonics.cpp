@@ -178,7 +178,7 @@ void offerMnemonics(QApplication& application) {
   application.installEventFilter(new MnemonicFilter(&application));
 }
 
-void keepPlain(QWidget& page) {
+void disableMnemonics(QWidget& page) {
   page.setProperty(kPlainProperty, true);
 }
 

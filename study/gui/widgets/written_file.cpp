@@ -20,7 +20,7 @@ void openOnDesktop(const QString& path) {
   QDesktopServices::openUrl(QUrl::fromLocalFile(path));
 }
 
-void tellWritten(QWidget* parent, const QString& path) {
+void announceWrittenFile(QWidget* parent, const QString& path) {
   auto* box = new QMessageBox(
       QMessageBox::NoIcon,
       WrittenFile::tr("Saved"),

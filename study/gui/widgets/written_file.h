@@ -12,7 +12,7 @@ QString shownPath(const QString& path);
 void openOnDesktop(const QString& path);
 
 /// Says that @p path was written, and offers to open it or its folder. Does not wait.
-void tellWritten(QWidget* parent, const QString& path);
+void announceWrittenFile(QWidget* parent, const QString& path);
 
 /// Two buttons for something that was written: *Open*, and *Show in folder*.
 class WrittenFile final : public QWidget {

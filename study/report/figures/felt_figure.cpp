@@ -52,7 +52,7 @@ class FeltPainter {
         mostTravel_ = std::max(mostTravel_, point.travel);
         mostForce_ = std::max(mostForce_, point.high);
       }
-      for (const double force : curve.meant) mostForce_ = std::max(mostForce_, force);
+      for (const double force : curve.intended) mostForce_ = std::max(mostForce_, force);
     }
     shown_ = &section.protocol.device(device)->kind->shown;
   }
@@ -64,7 +64,7 @@ class FeltPainter {
     for (std::size_t i = 0; i < curves_.size(); ++i)
       line(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      meant(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
+      paintIntended(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
     legend();
   }
 
@@ -159,11 +159,11 @@ class FeltPainter {
     painter_.setBrush(Qt::NoBrush);
   }
 
-  void meant(const FeltCurve& curve, const QColor& colour) {
-    if (curve.meant.empty()) return;
-    QPainterPath path(at(curve.points.front().travel, curve.meant.front()));
-    for (std::size_t i = 0; i < curve.meant.size(); ++i) {
-      path.lineTo(at(curve.points[i].travel, curve.meant[i]));
+  void paintIntended(const FeltCurve& curve, const QColor& colour) {
+    if (curve.intended.empty()) return;
+    QPainterPath path(at(curve.points.front().travel, curve.intended.front()));
+    for (std::size_t i = 0; i < curve.intended.size(); ++i) {
+      path.lineTo(at(curve.points[i].travel, curve.intended[i]));
     }
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(colour, 1.2, Qt::DashLine));
@@ -222,7 +222,7 @@ class FeltPainter {
   std::vector<const FeltCurve*> curves_;
   double mostTravel_ = 0.0;
   double mostForce_ = 0.0;
-  const haptics::devices::DeviceKind::Shown* shown_ = nullptr;  ///< unit of travel
+  const haptics::devices::DeviceKind::TravelDisplay* shown_ = nullptr;  ///< unit of travel
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ std::vector<std::string> textsAbout(const Database& study, const std::string& pa
   return texts;
 }
 
-bool hasOpenEvents(const Database& study, SessionId session) {
+bool hasUnsealedEvents(const Database& study, SessionId session) {
   // A file of an older format that is only read does not have the column: nothing is sealed in it.
   const std::string sealed = study.hasTable("erasure") ? "sealed" : "NULL";
   Statement select(

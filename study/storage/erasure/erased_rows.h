@@ -23,7 +23,7 @@ std::vector<std::string> textsAbout(const Database& study, const std::string& pa
 
 /// Whether the audit trail says something of a session that is not sealed: an older release wrote
 /// it.
-bool hasOpenEvents(const Database& study, SessionId session);
+bool hasUnsealedEvents(const Database& study, SessionId session);
 
 /// Takes what was deleted out of the file: moves the write-ahead log into it, builds it anew
 /// without its free pages, and empties the log.

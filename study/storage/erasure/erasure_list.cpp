@@ -57,7 +57,8 @@ void list(const ListedErasure& erasure) {
   StationStore::findOrMake(StationStore::usualFolder()).append(kList, asLine(erasure));
 }
 
-std::vector<ListedErasure> notDone(Database& database, const std::vector<ListedErasure>& listed) {
+std::vector<ListedErasure> missingErasures(
+    Database& database, const std::vector<ListedErasure>& listed) {
   std::vector<ListedErasure> open;
   const auto done = ErasureRepository(database).all();
   const auto isDone = [&](const ListedErasure& erasure, bool (*part)(ErasureLevel)) {

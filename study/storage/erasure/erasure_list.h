@@ -33,6 +33,7 @@ void list(const ListedErasure& erasure);
 
 /// The erasures of @p listed that were not done in the study of this database: those of
 /// participants whom it has, from what it has not erased.
-std::vector<ListedErasure> notDone(Database& database, const std::vector<ListedErasure>& listed);
+std::vector<ListedErasure> missingErasures(
+    Database& database, const std::vector<ListedErasure>& listed);
 
 }  // namespace study::storage

@@ -10,8 +10,9 @@ namespace {
 
 std::string asWords(const NotedHead& noted) {
   const auto& head = noted.head;
-  return std::to_string(head.events) + " events, " + inGroups(head.hash) + " (signed " + head.utc +
-         ", " + head.purpose + (noted.folder.empty() ? "" : ", in " + noted.folder) + ")";
+  return std::to_string(head.events) + " events, " + inGroupsOfFour(head.hash) + " (signed " +
+         head.utc + ", " + head.purpose + (noted.folder.empty() ? "" : ", in " + noted.folder) +
+         ")";
 }
 
 /// Why a head is missing, as far as the trail shows it.
@@ -53,8 +54,8 @@ bool vouchesForTheBeginning(const SignedHead& head) {
 struct OwnHeads {
   /// It began, or was taken over on purpose, at this station.
   bool hasBeginning = false;
-  /// That, or it is the first of its uuid that the station ever signed. If not, what lies here is
-  /// not what the station signed.
+  /// hasBeginning, or the first head of this study that the station noted, if any, is of this
+  /// trail. If false, the trail here is not the one that the station signed.
   bool isKnown = false;
   std::vector<NotedHead> heads = {};  ///< that the trail has to account for
 };
@@ -69,7 +70,7 @@ OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) 
   });
   own.isKnown = own.hasBeginning || noted.empty() || isOfTrail(noted.front());
   const auto last = std::find_if(noted.begin(), noted.end(), [&](const auto& each) {
-    return trail.isLastOfTheTrailBefore(each.head);
+    return trail.isLastOfPreviousTrail(each.head);
   });
   const auto before = last == noted.end() ? std::string() : last->head.first;
   std::copy_if(noted.begin(), noted.end(), std::back_inserter(own.heads), [&](const auto& each) {
@@ -91,7 +92,7 @@ Findings checkHeads(
     if (trail.holds(each.head)) continue;
     if (trail.gaveUp(each.head)) {
       ++givenUp;
-    } else if (trail.isOfTheTrailBefore(each.head)) {
+    } else if (trail.belongsToPreviousTrail(each.head)) {
       ++before;
     } else if (isOlderCopy && trail.endsBefore(each.head)) {
       ++later;
@@ -164,7 +165,7 @@ std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore
   std::vector<SignedHead> missing;
   for (const auto& [head, folder] : own.heads) {
     const bool isAccountedFor =
-        trail.holds(head) || trail.gaveUp(head) || trail.isOfTheTrailBefore(head);
+        trail.holds(head) || trail.gaveUp(head) || trail.belongsToPreviousTrail(head);
     if (!own.isKnown || !isAccountedFor) missing.push_back(head);
   }
   return missing;

@@ -82,7 +82,7 @@ SignedHead signHead(
   return head;
 }
 
-std::string inGroups(const std::string& hash) {
+std::string inGroupsOfFour(const std::string& hash) {
   constexpr std::size_t kDigits = 32;  // 128 bits
   std::string words;
   for (std::size_t i = 0; i < std::min(kDigits, hash.size()); i += 4) {

@@ -51,6 +51,6 @@ SignedHead signHead(
     const Database& study, const StationStore& station, std::string_view purpose, std::string utc);
 
 /// The first 128 bits of a hash in eight groups, to be read aloud: "1a2b 3c4d …".
-std::string inGroups(const std::string& hash);
+std::string inGroupsOfFour(const std::string& hash);
 
 }  // namespace study::storage

@@ -60,9 +60,9 @@ TrailHeads::TrailHeads(const Database& study) : database_(study) {
   last_ = select.number(1);
   first_ = hashOf(1);
   readResealed();
-  readErasedAgain();
+  readRepeatedErasures();
   readSigned();
-  readGivenUp();
+  readAbandonedHeads();
 }
 
 std::string TrailHeads::hashOf(std::int64_t seq) const {
@@ -85,7 +85,7 @@ void TrailHeads::readResealed() {
   }
 }
 
-void TrailHeads::readErasedAgain() {
+void TrailHeads::readRepeatedErasures() {
   ownEnd_ = last_;
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::Erased))) {
     if (numberIn(values, "again") != 0) ownEnd_ = std::min(ownEnd_, seq - 1);
@@ -116,7 +116,7 @@ void TrailHeads::readSigned() {
   }
 }
 
-void TrailHeads::readGivenUp() {
+void TrailHeads::readAbandonedHeads() {
   for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
     // The station that signed the heads has to sign that they were given up, too.
     const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
@@ -149,7 +149,7 @@ bool TrailHeads::endsBefore(const SignedHead& head) const {
   return head.events > ownEnd_ || (head.events == ownEnd_ && hashOf(ownEnd_) == head.hash);
 }
 
-bool TrailHeads::isOfTheTrailBefore(const SignedHead& head) const {
+bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
   if (eventsBefore_ == 0 || head.first == first_ || head.events > eventsBefore_) return false;
   // Any later signature of the station would not do: it signs sessions of a study that somebody
   // gave another beginning.
@@ -161,7 +161,7 @@ bool TrailHeads::isOfTheTrailBefore(const SignedHead& head) const {
   });
 }
 
-bool TrailHeads::isLastOfTheTrailBefore(const SignedHead& head) const {
+bool TrailHeads::isLastOfPreviousTrail(const SignedHead& head) const {
   return isSealedAgain(head) && head.events == eventsBefore_ && head.hash == headBefore_;
 }
 
@@ -186,8 +186,8 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
   }
   for (const auto& [other, count] : others) {
     findings.remarks.push_back(
-        std::to_string(count) + " signed by another station, whose key is " + inGroups(other) +
-        ": ask there whether that is its key");
+        std::to_string(count) + " signed by another station, whose key is " +
+        inGroupsOfFour(other) + ": ask there whether that is its key");
   }
   if (signedBefore_ > 0) {
     findings.remarks.push_back(

@@ -38,10 +38,10 @@ class TrailHeads {
 
   /// Whether @p head is of the trail that was there before this one was sealed again (event
   /// resealed_trail) or collected, and the station that signed it has signed that, too.
-  bool isOfTheTrailBefore(const SignedHead& head) const;
+  bool belongsToPreviousTrail(const SignedHead& head) const;
 
   /// Whether @p head is what a station signed of the trail before when it sealed it again.
-  bool isLastOfTheTrailBefore(const SignedHead& head) const;
+  bool isLastOfPreviousTrail(const SignedHead& head) const;
 
   /// Whether an event that the same station signed says that @p head was given up.
   bool gaveUp(const SignedHead& head) const;
@@ -53,9 +53,9 @@ class TrailHeads {
  private:
   std::string hashOf(std::int64_t seq) const;
   void readResealed();
-  void readErasedAgain();
+  void readRepeatedErasures();
   void readSigned();
-  void readGivenUp();
+  void readAbandonedHeads();
 
   const Database& database_;
   std::string study_;

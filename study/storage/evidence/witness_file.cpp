@@ -79,7 +79,8 @@ Findings checkWitness(const TrailHeads& trail, const std::vector<NotedHead>& wit
       findings.problems.begin(), unsound.problems.begin(), unsound.problems.end());
   for (const auto& key : keys) {
     findings.remarks.push_back(
-        "signed by the station whose key is " + inGroups(key) + ": compare it with that station's");
+        "signed by the station whose key is " + inGroupsOfFour(key) +
+        ": compare it with that station's");
   }
   return findings;
 }

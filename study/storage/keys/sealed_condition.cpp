@@ -28,7 +28,7 @@ std::vector<std::byte> sealed(
 
 std::string opened(
     const SealingKey* key, const std::vector<std::byte>& bytes, const std::string& place) {
-  if (key == nullptr) throw StorageError(howToGetTheKey("DIR", false));
+  if (key == nullptr) throw StorageError(adviceOnMissingKey("DIR", false));
   const auto padded = key->open(bytes, place);
   if (!padded) {
     throw StorageError(
@@ -61,7 +61,7 @@ std::string openedMeasurements(
   return opened(key, bytes, placeOf(trial));
 }
 
-std::string howToGetTheKey(const std::string& study, bool hasPassphrase) {
+std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase) {
   return "This account has not the key of the study " + study +
          ". Without it no session can go on, and nobody can say which condition an alternative "
          "was. On the account that has it: palpate study key export " +

@@ -34,6 +34,6 @@ std::string openedMeasurements(
 
 /// What to do where the key of a study is missing.
 /// @param study  its folder, as somebody would type it
-std::string howToGetTheKey(const std::string& study, bool hasPassphrase);
+std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase);
 
 }  // namespace study::storage

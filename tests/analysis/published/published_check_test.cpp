@@ -37,9 +37,9 @@ std::vector<std::uint64_t> from(std::uint64_t low, std::uint64_t high) {
   return sizes;
 }
 
-FittingSizes fits(const PublishedTable& table, std::vector<std::uint64_t> sizes, int parts = 1) {
+ConsistentSizes fits(const PublishedTable& table, std::vector<std::uint64_t> sizes, int parts = 1) {
   const AnswerLattice lattice({.lowest = 1, .highest = 5, .parts = parts}, sizes.back());
-  return fittingSizes(table, std::vector(table.groups.size(), sizes), lattice, kWelch);
+  return consistentSizes(table, std::vector(table.groups.size(), sizes), lattice, kWelch);
 }
 
 /// Intervals of the three comparisons at equal sizes, to as many decimals as the reference has.
@@ -68,12 +68,12 @@ TEST(PublishedCheck, BoundsEveryPOfThePunchPaper) {
 
 TEST(PublishedCheck, FindsThatThePrintedPIsImpossible) {
   const auto all = checkAt(professionals(), {36, 36, 36}, kWelch);
-  EXPECT_TRUE(all.comparisons[0].follows);
-  EXPECT_FALSE(all.comparisons[1].follows);  // .021, and at most .0165
-  EXPECT_TRUE(all.comparisons[2].follows);
+  EXPECT_TRUE(all.comparisons[0].isAttainable);
+  EXPECT_FALSE(all.comparisons[1].isAttainable);  // .021, and at most .0165
+  EXPECT_TRUE(all.comparisons[2].isAttainable);
   EXPECT_FALSE(all.row);
-  EXPECT_TRUE(checkAt(professionals(), {30, 30, 30}, kWelch).eachFollows());
-  EXPECT_TRUE(checkAt(others(), {30, 30, 30}, kWelch).eachFollows());
+  EXPECT_TRUE(checkAt(professionals(), {30, 30, 30}, kWelch).allAttainable());
+  EXPECT_TRUE(checkAt(others(), {30, 30, 30}, kWelch).allAttainable());
 }
 
 TEST(PublishedCheck, FindsARowOfRealNumbersThatGivesEveryP) {
@@ -164,10 +164,11 @@ TEST(PublishedCheck, RealAnswersFitByTheConventionTheyWerePrintedWith) {
     const AnswerLattice lattice({.lowest = 1, .highest = 5, .parts = 1}, 14);
     const std::vector<std::vector<std::uint64_t>> sizes(2, from(10, 14));
     EXPECT_EQ(
-        fittingSizes(table, sizes, lattice, kWelch).fitting, (std::vector<GroupSizes>{{12, 12}}));
+        consistentSizes(table, sizes, lattice, kWelch).fitting,
+        (std::vector<GroupSizes>{{12, 12}}));
     auto oneSided = kWelch;
     oneSided.tails = PublishedConvention::Tails::One;
-    EXPECT_TRUE(fittingSizes(table, sizes, lattice, oneSided).fitting.empty());
+    EXPECT_TRUE(consistentSizes(table, sizes, lattice, oneSided).fitting.empty());
   }
 }
 

@@ -51,7 +51,7 @@ TEST(Gathered, TakesMediansOverProcesses) {
     all.push_back({.family = "f", .setting = "s", .method = "a", .time = Timing{median, 20.0}});
     all.push_back({.family = "f", .setting = "s", .method = "b", .error = 0.5});
   }
-  const auto gathered = bench::gathered(all);
+  const auto gathered = bench::mergedOverProcesses(all);
   ASSERT_EQ(gathered.size(), 2U);
   EXPECT_EQ(gathered[0].measurement.time->median, 6.0);
   EXPECT_EQ(gathered[0].fastest, 5.0);

@@ -46,7 +46,7 @@ TEST(FriController, GoesThroughAllStatesAndBackToIdle) {
           State::CommandingWait,
           State::CommandingActive,
           State::Idle}));
-  EXPECT_EQ(session.report().lastEnd, FriEnd::Completed);
+  EXPECT_EQ(session.report().lastEnd, FriEndReason::Completed);
   EXPECT_EQ(session.report().answers.missed, 0U);
 }
 
@@ -89,7 +89,7 @@ TEST(FriController, EndsTheMotionWhenElevenAnswersAreMissing) {
   session.goSilently(1);
   const FriReport report = session.report();
   EXPECT_EQ(report.state, State::MonitoringWait);
-  EXPECT_EQ(report.lastEnd, FriEnd::AnswersMissing);
+  EXPECT_EQ(report.lastEnd, FriEndReason::AnswersMissing);
   EXPECT_EQ(report.quality, Level::Poor);
   EXPECT_FALSE(report.hasOverlay);
   EXPECT_EQ(report.force, 0.0);
@@ -130,12 +130,12 @@ TEST(FriController, NeedsTorqueEveryFiveMilliseconds) {
   session.goSilently(5);  // 5 ms without
   EXPECT_EQ(session.report().state, State::CommandingActive);
   session.goSilently(1);
-  EXPECT_EQ(session.report().lastEnd, FriEnd::CommandsTooRare);
+  EXPECT_EQ(session.report().lastEnd, FriEndReason::CommandsTooRare);
   EXPECT_EQ(session.report().zeroAt, time());
 }
 
 struct Wrong {
-  FriEnd end;
+  FriEndReason end;
   int joint;
   void (*make)(wire::fri::CommandData& data);
   bool isTorque = false;
@@ -164,14 +164,14 @@ INSTANTIATE_TEST_SUITE_P(
     Commands,
     FriControllerLimits,
     testing::Values(
-        Wrong{FriEnd::PositionMissing, 0, [](Data& d) { d.jointPosition.reset(); }},
-        Wrong{FriEnd::WrenchMissing, 0, [](Data& d) { d.wrench.reset(); }},
-        Wrong{FriEnd::TorqueMissing, 0, [](Data& d) { d.jointTorque.reset(); }, true},
-        Wrong{FriEnd::PositionLeap, 3, [](Data& d) { (*d.jointPosition)[2] += 0.003; }},
-        Wrong{FriEnd::PositionLimit, 2, [](Data& d) { (*d.jointPosition)[1] = 2.2; }},
-        Wrong{FriEnd::WrenchLimit, 0, [](Data& d) { (*d.wrench)[2] = -140.1; }},
-        Wrong{FriEnd::WrenchLimit, 0, [](Data& d) { (*d.wrench)[4] = 40.1; }},
-        Wrong{FriEnd::TorqueLimit, 7, [](Data& d) { (*d.jointTorque)[6] = 40.1; }, true}));
+        Wrong{FriEndReason::PositionMissing, 0, [](Data& d) { d.jointPosition.reset(); }},
+        Wrong{FriEndReason::WrenchMissing, 0, [](Data& d) { d.wrench.reset(); }},
+        Wrong{FriEndReason::TorqueMissing, 0, [](Data& d) { d.jointTorque.reset(); }, true},
+        Wrong{FriEndReason::PositionLeap, 3, [](Data& d) { (*d.jointPosition)[2] += 0.003; }},
+        Wrong{FriEndReason::PositionLimit, 2, [](Data& d) { (*d.jointPosition)[1] = 2.2; }},
+        Wrong{FriEndReason::WrenchLimit, 0, [](Data& d) { (*d.wrench)[2] = -140.1; }},
+        Wrong{FriEndReason::WrenchLimit, 0, [](Data& d) { (*d.wrench)[4] = 40.1; }},
+        Wrong{FriEndReason::TorqueLimit, 7, [](Data& d) { (*d.jointTorque)[6] = 40.1; }, true}));
 
 TEST(FriController, FollowsAPositionWithinTheVelocityLimit) {
   auto options = quick();
@@ -199,7 +199,7 @@ TEST(FriController, WaitsForAMirrorAndEndsAfterTenSeconds) {
   session.go(100);
   EXPECT_EQ(session.report().state, State::CommandingWait);
   session.go(1);
-  EXPECT_EQ(session.report().lastEnd, FriEnd::NotMirrored);
+  EXPECT_EQ(session.report().lastEnd, FriEndReason::NotMirrored);
 }
 
 TEST(FriController, NeedsOnlyEveryThirdAnswerWithAMultiplierOfThree) {

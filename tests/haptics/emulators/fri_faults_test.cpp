@@ -145,7 +145,7 @@ TEST_F(FriFaults, StallSendsNothingAndCountsAsUnanswered) {
   session_.go(100);  // so that quality is not the reason
   session_.order("stall 12");
   session_.go(12);
-  EXPECT_EQ(session_.report().lastEnd, FriEnd::AnswersMissing);
+  EXPECT_EQ(session_.report().lastEnd, FriEndReason::AnswersMissing);
 }
 
 TEST_F(FriFaults, WrongVersionCannotBeReadUntilItIsTakenBack) {
@@ -173,7 +173,7 @@ TEST_F(FriFaults, DamageOneMessageEachWhenSeveralAreOrdered) {
 TEST_F(FriFaults, PoorQualityEndsTheMotionUntilLifted) {
   session_.order("quality poor");
   session_.go(2);
-  EXPECT_EQ(session_.report().lastEnd, FriEnd::QualityLost);
+  EXPECT_EQ(session_.report().lastEnd, FriEndReason::QualityLost);
   EXPECT_EQ(session_.client.message().connection->quality, Level::Poor);
   session_.go(200);
   EXPECT_EQ(session_.report().state, State::MonitoringWait);
@@ -186,7 +186,7 @@ TEST_F(FriFaults, SafetyStopIsReportedAndEndsTheMotion) {
   session_.go(5);
   session_.order("safety-stop");
   session_.go(1);
-  EXPECT_EQ(session_.report().lastEnd, FriEnd::SafetyStop);
+  EXPECT_EQ(session_.report().lastEnd, FriEndReason::SafetyStop);
   EXPECT_EQ(session_.report().zeroAt, time());
   const auto info = *session_.client.message().robotInfo;
   EXPECT_EQ(info.safetyState, wire::fri::SafetyState::StopLevel1);
@@ -203,7 +203,7 @@ TEST_F(FriFaults, RestartCountsFromZero) {
   session_.go(1);
   EXPECT_EQ(session_.report().state, State::Idle);
   EXPECT_EQ(session_.client.message().header.sequence, 0U);
-  EXPECT_EQ(session_.report().lastEnd, FriEnd::Restart);
+  EXPECT_EQ(session_.report().lastEnd, FriEndReason::Restart);
   EXPECT_TRUE(session_.goTo(State::CommandingActive));
 }
 
@@ -211,7 +211,7 @@ TEST_F(FriFaults, IdleEndsTheSession) {
   session_.order("idle");
   session_.go(300);
   EXPECT_EQ(session_.report().state, State::Idle);
-  EXPECT_EQ(session_.report().lastEnd, FriEnd::Idle);
+  EXPECT_EQ(session_.report().lastEnd, FriEndReason::Idle);
   session_.order("motion");
   EXPECT_TRUE(session_.goTo(State::CommandingActive));
 }

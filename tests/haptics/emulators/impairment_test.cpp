@@ -206,7 +206,7 @@ TEST(Impairment, ChangesNoFrameTwice) {
   Impairment impairment;
   impairment.order(Fault::Drop, 1);
   Receiver receiver(1);
-  impairment.passSpared(frameOf(0), receiver);
+  impairment.passUnimpaired(frameOf(0), receiver);
   EXPECT_EQ(receiver.order.size(), 1U);
   EXPECT_EQ(impairment.waiting(Fault::Drop), 1);
 }

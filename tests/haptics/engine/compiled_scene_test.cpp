@@ -100,7 +100,7 @@ TEST(SceneSpec, HasTheEndOfItsData) {
   ramp.options.rampLength = 2.0;
   EXPECT_DOUBLE_EQ(endOfData(ramp).value(), 12.3);
   auto held = kCut;
-  held.options.beyond = models::BeyondCurve::Hold;
+  held.options.extrapolation = models::Extrapolation::Hold;
   EXPECT_DOUBLE_EQ(endOfData(held).value(), 10.3);
   EXPECT_DOUBLE_EQ(endOfData(KalmanSpec{.interpolation = ramp}).value(), 12.3);
   EXPECT_DOUBLE_EQ(endOfData(bone(0.5)).value(), parametricMaterial().back().depth);

@@ -8,46 +8,46 @@
 namespace haptics::engine {
 namespace force_jumps_test {
 
-using models::BeyondCurve;
+using models::Extrapolation;
 
 /// A cut from no force at 2 to @p end at 11 [travel units, N].
-InterpolationSpec cut(BeyondCurve beyond, double end) {
+InterpolationSpec cut(Extrapolation beyond, double end) {
   InterpolationSpec spec{.curve = {{2.0, 0.0}, {7.0, 4.0}, {11.0, end}}};
-  spec.options.beyond = beyond;
+  spec.options.extrapolation = beyond;
   return spec;
 }
 
 TEST(ForceJumps, AreThereWhereTheAuthorsClampOrZeroFollowsAForce) {
-  const auto clamped = jumpsOf(cut(BeyondCurve::AuthorsClamp, 5.0));
+  const auto clamped = jumpsOf(cut(Extrapolation::AuthorsClamp, 5.0));
   ASSERT_EQ(clamped.size(), 1U);
   EXPECT_EQ(clamped[0].travel, 11.0);
   EXPECT_EQ(clamped[0].from, 4.29);
   EXPECT_EQ(clamped[0].to, 0.01);
-  const auto zero = jumpsOf(cut(BeyondCurve::Zero, 5.0));
+  const auto zero = jumpsOf(cut(Extrapolation::Zero, 5.0));
   ASSERT_EQ(zero.size(), 1U);
   EXPECT_EQ(zero[0].from, 5.0);
   EXPECT_EQ(zero[0].to, 0.0);
 }
 
 TEST(ForceJumps, AreNotThereWhereTheForceFadesStaysOrIsUnknown) {
-  for (const auto beyond : {BeyondCurve::RampOut, BeyondCurve::Hold, BeyondCurve::Absent}) {
+  for (const auto beyond : {Extrapolation::RampOut, Extrapolation::Hold, Extrapolation::Absent}) {
     EXPECT_TRUE(jumpsOf(cut(beyond, 5.0)).empty());
   }
 }
 
 TEST(ForceJumps, AreNotThereWhereTheCutEndsWithoutAForce) {
-  for (const auto beyond : {BeyondCurve::AuthorsClamp, BeyondCurve::Zero}) {
+  for (const auto beyond : {Extrapolation::AuthorsClamp, Extrapolation::Zero}) {
     EXPECT_TRUE(jumpsOf(cut(beyond, 0.0)).empty());
   }
 }
 
 TEST(ForceJumps, OfAFilterAreThoseOfItsCut) {
-  EXPECT_EQ(jumpsOf(KalmanSpec{.interpolation = cut(BeyondCurve::Zero, 5.0)}).size(), 1U);
+  EXPECT_EQ(jumpsOf(KalmanSpec{.interpolation = cut(Extrapolation::Zero, 5.0)}).size(), 1U);
   EXPECT_TRUE(jumpsOf(FiniteElementsSpec{}).empty());
 }
 
 TEST(ForceJumps, OfAnOpeningBranchCountOnlyWhereItIsFelt) {
-  auto spec = cut(BeyondCurve::Zero, 0.0);
+  auto spec = cut(Extrapolation::Zero, 0.0);
   spec.opening = {{2.0, 0.0}, {11.0, 1.0}};
   EXPECT_TRUE(jumpsOf(spec).empty());
   spec.branches = Branches::Hysteresis;

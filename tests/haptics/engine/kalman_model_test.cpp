@@ -13,9 +13,9 @@ namespace kalman_model_test {
 
 using models::KalmanScheme;
 
-KalmanSpec filterWith(KalmanScheme scheme, models::BeyondCurve beyond) {
+KalmanSpec filterWith(KalmanScheme scheme, models::Extrapolation beyond) {
   auto spec = publishedFilter(scheme, 5);
-  spec.interpolation.options.beyond = beyond;
+  spec.interpolation.options.extrapolation = beyond;
   return spec;
 }
 
@@ -33,7 +33,7 @@ TEST(KalmanModel, UsesOnlyTheFiniteElementsOutsideTheRecording) {
   // The cut of our own ends at 11; there the finite elements give 7 N.
   for (const auto scheme :
        {KalmanScheme::AuthorsFirmware, KalmanScheme::Sequential, KalmanScheme::SpaceDomain}) {
-    CompiledScene absent({.model = filterWith(scheme, models::BeyondCurve::Absent)});
+    CompiledScene absent({.model = filterWith(scheme, models::Extrapolation::Absent)});
     double force = 0.0;
     for (int i = 0; i <= 1300; ++i) {
       const auto response = absent.respond({.travel = 0.01 * i});
@@ -43,7 +43,7 @@ TEST(KalmanModel, UsesOnlyTheFiniteElementsOutsideTheRecording) {
     EXPECT_NEAR(force, 7.0, 0.01);
   }
   CompiledScene zero(
-      {.model = filterWith(KalmanScheme::AuthorsFirmware, models::BeyondCurve::Zero)});
+      {.model = filterWith(KalmanScheme::AuthorsFirmware, models::Extrapolation::Zero)});
   double told = 0.0;
   for (int i = 0; i <= 1300; ++i) told = zero.respond({.travel = 0.01 * i}).force;
   EXPECT_NEAR(told, 7.0 * (1.0 - 0.44), 0.1);  // 0 N is taken for a measurement
@@ -56,7 +56,7 @@ TEST(KalmanModel, StaysWithinTheSlewLimitAtTheEndOfTheRecording) {
         KalmanScheme::AuthorsFirmware,
         KalmanScheme::Sequential,
         KalmanScheme::SpaceDomain}) {
-    auto spec = filterWith(scheme, models::BeyondCurve::Absent);
+    auto spec = filterWith(scheme, models::Extrapolation::Absent);
     // Without it paper-text steps at every tick, wherever the hand is.
     if (scheme == KalmanScheme::PaperText) spec.smoothing = models::Smoothing::TwoPoint;
     for (const double speed : {1.0, 10.0, 57.0}) {

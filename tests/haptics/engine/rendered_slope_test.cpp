@@ -38,11 +38,11 @@ TEST(RenderedSlope, FindsNoLimitCycleInAFilterThatSettles) {
     for (const auto scheme :
          {KalmanScheme::AuthorsFirmware, KalmanScheme::Sequential, KalmanScheme::SpaceDomain}) {
       for (const auto beyond :
-           {models::BeyondCurve::RampOut,
-            models::BeyondCurve::AuthorsClamp,
-            models::BeyondCurve::Absent}) {
+           {models::Extrapolation::RampOut,
+            models::Extrapolation::AuthorsClamp,
+            models::Extrapolation::Absent}) {
         auto spec = publishedFilter(scheme, 5);
-        spec.interpolation.options.beyond = beyond;
+        spec.interpolation.options.extrapolation = beyond;
         const auto slope = slopeOf(spec, rate);
         EXPECT_FALSE(slope.limitCycle.has_value()) << rate << " " << static_cast<int>(scheme);
         EXPECT_FALSE(slope.isProved);
@@ -74,7 +74,7 @@ TEST(RenderedSlope, IsTheBoundOfACurveIfThereIsOne) {
 
 TEST(RenderedSlope, FindsTheJumpAtTheEndOfACut) {
   auto cut = publishedInterpolation();
-  cut.options.beyond = models::BeyondCurve::Zero;
+  cut.options.extrapolation = models::Extrapolation::Zero;
   const auto slope = slopeOf(cut, 1000.0);
   EXPECT_FALSE(slope.isProved);
   // 5 N within one step of the slowest passage over the end: 10 units/s at 1 kHz is 0.01 units.

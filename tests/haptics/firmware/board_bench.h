@@ -63,7 +63,7 @@ struct Said {
   std::vector<Hello> hellos;
   std::vector<State> states;
   std::vector<Event> events;
-  std::vector<ModelTaken> taken;
+  std::vector<ModelReply> taken;
   std::vector<Stop> stops;
 
   std::size_t frames() const {
@@ -147,7 +147,7 @@ class BoardBench : public testing::Test {
       if (frame.type == Type::Hello) keep(frame, said_.hellos);
       if (frame.type == Type::State) keep(frame, said_.states);
       if (frame.type == Type::Event) keep(frame, said_.events);
-      if (frame.type == Type::ModelTaken) keep(frame, said_.taken);
+      if (frame.type == Type::ModelReply) keep(frame, said_.taken);
       if (frame.type == Type::Stop) keep(frame, said_.stops);
     }
     bench_.fromBoard.clear();

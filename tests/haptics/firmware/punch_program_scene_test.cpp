@@ -148,7 +148,8 @@ TEST_F(PunchRendersTest, AgreesOnAScenePieceByPiece) {
     hash = hashOf(table, hash);
     EXPECT_EQ(said_.taken.back().hash, hash);
     const bool isLast = &table == &tables.back();
-    EXPECT_EQ(said_.taken.back().verdict, isLast ? ModelVerdict::Taken : ModelVerdict::Incomplete);
+    EXPECT_EQ(
+        said_.taken.back().verdict, isLast ? ModelVerdict::Accepted : ModelVerdict::Incomplete);
   }
 }
 
@@ -163,7 +164,7 @@ TEST_F(PunchRendersTest, TakesPiecesInTheirOrderOnly) {
   send(tables.back());  // once more
   steps(3);
   ASSERT_EQ(said_.taken.size(), tables.size() + 3);
-  EXPECT_EQ(said_.taken[said_.taken.size() - 2].verdict, ModelVerdict::Taken);
+  EXPECT_EQ(said_.taken[said_.taken.size() - 2].verdict, ModelVerdict::Accepted);
   EXPECT_EQ(said_.taken.back().verdict, ModelVerdict::Incomplete);
   EXPECT_EQ(said_.taken.back().hash, said_.taken[said_.taken.size() - 2].hash);
 }
@@ -181,7 +182,7 @@ TEST_F(PunchRendersTest, RefusesAModelThatIsUnsound) {
     teach(model, cut_);
     return said_.taken.back().verdict;
   };
-  EXPECT_EQ(verdictOn([](Model&) {}), ModelVerdict::Taken);
+  EXPECT_EQ(verdictOn([](Model&) {}), ModelVerdict::Accepted);
   EXPECT_EQ(verdictOn([](Model& m) { m.toolPosition = m.end; }), ModelVerdict::Unsound);
   EXPECT_EQ(verdictOn([](Model& m) { m.elements = 0; }), ModelVerdict::Unsound);
   EXPECT_EQ(verdictOn([](Model& m) { m.readings = 3U << 1U; }), ModelVerdict::Unsound);
@@ -295,7 +296,7 @@ TEST_P(PunchRendersAsTheEngine, InSinglePrecisionToTheLastBit) {
   const auto nodes =
       GetParam() == ModelKind::FiniteElements ? std::vector<models::CurveNode<float>>() : cut_;
   const auto hash = teach(modelOf(GetParam(), nodes.size()), nodes);
-  ASSERT_EQ(said_.taken.back().verdict, ModelVerdict::Taken);
+  ASSERT_EQ(said_.taken.back().verdict, ModelVerdict::Accepted);
   ASSERT_EQ(said_.taken.back().hash, hash);
   arm();
   Reference<float> reference(GetParam(), nodes);

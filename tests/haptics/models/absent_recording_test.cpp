@@ -24,10 +24,10 @@ const std::map<std::string, KalmanScheme> kSchemes{
     {"authors-firmware", KalmanScheme::AuthorsFirmware},
     {"sequential", KalmanScheme::Sequential},
     {"space-domain", KalmanScheme::SpaceDomain}};
-const std::map<std::string, ProcessReading> kReadings{
-    {"symmetrised", ProcessReading::Symmetrised},
-    {"state-order", ProcessReading::StateOrder},
-    {"product", ProcessReading::Product}};
+const std::map<std::string, ProcessNoiseReading> kReadings{
+    {"symmetrised", ProcessNoiseReading::Symmetrised},
+    {"state-order", ProcessNoiseReading::StateOrder},
+    {"product", ProcessNoiseReading::Product}};
 
 /// tests/data/kalman/make_golden.py: NumPy's matrices.
 nlohmann::json golden() {
@@ -97,7 +97,7 @@ TEST(AbsentRecording, LeavesTheForceMoreUncertain) {
 TEST(AbsentRecording, IsTrustedFromItsEndsInwards) {
   const std::vector<CurveNode<double>> nodes{{2.0, 0.0}, {6.0, 4.0}, {10.0, 5.0}};
   const Interpolation<double> curve(
-      nodes.data(), nodes.size(), {.beyond = BeyondCurve::Absent, .rampLength = 2.0});
+      nodes.data(), nodes.size(), {.extrapolation = Extrapolation::Absent, .rampLength = 2.0});
   EXPECT_EQ(curve.trustAt(1.999), 0.0);
   EXPECT_EQ(curve.trustAt(2.0), 0.0);
   EXPECT_EQ(curve.trustAt(3.0), 0.5);
@@ -109,7 +109,8 @@ TEST(AbsentRecording, IsTrustedFromItsEndsInwards) {
   EXPECT_FALSE(curve.at(1.9, hint).isDefined);
   EXPECT_FALSE(curve.at(10.1, hint).isDefined);
   EXPECT_DOUBLE_EQ(curve.at(3.0, hint).force, 1.0);  // within it nothing changes
-  const Interpolation<double> held(nodes.data(), nodes.size(), {.beyond = BeyondCurve::Hold});
+  const Interpolation<double> held(
+      nodes.data(), nodes.size(), {.extrapolation = Extrapolation::Hold});
   EXPECT_EQ(held.trustAt(50.0), 1.0);
 }
 

@@ -11,7 +11,7 @@ namespace interpolation_test {
 
 using Curve = Interpolation<double>;
 const std::vector<CurveNode<double>> kNodes{{2.0, 0.0}, {4.0, 1.0}, {5.0, 4.0}, {9.0, 2.0}};
-constexpr Curve::Options kRamp{.beyond = BeyondCurve::RampOut, .rampLength = 2.0};
+constexpr Curve::Options kRamp{.extrapolation = Extrapolation::RampOut, .rampLength = 2.0};
 
 double forceAt(double travel, const Curve::Options& options = kRamp) {
   std::size_t hint = 0;
@@ -52,13 +52,13 @@ TEST(Interpolation, FadesBeyondItsEndsOverTheRamp) {
 }
 
 TEST(Interpolation, HoldsOrDropsItsEndOnRequest) {
-  EXPECT_DOUBLE_EQ(forceAt(50.0, {.beyond = BeyondCurve::Hold}), 2.0);
-  EXPECT_DOUBLE_EQ(forceAt(9.001, {.beyond = BeyondCurve::Zero}), 0.0);
+  EXPECT_DOUBLE_EQ(forceAt(50.0, {.extrapolation = Extrapolation::Hold}), 2.0);
+  EXPECT_DOUBLE_EQ(forceAt(9.001, {.extrapolation = Extrapolation::Zero}), 0.0);
 }
 
 TEST(Interpolation, HasNoForceForNaN) {
   std::size_t hint = 2;
-  const Curve curve(kNodes.data(), kNodes.size(), {.beyond = BeyondCurve::Hold});
+  const Curve curve(kNodes.data(), kNodes.size(), {.extrapolation = Extrapolation::Hold});
   const auto response = curve.at(std::numeric_limits<double>::quiet_NaN(), hint);
   EXPECT_FALSE(response.isDefined);
   EXPECT_EQ(response.force, 0.0);

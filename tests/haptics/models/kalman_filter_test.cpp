@@ -96,7 +96,9 @@ double largestDifference(AnyFilter filter, Textbook textbook) {
 TEST(KalmanFilter, EqualsTheTextbookWithMatricesInEveryScheme) {
   for (const auto scheme : kSchemes) {
     for (const auto reading :
-         {ProcessReading::Symmetrised, ProcessReading::StateOrder, ProcessReading::Product}) {
+         {ProcessNoiseReading::Symmetrised,
+          ProcessNoiseReading::StateOrder,
+          ProcessNoiseReading::Product}) {
       const auto noise = Noise::published(reading);
       EXPECT_LE(largestDifference(filterOf(scheme, noise), Textbook::of(noise, scheme)), 1e-9)
           << static_cast<int>(scheme) << " " << static_cast<int>(reading);
@@ -224,7 +226,9 @@ TEST(KalmanNoise, GivesAReasonIfItIsInvalid) {
 
 TEST(KalmanNoise, HasEveryReadingOfThePaperSound) {
   for (const auto reading :
-       {ProcessReading::Symmetrised, ProcessReading::StateOrder, ProcessReading::Product}) {
+       {ProcessNoiseReading::Symmetrised,
+        ProcessNoiseReading::StateOrder,
+        ProcessNoiseReading::Product}) {
     EXPECT_EQ(Noise::published(reading).whyUnsound(), nullptr);
   }
 }

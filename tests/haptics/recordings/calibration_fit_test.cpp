@@ -58,7 +58,8 @@ TEST(CalibrationFit, IsThePolynomialOfNumPyAtEveryOrder) {
 
 TEST(CalibrationFit, GivesBackAPolynomialThatTheLoadsLieOn) {
   CalibrationTable table{.source = "made", .readingUnit = "counts"};
-  for (int r = 0; r <= 1000; r += 100) table.points.push_back({1.0 * r, forceOf(r, paperEq1())});
+  for (int r = 0; r <= 1000; r += 100)
+    table.points.push_back({1.0 * r, forceOf(r, publishedCalibration())});
   const auto fit = fitCalibration(table, 3, true);
   EXPECT_EQ(fit.calibration.coefficients[0], 0.0);
   EXPECT_NEAR(fit.calibration.coefficients[1], 0.7815 * 9.81e-3, 1e-12);

@@ -9,10 +9,10 @@
 namespace haptics::recordings {
 namespace closure_test {
 
-RecordingSurvey surveyOf(const tests::MadeRecording& made) {
+RecordingSurvey summariseCuts(const tests::MadeRecording& made) {
   const Recording recording = readRecording(tests::textOf(made));
-  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
-  return recordings::surveyOf(recording, trace);
+  const Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{});
+  return recordings::summariseCuts(recording, trace);
 }
 
 /// Rows with these travels, 3 ms apart, without a force.
@@ -23,7 +23,8 @@ std::vector<Closure> closuresAlong(const std::vector<double>& travels) {
         {.travel = travel, .time = 3.0 * static_cast<double>(recording.rows.size())});
   }
   return closuresOf(
-      recording, traceOf(recording, paperEq1(), TravelFilter{TravelFilter::Kind::None}));
+      recording,
+      traceOf(recording, publishedCalibration(), TravelFilter{TravelFilter::Kind::None}));
 }
 
 TEST(Closure, IsAboveSevenUntilBelowFour) {
@@ -62,7 +63,7 @@ TEST(Closure, ClosesFromTheLeastTravelBeforeItToTheLargestWithin) {
 }
 
 TEST(Closure, HasTheLandmarksOfItsCut) {
-  const RecordingSurvey survey = surveyOf({.scales = {1.0, 1.0}});
+  const RecordingSurvey survey = summariseCuts({.scales = {1.0, 1.0}});
 
   ASSERT_EQ(survey.closures.size(), 2U);
   for (const Closure& closure : survey.closures) {
@@ -77,7 +78,8 @@ TEST(Closure, HasTheLandmarksOfItsCut) {
 }
 
 TEST(RecordingSurvey, WarnsOfWhatACutWouldInherit) {
-  const RecordingSurvey survey = surveyOf({.scales = {1.0, 2.0}, .bias = 0.5, .ending = "1\t0."});
+  const RecordingSurvey survey =
+      summariseCuts({.scales = {1.0, 2.0}, .bias = 0.5, .ending = "1\t0."});
 
   EXPECT_EQ(survey.rows, 100U + 2U * (201U + 201U + 100U));
   EXPECT_NEAR(survey.sampling.rate, 1000.0 / 3.0, 1e-9);

@@ -6,9 +6,9 @@ namespace haptics::recordings {
 namespace force_calibration_test {
 
 TEST(ForceCalibration, IsEquationOneOfThePaper) {
-  EXPECT_EQ(forceOf(0.0, paperEq1()), 0.0);
-  EXPECT_NEAR(forceOf(1023.0, paperEq1()), 8.940328, 5e-7);
-  EXPECT_NEAR(forceOf(639.0, paperEq1()), 4.865656, 5e-7);
+  EXPECT_EQ(forceOf(0.0, publishedCalibration()), 0.0);
+  EXPECT_NEAR(forceOf(1023.0, publishedCalibration()), 8.940328, 5e-7);
+  EXPECT_NEAR(forceOf(639.0, publishedCalibration()), 4.865656, 5e-7);
 }
 
 TEST(ForceCalibration, KnowsTheRecordersOwnCubic) {
@@ -23,9 +23,9 @@ TEST(ForceCalibration, LeavesNewtonsAsTheyAre) {
 }
 
 TEST(ForceCalibration, CoversThePublishedSensorUpTo869Counts) {
-  EXPECT_FALSE(isExtrapolated(0.0, paperEq1()));
-  EXPECT_FALSE(isExtrapolated(869.0, paperEq1()));
-  EXPECT_TRUE(isExtrapolated(870.0, paperEq1()));
+  EXPECT_FALSE(isExtrapolated(0.0, publishedCalibration()));
+  EXPECT_FALSE(isExtrapolated(869.0, publishedCalibration()));
+  EXPECT_TRUE(isExtrapolated(870.0, publishedCalibration()));
 }
 
 TEST(ForceCalibration, KnowsUnitsOfForceAndOfWeight) {

@@ -19,7 +19,7 @@ double readingOf(double force) {
   double high = 1023.0;
   while (high - low > 1e-6) {
     const double middle = (low + high) / 2.0;
-    (forceOf(middle, paperEq1()) < force ? low : high) = middle;
+    (forceOf(middle, publishedCalibration()) < force ? low : high) = middle;
   }
   return std::round(low);
 }

@@ -80,8 +80,8 @@ TEST_P(PublishedRecording, IsSurveyedAsMeasured) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured();
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
-  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
-  const RecordingSurvey survey = surveyOf(recording, trace);
+  const Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{});
+  const RecordingSurvey survey = summariseCuts(recording, trace);
 
   const auto& raw = expected.at("raw_fsr");
   EXPECT_EQ(survey.saturatedRows, raw.at("saturated_rows").get<std::size_t>());
@@ -97,7 +97,7 @@ TEST_P(PublishedRecording, HasTheClosuresThatWereMeasured) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured().at("each_closure");
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
-  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
+  const Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{});
   const std::vector<Closure> closures = closuresOf(recording, trace);
 
   ASSERT_EQ(closures.size(), expected.size());
@@ -115,7 +115,7 @@ TEST_P(PublishedRecording, HasTheClosuresThatWereMeasured) {
 TEST_P(PublishedRecording, HasTheMeasuredNumberOfLandmarks) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
-  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
+  const Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{});
   Published found{};
   for (const Closure& closure : closuresOf(recording, trace)) {
     if (!closure.isComplete || closure.isSaturated()) continue;
@@ -134,7 +134,7 @@ TEST_P(PublishedRecording, HasTheMeasuredNumberOfLandmarks) {
 TEST_P(PublishedRecording, HasLandmarksInTheOrderOfTheTravel) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
-  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
+  const Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{});
   for (const Closure& closure : closuresOf(recording, trace)) {
     if (!closure.isComplete) continue;
     const CutLandmarks& landmarks = closure.landmarks;
@@ -182,7 +182,7 @@ TEST(PublishedPaper, HasNoYieldInAnyClosure) {
     SKIP_WITHOUT_FETCHED_DATA(name);
     const Recording recording = readRecordingFile(tests::fetchedData(name));
     for (const auto kind : {TravelFilter::Kind::AuthorsFir, TravelFilter::Kind::AuthorsFir333}) {
-      const Trace trace = traceOf(recording, paperEq1(), {.kind = kind});
+      const Trace trace = traceOf(recording, publishedCalibration(), {.kind = kind});
       for (const Closure& closure : closuresOf(recording, trace)) {
         EXPECT_FALSE(closure.landmarks.yield) << name << " row " << closure.rows.first;
         EXPECT_FALSE(closure.landmarks.bottomOut) << name << " row " << closure.rows.first;

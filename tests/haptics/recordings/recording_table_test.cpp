@@ -95,7 +95,8 @@ TEST(RecordingTable, NeedsTheCalibrationOfItsSensor) {
   const auto raw = readRecordingTable(text, "e.csv", columns);
   EXPECT_THROW(calibrationFor(raw), base::UserError);
   EXPECT_THROW(
-      traceOf(raw, paperEq1(), {.kind = TravelFilter::Kind::None}), base::UserError);  // counts
+      traceOf(raw, publishedCalibration(), {.kind = TravelFilter::Kind::None}),
+      base::UserError);  // counts
 
   columns.calibration = ForceCalibration{.name = "mine", .unit = "V", .coefficients = {0.5, 2.0}};
   const auto recording = readRecordingTable(text, "e.csv", columns);
@@ -124,7 +125,7 @@ TEST(RecordingTable, GivesTheSameCutAsTheFormatOfThePunch) {
   std::string table = "time [s],handle [deg],load [mN]\n";
   for (const auto& row : punch.rows) {
     table += decimal(row.time / 1000.0, 6) + "," + decimal(12.0 + 4.0 * row.travel, 6) + "," +
-             decimal(1000.0 * forceOf(row.reading, paperEq1()), 9) + "\n";
+             decimal(1000.0 * forceOf(row.reading, publishedCalibration()), 9) + "\n";
   }
   const RecordingColumns columns{
       .time = TableColumn{.head = "time [s]"},

@@ -32,7 +32,7 @@ Recording copy() {
 
 /// The 76 pairs of the cut.
 std::vector<CurvePoint> pairs() {
-  const Trace trace = traceOf(copy(), paperEq1(), kAsPublished);
+  const Trace trace = traceOf(copy(), publishedCalibration(), kAsPublished);
   std::vector<CurvePoint> found;
   for (std::size_t i = kCut.first - 1; i < kCut.last; ++i) {
     found.push_back({trace.travel[i], trace.force[i]});
@@ -149,7 +149,7 @@ ProcessNoise ofTenCuts(const Trace& trace) {
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
-  const ProcessNoise found = ofTenCuts(traceOf(recording, paperEq1(), kAsPublished));
+  const ProcessNoise found = ofTenCuts(traceOf(recording, publishedCalibration(), kAsPublished));
 
   EXPECT_NEAR(found.force, 6.1024, 5e-5);       // eq. (22)
   EXPECT_NEAR(found.stiffness, 7.0275, 5e-5);   // eq. (22)
@@ -159,7 +159,7 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
-  Trace trace = traceOf(recording, paperEq1(), TravelFilter{TravelFilter::Kind::None});
+  Trace trace = traceOf(recording, publishedCalibration(), TravelFilter{TravelFilter::Kind::None});
   // Slightly higher, and still 17.69 Hz: the best fit to the 76 printed angles.
   const filters::KaiserLowPass filter({.cutoff = 17.6925});
   trace.travel = filter.filtered(trace.travel);

@@ -112,7 +112,7 @@ class Object {
     return value ? with(key, *value) : *this;
   }
   template <typename T, std::size_t N>
-  Object& with(const char* key, const List<T, N>& list) {
+  Object& with(const char* key, const BoundedArray<T, N>& list) {
     for (const T& item : list) object_[key].push_back(describe(item));
     return *this;
   }

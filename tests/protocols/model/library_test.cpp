@@ -140,14 +140,14 @@ TEST(ProtocolLibrary, RendersThePublishedStudyByItsCodeAndByItsEquations) {
   EXPECT_EQ(code.smoothing, haptics::models::Smoothing::AuthorsFirmware);
   EXPECT_EQ(code.finiteElements.parameters.boundary, Boundary::B);
   EXPECT_EQ(code.finiteElements.parameters.weights, ToolWeights::AuthorsFirmware);
-  EXPECT_EQ(code.interpolation.options.beyond, haptics::models::BeyondCurve::AuthorsClamp);
+  EXPECT_EQ(code.interpolation.options.extrapolation, haptics::models::Extrapolation::AuthorsClamp);
   EXPECT_TRUE(code.isProcessAsPrinted);
   const auto paper = partsOf(read("punch-paper-equations").loaded.protocol);
   EXPECT_EQ(paper.scheme, haptics::models::KalmanScheme::PaperText);
   EXPECT_EQ(paper.smoothing, haptics::models::Smoothing::TwoPoint);
   EXPECT_EQ(paper.finiteElements.parameters.boundary, Boundary::A);
   EXPECT_EQ(paper.finiteElements.parameters.weights, ToolWeights::Paper);
-  EXPECT_EQ(paper.interpolation.options.beyond, haptics::models::BeyondCurve::Absent);
+  EXPECT_EQ(paper.interpolation.options.extrapolation, haptics::models::Extrapolation::Absent);
 }
 
 TEST(ProtocolLibrary, KeepsWhatIsUnwiseAboutThePublishedPunchStudyAndSaysSo) {

@@ -13,11 +13,11 @@ namespace scene_warnings_test {
 using haptics::engine::InterpolationSpec;
 using haptics::engine::KalmanSpec;
 using haptics::models::KalmanScheme;
-using haptics::models::ProcessReading;
+using haptics::models::ProcessNoiseReading;
 
 KalmanSpec filter(KalmanScheme scheme, double interpolationNoise) {
   KalmanSpec spec{
-      .noise = haptics::models::KalmanNoise<double>::published(ProcessReading::StateOrder),
+      .noise = haptics::models::KalmanNoise<double>::published(ProcessNoiseReading::StateOrder),
       .scheme = scheme};
   spec.noise.interpolation = interpolationNoise;
   return spec;

@@ -127,7 +127,7 @@ TEST_F(AcknowledgementTest, IsDetectedIfItComesTooEarly) {
 }
 
 /// A failure of the n-th call of a kind.
-struct Mishap {
+struct InjectedFault {
   const char* name;
   const char* calls;
   const char* effect;  ///< in strace's syntax
@@ -136,11 +136,12 @@ struct Mishap {
   int fewest;          ///< endings that the long form must reach to pass
 };
 
-void PrintTo(const Mishap& mishap, std::ostream* out) {
-  *out << mishap.effect;
+void PrintTo(const InjectedFault& fault, std::ostream* out) {
+  *out << fault.effect;
 }
 
-class MishapTest : public AcknowledgementTest, public testing::WithParamInterface<Mishap> {
+class InjectedFaultTest : public AcknowledgementTest,
+                          public testing::WithParamInterface<InjectedFault> {
  protected:
   static constexpr int kKilled = -9;
   static constexpr int kCoarser = 7;  ///< the short form tries every seventh of these calls
@@ -154,16 +155,16 @@ class MishapTest : public AcknowledgementTest, public testing::WithParamInterfac
   }
 };
 
-TEST_P(MishapTest, LosesNoAcknowledgedAnswer) {
-  const Mishap mishap = GetParam();
+TEST_P(InjectedFaultTest, LosesNoAcknowledgedAnswer) {
+  const InjectedFault fault = GetParam();
   const int coarser = tests::inLongForm(1, kCoarser);
   int ended = 0;
   bool hasFired = true;
-  for (int n = 1; hasFired; n += mishap.stride * coarser) {
-    const std::string what = std::string(mishap.calls) + mishap.effect + std::to_string(n);
+  for (int n = 1; hasFired; n += fault.stride * coarser) {
+    const std::string what = std::string(fault.calls) + fault.effect + std::to_string(n);
     SCOPED_TRACE(what);
     const auto folder = copy();
-    const auto finished = traced(folder, {"-e", "inject=" + what + mishap.when});
+    const auto finished = traced(folder, {"-e", "inject=" + what + fault.when});
     hasFired = finished.status == kKilled ||
                tests::contentOf(trace_).find("(INJECTED)") != std::string::npos;
     ended += finished.status != 0 ? 1 : 0;
@@ -178,21 +179,22 @@ TEST_P(MishapTest, LosesNoAcknowledgedAnswer) {
     EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "");
     if (HasFailure()) return;
   }
-  EXPECT_GE(ended, std::max(1, mishap.fewest / coarser));
-  std::cout << mishap.name << ": ended " << ended << " times\n";
+  EXPECT_GE(ended, std::max(1, fault.fewest / coarser));
+  std::cout << fault.name << ": ended " << ended << " times\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Of,
-    MishapTest,
+    InjectedFaultTest,
     testing::Values(
-        Mishap{"AFlushThatFails", "fdatasync", ":error=EIO:when=", "", 1, 30},
-        Mishap{"FlushesThatFailFromThenOn", "fdatasync", ":error=EIO:when=", "+", 1, 30},
-        Mishap{"AProgramKilledInAFlush", "fdatasync", ":signal=KILL:when=", "", 1, 40},
-        Mishap{"AProgramKilledInAWrite", "pwrite64", ":signal=KILL:when=", "", 11, 40},
-        Mishap{"AProgramKilledBeforeItSaysSo", "write", ":signal=KILL:when=", "", 1, 30},
-        Mishap{"AProgramKilledTidyingUp", "unlink,ftruncate", ":signal=KILL:when=", "", 1, 3}),
-    [](const auto& mishap) { return mishap.param.name; });
+        InjectedFault{"AFlushThatFails", "fdatasync", ":error=EIO:when=", "", 1, 30},
+        InjectedFault{"FlushesThatFailFromThenOn", "fdatasync", ":error=EIO:when=", "+", 1, 30},
+        InjectedFault{"AProgramKilledInAFlush", "fdatasync", ":signal=KILL:when=", "", 1, 40},
+        InjectedFault{"AProgramKilledInAWrite", "pwrite64", ":signal=KILL:when=", "", 11, 40},
+        InjectedFault{"AProgramKilledBeforeItSaysSo", "write", ":signal=KILL:when=", "", 1, 30},
+        InjectedFault{
+            "AProgramKilledTidyingUp", "unlink,ftruncate", ":signal=KILL:when=", "", 1, 3}),
+    [](const auto& fault) { return fault.param.name; });
 
 }  // namespace acknowledgement_test
 }  // namespace study

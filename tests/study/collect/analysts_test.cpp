@@ -149,7 +149,8 @@ TEST_F(Analysts, SeeBackgroundsInTheBandsOfAnExport) {
            .point = select.optionalNumber(3),
            .number = select.optionalReal(4),
            .text = select.optionalText(5)});
-      told[select.text(0) + " " + item->id] = study::Coarsening(*item, "en").told(0, response);
+      told[select.text(0) + " " + item->id] =
+          study::Coarsening(*item, "en").releasedValue(0, response);
     }
   }
   auto ada = analyst();
@@ -191,7 +192,7 @@ TEST_F(Analysts, BandsHaveTheWordsOfAnExport) {
           {study::exactly(value),
            study::exactly(bands.bandWidth().value_or(0.0)),
            bands.isWhole() ? "true" : "false"});
-      EXPECT_EQ(told.text(0, 0), bands.told(0, value)) << value;
+      EXPECT_EQ(told.text(0, 0), bands.releasedValue(0, value)) << value;
     }
   }
 }

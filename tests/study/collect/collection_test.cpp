@@ -54,7 +54,7 @@ class Collection : public tests::CollectTest {
     return server.query("SELECT count(*) FROM palpate." + table).number(0, 0);
   }
 
-  study::collect::Pulled result_;
+  study::collect::PullResult result_;
 };
 
 const std::vector<std::string> kNone;

@@ -37,7 +37,7 @@ class Permissions : public tests::CollectTest {
     return ServerError::Kind::Other;
   }
 
-  study::collect::Pulled pulled(const std::string& name = "union") {
+  study::collect::PullResult pulled(const std::string& name = "union") {
     const auto account = accountOf("analyst");
     auto server = admin();
     return study::collect::pull(server, {.folder = scratch_ / name, .reason = "look"}, clock_);

@@ -45,8 +45,7 @@ class Privacy : public tests::CollectTest {
     tests::walkTo(session, study::StepKind::Trial);
     session.beginTrial();
     study.traces().add(session.visit(), 0, std::vector<study::storage::TraceSample>(500));
-    session.breakOffTrial(
-        {.ending = study::TrialEnding::Stopped, .ticks = 500, .traceSamples = 500});
+    session.abortTrial({.ending = study::TrialEnding::Stopped, .ticks = 500, .traceSamples = 500});
     session.repeatStep("stopped");
     tests::passStep(session);
     session.repeatStep(kReason);

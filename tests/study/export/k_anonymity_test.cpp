@@ -97,11 +97,12 @@ TEST(KAnonymity, PrefersTheFirstQuasiIdentifiers) {
 }
 
 TEST(KAnonymity, SuppressesRareValuesAndKeepsTheSuppressedClassLargeEnough) {
-  EXPECT_EQ(withoutRare({"a", "a", "a", "b"}, 2), Values(4, ""));
+  EXPECT_EQ(suppressRareValues({"a", "a", "a", "b"}, 2), Values(4, ""));
   EXPECT_EQ(
-      withoutRare({"a", "a", "a", "b", "c", "d", "d"}, 2),
+      suppressRareValues({"a", "a", "a", "b", "c", "d", "d"}, 2),
       (Values{"a", "a", "a", "", "", "d", "d"}));
-  EXPECT_EQ(withoutRare({"", "a", "a", "b", "b", "b"}, 2), (Values{"", "", "", "b", "b", "b"}));
+  EXPECT_EQ(
+      suppressRareValues({"", "a", "a", "b", "b", "b"}, 2), (Values{"", "", "", "b", "b", "b"}));
 }
 
 TEST(KAnonymity, ListsTheCausesOfSmallClasses) {
@@ -133,21 +134,21 @@ questionnaires::Item years() {
 TEST(Coarsening, NeverReleasesAnExactAge) {
   const Coarsening coarsening(years(), "en");
   ASSERT_EQ(coarsening.levelCount(), 4U);
-  EXPECT_EQ(coarsening.told(0, 37.0), "35 to 39");
-  EXPECT_EQ(coarsening.told(1, 37.0), "30 to 39");
-  EXPECT_EQ(coarsening.told(2, 37.0), "20 to 39");
-  EXPECT_EQ(coarsening.told(3, 37.0), "0 to 39");
-  EXPECT_EQ(coarsening.told(0, 0.0), "0 to 4");
-  EXPECT_EQ(coarsening.told(0, 70.0), "70 to 74");
+  EXPECT_EQ(coarsening.releasedValue(0, 37.0), "35 to 39");
+  EXPECT_EQ(coarsening.releasedValue(1, 37.0), "30 to 39");
+  EXPECT_EQ(coarsening.releasedValue(2, 37.0), "20 to 39");
+  EXPECT_EQ(coarsening.releasedValue(3, 37.0), "0 to 39");
+  EXPECT_EQ(coarsening.releasedValue(0, 0.0), "0 to 4");
+  EXPECT_EQ(coarsening.releasedValue(0, 70.0), "70 to 74");
   EXPECT_EQ(coarsening.values(0).size(), 15U);
 }
 
 TEST(Coarsening, ReleasesFractionsAsHalfOpenBands) {
   auto item = years();
   item.step = 0.1;
-  EXPECT_EQ(Coarsening(item, "en").told(0, 4.9), "0 to <5");
+  EXPECT_EQ(Coarsening(item, "en").releasedValue(0, 4.9), "0 to <5");
   item.most = 2.0;
-  EXPECT_EQ(Coarsening(item, "en").told(0, 1.3), "1 to <1.5");
+  EXPECT_EQ(Coarsening(item, "en").releasedValue(0, 1.3), "1 to <1.5");
 }
 
 TEST(Coarsening, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
@@ -159,12 +160,12 @@ TEST(Coarsening, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
   }
   const Coarsening coarsening(item, "en");
   ASSERT_EQ(coarsening.levelCount(), 3U);
-  EXPECT_EQ(coarsening.told(0, std::string("10-59")), "10-59");
-  EXPECT_EQ(coarsening.told(1, std::string("10-59")), "1-9 to 10-59");
-  EXPECT_EQ(coarsening.told(1, std::string("60-plus")), "60-plus");
-  EXPECT_EQ(coarsening.told(2, std::string("1-9")), "1-9 to 60-plus");
-  EXPECT_EQ(coarsening.told(2, std::string("none")), "none");
-  EXPECT_EQ(coarsening.told(0, std::string("of old")), "");
+  EXPECT_EQ(coarsening.releasedValue(0, std::string("10-59")), "10-59");
+  EXPECT_EQ(coarsening.releasedValue(1, std::string("10-59")), "1-9 to 10-59");
+  EXPECT_EQ(coarsening.releasedValue(1, std::string("60-plus")), "60-plus");
+  EXPECT_EQ(coarsening.releasedValue(2, std::string("1-9")), "1-9 to 60-plus");
+  EXPECT_EQ(coarsening.releasedValue(2, std::string("none")), "none");
+  EXPECT_EQ(coarsening.releasedValue(0, std::string("of old")), "");
 }
 
 }  // namespace k_anonymity_test

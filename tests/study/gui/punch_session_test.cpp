@@ -168,7 +168,7 @@ TEST_F(PunchSession, MirrorsTheParticipantsPageOnRequest) {
       static_cast<double>(shown.width()) / shown.height(),
       static_cast<double>(page.width()) / page.height(),
       0.02);
-  mirror->follow(nullptr);
+  mirror->setPage(nullptr);
   EXPECT_EQ(picture->text(), QStringLiteral("No session is open."));
 }
 

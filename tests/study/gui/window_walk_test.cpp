@@ -40,7 +40,7 @@
 #include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/page_mirror.h"
-#include "study/gui/scene/cup_window.h"
+#include "study/gui/scene/bone_colours_window.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
@@ -79,7 +79,7 @@ class Windows {
         {"BackgroundTask", [] { return make<BackgroundTask>(QStringLiteral("A title"), waits()); }},
         {"BackupDialog", [=] { return make<BackupDialog>(summary); }},
         {"BuildBoneDialog", [] { return make<BuildBoneDialog>(); }},
-        {"CupWindow", [] { return cup(); }},
+        {"BoneColoursWindow", [] { return cup(); }},
         {"EraseDialog", [=] { return make<EraseDialog>(summary); }},
         {"ExportDialog", [=] { return make<ExportDialog>(summary); }},
         {"FindingsDialog", [] { return findings(); }},
@@ -141,7 +141,7 @@ class Windows {
         {Finding::Fail, "port", "none", "Plug the device in."}};
     return make<FindingsDialog>(
         std::vector<FindingsDialog::Found>{{"punch", results}},
-        FindingsDialog::Asks::GoWithout,
+        FindingsDialog::Question::GoWithout,
         FindingsDialog::CheckAgain{},
         nullptr);
   }
@@ -214,7 +214,8 @@ class Windows {
   static Opened cup() {
     const auto spec = std::make_shared<haptics::engine::PackingSpec>(
         haptics::engine::PackingSpec{.bone = haptics::engine::parametricBone()});
-    return {spec, std::make_shared<scene::CupWindow>(*spec, scene::CupWindow::Trial{})};
+    return {
+        spec, std::make_shared<scene::BoneColoursWindow>(*spec, scene::BoneColoursWindow::Trial{})};
   }
 
   protocols::LoadedProtocol protocol_;
@@ -242,13 +243,13 @@ class WindowWalk : public testing::TestWithParam<std::string> {
   void SetUp() override { open("en"); }
   void TearDown() override {
     close();
-    speakAtTheDesk("en");
+    setDeskLanguage("en");
     applyTheme(*qobject_cast<QApplication*>(QApplication::instance()));
   }
 
   void open(std::string_view language) {
     close();
-    speakAtTheDesk(language);
+    setDeskLanguage(language);
     opened_ = windows().all().at(GetParam())();
     window().show();
     window().activateWindow();
@@ -351,7 +352,7 @@ INSTANTIATE_TEST_SUITE_P(
         "BackgroundTask",
         "BackupDialog",
         "BuildBoneDialog",
-        "CupWindow",
+        "BoneColoursWindow",
         "EraseDialog",
         "ExportDialog",
         "FindingsDialog",

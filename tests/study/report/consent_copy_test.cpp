@@ -43,7 +43,7 @@ TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {
   EXPECT_TRUE(has(page, session.participant()));
   const auto end = storage::endOf(study_.database());
   EXPECT_TRUE(has(page, std::to_string(end.events) + " Ereignisse"));
-  EXPECT_TRUE(has(page, storage::inGroups(end.hash)));
+  EXPECT_TRUE(has(page, storage::inGroupsOfFour(end.hash)));
   const auto information = protocol.protocol.phases.front().instrument;
   EXPECT_TRUE(has(page, protocol.instrument(information)->title.in("de")));
 }

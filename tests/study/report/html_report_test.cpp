@@ -317,8 +317,8 @@ TEST(HtmlReport, ComparesRenderedBoneWithItsMaterial) {
   auto section = tests::madeUpSection();
   EXPECT_FALSE(has(asHtml({section}), "Felt against the material"));
   auto& curve = section.curves.front();
-  for (const auto& point : curve.points) curve.meant.push_back(point.median + 3.0);
-  EXPECT_NEAR(*rmsFromMeant(curve), 3.0, 1e-12);
+  for (const auto& point : curve.points) curve.intended.push_back(point.median + 3.0);
+  EXPECT_NEAR(*rmsFromIntended(curve), 3.0, 1e-12);
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "Felt against the material"));
   EXPECT_TRUE(has(page, "<td>3.00</td>"));

@@ -282,7 +282,7 @@ std::vector<study::FeltCurve> feltCurves() {
     return made;
   };
   auto first = curve(kFirst, 7.0, {5.0, 6.0, 8.5});
-  first.meant = {5.75, 5.75};
+  first.intended = {5.75, 5.75};
   return {first, curve(kSecond, 4.0, {4.0, 4.0, 4.0})};
 }
 

@@ -19,10 +19,10 @@ TEST(ReportSection, CountsOptionalTrialsSeparately) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.offersAgain = true})));
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkUntil(session, [](const Step& step) { return step.isOffered; });
-  session.declineOffer();
+  session.skipOfferedTrial();
   session.beginTrial();
   session.finishTrial(tests::feltTrial(4));
-  session.declineOffer();
+  session.skipOfferedTrial();
   tests::walkToTheEnd(session);
 
   const auto section = gather(*study, RunMode::Live);
@@ -55,11 +55,11 @@ TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
   tests::walkToTheEnd(session);
   const auto live = gather(*study, RunMode::Live);
   EXPECT_EQ(
-      std::to_string(live.trail.events) + " events, " + storage::inGroups(live.trail.hash),
-      study->events().headInWords());
-  EXPECT_NE(asHtml({live}).find(storage::inGroups(live.trail.hash)), std::string::npos);
+      std::to_string(live.trail.events) + " events, " + storage::inGroupsOfFour(live.trail.hash),
+      study->events().headAsText());
+  EXPECT_NE(asHtml({live}).find(storage::inGroupsOfFour(live.trail.hash)), std::string::npos);
   EXPECT_EQ(live.commitment, tests::knownSecret().commitment());
-  EXPECT_NE(asHtml({live}).find(storage::inGroups(live.commitment)), std::string::npos);
+  EXPECT_NE(asHtml({live}).find(storage::inGroupsOfFour(live.commitment)), std::string::npos);
   // Simulated sessions are made again from a seed, with the same report.
   EXPECT_TRUE(gather(*study, RunMode::Simulated).commitment.empty());
   EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());

@@ -63,7 +63,7 @@ void takePart(Study& study, Session& session, const std::string& name) {
   tests::walkTo(session, StepKind::Trial);
   session.beginTrial();
   study.traces().add(session.visit(), 0, std::vector<storage::TraceSample>(500));
-  session.breakOffTrial({.ending = TrialEnding::Stopped, .ticks = 500, .traceSamples = 500});
+  session.abortTrial({.ending = TrialEnding::Stopped, .ticks = 500, .traceSamples = 500});
   session.repeatStep(planted("a repetition"));
   tests::walkToTheEnd(session);
 }
@@ -134,7 +134,7 @@ TEST_F(ErasureTest, LeavesNoReasonOfAnOperator) {
       auto session = Session::resume(*study_, id, planted("a take-over"));
       tests::walkTo(session, StepKind::Trial);
       session.beginTrial();
-      session.breakOffTrial({.ending = TrialEnding::Stopped});
+      session.abortTrial({.ending = TrialEnding::Stopped});
       session.skipStep(planted("a skip"));
       session.pause(planted("a pause"));
       (session.*end)(planted("an end"));
@@ -236,7 +236,7 @@ TEST_F(ErasureTest, LeavesNoReasonWithWhichASessionEnded) {
     session.note(planted("a note"));
     tests::walkTo(session, StepKind::Trial);
     session.beginTrial();
-    session.breakOffTrial({.ending = TrialEnding::Stopped, .ticks = 500});
+    session.abortTrial({.ending = TrialEnding::Stopped, .ticks = 500});
     if (end != &Session::giveUpOnDevice) {
       session.skipStep(planted("a skipped step"));
       session.pause(planted("a pause"));

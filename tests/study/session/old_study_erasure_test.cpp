@@ -47,7 +47,7 @@ TEST_F(OldStudy, ErasesOnlyAfterItsTrailWasSealedAgain) {
   study.identities().put({"Q1", 1, 0, 1}, "signature", kName, "then");
   ErasureRequest request{.participant = "Q1", .reason = "asked for it"};
   EXPECT_THROW(erase(study, request), UserError);
-  const auto head = study.events().headInWords();
+  const auto head = study.events().headAsText();
   const auto events = study.events().last();
   request.sealsTrailAgain = true;
   EXPECT_TRUE(erase(study, request).wasTrailSealedAgain);

@@ -107,7 +107,7 @@ TEST_F(SessionStepsTest, RepeatsATrialThatBrokeOff) {
   tests::walkTo(session_, StepKind::Trial);
   const int trial = session_.stepIndex();
   session_.beginTrial();
-  session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
+  session_.abortTrial({.ending = TrialEnding::DeviceGone});
   EXPECT_EQ(session_.state(), SessionState::Interrupted);
   EXPECT_THROW(session_.beginTrial(), UserError);
   session_.repeatStep("plugged in again");
@@ -123,7 +123,7 @@ TEST_F(SessionStepsTest, SkipsTheQuestionsAboutASkippedTrial) {
   tests::walkTo(session_, StepKind::Trial);
   const int trial = session_.stepIndex();
   session_.beginTrial();
-  session_.breakOffTrial({.ending = TrialEnding::Stopped});
+  session_.abortTrial({.ending = TrialEnding::Stopped});
   session_.skipStep("does not want to feel it again");
   EXPECT_EQ(session_.stepIndex(), trial + 2);
   EXPECT_EQ(session_.step().kind, StepKind::Trial);
@@ -245,7 +245,7 @@ TEST_F(SessionStepsTest, AllowsWithdrawalDuringATrial) {
 TEST_F(SessionStepsTest, KeepsTheReasonOfABreakOffAfterAWithdrawal) {
   tests::walkTo(session_, StepKind::Trial);
   session_.beginTrial();
-  session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
+  session_.abortTrial({.ending = TrialEnding::DeviceGone});
   session_.withdraw("enough");
   const auto session = storage::Records(study_->database()).sessions().front();
   EXPECT_EQ(session.endReason, "enough");
@@ -327,12 +327,12 @@ TEST_F(OfferedAgain, IsEachAlternativeUnderItsLabelWithItsCondition) {
 
 TEST_F(OfferedAgain, MayBeAcceptedOrDeclined) {
   const int first = session_.stepIndex();
-  session_.declineOffer();
+  session_.skipOfferedTrial();
   session_.beginTrial();
   session_.finishTrial(tests::feltTrial());
-  session_.declineOffer();
+  session_.skipOfferedTrial();
   EXPECT_EQ(session_.step().kind, StepKind::Preference);
-  EXPECT_THROW(session_.declineOffer(), UserError);
+  EXPECT_THROW(session_.skipOfferedTrial(), UserError);
   const auto id = session_.id();
   EXPECT_EQ(study_->sessions().statusOf({id, first, 1}), storage::VisitStatus::Skipped);
   EXPECT_EQ(study_->sessions().statusOf({id, first + 1, 1}), storage::VisitStatus::Finished);

@@ -61,7 +61,7 @@ class NotedTrail : public testing::Test {
  protected:
   NotedTrail() {
     takePart();
-    noted_ = study_->events().headInWords();
+    noted_ = study_->events().headAsText();
     takePart();
   }
 
@@ -94,7 +94,7 @@ class NotedTrail : public testing::Test {
 };
 
 TEST_F(NotedTrail, IsGoneOnFrom) {
-  const auto last = study_->events().headInWords();
+  const auto last = study_->events().headAsText();
   EXPECT_NE(noted_, last);
   EXPECT_TRUE(isSound(noted_));
   EXPECT_TRUE(isSound(last));
@@ -110,7 +110,7 @@ TEST_F(NotedTrail, IsGoneOnFrom) {
 
 TEST_F(NotedTrail, ShowsThatItsEndWasCutOff) {
   study_->note(EventKind::UnblindedExport, "a reason");
-  const auto last = study_->events().headInWords();
+  const auto last = study_->events().headAsText();
   cutOff(2);  // with its signature
   EXPECT_TRUE(isSound()) << "nothing inside the folder says so";
   EXPECT_FALSE(isSound(last));
@@ -119,7 +119,7 @@ TEST_F(NotedTrail, ShowsThatItsEndWasCutOff) {
 
 TEST_F(NotedTrail, ShowsThatOtherEventsCameInPlaceOfThoseThatWereCutOff) {
   study_->note(EventKind::UnblindedExport, "a reason");
-  const auto last = study_->events().headInWords();
+  const auto last = study_->events().headAsText();
   cutOff(2);
   study_->note(EventKind::PublicExport, "harmless");
   EXPECT_TRUE(isSound());
@@ -141,7 +141,7 @@ TEST_F(NotedTrail, StandsInEveryFolderOfLiveSessions) {
   const auto readme = [&](const std::string& name, RunMode mode) {
     const auto folder = study_.scratch() / name;
     exportStudy(*study_, folder, {.runMode = mode});
-    head = study_->events().headInWords();  // with the export itself
+    head = study_->events().headAsText();  // with the export itself
     return tests::contentOf(folder + "/README.md") + tests::contentOf(folder + "/codebook.json");
   };
   const auto live = readme("live", RunMode::Live);

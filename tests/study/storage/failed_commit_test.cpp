@@ -56,7 +56,7 @@ TEST_F(FailedCommitTest, ChangesNothingInTheSession) {
   failFirst("pause", [&] { session_.pause("the telephone"); });
   failFirst("resume", [&] { session_.resumeAfterPause(); });
   failFirst("begin a trial", [&] { session_.beginTrial(); });
-  failFirst("break off", [&] { session_.breakOffTrial({.ending = TrialEnding::Stopped}); });
+  failFirst("break off", [&] { session_.abortTrial({.ending = TrialEnding::Stopped}); });
   failFirst("repeat", [&] { session_.repeatStep("stopped by mistake"); });
   session_.beginTrial();
   failFirst("finish a trial", [&] { session_.finishTrial(tests::feltTrial()); });

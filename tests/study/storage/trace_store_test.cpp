@@ -196,7 +196,7 @@ TEST_F(KeptTrialTest, IsRepeatedAfterADeviceFailure) {
   EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
   EXPECT_EQ(record.ticks, 1501);  // found in the first tick
   EXPECT_EQ(study_->traces().read(first).size(), 1501U);
-  session_.breakOffTrial(record);
+  session_.abortTrial(record);
 
   EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));  // only the operator can continue
   EXPECT_TRUE(session_.allows(SessionEvent::RepeatedStep));

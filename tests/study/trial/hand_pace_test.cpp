@@ -24,12 +24,12 @@ protocols::Protocol libraryProtocol(const std::string& name) {
 
 TEST(HandPace, IsThatOfTheSlowestReamerOnTheDevice) {
   auto protocol = libraryProtocol("two-devices");
-  EXPECT_DOUBLE_EQ(mostFeedOn(protocol, "reamer"), 0.002);
-  EXPECT_EQ(mostFeedOn(protocol, "punch"), std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(feedLimitOn(protocol, "reamer"), 0.002);
+  EXPECT_EQ(feedLimitOn(protocol, "punch"), std::numeric_limits<double>::infinity());
   for (auto& condition : protocol.conditions) {
     if (condition.id == "bone-soft") condition.reamer.teeth = 2;
   }
-  EXPECT_DOUBLE_EQ(mostFeedOn(protocol, "reamer"), 0.001);
+  EXPECT_DOUBLE_EQ(feedLimitOn(protocol, "reamer"), 0.001);
 }
 
 /// A trial of two strokes in bone of a hardness, and the fastest that the tool advanced [m/s].

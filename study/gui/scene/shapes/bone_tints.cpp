@@ -52,14 +52,14 @@ BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours c
 Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
   switch (colours_) {
     case SphereColours::Neutral:
-      return lit(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * variationOf(slot));
+      return shaded(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * variationOf(slot));
     case SphereColours::Density: {
       const double range = range_.hardest - range_.softest;
       const double above = static_cast<double>(densityOf(field_, slot)) - range_.softest;
       return scaleTint(range > 0.0 ? static_cast<float>(above / range) : 0.5F);
     }
     case SphereColours::Removal:
-      return lit(untouchedTint(), 0.95F + 0.05F * variationOf(slot));
+      return shaded(untouchedTint(), 0.95F + 0.05F * variationOf(slot));
   }
   return kCortical;
 }

@@ -127,7 +127,7 @@ Mesh plateauSurface(const KneeLayout& layout) {
         const float within = std::clamp((v - 0.45F) / 0.25F, 0.0F, 1.0F);
         const float beside = std::abs(angleAt(u));
         const float isThere = std::clamp((layout.halfAngle - beside) / 6.0F, 0.0F, 1.0F);
-        return lit(ground, 1.0F - 0.3F * isThere * within * within);
+        return shaded(ground, 1.0F - 0.3F * isThere * within * within);
       });
 }
 

@@ -134,7 +134,7 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& 
     const float share =
         (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius);
     const float fibre = 0.965F + 0.035F * std::sin(23.0F * radius + 0.11F * (angle + moved_));
-    tints[i] = lit(blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F)), fibre);
+    tints[i] = shaded(blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F)), fibre);
   }
   const auto add = [&](QVector3D place, Tint tint) { mesh.vertices.push_back({place, {}, tint}); };
   const auto upright = [&](const Column& face, int i) {
@@ -144,9 +144,9 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& 
   const bool isCut = inner > layout_.innerRadius + 0.3F;
   for (std::size_t i = 0; i <= kAcross; ++i) add(columns[i].high, tints[i]);
   for (int i = kUpright; i >= 0; --i) add(upright(columns.back(), i), isPiece ? kCutFace : kRim);
-  for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, lit(tints[i], 0.9F));
+  for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, shaded(tints[i], 0.9F));
   for (int i = 0; i <= kUpright; ++i) {
-    add(upright(columns.front(), i), isCut ? kCutFace : lit(kEdge, 0.94F));
+    add(upright(columns.front(), i), isCut ? kCutFace : shaded(kEdge, 0.94F));
   }
 }
 

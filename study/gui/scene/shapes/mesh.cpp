@@ -50,7 +50,7 @@ Tint blend(Tint a, Tint b, float share) {
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.gloss, b.gloss)};
 }
 
-Tint lit(Tint tint, float brightness) {
+Tint shaded(Tint tint, float brightness) {
   const auto scale = [brightness](std::uint8_t c) {
     return asByte(static_cast<float>(c) * brightness);
   };

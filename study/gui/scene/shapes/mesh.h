@@ -19,7 +19,7 @@ struct Tint {
 /// The colour at @p share of the way from @p a to @p b, in [0, 1].
 Tint blend(Tint a, Tint b, float share);
 /// The colour @p tint times @p brightness, > 0.
-Tint lit(Tint tint, float brightness);
+Tint shaded(Tint tint, float brightness);
 
 struct Vertex {
   QVector3D position;  ///< [mm]

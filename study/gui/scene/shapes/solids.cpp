@@ -121,7 +121,7 @@ Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii) {
   return loft(rings);
 }
 
-Mesh eyelet(QVector3D centre, float radius, float thickness) {
+Mesh fingerRing(QVector3D centre, float radius, float thickness) {
   constexpr int kRings = 40;
   std::vector<Ring> rings;
   for (int i = 0; i < kRings; ++i) {

@@ -33,7 +33,7 @@ Mesh rod(float from, float to, float radius, int corners = 24);
 Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii);
 
 /// A finger ring in the x-y plane [mm].
-Mesh eyelet(QVector3D centre, float radius, float thickness);
+Mesh fingerRing(QVector3D centre, float radius, float thickness);
 
 /// The solid of revolution of a profile (x: distance from the axis, y: height) around the z axis.
 /// The profile must begin and end on the axis.

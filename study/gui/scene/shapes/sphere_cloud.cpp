@@ -91,7 +91,8 @@ void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
   const BoneTints tints(field, options_.colours);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     int empty = 0;
-    eachNeighbour(slots_[i].cell, [&](std::size_t cell) { empty += counts_[cell] == 0 ? 1 : 0; });
+    forEachNeighbour(
+        slots_[i].cell, [&](std::size_t cell) { empty += counts_[cell] == 0 ? 1 : 0; });
     slots_[i].tint = tints.of(i, empty >= kEmptyAtTheSurface);
     slots_[i].sphere.tint = slots_[i].tint;
   }
@@ -118,7 +119,7 @@ void SphereCloud::begin() {
   for (std::size_t cell = 0; cell < counts_.size(); ++cell) {
     if (counts_[cell] != 0) continue;
     bool isBeside = false;
-    eachNeighbour(cell, [&](std::size_t other) { isBeside |= counts_[other] != 0; });
+    forEachNeighbour(cell, [&](std::size_t other) { isBeside |= counts_[other] != 0; });
     if (!isBeside || !isVisibleFromEye(cell)) continue;
     uncover(cell);
     if (isInFrontOfSection(cell)) uncoverNeighbours(cell);
@@ -149,7 +150,7 @@ bool SphereCloud::isVisibleFromEye(std::size_t cell) const {
 }
 
 template <typename Visit>
-void SphereCloud::eachNeighbour(std::size_t cell, Visit visit) const {
+void SphereCloud::forEachNeighbour(std::size_t cell, Visit visit) const {
   const auto nx = static_cast<std::size_t>(grid_.nx);
   const auto ny = static_cast<std::size_t>(grid_.ny);
   const auto nz = static_cast<std::size_t>(grid_.nz);
@@ -170,14 +171,14 @@ bool SphereCloud::isInFrontOfSection(std::size_t cell) const noexcept {
 }
 
 void SphereCloud::uncoverNeighbours(std::size_t cell) {
-  eachNeighbour(cell, [this](std::size_t other) {
+  forEachNeighbour(cell, [this](std::size_t other) {
     if (counts_[other] != 0) uncover(other);
   });
 }
 
 /// Draws the spheres in and around a visible cell.
 void SphereCloud::uncover(std::size_t cell) {
-  eachNeighbour(cell, [this](std::size_t other) {
+  forEachNeighbour(cell, [this](std::size_t other) {
     if (isUncovered_[other] != 0) return;
     isUncovered_[other] = 1;
     for (const auto slot : cells_[other]) {

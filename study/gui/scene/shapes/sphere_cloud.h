@@ -38,7 +38,7 @@ class SphereCloud {
  public:
   struct Options {
     QVector3D eye{0.0F, -100.0F, -60.0F};  ///< the eye's position in the bone's frame [mm]
-    bool isHalved = true;  ///< only the half with y ≥ 0: a section through the cup
+    bool isHalved = true;  ///< only the half with y ≥ 0: a section through the acetabulum
     SphereColours colours = SphereColours::Neutral;
   };
 
@@ -88,7 +88,7 @@ class SphereCloud {
   bool isKept(const SphereInstance& sphere) const noexcept;
   bool isVisibleFromEye(std::size_t cell) const;
   template <typename Visit>
-  void eachNeighbour(std::size_t cell, Visit visit) const;
+  void forEachNeighbour(std::size_t cell, Visit visit) const;
   bool isInFrontOfSection(std::size_t cell) const noexcept;
   void uncover(std::size_t cell);
   void uncoverNeighbours(std::size_t cell);

@@ -102,7 +102,7 @@ Mesh fixedHandle() {
               {{-122, -4, 0}, {-127, -18, 0}, {-131, -34, 0}, {-133, -48, 0}, {-134, -58, 0}},
               {3.4F, 3.0F, 2.7F, 2.5F, 2.4F}),
           kSteel));
-  append(handle, finished(eyelet({-136, -71, 0}, 12.0F, 2.4F), kSteel));
+  append(handle, finished(fingerRing({-136, -71, 0}, 12.0F, 2.4F), kSteel));
   return handle;
 }
 
@@ -117,7 +117,7 @@ Mesh movingHandle() {
            {-108, -58, 0}},
           {2.4F, 3.2F, 2.9F, 2.6F, 2.5F, 2.4F}),
       kSteel);
-  append(lever, finished(eyelet({-109, -71, 0}, 12.0F, 2.4F), kSteel));
+  append(lever, finished(fingerRing({-109, -71, 0}, 12.0F, 2.4F), kSteel));
   Mesh pin = rod(-4.6F, 4.6F, 2.4F, 24);
   QMatrix4x4 across;
   across.translate(kLeverPivot);
@@ -272,7 +272,7 @@ ReamerShape reamerShape(float radius) {
   crease(shape.shaft, 30.0F);
   // A flat on one side makes the rotation visible.
   Mesh key = loft({slab(-150.0F, 4.6F, 5.9F, 1.3F, 0.2F), slab(-22.0F, 4.6F, 5.9F, 1.3F, 0.2F)});
-  paint(key, lit(kShaftSteel, 0.72F));
+  paint(key, shaded(kShaftSteel, 0.72F));
   crease(key, 30.0F);
   QMatrix4x4 upright;
   upright.rotate(-90.0F, 0.0F, 1.0F, 0.0F);  // turns x to z

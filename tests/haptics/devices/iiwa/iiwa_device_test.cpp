@@ -49,7 +49,7 @@ TEST_P(IiwaSessionTest, ReachesCommandingAndGivesForceAgainstAdvancing) {
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Running);
   turns(0.0, 2);
   EXPECT_EQ(report().force, 0.0);
-  EXPECT_EQ(report().lastEnd, emulators::FriEnd::None);
+  EXPECT_EQ(report().lastEnd, emulators::FriEndReason::None);
   EXPECT_LT(turn(0.0).travel, 0.0);  // and has been pushed back by it
 }
 

@@ -22,7 +22,7 @@ TEST_F(PunchFaultsTest, LetsGoWithinFiftyMillisecondsWhenItIsUnplugged) {
         4.0, [&](const DeviceSample& sample) { return sample.status == DeviceStatus::Gone; }));
     EXPECT_EQ(device_->lifecycle(), Lifecycle::Faulted);
     ASSERT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
-    after = board_->ask([](const auto& e) { return e.letGoAfter(); });
+    after = board_->ask([](const auto& e) { return e.motorOffAfter(); });
     EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), device_->fault()));
     EXPECT_TRUE(says(whyNot([&] { device_->open(); }), "no serial port"));
     board_->order("plug");

@@ -20,7 +20,7 @@ constexpr double kPi = std::numbers::pi;
 /// A solid block below z = 0 … the reamer comes from −z: a slab from z = 0 on.
 class Slab final : public Solid {
  public:
-  Boundary nearest(Vec3 p) const noexcept override {
+  SurfacePoint nearest(Vec3 p) const noexcept override {
     const double all[]{p.x + kHalf, kHalf - p.x, p.y + kHalf, kHalf - p.y, p.z, kDeep - p.z};
     const Vec3 inward[]{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::size_t best = 0;
@@ -166,15 +166,15 @@ TEST(SphereField, RefusesWhatIsNoBone) {
   EXPECT_THROW(SphereField({}, {}), std::invalid_argument);
 }
 
-TEST(Plunge, BeginsWhereTheReamerTouchesFirst) {
+TEST(StrokeRange, BeginsWhereTheReamerTouchesFirst) {
   const auto packing = *pack(Acetabulum(), {.count = 3000});
   const SphereField field(packing, alike(packing, 1.0));
-  const auto plunge = plungeInto(field, 0.026);
+  const auto plunge = strokeInto(field, 0.026);
   EXPECT_EQ(field.touch(plunge.at(0.0), false).touched, 0);
   EXPECT_GE(field.touch(plunge.at(0.00005), false).touched, 1);
   const Packing elsewhere{.spheres = {{0.1F, 0.0F, 0.0F, 0.001F}}, .volume = 1.0};
   const SphereField aside(elsewhere, alike(elsewhere, 1.0));
-  EXPECT_THROW(plungeInto(aside, 0.026), std::invalid_argument);
+  EXPECT_THROW(strokeInto(aside, 0.026), std::invalid_argument);
 }
 
 }  // namespace sphere_field_test

@@ -161,11 +161,11 @@ TEST(MaterialFit, ReportsWhereCurvesCrossAndTheRemedy) {
   EXPECT_EQ(crossings[0].from, 0.0);
   EXPECT_NEAR(crossings[0].to, 0.002, 0.0002);
   EXPECT_EQ(
-      whatKeepsTheOrder(options),
+      optionsThatKeepOrder(options),
       (std::vector<std::string>{"--envelope pointwise", "--spline hermite-data-slope"}));
   // What is on is not recommended.
-  EXPECT_TRUE(whatKeepsTheOrder({}).empty());
-  EXPECT_EQ(whatKeepsTheOrder({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
+  EXPECT_TRUE(optionsThatKeepOrder({}).empty());
+  EXPECT_EQ(optionsThatKeepOrder({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
 }
 
 TEST(WholeStudyFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
@@ -230,7 +230,7 @@ TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
 }
 
 TEST(MaterialFit, LeavesOutASetWithoutValidSeries) {
-  const std::vector study{syntheticSeries({.mishap = Mishap::FeedChange})};
+  const std::vector study{syntheticSeries({.mishap = SyntheticFault::FeedChange})};
   const auto fit = fitMaterial(study, {});
   EXPECT_TRUE(fit.sets.empty());
   EXPECT_TRUE(fit.series[0].exclusion.isExcluded());

@@ -16,7 +16,7 @@ SampledCurve ramp() {
 }
 
 TEST(SampledCurve, AtPlacesGoesAsFarAsItsOwnEnd) {
-  const auto curve = atPlaces(ramp(), 5.0, 101);
+  const auto curve = resampled(ramp(), 5.0, 101);
   ASSERT_EQ(curve.size(), 41U);  // 0 to 2.0 of 5.0
   for (std::size_t i = 0; i < curve.size(); ++i) {
     EXPECT_NEAR(curve.x[i], 0.05 * static_cast<double>(i), 1e-12);
@@ -27,7 +27,7 @@ TEST(SampledCurve, AtPlacesGoesAsFarAsItsOwnEnd) {
 
 TEST(SampledCurve, AtPlacesThatAreFinerThanItsSamplesLiesBetweenThem) {
   const SampledCurve coarse{{0.0, 1.0, 2.0}, {0.0, 10.0, 0.0}};
-  const auto curve = atPlaces(coarse, 2.0, 9);
+  const auto curve = resampled(coarse, 2.0, 9);
   EXPECT_EQ(curve.y, (std::vector<double>{0.0, 2.5, 5.0, 7.5, 10.0, 7.5, 5.0, 2.5, 0.0}));
 }
 

@@ -104,10 +104,10 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
   EXPECT_EQ(listOf(home)->rowCount(), 1);
   EXPECT_EQ(listOf(home)->currentRow(), 0);
   tests::photographInAllThemes(home, QStringLiteral("home-german"));
-  speakAtTheDesk("en");
+  setDeskLanguage("en");
   speakChosenLanguage();
   EXPECT_EQ(deskLanguage(), "de");
-  speakAtTheDesk("en");
+  setDeskLanguage("en");
 }
 
 TEST_F(HomeTest, SaysWhichSessionsOfAStationHaveArrivedAndWhyOthersHaveNot) {

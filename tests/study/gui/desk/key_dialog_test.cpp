@@ -37,7 +37,7 @@ class KeyDialogTest : public testing::Test {
 };
 
 TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
-  EXPECT_TRUE(summary().isKeyAlone);
+  EXPECT_TRUE(summary().isOnlyCopyOfKey);
   KeyDialog dialog(summary());
   EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("only key")));
   auto& go = the<QPushButton>(dialog, "go");
@@ -47,7 +47,7 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   tests::photographInAllThemes(dialog, QStringLiteral("key"));
   go.click();
   EXPECT_TRUE(std::filesystem::exists(file_));
-  EXPECT_FALSE(summary().isKeyAlone);
+  EXPECT_FALSE(summary().isOnlyCopyOfKey);
   EXPECT_EQ(dialog.findChild<WrittenFile*>()->path().toStdString(), file_);
 }
 

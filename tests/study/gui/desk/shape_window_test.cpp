@@ -10,8 +10,8 @@
 #include "haptics/engine/built_in_models.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/problem.h"
+#include "study/gui/scene/bone_colours_painter.h"
 #include "study/gui/scene/colour_legend.h"
-#include "study/gui/scene/cup_painter.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/scene/simulation_view.h"
@@ -36,7 +36,8 @@ TEST_F(ShapeWindow, ShowsABoneColouredByDensity) {
   const auto& bone = *haptics::engine::parametricBone();
   auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
   const auto* legend = window->findChild<scene::ColourLegend*>();
-  const QSignalSpy painted(window->findChild<scene::CupPainter*>(), &scene::CupPainter::painted);
+  const QSignalSpy painted(
+      window->findChild<scene::BoneColoursPainter*>(), &scene::BoneColoursPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 0; }, 20'000));
   EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
   EXPECT_EQ(window->findChild<QComboBox*>()->count(), 2);  // no removal, because there is no trial

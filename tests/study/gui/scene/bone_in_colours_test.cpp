@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QSignalSpy>
 
-#include "study/gui/operator/cup_button.h"
+#include "study/gui/operator/bone_colours_button.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/scene/visualised_trial.h"
@@ -18,14 +18,14 @@ using tests::reamingThatIsSeen;
 /// The operator's window with the coloured bone.
 class ColouredBone : public tests::VisualisedTrial {
  protected:
-  CupButton* button() const { return window_->findChild<CupButton*>(); }
+  BoneColoursButton* button() const { return window_->findChild<BoneColoursButton*>(); }
   static QWidget* colours() {
     for (auto* widget : QApplication::topLevelWidgets()) {
       if (widget->objectName() == QStringLiteral("cup-window")) return widget;
     }
     return nullptr;
   }
-  scene::HipScene* seen() const { return window_->controller()->visibleCup(); }
+  scene::HipScene* seen() const { return window_->controller()->visibleBone(); }
   static bool isNeutral(const scene::SphereCloud& cloud) {
     const auto& all = cloud.instances();
     return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
@@ -51,13 +51,13 @@ TEST_F(ColouredBone, OpensOnRequestAndClosesWithTheTrial) {
   reamALittle();
   EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
   EXPECT_EQ(colours(), nullptr);  // not requested yet
-  EXPECT_EQ(window_->findChild<scene::CupPainter*>(), nullptr);
+  EXPECT_EQ(window_->findChild<scene::BoneColoursPainter*>(), nullptr);
 
   button()->click();
   ASSERT_NE(colours(), nullptr);
-  auto* painter = colours()->findChild<scene::CupPainter*>();
+  auto* painter = colours()->findChild<scene::BoneColoursPainter*>();
   auto* legend = colours()->findChild<scene::ColourLegend*>();
-  const QSignalSpy painted(painter, &scene::CupPainter::painted);
+  const QSignalSpy painted(painter, &scene::BoneColoursPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 1; }, 20'000));
   EXPECT_EQ(legend->marks().size(), 5U);
   EXPECT_TRUE(legend->marks().front().startsWith(QStringLiteral("≤ ")));
@@ -98,12 +98,13 @@ TEST_F(ColouredBone, ClosesOnRequestAndWithTheOperatorWindow) {
 TEST_F(ColouredBone, IsRefusedInADoubleBlindSession) {
   beginWith(reamingThatIsSeen());  // a live session with drawn labels
   ASSERT_NE(view(), nullptr);
-  EXPECT_TRUE(whyNoColours(window_->controller()->session()).contains(QStringLiteral("blind")));
+  EXPECT_TRUE(
+      reasonForNoColours(window_->controller()->session()).contains(QStringLiteral("blind")));
   window_->controller()->beginTrial();
   EXPECT_TRUE(QTest::qWaitFor([&] { return seen() != nullptr; }, 2000));
   QTest::qWait(100);
   EXPECT_FALSE(button()->isEnabled());
-  EXPECT_EQ(button()->toolTip(), whyNoColours(window_->controller()->session()));
+  EXPECT_EQ(button()->toolTip(), reasonForNoColours(window_->controller()->session()));
   button()->click();
   EXPECT_EQ(colours(), nullptr);
   window_->controller()->stop();
@@ -112,7 +113,7 @@ TEST_F(ColouredBone, IsRefusedInADoubleBlindSession) {
 TEST_F(ColouredBone, IsNotOfferedWithoutAVisibleBone) {
   begin("punch-face-validity");
   EXPECT_TRUE(button()->isHidden());
-  EXPECT_TRUE(whyNoColours(window_->controller()->session()).isEmpty());  // labels are fixed
+  EXPECT_TRUE(reasonForNoColours(window_->controller()->session()).isEmpty());  // labels are fixed
 }
 
 }  // namespace bone_in_colours_test

@@ -16,9 +16,9 @@ TEST(Solids, HaveTheVolumeOfTheirFormula) {
   constexpr double kPi = std::numbers::pi;
   EXPECT_NEAR(volumeOf(rod(0.0F, 10.0F, 2.0F, 96)), kPi * 4.0 * 10.0, 0.2);
   // Pappus: the volume of a torus is 2π² R r².
-  EXPECT_NEAR(volumeOf(eyelet({5, 0, 0}, 10.0F, 2.0F)), 2.0 * kPi * kPi * 10.0 * 4.0, 25.0);
+  EXPECT_NEAR(volumeOf(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 2.0 * kPi * kPi * 10.0 * 4.0, 25.0);
   EXPECT_EQ(openEdges(rod(0.0F, 10.0F, 2.0F)), 0U);
-  EXPECT_EQ(openEdges(eyelet({5, 0, 0}, 10.0F, 2.0F)), 0U);
+  EXPECT_EQ(openEdges(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 0U);
 }
 
 TEST(Solids, HaveOpenEdgesWhereASheetEnds) {

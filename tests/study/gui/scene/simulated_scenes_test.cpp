@@ -63,7 +63,7 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
   KneeScene knee;
   const QImage open = pictureOf(knee);
   EXPECT_EQ(differences(open, pictureOf(knee), open.rect()), 0);
-  knee.follow({.travel = 8.0}, 0.016);
+  knee.update({.travel = 8.0}, 0.016);
   const QImage closed = pictureOf(knee);
   EXPECT_GT(differences(open, closed, kScope), 500);
   EXPECT_GT(differences(open, closed, kHandles), 200);
@@ -71,7 +71,7 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
 
 TEST(KneeScene, ShowsTheWholeInstrumentWithItsHandlesApart) {
   KneeScene knee;
-  knee.follow({.travel = -0.5}, 0.016);  // as far apart as they go
+  knee.update({.travel = -0.5}, 0.016);  // as far apart as they go
   for (const QSize size : {QSize(640, 400), QSize(1800, 700), QSize(1024, 500)}) {
     SoftwareRenderer renderer;
     const QImage picture = renderer.draw(knee.scene(), size).copy();
@@ -94,9 +94,9 @@ TEST(KneeScene, DeformsWithTheFiniteElements) {
   const haptics::engine::MeshView mesh{
       haptics::engine::FiniteElementsSpec{}, haptics::engine::SeenTissue::Force};
   KneeScene knee;
-  knee.follow({.travel = 3.9}, 0.016);
+  knee.update({.travel = 3.9}, 0.016);
   const QImage before = pictureOf(knee);
-  knee.follow({.travel = 3.9, .force = 6.0, .mesh = &mesh}, 0.016);
+  knee.update({.travel = 3.9, .force = 6.0, .mesh = &mesh}, 0.016);
   EXPECT_GT(differences(before, pictureOf(knee), kScope), 300);
 }
 
@@ -104,7 +104,7 @@ TEST(KneeScene, ShowsTissueAtTheToolAtAnyForce) {
   const haptics::engine::MeshView mesh{haptics::engine::FiniteElementsSpec{}};
   const auto volumeAt = [&](double travel, double force, bool isPressed) {
     KneeScene knee;
-    knee.follow({.travel = travel, .force = force, .mesh = isPressed ? &mesh : nullptr}, 0.016);
+    knee.update({.travel = travel, .force = force, .mesh = isPressed ? &mesh : nullptr}, 0.016);
     return volumeOf(knee.meniscus().body());
   };
   EXPECT_LT(volumeAt(5.5, 2.0, true), volumeAt(5.5, 2.0, false));
@@ -115,15 +115,15 @@ TEST(KneeScene, ShowsTissueAtTheToolAtAnyForce) {
 TEST(KneeScene, CutsOncePerClosureAndMovesToTheNextBite) {
   KneeScene knee;
   const QImage whole = pictureOf(knee);
-  for (int i = 0; i < 5; ++i) knee.follow({.travel = 8.0, .isCutThrough = true}, 0.016);
+  for (int i = 0; i < 5; ++i) knee.update({.travel = 8.0, .isCutThrough = true}, 0.016);
   EXPECT_TRUE(knee.meniscus().hasPiece());
   for (const double travel : {9.9, 8.0, 9.9}) {
-    knee.follow({.travel = travel, .isCutThrough = true}, 0.016);
+    knee.update({.travel = travel, .isCutThrough = true}, 0.016);
   }
   KneeScene once;
-  once.follow({.travel = 9.9, .isCutThrough = true}, 0.016);
+  once.update({.travel = 9.9, .isCutThrough = true}, 0.016);
   for (int i = 0; i < 100; ++i) {
-    for (auto* scene : {&knee, &once}) scene->follow({.travel = 0.0}, 0.016);
+    for (auto* scene : {&knee, &once}) scene->update({.travel = 0.0}, 0.016);
   }
   EXPECT_FALSE(knee.meniscus().hasPiece());
   EXPECT_EQ(volumeOf(knee.meniscus().body()), volumeOf(once.meniscus().body()));
@@ -132,8 +132,8 @@ TEST(KneeScene, CutsOncePerClosureAndMovesToTheNextBite) {
 
 TEST(KneeScene, FillsThePictureDuringABite) {
   KneeScene knee;
-  knee.follow({.travel = 9.5}, 0.016);
-  for (int i = 0; i < 3; ++i) knee.follow({.travel = 5.5}, 0.016);
+  knee.update({.travel = 9.5}, 0.016);
+  for (int i = 0; i < 3; ++i) knee.update({.travel = 5.5}, 0.016);
   SoftwareRenderer renderer;
   const QImage picture = renderer.draw(knee.scene(), {1280, 800}).copy();
   tests::keepPicture(picture, QStringLiteral("knee"));
@@ -142,7 +142,7 @@ TEST(KneeScene, FillsThePictureDuringABite) {
 
 TEST(KneeScene, CutsWhenTheJawsMeetEvenWithoutAYield) {
   KneeScene knee;
-  knee.follow({.travel = 9.5}, 0.016);
+  knee.update({.travel = 9.5}, 0.016);
   EXPECT_TRUE(knee.meniscus().hasPiece());
 }
 
@@ -174,15 +174,15 @@ bool isFreshBone(QRgb pixel) {
 TEST_F(HipSceneTest, ShowsRemovedBone) {
   HipScene hip({.packing = &spec_});
   const Look back{.travel = -0.02, .bone = model_.view()};
-  hip.follow(back, 0.016);
+  hip.update(back, 0.016);
   const QImage before = pictureOf(hip);
   EXPECT_GT(countWhere(before, isBone), 5000);
   ream(0.012);
-  hip.follow(back, 0.016);
+  hip.update(back, 0.016);
   const QImage after = pictureOf(hip);
   EXPECT_GT(differences(before, after, before.rect()), 2000);
   EXPECT_GT(countWhere(after, isFreshBone), countWhere(before, isFreshBone) + 2000);
-  hip.follow({.travel = -0.004}, 0.016);
+  hip.update({.travel = -0.004}, 0.016);
   SoftwareRenderer renderer;
   tests::keepPicture(renderer.draw(hip.scene(), {1280, 800}).copy(), QStringLiteral("cup"));
 }
@@ -191,20 +191,20 @@ TEST_F(HipSceneTest, PlacesTheReamerWhereTheBoneStopsIt) {
   HipScene hip({.packing = &spec_});
   const auto capAt = [&] { return hip.scene().parts[0].pose.column(3).z(); };
   const float start = capAt();
-  hip.follow({.travel = 0.03, .bone = model_.view()}, 0.016);
+  hip.update({.travel = 0.03, .bone = model_.view()}, 0.016);
   EXPECT_NEAR(capAt(), start, 0.1F);  // the hand is ahead of the reamer, which the bone stops
-  hip.follow({.travel = 0.03}, 0.016);
+  hip.update({.travel = 0.03}, 0.016);
   EXPECT_NEAR(capAt(), start + 30.0F, 0.1F);
 }
 
 TEST(ContactShadow, IsDeepestAtTheToolAndEndsAtItsReach) {
   const ContactShadow rod{
       .from = {0, 0, 0}, .along = {10, 0, 0}, .radius = 1.0F, .reach = 4.0F, .depth = 0.5F};
-  EXPECT_FLOAT_EQ(leftBy(rod, {5, 1, 0}), 0.5F);
-  EXPECT_FLOAT_EQ(leftBy(rod, {5, 3, 0}), 1.0F - 0.5F * 0.25F);
-  EXPECT_FLOAT_EQ(leftBy(rod, {13, 0, 0}), 1.0F - 0.5F * 0.25F);
-  EXPECT_FLOAT_EQ(leftBy(rod, {5, 5, 0}), 1.0F);
-  EXPECT_FLOAT_EQ(leftBy({}, {5, 1, 0}), 1.0F);
+  EXPECT_FLOAT_EQ(lightAfterShadow(rod, {5, 1, 0}), 0.5F);
+  EXPECT_FLOAT_EQ(lightAfterShadow(rod, {5, 3, 0}), 1.0F - 0.5F * 0.25F);
+  EXPECT_FLOAT_EQ(lightAfterShadow(rod, {13, 0, 0}), 1.0F - 0.5F * 0.25F);
+  EXPECT_FLOAT_EQ(lightAfterShadow(rod, {5, 5, 0}), 1.0F);
+  EXPECT_FLOAT_EQ(lightAfterShadow({}, {5, 1, 0}), 1.0F);
 }
 
 /// How much darker the shadow makes a scene's picture, by pixel; and never brighter.
@@ -243,9 +243,9 @@ TEST_F(HipSceneTest, SpinsWhileATrialRuns) {
   HipScene hip({.packing = &spec_});
   const auto poseOf = [&] { return hip.scene().parts[0].pose; };
   const QMatrix4x4 still = poseOf();
-  hip.follow({}, 0.1);
+  hip.update({}, 0.1);
   EXPECT_EQ(poseOf(), still);
-  hip.follow({.isRunning = true}, 0.1);
+  hip.update({.isRunning = true}, 0.1);
   EXPECT_NE(poseOf(), still);
 }
 

@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Languages, CatalogueTranslatorTest, testing::ValuesIn(t
 
 TEST(CatalogueTranslator, TranslatesTheParticipantsWindowsAndNoOther) {
   CatalogueTranslator translator;
-  translator.speak("de");
+  translator.setLanguage("de");
   EXPECT_FALSE(translator.isEmpty());
   const auto said = [&](const char* window, const char* english) {
     return translator.translate(window, english, nullptr, -1);
@@ -178,9 +178,9 @@ TEST(CatalogueTranslator, TranslatesTheParticipantsWindowsAndNoOther) {
 
 TEST(CatalogueTranslator, LeavesEnglishInALanguageWithoutACatalogue) {
   CatalogueTranslator translator;
-  translator.speak("de");
+  translator.setLanguage("de");
   for (const auto* language : {"en", "tlh"}) {
-    translator.speak(language);
+    translator.setLanguage(language);
     EXPECT_TRUE(translator.isEmpty()) << language;
     EXPECT_TRUE(
         translator.translate("study::gui::ParticipantWindow", "Next", nullptr, -1).isNull());
@@ -189,7 +189,7 @@ TEST(CatalogueTranslator, LeavesEnglishInALanguageWithoutACatalogue) {
 
 class DeskLanguage : public testing::Test {
  protected:
-  void TearDown() override { speakAtTheDesk("en"); }
+  void TearDown() override { setDeskLanguage("en"); }
 
   static QString shown(const char* window, const char* english) {
     return QCoreApplication::translate(window, english);
@@ -197,7 +197,7 @@ class DeskLanguage : public testing::Test {
 };
 
 TEST_F(DeskLanguage, IsThatOfTheOperatorsWindowsOnly) {
-  speakAtTheDesk("de");
+  setDeskLanguage("de");
   EXPECT_EQ(deskLanguage(), "de");
   EXPECT_EQ(shown("study::gui::OperatorWindow", "Next"), QStringLiteral("Weiter"));
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
@@ -209,16 +209,16 @@ TEST_F(DeskLanguage, IsThatOfTheOperatorsWindowsOnly) {
 
 TEST_F(DeskLanguage, LeavesParticipantsTheLanguageOfTheirSession) {
   CatalogueTranslator session;
-  session.speak("nb");
+  session.setLanguage("nb");
   QCoreApplication::installTranslator(&session);
-  speakAtTheDesk("de");
+  setDeskLanguage("de");
   EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Neste"));
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
   QCoreApplication::removeTranslator(&session);
 }
 
 TEST_F(DeskLanguage, IsEnglishWithoutACatalogue) {
-  speakAtTheDesk("tlh");
+  setDeskLanguage("tlh");
   EXPECT_EQ(deskLanguage(), "en");
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studies"));
   EXPECT_EQ(said("{} warnings", 3), "3 warnings");

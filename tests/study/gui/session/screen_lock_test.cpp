@@ -22,10 +22,10 @@ namespace screen_lock_test {
 
 TEST(OperatorPin, IsFourToTwelveDigits) {
   for (const auto* words : {"1234", "000000000000"}) {
-    EXPECT_FALSE(OperatorPin::objection(QString::fromUtf8(words))) << words;
+    EXPECT_FALSE(OperatorPin::pinProblem(QString::fromUtf8(words))) << words;
   }
   for (const auto* words : {"", "123", "1234567890123", "12a4", "１２３４", " 1234"}) {
-    EXPECT_TRUE(OperatorPin::objection(QString::fromUtf8(words))) << words;
+    EXPECT_TRUE(OperatorPin::pinProblem(QString::fromUtf8(words))) << words;
   }
 }
 
@@ -41,11 +41,11 @@ TEST(OperatorPin, DelaysTriesAfterWrongOnes) {
   OperatorPin pin;
   pin.choose(QStringLiteral("2468"));
   for (int i = 0; i < OperatorPin::kFreeTries; ++i) {
-    EXPECT_EQ(pin.waitLeft(), 0);
+    EXPECT_EQ(pin.secondsUntilNextTry(), 0);
     EXPECT_FALSE(pin.opensWith(QStringLiteral("1111")));
   }
-  EXPECT_GT(pin.waitLeft(), 0);
-  EXPECT_LE(pin.waitLeft(), OperatorPin::kWait);
+  EXPECT_GT(pin.secondsUntilNextTry(), 0);
+  EXPECT_LE(pin.secondsUntilNextTry(), OperatorPin::kWait);
   EXPECT_FALSE(pin.opensWith(QStringLiteral("2468"))) << "no try is allowed during the wait";
 }
 

@@ -20,7 +20,7 @@ TEST_F(SignedHeadTest, SaysHowFarTheTrailIs) {
   EXPECT_EQ(head_.events, 1);
   EXPECT_EQ(head_.hash, head_.first);
   EXPECT_EQ(head_.study, study_->uuid());
-  EXPECT_EQ("1 events, " + inGroups(head_.hash), study_->events().headInWords());
+  EXPECT_EQ("1 events, " + inGroupsOfFour(head_.hash), study_->events().headAsText());
   EXPECT_TRUE(head_.isSigned());
 }
 

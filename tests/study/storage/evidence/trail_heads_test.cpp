@@ -55,7 +55,7 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
   {
     const TrailHeads trail(study_->database());
     EXPECT_TRUE(trail.all().empty());
-    EXPECT_FALSE(trail.isOfTheTrailBefore(before)) << "no one signed that it was sealed again";
+    EXPECT_FALSE(trail.belongsToPreviousTrail(before)) << "no one signed that it was sealed again";
     EXPECT_FALSE(checkHeads(trail, {{before, "/"}}).problems.empty());
   }
   signFor(EventKind::ResealedTrail);
@@ -63,7 +63,7 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
   const auto found = trail.checkSignatures(keyHere());
   EXPECT_TRUE(found.problems.empty());
   EXPECT_EQ(found.remarks.size(), 1U);
-  EXPECT_TRUE(trail.isOfTheTrailBefore(before));
+  EXPECT_TRUE(trail.belongsToPreviousTrail(before));
   EXPECT_TRUE(checkHeads(trail, {{before, "/"}}).problems.empty());
   const auto station = StationStore::find(StationStore::usualFolder());
   EXPECT_TRUE(checkStation(trail, *station, false).problems.empty());
@@ -74,7 +74,7 @@ TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
   sealAgain();
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   signFor(EventKind::ResealedTrail);
-  EXPECT_FALSE(TrailHeads(study_->database()).isOfTheTrailBefore(before));
+  EXPECT_FALSE(TrailHeads(study_->database()).belongsToPreviousTrail(before));
 }
 
 TEST_F(TrailHeadsTest, AreNotOfTheTrailBeforeBecauseTheStationSignedSomethingElse) {
@@ -84,7 +84,7 @@ TEST_F(TrailHeadsTest, AreNotOfTheTrailBeforeBecauseTheStationSignedSomethingEls
   signFor(EventKind::Exported);
   const TrailHeads trail(study_->database());
   ASSERT_EQ(trail.all().size(), 1U);
-  EXPECT_FALSE(trail.isOfTheTrailBefore(before));
+  EXPECT_FALSE(trail.belongsToPreviousTrail(before));
   EXPECT_FALSE(checkHeads(trail, {{before, "/"}}).problems.empty());
 }
 

@@ -1,4 +1,4 @@
-#include "study/gui/operator/cup_button.h"
+#include "study/gui/operator/bone_colours_button.h"
 
 #include <algorithm>
 
@@ -28,36 +28,36 @@ bool isBoneSeen(const protocols::Protocol& protocol) {
 
 }  // namespace
 
-QString whyNoColours(const Session& session) {
+QString reasonForNoColours(const Session& session) {
   const auto& protocol = session.protocol().protocol;
   const bool areLabelsDrawn = protocol.labels.policy != protocols::LabelPolicy::Condition;
   const bool isDoubleBlind =
       areLabelsDrawn && protocol.conditions.size() > 1 && session.runMode() == RunMode::Live;
   if (!isDoubleBlind) return {};
-  return CupButton::tr(
+  return BoneColoursButton::tr(
       "This study is double-blind: which alternative is which is hidden from you as well, and the "
       "bone's colours could tell. In a pilot session they can be seen.");
 }
 
-CupButton::CupButton(QWidget* parent) : QPushButton(tr("See the bone…"), parent) {
+BoneColoursButton::BoneColoursButton(QWidget* parent) : QPushButton(tr("See the bone…"), parent) {
   setObjectName(QStringLiteral("see-the-bone"));
   setProperty("role", QStringLiteral("tool"));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  connect(this, &QPushButton::clicked, this, &CupButton::openWindow);
-  follow(nullptr);
+  connect(this, &QPushButton::clicked, this, &BoneColoursButton::openWindow);
+  setController(nullptr);
 }
 
-CupButton::~CupButton() {
+BoneColoursButton::~BoneColoursButton() {
   closeWindow();
 }
 
-void CupButton::follow(SessionController* controller) {
+void BoneColoursButton::setController(SessionController* controller) {
   closeWindow();
   controller_ = controller;
   isAllowed_ = false;
   setVisible(controller != nullptr && isBoneSeen(controller->session().protocol().protocol));
   if (controller == nullptr) return;
-  const QString why = whyNoColours(controller->session());
+  const QString why = reasonForNoColours(controller->session());
   isAllowed_ = why.isEmpty();
   setToolTip(
       isAllowed_ ? tr("While a bone is reamed: how hard it is and what has been removed, in a "
@@ -66,24 +66,24 @@ void CupButton::follow(SessionController* controller) {
   refresh();
 }
 
-scene::CupWindow::Present CupButton::present() const {
+scene::BoneColoursWindow::Present BoneColoursButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
-  auto* cup = controller_->visibleCup();
-  if (cup == nullptr || cup->spheres() == nullptr) return {};
-  return {.seen = cup, .isRunning = true};
+  auto* bone = controller_->visibleBone();
+  if (bone == nullptr || bone->spheres() == nullptr) return {};
+  return {.seen = bone, .isRunning = true};
 }
 
-void CupButton::refresh() {
+void BoneColoursButton::refresh() {
   const bool isThere = isAllowed_ && present().seen != nullptr;
   if (isEnabled() != isThere) setEnabled(isThere);
   if (!isThere) closeWindow();
 }
 
-void CupButton::closeWindow() {
+void BoneColoursButton::closeWindow() {
   delete window_.data();  // at once, because the window's trial may be deleted next
 }
 
-bool CupButton::mayShow() {
+bool BoneColoursButton::mayShow() {
   if (controller_->session().runMode() != RunMode::Live) return true;
   const auto windows = QApplication::topLevelWidgets();
   const bool isBesideParticipant = std::any_of(windows.begin(), windows.end(), [this](auto* each) {
@@ -100,12 +100,12 @@ bool CupButton::mayShow() {
              QMessageBox::No) == QMessageBox::Yes;
 }
 
-void CupButton::openWindow() {
+void BoneColoursButton::openWindow() {
   if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
   if (present().seen == nullptr) return;  // the trial may have ended meanwhile
   if (window_.isNull()) {
     const auto spec = sceneFor(controller_->session());
-    window_ = new scene::CupWindow(
+    window_ = new scene::BoneColoursWindow(
         *haptics::engine::partsOf(spec.model).packing, [this] { return present(); }, window());
   }
   window_->show();

@@ -17,21 +17,22 @@
 
 namespace study::gui::scene {
 
-/// Draws a coloured cup for the operator in a background thread. The thread has a low priority so
+/// Draws a coloured bone for the operator in a background thread. The thread has a low priority so
 /// that the haptic rendering and the participant's view come first. It draws at most 15 pictures a
 /// second, half of the rate of the participant's view without a graphics card.
 ///
 /// Call all functions from the GUI thread. Only the destructor blocks: it waits for the picture in
 /// progress.
-class CupPainter final : public QObject {
+class BoneColoursPainter final : public QObject {
   Q_OBJECT
 
  public:
   using Changes = std::vector<haptics::engine::SphereChange>;
 
   /// @param past  the changes of the bone so far.
-  CupPainter(const haptics::engine::PackingSpec& spec, Changes past, QObject* parent = nullptr);
-  ~CupPainter() override;
+  BoneColoursPainter(
+      const haptics::engine::PackingSpec& spec, Changes past, QObject* parent = nullptr);
+  ~BoneColoursPainter() override;
 
   void choose(SphereColours colours) { next_.colours = colours; }
   void resize(QSize size) { next_.size = size.expandedTo({16, 16}); }
@@ -58,7 +59,7 @@ class CupPainter final : public QObject {
     bool isRunning = false;
     Changes changes;  ///< not drawn yet
   };
-  class Cup;
+  class Bone;
 
   void work(const std::stop_token& stop);
   void paint(const std::stop_token& stop);

@@ -1,4 +1,4 @@
-#include "analysis/published/fitting_sizes.h"
+#include "analysis/published/consistent_sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +96,8 @@ class SizeSearch {
     for (const auto& comparison : table.comparisons) addAgreements(comparison);
   }
 
-  FittingSizes found() const {
-    FittingSizes result;
+  ConsistentSizes found() const {
+    ConsistentSizes result;
     result.convention = convention_;
     std::vector<std::size_t> at(sizes_.size(), 0);
     do {
@@ -204,7 +204,7 @@ class SizeSearch {
     return true;
   }
 
-  void addExample(FittingSizes& result) const {
+  void addExample(ConsistentSizes& result) const {
     const auto fewest = result.fewestMissing();
     if (!fewest) return;
     std::vector<std::size_t> at;
@@ -221,7 +221,7 @@ class SizeSearch {
     }
   }
 
-  void addPossible(FittingSizes& result) const {
+  void addPossible(ConsistentSizes& result) const {
     for (std::size_t g = 0; g < sizes_.size(); ++g) {
       auto& possible = result.possible.emplace_back();
       for (std::size_t i = 0; i < sizes_[g].size(); ++i) {
@@ -240,7 +240,7 @@ class SizeSearch {
 
 }  // namespace
 
-std::vector<std::uint64_t> FittingSizes::equalSizes() const {
+std::vector<std::uint64_t> ConsistentSizes::equalSizes() const {
   std::vector<std::uint64_t> equal;
   for (const auto& sizes : fitting) {
     const bool isEqual =
@@ -250,7 +250,7 @@ std::vector<std::uint64_t> FittingSizes::equalSizes() const {
   return equal;
 }
 
-std::optional<GroupSizes> FittingSizes::fewestMissing() const {
+std::optional<GroupSizes> ConsistentSizes::fewestMissing() const {
   const auto total = [](const GroupSizes& sizes) {
     return std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
   };
@@ -258,7 +258,7 @@ std::optional<GroupSizes> FittingSizes::fewestMissing() const {
   return most == fitting.end() ? std::nullopt : std::optional(*most);
 }
 
-FittingSizes fittingSizes(
+ConsistentSizes consistentSizes(
     const PublishedTable& table,
     std::span<const std::vector<std::uint64_t>> sizes,
     const AnswerLattice& lattice,

@@ -26,7 +26,7 @@ struct FamilyChange {
 };
 
 /// All changes to the analysis plan since it was first stored.
-struct PlanHistory {
+struct AnalysisPlanHistory {
   std::size_t versions = 1;             ///< of the protocol
   std::size_t versionsSinceBegun = 0;   ///< of these, added after the first live participant had
                                         ///< begun
@@ -42,7 +42,7 @@ struct PlanHistory {
 };
 
 /// @throws storage::StorageError
-PlanHistory planHistory(Study& study);
+AnalysisPlanHistory analysisPlanHistory(Study& study);
 
 /// The keys in which two families differ. Titles and the order of comparisons are not compared.
 std::vector<std::string_view> differingKeys(

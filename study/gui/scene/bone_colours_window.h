@@ -9,15 +9,15 @@
 #include <QWidget>
 
 #include "haptics/engine/scene_spec.h"
+#include "study/gui/scene/bone_colours_painter.h"
 #include "study/gui/scene/colour_legend.h"
-#include "study/gui/scene/cup_painter.h"
 #include "study/gui/scene/hip_scene.h"
 
 namespace study::gui::scene {
 
 /// Shows the operator a bone, coloured by density or by the material removed, with a legend. The
 /// bone is either unchanged or follows a running trial.
-class CupWindow final : public QWidget {
+class BoneColoursWindow final : public QWidget {
   Q_OBJECT
 
  public:
@@ -30,8 +30,9 @@ class CupWindow final : public QWidget {
 
   /// @param trial  returns the trial's state, and the window closes when the trial is over; empty:
   /// the bone does not change.
-  CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent = nullptr);
-  ~CupWindow() override;
+  BoneColoursWindow(
+      const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent = nullptr);
+  ~BoneColoursWindow() override;
 
   /// Removes a colouring from the choices.
   void removeColours(SphereColours colours);
@@ -43,7 +44,7 @@ class CupWindow final : public QWidget {
 
  private:
   void choose(int index);
-  void follow();
+  void updatePicture();
   void showPicture(const QImage& picture);
   QSize pictureSize() const;
 
@@ -53,7 +54,7 @@ class CupWindow final : public QWidget {
   QComboBox* colours_;
   QLabel* picture_;
   ColourLegend* legend_;
-  CupPainter* painter_;
+  BoneColoursPainter* painter_;
   QTimer look_;
 };
 

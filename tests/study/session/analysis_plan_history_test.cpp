@@ -1,4 +1,4 @@
-#include "study/session/plan_history.h"
+#include "study/session/analysis_plan_history.h"
 
 #include <algorithm>
 
@@ -31,12 +31,12 @@ bool hasFlag(const Results& results) {
   });
 }
 
-TEST(PlanHistory, CountsChangesBeforeTheFirstLiveParticipantAsDeclared) {
+TEST(AnalysisPlanHistory, CountsChangesBeforeTheFirstLiveParticipantAsDeclared) {
   MadeStudy study;
   auto pilot = Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Pilot});
   tests::walkToTheEnd(pilot);
   study->amend(stricter(), "");
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   EXPECT_EQ(history.versions, 2U);
   EXPECT_EQ(history.versionsSinceBegun, 0U);
   EXPECT_TRUE(history.changes.empty());
@@ -44,14 +44,14 @@ TEST(PlanHistory, CountsChangesBeforeTheFirstLiveParticipantAsDeclared) {
   EXPECT_FALSE(hasFlag(computeResults(*study, RunMode::Pilot)));
 }
 
-TEST(PlanHistory, ListsTheChangesOfALaterVersion) {
+TEST(AnalysisPlanHistory, ListsTheChangesOfALaterVersion) {
   MadeStudy study;
   auto person = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkToTheEnd(person);
   EXPECT_TRUE(computeResults(*study, RunMode::Live).families.front().isDeclared);
   study->amend(stricter(), "a reviewer asked");
 
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   ASSERT_EQ(history.changes.size(), 1U);
   EXPECT_EQ(history.changes[0].family, "methods");
   EXPECT_EQ(history.changes[0].title, "Realism");
@@ -63,12 +63,12 @@ TEST(PlanHistory, ListsTheChangesOfALaterVersion) {
   EXPECT_TRUE(hasFlag(results));
 }
 
-TEST(PlanHistory, CountsARestoredFamilyAsDeclared) {
+TEST(AnalysisPlanHistory, CountsARestoredFamilyAsDeclared) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");
   study->amend(tests::protocolFrom(tests::shortProtocol()), "an editor asked back");
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   EXPECT_EQ(history.changes.size(), 2U);
   EXPECT_EQ(history.versionsSinceBegun, 2U);
   EXPECT_TRUE(history.isDeclared("methods"));
@@ -78,13 +78,13 @@ TEST(PlanHistory, CountsARestoredFamilyAsDeclared) {
   EXPECT_TRUE(history.changes[1].isHarmless);
 }
 
-TEST(PlanHistory, DoesNotCountAFamilyAsDeclaredIfAParticipantBeganWithAnotherForm) {
+TEST(AnalysisPlanHistory, DoesNotCountAFamilyAsDeclaredIfAParticipantBeganWithAnotherForm) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(tests::protocolFrom(tests::shortProtocol()), "an editor asked back");
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   ASSERT_EQ(history.changes.size(), 2U);
   EXPECT_FALSE(history.isDeclared("methods"));
   EXPECT_FALSE(history.changes[0].isHarmless);
@@ -92,12 +92,12 @@ TEST(PlanHistory, DoesNotCountAFamilyAsDeclaredIfAParticipantBeganWithAnotherFor
   EXPECT_FALSE(history.changes[1].isHarmless);
 }
 
-TEST(PlanHistory, CountsAFamilyAsDeclaredThatWasRemovedAndRestoredBeforeAnyParticipant) {
+TEST(AnalysisPlanHistory, CountsAFamilyAsDeclaredThatWasRemovedAndRestoredBeforeAnyParticipant) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(with(R"("id": "methods")", R"("id": "afterthought")"), "a thought");
   study->amend(tests::protocolFrom(tests::shortProtocol()), "a second thought");
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   ASSERT_EQ(history.changes.size(), 4U);
   EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Added);
   EXPECT_FALSE(history.changes[0].isHarmless) << "it is in the protocol no longer";
@@ -106,11 +106,11 @@ TEST(PlanHistory, CountsAFamilyAsDeclaredThatWasRemovedAndRestoredBeforeAnyParti
   EXPECT_TRUE(history.isDeclared("methods"));
 }
 
-TEST(PlanHistory, ListsAddedAndRemovedFamilies) {
+TEST(AnalysisPlanHistory, ListsAddedAndRemovedFamilies) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(with(R"("id": "methods")", R"("id": "afterthought")"), "a thought");
-  const auto history = planHistory(*study);
+  const auto history = analysisPlanHistory(*study);
   ASSERT_EQ(history.changes.size(), 2U);
   EXPECT_EQ(history.changes[0].family, "afterthought");
   EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Added);
@@ -119,7 +119,7 @@ TEST(PlanHistory, ListsAddedAndRemovedFamilies) {
   EXPECT_FALSE(history.isDeclared("afterthought"));
 }
 
-TEST(PlanHistory, IgnoresTitlesAndTheOrderOfComparisons) {
+TEST(AnalysisPlanHistory, IgnoresTitlesAndTheOrderOfComparisons) {
   protocols::Family one{.title = "One", .blocks = {}, .comparisons = {{"a", "b"}, {"a", "c"}}};
   auto other = one;
   other.title = "Another";
@@ -129,7 +129,7 @@ TEST(PlanHistory, IgnoresTitlesAndTheOrderOfComparisons) {
   EXPECT_EQ(differingKeys(one, other), std::vector<std::string_view>{"comparisons"});
 }
 
-TEST(PlanHistory, NeedsAReasonForEveryVersionAfterTheFirstParticipant) {
+TEST(AnalysisPlanHistory, NeedsAReasonForEveryVersionAfterTheFirstParticipant) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");

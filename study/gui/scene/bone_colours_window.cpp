@@ -1,4 +1,4 @@
-#include "study/gui/scene/cup_window.h"
+#include "study/gui/scene/bone_colours_window.h"
 
 #include <utility>
 
@@ -13,7 +13,8 @@ constexpr double kOutside = -0.02;  // depth of the reamer without a trial [m]
 
 }  // namespace
 
-CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent)
+BoneColoursWindow::BoneColoursWindow(
+    const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent)
     : QWidget(parent, Qt::Window),
       trial_(std::move(trial)),
       colours_(new QComboBox(this)),
@@ -42,40 +43,40 @@ CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWid
   layout->addWidget(picture_, 1);
   layout->addWidget(legend_);
 
-  CupPainter::Changes past;
+  BoneColoursPainter::Changes past;
   if (trial_) {
     followed_ = trial_().seen;
     if (followed_ != nullptr && followed_->spheres() != nullptr)
       past = followed_->spheres()->changesSoFar();
   }
-  painter_ = new CupPainter(spec, std::move(past), this);
+  painter_ = new BoneColoursPainter(spec, std::move(past), this);
   if (followed_ != nullptr) {
     followed_->setListener([this](const auto& change) { painter_->addChange(change); });
   }
-  connect(painter_, &CupPainter::painted, this, &CupWindow::showPicture);
-  connect(painter_, &CupPainter::failed, this, [this](const QString& why) {
+  connect(painter_, &BoneColoursPainter::painted, this, &BoneColoursWindow::showPicture);
+  connect(painter_, &BoneColoursPainter::failed, this, [this](const QString& why) {
     picture_->setText(tr("This bone cannot be drawn: %1").arg(why));
   });
-  connect(painter_, &CupPainter::measured, this, [this](const DensityRange& range) {
+  connect(painter_, &BoneColoursPainter::measured, this, [this](const DensityRange& range) {
     range_ = range;
     choose(colours_->currentIndex());
   });
-  connect(colours_, &QComboBox::currentIndexChanged, this, &CupWindow::choose);
-  connect(&look_, &QTimer::timeout, this, &CupWindow::follow);
+  connect(colours_, &QComboBox::currentIndexChanged, this, &BoneColoursWindow::choose);
+  connect(&look_, &QTimer::timeout, this, &BoneColoursWindow::updatePicture);
   choose(0);
-  follow();
+  updatePicture();
   look_.start(kLookAgain);
 }
 
-CupWindow::~CupWindow() {
+BoneColoursWindow::~BoneColoursWindow() {
   if (followed_ != nullptr && trial_().seen == followed_) followed_->setListener({});
 }
 
-void CupWindow::removeColours(SphereColours colours) {
+void BoneColoursWindow::removeColours(SphereColours colours) {
   colours_->removeItem(colours_->findData(static_cast<int>(colours)));
 }
 
-void CupWindow::choose(int index) {
+void BoneColoursWindow::choose(int index) {
   const auto colours = static_cast<SphereColours>(colours_->itemData(index).toInt());
   painter_->choose(colours);
   switch (colours) {
@@ -93,7 +94,7 @@ void CupWindow::choose(int index) {
 
 /// Reads the depth from the participant's view. That view is deleted with its page; this window
 /// closes then.
-void CupWindow::follow() {
+void BoneColoursWindow::updatePicture() {
   if (!trial_) return painter_->submit(kOutside, false);
   const Present now = trial_();
   if (now.seen == nullptr || now.seen != followed_) {
@@ -104,17 +105,17 @@ void CupWindow::follow() {
   painter_->submit(now.seen->depth(), now.isRunning);
 }
 
-void CupWindow::showPicture(const QImage& picture) {
+void BoneColoursWindow::showPicture(const QImage& picture) {
   QPixmap pixmap = QPixmap::fromImage(picture);
   pixmap.setDevicePixelRatio(devicePixelRatioF());
   picture_->setPixmap(pixmap);
 }
 
-QSize CupWindow::pictureSize() const {
+QSize BoneColoursWindow::pictureSize() const {
   return (QSizeF(picture_->size()) * devicePixelRatioF()).toSize();
 }
 
-void CupWindow::resizeEvent(QResizeEvent* event) {
+void BoneColoursWindow::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   painter_->resize(pictureSize());
 }

@@ -1,4 +1,4 @@
-#include "study/gui/scene/cup_painter.h"
+#include "study/gui/scene/bone_colours_painter.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -26,10 +26,10 @@ void lowerPriority() {
 
 }  // namespace
 
-/// The cup, used by the drawing thread. A change of colours builds it again in its current state.
-class CupPainter::Cup {
+/// The bone, used by the drawing thread. A change of colours builds it again in its current state.
+class BoneColoursPainter::Bone {
  public:
-  Cup(const haptics::engine::PackingSpec& spec, SphereColours colours) : spec_(spec) {
+  Bone(const haptics::engine::PackingSpec& spec, SphereColours colours) : spec_(spec) {
     make(colours);
   }
 
@@ -40,7 +40,7 @@ class CupPainter::Cup {
       for (const auto& change : past) hip_->apply(change);
     }
     for (const auto& change : request.changes) hip_->apply(change);
-    hip_->follow({.travel = request.depth, .isRunning = request.isRunning}, seconds);
+    hip_->update({.travel = request.depth, .isRunning = request.isRunning}, seconds);
     return renderer_.draw(hip_->scene(), request.size);
   }
 
@@ -56,16 +56,17 @@ class CupPainter::Cup {
   SoftwareRenderer renderer_;
 };
 
-CupPainter::CupPainter(const haptics::engine::PackingSpec& spec, Changes past, QObject* parent)
+BoneColoursPainter::BoneColoursPainter(
+    const haptics::engine::PackingSpec& spec, Changes past, QObject* parent)
     : QObject(parent), spec_(spec) {
   next_.changes = std::move(past);
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
-CupPainter::~CupPainter() = default;
+BoneColoursPainter::~BoneColoursPainter() = default;
 
 /// Does not block: if the thread holds the lock, the next call passes the changes.
-void CupPainter::submit(double depth, bool isRunning) {
+void BoneColoursPainter::submit(double depth, bool isRunning) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;
   hasChanges_ = hasChanges_ || !next_.changes.empty() || isRunning || depth != request_.depth ||
@@ -79,7 +80,7 @@ void CupPainter::submit(double depth, bool isRunning) {
   if (hasChanges_) woken_.notify_one();
 }
 
-void CupPainter::work(const std::stop_token& stop) {
+void BoneColoursPainter::work(const std::stop_token& stop) {
   lowerPriority();
   try {
     measure();
@@ -91,8 +92,8 @@ void CupPainter::work(const std::stop_token& stop) {
   }
 }
 
-void CupPainter::paint(const std::stop_token& stop) {
-  std::unique_ptr<Cup> cup;
+void BoneColoursPainter::paint(const std::stop_token& stop) {
+  std::unique_ptr<Bone> bone;
   auto before = Clock::now();
   while (!stop.stop_requested()) {
     Request request;
@@ -106,18 +107,18 @@ void CupPainter::paint(const std::stop_token& stop) {
       request.isRunning = request_.isRunning;
       hasChanges_ = false;
     }
-    if (!cup) cup = std::make_unique<Cup>(spec_, request.colours);
+    if (!bone) bone = std::make_unique<Bone>(spec_, request.colours);
     if (stop.stop_requested()) return;
     const auto begun = Clock::now();
     const double seconds = std::chrono::duration<double>(begun - before).count();
     before = begun;
-    showPicture(cup->draw(request, std::min(seconds, 0.1)).copy());
+    showPicture(bone->draw(request, std::min(seconds, 0.1)).copy());
     std::unique_lock lock(mutex_);
     woken_.wait_until(lock, stop, begun + kPace, [] { return false; });
   }
 }
 
-void CupPainter::measure() {
+void BoneColoursPainter::measure() {
   const haptics::reaming::SphereField field(
       spec_.bone->packing, spec_.bone->densities(spec_.hardness, spec_.forceScale));
   const DensityRange range = densityRangeOf(field);
@@ -125,7 +126,7 @@ void CupPainter::measure() {
       this, [this, range] { emit measured(range); }, Qt::QueuedConnection);
 }
 
-void CupPainter::showPicture(const QImage& picture) {
+void BoneColoursPainter::showPicture(const QImage& picture) {
   QMetaObject::invokeMethod(
       this, [this, picture] { emit painted(picture); }, Qt::QueuedConnection);
 }

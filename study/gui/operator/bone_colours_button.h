@@ -3,27 +3,27 @@
 #include <QPointer>
 #include <QPushButton>
 
-#include "study/gui/scene/cup_window.h"
+#include "study/gui/scene/bone_colours_window.h"
 #include "study/gui/session/session_controller.h"
 
 namespace study::gui {
 
 /// Why the operator of @p session may not see the bone in colours: in a double-blind session the
 /// colours could reveal the condition. Empty if the operator may see them.
-QString whyNoColours(const Session& session);
+QString reasonForNoColours(const Session& session);
 
 /// Opens a window that shows the operator the bone in colours while a participant reams a visible
 /// one. The window is created on the click and closes when the trial ends.
-class CupButton final : public QPushButton {
+class BoneColoursButton final : public QPushButton {
   Q_OBJECT
 
  public:
-  explicit CupButton(QWidget* parent = nullptr);
-  ~CupButton() override;
+  explicit BoneColoursButton(QWidget* parent = nullptr);
+  ~BoneColoursButton() override;
 
   /// Shows @p controller's trials; nullptr: no session is open. The controller must live until the
   /// next call.
-  void follow(SessionController* controller);
+  void setController(SessionController* controller);
   /// Enables the button if there is a bone to show now; otherwise disables it and closes the
   /// window.
   void refresh();
@@ -33,11 +33,11 @@ class CupButton final : public QPushButton {
   /// Asks for confirmation if the participant would see the window, too. Enter means No.
   bool mayShow();
   void openWindow();
-  scene::CupWindow::Present present() const;
+  scene::BoneColoursWindow::Present present() const;
 
   SessionController* controller_ = nullptr;
   bool isAllowed_ = false;
-  QPointer<scene::CupWindow> window_;
+  QPointer<scene::BoneColoursWindow> window_;
 };
 
 }  // namespace study::gui

@@ -1,4 +1,4 @@
-#include "study/session/plan_history.h"
+#include "study/session/analysis_plan_history.h"
 
 #include <algorithm>
 #include <set>
@@ -29,13 +29,13 @@ bool isAlikeIn(const AnalysisPlan& one, const AnalysisPlan& other, const std::st
 }
 
 /// Follows the plan through the versions since the first live participant began.
-class PlanFollower {
+class PlanTracker {
  public:
-  explicit PlanFollower(const AnalysisPlan& declared) : declared_(declared) {}
+  explicit PlanTracker(const AnalysisPlan& declared) : declared_(declared) {}
 
   /// What one version did to the plan of the version before it.
   /// @param isUsed  whether a live participant began with this version
-  void follow(
+  void addVersion(
       const AnalysisPlan& before,
       const protocols::Protocol& after,
       const std::string& addedUtc,
@@ -62,7 +62,7 @@ class PlanFollower {
 
   /// Lists the families of @p now that were not declared as they are now, and the changes to all
   /// families.
-  void finish(const AnalysisPlan& now, PlanHistory& history) {
+  void finish(const AnalysisPlan& now, AnalysisPlanHistory& history) {
     for (const auto& family : now.families) {
       const bool isKept = isAlikeIn(declared_, now, family.id);
       if (!isKept || usedInOtherForm_.contains(family.id)) history.undeclared.push_back(family.id);
@@ -100,7 +100,7 @@ class PlanFollower {
 
 }  // namespace
 
-bool PlanHistory::isDeclared(std::string_view family) const {
+bool AnalysisPlanHistory::isDeclared(std::string_view family) const {
   return std::find(undeclared.begin(), undeclared.end(), family) == undeclared.end();
 }
 
@@ -121,19 +121,19 @@ std::vector<std::string_view> differingKeys(const Family& before, const Family& 
   return keys;
 }
 
-PlanHistory planHistory(Study& study) {
+AnalysisPlanHistory analysisPlanHistory(Study& study) {
   const auto ids = study.protocols().all();
-  PlanHistory history{.versions = ids.size(), .changes = {}, .undeclared = {}};
+  AnalysisPlanHistory history{.versions = ids.size(), .changes = {}, .undeclared = {}};
   const auto isFrozen = [&](ProtocolId id) {
     return study.protocols().load(id).frozenUtc.has_value();
   };
   const auto first = std::find_if(ids.begin(), ids.end(), isFrozen);
   if (first == ids.end()) return history;
-  PlanFollower plan(study.protocol(*first).protocol.analysis);
+  PlanTracker plan(study.protocol(*first).protocol.analysis);
   for (auto id = first + 1; id != ids.end(); ++id) {
     ++history.versionsSinceBegun;
     const auto stored = study.protocols().load(*id);
-    plan.follow(
+    plan.addVersion(
         study.protocol(*(id - 1)).protocol.analysis,
         study.protocol(*id).protocol,
         stored.addedUtc,

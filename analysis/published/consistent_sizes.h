@@ -40,7 +40,7 @@ class TWindow {
 using GroupSizes = std::vector<std::uint64_t>;
 
 /// The group sizes for which answers on a scale exist that print the whole row.
-struct FittingSizes {
+struct ConsistentSizes {
   PublishedConvention convention;
   std::uint64_t tried = 0;          ///< combinations of sizes
   std::vector<GroupSizes> fitting;  ///< those for which answers exist that print the whole row
@@ -67,7 +67,7 @@ inline constexpr double kMostSizeCombinations = 2e6;
 /// @param sizes  for each group those to be tried, each within the lattice.
 /// @throws std::invalid_argument  for other than one list for every group, an empty list, and
 ///     beyond kMostSizeCombinations.
-FittingSizes fittingSizes(
+ConsistentSizes consistentSizes(
     const PublishedTable& table,
     std::span<const std::vector<std::uint64_t>> sizes,
     const AnswerLattice& lattice,
