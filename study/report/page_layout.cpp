@@ -21,7 +21,7 @@ constexpr double kSlack = 1.0;    // rounding of the layout [px]
 
 /// A paragraph or a table of the document, from top to bottom.
 struct Item {
-  QTextBlock block;             ///< invalid for a table
+  QTextBlock block;             ///< of a table: the empty one after it, if there is one
   QTextTable* table = nullptr;  ///< nullptr for a paragraph
   double top = 0.0;
   double bottom = 0.0;        ///< its end
@@ -77,8 +77,18 @@ bool isWellDivided(const QTextDocument& document, const QTextTable& table) {
 
 Item itemOf(const QTextDocument& document, QTextTable* table) {
   const auto* layout = document.documentLayout();
-  const QRectF where = layout->frameBoundingRect(table);
+  QRectF where = layout->frameBoundingRect(table);
+  const auto after = document.findBlock(table->lastPosition() + 1);
+  const bool isEmpty = after.isValid() && after.length() == 1;
+  if (isEmpty) {
+    // Qt reports the rows too low by a cell's padding, and draws an empty block beside the last of
+    // them, but before another table below it.
+    const QRectF empty = layout->blockBoundingRect(after);
+    const bool isBelow = QTextCursor(after.next()).currentTable() != nullptr;
+    where.translate(0.0, (isBelow ? empty.top() : empty.bottom()) - where.bottom());
+  }
   Item item{.table = table, .top = where.top(), .bottom = where.bottom()};
+  if (isEmpty) item.block = after;
   item.firstPart = item.bottom;
   if (table->rows() < kFirstRows + kLastRows || !isWellDivided(document, *table)) return item;
   const auto block = table->cellAt(kFirstRows - 1, 0).firstCursorPosition().block();
@@ -146,14 +156,17 @@ std::vector<Item> itemsOf(const QTextDocument& document) {
   for (auto it = root->begin(); !it.atEnd(); ++it) {
     if (auto* table = qobject_cast<QTextTable*>(it.currentFrame())) {
       items.push_back(itemOf(document, table));
-    } else if (it.currentBlock().isValid()) {
-      items.push_back(itemOf(document, it.currentBlock()));
+    } else if (const auto block = it.currentBlock(); block.isValid()) {
+      const bool isOfTable =
+          !items.empty() && items.back().table != nullptr && items.back().block == block;
+      if (!isOfTable) items.push_back(itemOf(document, block));
     }
   }
   return items;
 }
 
-bool beginsPage(const Item& item) {
+bool beginsPage(const Item& item, double page) {
+  if (std::fmod(item.top + kSlack, page) < 2.0 * kSlack) return true;
   const auto policy = item.table != nullptr ? item.table->format().pageBreakPolicy()
                                             : item.block.blockFormat().pageBreakPolicy();
   return policy != QTextFormat::PageBreak_Auto;
@@ -204,13 +217,22 @@ bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom)
   return true;
 }
 
-/// Whether an item that begins a page skips one: what is before it ends at the very end of a page,
-/// so that it lies on the next page without its break.
-bool followsEmptyPage(const std::vector<Item>& items, std::size_t at, double page) {
-  if (at == 0 || !beginsPage(items[at])) return false;
-  constexpr double kMargin = 0.02;  // of a page: below a table's last row
-  const double before = std::floor(items[at - 1].bottom / page - kMargin);
-  return std::floor((items[at].top + kSlack) / page) > before + 1.0;
+/// Begins a page after a table that ends just above the end of its page. Qt rounds the place of
+/// what follows a table to 1/64 of a page: it takes this end for the next page, so that the lines
+/// that follow are cut by the page's end, and a page break leaves an empty page (Qt 6.4). Returns
+/// whether it changed something.
+bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double page) {
+  const auto& block = items[at].block;
+  if (items[at].table == nullptr || !block.isValid() || at + 1 == items.size()) return false;
+  const double left = page - std::fmod(items[at].bottom, page);
+  if (left > page / 128.0 + kSlack) return false;
+  auto format = block.blockFormat();
+  const auto* paper = block.document()->documentLayout()->paintDevice();
+  format.setTopMargin(left);  // counts before a table, and is not scaled
+  format.setBottomMargin(left * 96.0 / paper->logicalDpiY());  // before a block
+  QTextCursor(block).setBlockFormat(format);
+  setPageBreak(items[at + 1], QTextFormat::PageBreak_Auto);
+  return true;
 }
 
 /// Looks at the items that belong together from @p begin on. Returns whether it changed something.
@@ -227,7 +249,7 @@ bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, do
     shrink(items[i], 0.99 * factor);
     return true;
   }
-  if (beginsPage(items[begin]) || begin == 0) return false;
+  if (beginsPage(items[begin], page) || begin == 0) return false;
   if (shrinkFor(items, begin, bottom)) return true;
   setPageBreak(items[begin], QTextFormat::PageBreak_AlwaysBefore);
   return true;
@@ -254,23 +276,17 @@ void layOutAgain(QTextDocument& document) {
 
 void breakPages(QTextDocument& document) {
   const double page = document.pageSize().height();
-  std::size_t unbroken = 0;
   // What comes before a change stays where it is, so that each item is mended at most thrice.
   for (std::size_t begin = 0;;) {
     const auto items = itemsOf(document);
     if (begin >= items.size()) return;
-    if (begin != unbroken && followsEmptyPage(items, begin, page)) {
-      unbroken = begin;
-      setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
-      layOutAgain(document);
-      continue;
-    }
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
     if (mend(items, begin, end, page)) {
       layOutAgain(document);
       continue;
     }
+    if (beginPageAfterTable(items, begin, page)) layOutAgain(document);
     ++begin;  // what is left of a chain is looked at again: its heading may have filled a page
   }
 }

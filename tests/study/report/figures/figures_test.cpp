@@ -1,28 +1,20 @@
 #include "study/report/figures/figures.h"
 
 #include <algorithm>
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <QImage>
-#include <QRegularExpression>
 #include <QString>
 #include <QXmlStreamReader>
 
-#include "study/cohort/simulated_participant.h"
 #include "study/report/figures/palette.h"
-#include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "study/results/apa_text.h"
-#include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
-#include "tests/support/child_process.h"
 #include "tests/support/colour_vision.h"
-#include "tests/support/scratch_folder.h"
 
 namespace study::report {
 namespace figures_test {
@@ -202,194 +194,6 @@ TEST(Figures, HaveTheWidthOfAColumnAndLettersThatCanBeRead) {
   for (const auto* words : {"Interpolation − FEM", "Orthopaedic surgeons"}) {
     EXPECT_NE(asInReports.find(words), std::string::npos) << words;
     EXPECT_NE(narrow.find(words), std::string::npos) << words;
-  }
-}
-
-TEST(PdfReport, HasPagesWithTheFiguresInThem) {
-  const auto section = painted();
-  const auto pdf = asPdf(asHtml({section}), "A study");
-  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
-  const auto bare = asPdf("<html><body><p>Nothing</p></body></html>", "A study");
-  const auto pagesOf = [](const std::string& bytes) {
-    std::size_t pages = 0;
-    for (auto at = bytes.find("/Type /Page\n"); at != std::string::npos;
-         at = bytes.find("/Type /Page\n", at + 1)) {
-      ++pages;
-    }
-    return pages;
-  };
-  EXPECT_EQ(pagesOf(bare), 1U);
-  EXPECT_GE(pagesOf(pdf), 4U);
-}
-
-/// The text of a PDF as it is searched or copied; std::nullopt if no tool can read it.
-std::optional<std::string> textOf(const std::string& pdf) {
-  const tests::ScratchFolder folder;
-  const auto file = folder.write("page.pdf", pdf);
-  try {
-    const auto finished = tests::run({"pdftotext", "-layout", file, "-"});
-    if (finished.status == 0) return finished.out;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-std::size_t timesIn(const std::string& text, const std::string& words) {
-  std::size_t times = 0;
-  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++times;
-  return times;
-}
-
-TEST(PdfReport, HasEveryLineOnceAlsoAtPageBreaks) {
-  constexpr int kWords = 6000;
-  std::string body;
-  for (int i = 0; i < kWords; ++i) {
-    if (i % 240 == 0) body += i == 0 ? "<p>" : i % 480 == 0 ? "</li></ul><p>" : "</p><ul><li>";
-    body += "w" + std::to_string(10000 + i) + " ";
-  }
-  const auto said = textOf(asPdf(
-      "<html><head><style></style></head><body>" + body + "</li></ul></body></html>", "A study"));
-  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-  EXPECT_GE(timesIn(*said, "\f"), 4U) << "pages";
-  for (int i = 0; i < kWords; ++i) {
-    const auto word = "w" + std::to_string(10000 + i);
-    EXPECT_EQ(timesIn(*said, word), 1U) << word;
-  }
-}
-
-/// The pages of a PDF as text; std::nullopt if no tool can read it.
-std::optional<std::vector<std::string>> pagesOf(const std::string& pdf) {
-  const auto text = textOf(pdf);
-  if (!text) return std::nullopt;
-  std::vector<std::string> pages{""};
-  for (const char c : *text) {
-    if (c == '\f') {
-      pages.emplace_back();
-    } else {
-      pages.back() += c;
-    }
-  }
-  return pages;
-}
-
-/// The place of the first page that holds @p words.
-std::size_t pageWith(const std::vector<std::string>& pages, const std::string& words) {
-  const auto found = std::find_if(pages.begin(), pages.end(), [&](const auto& page) {
-    return page.find(words) != std::string::npos;
-  });
-  return static_cast<std::size_t>(found - pages.begin());
-}
-
-/// Paragraphs, then a heading, a table of 12 rows, and a figure.
-std::string pageAfter(int paragraphs) {
-  std::string body;
-  for (int i = 0; i < paragraphs; ++i) body += "<p>paragraph " + std::to_string(i) + "</p>";
-  body +=
-      "<h3>Heading of it</h3><table><caption>Caption of it</caption><thead><tr><th>Column</th>"
-      "</tr></thead><tbody>";
-  for (int i = 10; i < 22; ++i) body += "<tr><td>row" + std::to_string(i) + "</td></tr>";
-  body +=
-      "</tbody></table><figure><svg xmlns=\"http://www.w3.org/2000/svg\" "
-      "viewBox=\"0 0 800 300\" width=\"800\" height=\"300\"><text x=\"10\" "
-      "y=\"290\" font-size=\"20\">drawn</text></svg><figcaption>Words below</figcaption>"
-      "</figure>";
-  return "<html><head><style></style></head><body>" + body + "</body></html>";
-}
-
-/// How many rows of pageAfter() are on a page.
-int rowsOn(const std::string& page) {
-  int rows = 0;
-  for (int i = 10; i < 22; ++i) {
-    if (page.find("row" + std::to_string(i)) != std::string::npos) ++rows;
-  }
-  return rows;
-}
-
-/// The place of the page that begins the appendix, whose heading is a line of its own.
-std::size_t pageOfAppendix(const std::vector<std::string>& pages) {
-  static const QRegularExpression kHeading(
-      QStringLiteral("^\\s*Appendix\\s*$"), QRegularExpression::MultilineOption);
-  const auto found = std::ranges::find_if(pages, [](const auto& page) {
-    return kHeading.match(QString::fromStdString(page)).hasMatch();
-  });
-  return static_cast<std::size_t>(found - pages.begin());
-}
-
-/// The pages of a report on a shipped protocol with simulated participants.
-std::optional<std::vector<std::string>> pagesOfStudy(const char* protocol, int participants) {
-  tests::MadeStudy study(tests::libraryProtocol(protocol));
-  simulateCohorts(*study, study.clock, participants, 3, [](const auto&) {});
-  auto section = gather(*study, RunMode::Simulated);
-  paintFigures(section);
-  return pagesOf(asPdf(asHtml({section}), "A study"));
-}
-
-TEST(PdfReport, AnswersOnAtMostThreePagesAndOnOneOfASingleParticipant) {
-  struct Expected {
-    const char* protocol;
-    int participants;
-    std::size_t pages;
-  };
-  for (const auto& [protocol, participants, most] :
-       {Expected{"punch-counterbalanced", 1, 1},
-        Expected{"reaming-hardness", 1, 1},
-        Expected{"punch-face-validity", 12, 3},
-        Expected{"reaming-hardness", 12, 3}}) {
-    const auto pages = pagesOfStudy(protocol, participants);
-    if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-    const auto answering = pageOfAppendix(*pages);
-    ASSERT_LT(answering, pages->size()) << protocol;
-    EXPECT_LE(answering, most) << protocol << ", " << participants;
-  }
-}
-
-TEST(PdfReport, DividesATableOnlyWithRowsOnEachSideAndKeepsItWithItsHeading) {
-  std::set<int> rowsAtFirst;
-  for (int paragraphs = 0; paragraphs < 60; ++paragraphs) {
-    const auto pages = pagesOf(asPdf(pageAfter(paragraphs), "A study"));
-    if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-    const auto first = pageWith(*pages, "row10");
-    ASSERT_LT(first, pages->size()) << paragraphs;
-    const int rows = rowsOn((*pages)[first]);
-    EXPECT_TRUE(rows == 12 || (rows >= 4 && rows <= 8)) << rows << " after " << paragraphs;
-    EXPECT_EQ(pageWith(*pages, "Caption of it"), first) << paragraphs;
-    EXPECT_EQ(pageWith(*pages, "Heading of it"), first) << paragraphs;
-    for (std::size_t i = 0; i + 1 < pages->size(); ++i) {
-      EXPECT_NE((*pages)[i].find_first_not_of(" \n0123456789"), std::string::npos)
-          << "empty page " << i << " after " << paragraphs;
-    }
-    rowsAtFirst.insert(rows);
-  }
-  EXPECT_GT(rowsAtFirst.size(), 2U) << "or this test sees no table that is divided";
-}
-
-TEST(PdfReport, WrapsNoNameWhereThereIsRoom) {
-  const std::string name = "Softest bone (2.29) vs. Softer bone (4.48)";
-  const auto said = textOf(asPdf(
-      "<html><head><style></style></head><body><table><caption>A caption that is longer than all "
-      "cells of the table together, and so is widened by the names alone</caption><thead><tr>"
-      "<th>Comparison</th><th>Difference</th><th>p</th></tr></thead><tbody><tr><td "
-      "colspan=\"3\"><em>A cohort</em></td></tr><tr><td>" +
-          name + "</td><td>-2.19</td><td>.003</td></tr></tbody></table></body></html>",
-      "A study"));
-  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-  EXPECT_NE(said->find(name), std::string::npos) << *said;
-}
-
-TEST(PdfReport, HasPagesOfTheSizeThatIsAskedFor) {
-  const std::string html = "<html><body><p>Nothing</p></body></html>";
-  EXPECT_NE(asPdf(html, "A study", Paper::Letter).find("/MediaBox [0 0 612.0"), std::string::npos);
-  EXPECT_NE(asPdf(html, "A study").find("/MediaBox [0 0 595.0"), std::string::npos);
-}
-
-TEST(PdfReport, BreaksNoWordInANarrowColumn) {
-  auto section = tests::madeUpSection();
-  section.words = words::wordsIn("de");
-  const auto said = textOf(asPdf(asHtml({section}), "A study"));
-  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-  for (const auto* whole : {"Gruppe", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
-    EXPECT_GE(timesIn(*said, whole), 1U) << whole;
   }
 }
 
