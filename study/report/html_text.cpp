@@ -6,7 +6,7 @@ namespace study::report {
 namespace {
 
 constexpr const char* kStyle = R"css(
-body { font: 16px/1.5 "Source Sans 3", "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff;
+body { font: 16px/1.5 Carlito, Calibri, "Source Sans 3", "Open Sans", "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff;
        max-width: 60rem; margin: 2rem auto; padding: 0 1.5rem; }
 h1 { font-size: 1.7rem; line-height: 1.25; } h2 { font-size: 1.35rem; margin-top: 3rem;
      border-bottom: 2px solid #1f4e79; padding-bottom: .2rem; } h3 { font-size: 1.05rem; margin-top: 1.8rem; }

@@ -133,15 +133,28 @@ void splitAtPages(QTextDocument& document) {
   }
 }
 
+/// The font of a report on paper.
+struct TextFont {
+  QFont font;
+  double scale;  ///< of the sizes that suit DejaVu Sans, whose small letters are large
+};
+
+/// A font made for text if it is installed, as the package asks; DejaVu Sans always is.
+TextFont textFont() {
+  const auto carlito = QStringLiteral("Carlito");
+  if (QFontDatabase::families().contains(carlito)) return {QFont(carlito), 1.1};
+  return {QFont(QStringLiteral("DejaVu Sans")), 1.0};
+}
+
 /// Gives headings their sizes. Qt sets them relative to the text, whatever the style sheet says (Qt
 /// 6.4).
-void setHeadingSizes(QTextDocument& document) {
+void setHeadingSizes(QTextDocument& document, double scale) {
   constexpr std::array kSizes{15.0, 13.0, 11.0, 9.5};  // [pt]
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
     const int level = block.blockFormat().headingLevel();
     if (level < 1 || level > static_cast<int>(kSizes.size())) continue;
     QTextCharFormat format;
-    format.setFontPointSize(kSizes[static_cast<std::size_t>(level) - 1]);
+    format.setFontPointSize(scale * kSizes[static_cast<std::size_t>(level) - 1]);
     format.setProperty(QTextFormat::FontSizeAdjustment, 0);
     QTextCursor cursor(block);
     cursor.select(QTextCursor::BlockUnderCursor);
@@ -149,23 +162,12 @@ void setHeadingSizes(QTextDocument& document) {
   }
 }
 
-/// The first of some fonts made for text that is installed; the last one always is.
-QFont textFont() {
-  const auto installed = QFontDatabase::families();
-  for (const auto* family :
-       {"Source Sans 3", "Source Sans Pro", "Noto Sans", "Open Sans", "Liberation Sans"}) {
-    if (installed.contains(QLatin1String(family))) return QFont(QLatin1String(family));
-  }
-  return QFont(QStringLiteral("DejaVu Sans"));
-}
-
 /// Paints all pages with their numbers.
-void paintPages(QTextDocument& document, QPdfWriter& writer) {
+void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font) {
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
   QAbstractTextDocumentLayout::PaintContext context;
   context.palette.setColor(QPalette::Text, Qt::black);
-  QFont font = textFont();
   font.setPointSizeF(8.0);
   painter.setFont(font);
   for (int number = 0; number < document.pageCount(); ++number) {
@@ -188,7 +190,11 @@ void paintPages(QTextDocument& document, QPdfWriter& writer) {
 }  // namespace
 
 std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
-  const auto page = forPrint(html);
+  auto [font, scale] = textFont();
+  // Turns ligatures off, which cannot be searched or copied: few of them are characters (Qt 6.4).
+  constexpr double kInvisible = 0.02;  // [px]
+  font.setLetterSpacing(QFont::AbsoluteSpacing, kInvisible);
+  const auto page = forPrint(html, scale);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
@@ -201,19 +207,19 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   document.documentLayout()->registerHandler(kFigure, &figures);
   document.documentLayout()->setPaintDevice(&writer);
   document.setDocumentMargin(0.0);
-  document.setDefaultFont(textFont());
+  document.setDefaultFont(font);
   QTextOption wrapping = document.defaultTextOption();
   wrapping.setWrapMode(QTextOption::WordWrap);  // otherwise words break inside narrow columns
   document.setDefaultTextOption(wrapping);
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
-  setHeadingSizes(document);
+  setHeadingSizes(document, scale);
   constexpr double kFooter = 12.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);
   breakPages(document);
   splitAtPages(document);
-  paintPages(document, writer);
+  paintPages(document, writer, font);
   return buffer.data().toStdString();
 }
 

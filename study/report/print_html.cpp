@@ -1,12 +1,14 @@
 #include "study/report/print_html.h"
 
+#include <regex>
 #include <string>
 #include <string_view>
 
 namespace study::report {
 namespace {
 
-constexpr const char* kStyleOnPaper = R"css(
+/// Only font sizes are in pt.
+constexpr std::string_view kStyleOnPaper = R"css(
 body { font-size: 9pt; }
 h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size: 11pt; margin-top: 10px; margin-bottom: 3px; } h4 { font-size: 9.5pt; margin-bottom: 3px; }
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
@@ -17,6 +19,20 @@ td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
 td.caption { font-size: 8pt; }
 dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
+
+std::string styleOnPaper(double scale) {
+  static const std::regex kSize("([0-9.]+)pt");
+  std::string style;
+  auto rest = kStyleOnPaper.begin();
+  for (std::cregex_iterator size(kStyleOnPaper.begin(), kStyleOnPaper.end(), kSize), end;
+       size != end;
+       ++size) {
+    style.append(rest, (*size)[1].first);
+    style += std::to_string(scale * std::stod((*size)[1]));
+    rest = (*size)[1].second;
+  }
+  return style.append(rest, kStyleOnPaper.end());
+}
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -157,13 +173,13 @@ void breaks(std::string& html) {
 
 }  // namespace
 
-PrintHtml forPrint(std::string_view html) {
+PrintHtml forPrint(std::string_view html, double scale) {
   PrintHtml page{.html = std::string(html), .figures = {}};
   extractFigures(page);
   auto& text = page.html;
   if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {
     text.replace(
-        style.begin, style.end - style.begin, "<style>" + std::string(kStyleOnPaper) + "</style>");
+        style.begin, style.end - style.begin, "<style>" + styleOnPaper(scale) + "</style>");
   }
   unlinkAndUnfold(text);
   captionsInHead(text);

@@ -14,6 +14,7 @@ struct PrintHtml {
 
 /// Takes the figures out of one of our pages and replaces newer markup: captions become rows of
 /// table heads, names are aligned left and numbers right.
-PrintHtml forPrint(std::string_view html);
+/// @param scale  of all font sizes.
+PrintHtml forPrint(std::string_view html, double scale = 1.0);
 
 }  // namespace study::report

@@ -260,6 +260,13 @@ TEST(PdfReport, LeavesNoPageEmptyAndCutsNothingWhereverATableEnds) {
   }
 }
 
+TEST(PdfReport, HasNoLigaturesThatCannotBeSearched) {
+  const std::string words = "section first affluent office Caption attach";
+  const auto said = textOf(asPdf("<html><body><p>" + words + "</p></body></html>", "A study"));
+  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+  EXPECT_NE(said->find(words), std::string::npos) << *said;
+}
+
 TEST(PdfReport, WrapsNoNameWhereThereIsRoom) {
   const std::string name = "Softest bone (2.29) vs. Softer bone (4.48)";
   const auto said = textOf(asPdf(
