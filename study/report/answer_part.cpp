@@ -57,12 +57,13 @@ class AnswerWriter : HtmlWriter {
     } else {
       sentences();
       preferences();
+      references(*family);
     }
-    weaknesses();  // words first: a figure may begin a page
     if (family != nullptr) {
       mainFigure(*family);
       tableOfAnswers();
     }
+    weaknesses();
     return std::move(html_);
   }
 
@@ -166,18 +167,28 @@ class AnswerWriter : HtmlWriter {
 
   // --- Figure and table ---
 
-  void mainFigure(const FamilyResult& family) {
+  void references(const FamilyResult& family) {
+    put("<p>{}</p>",
+        mainSvg(family).empty() ? withReferences("See {}.", {"answer"})
+                                : withReferences("See {} and {}.", {"answer-figure", "answer"}));
+  }
+
+  std::string mainSvg(const FamilyResult& family) const {
     const auto place = static_cast<std::size_t>(&family - s_.results.families.data());
     const auto& all = s_.figures.families;
     const auto figures = place < all.size() ? all[place] : FamilyFigures{};
     const auto kind = *mainFigureOf(s_, family);
-    const auto& svg = kind == MainFigure::Differences ? figures.effects
-                      : kind == MainFigure::Answers   ? figures.answers
-                                                      : figures.people;
+    return kind == MainFigure::Differences ? figures.effects
+           : kind == MainFigure::Answers   ? figures.answers
+                                           : figures.people;
+  }
+
+  void mainFigure(const FamilyResult& family) {
+    const auto kind = *mainFigureOf(s_, family);
     const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
                          : kind == MainFigure::Answers   ? kAnswersCaption
-                                                         : kPeopleCaption;
-    figure(svg, caption, "answer-figure");
+                                                         : peopleCaption(family);
+    figure(mainSvg(family), caption, "answer-figure");
   }
 
   void tableOfAnswers() {

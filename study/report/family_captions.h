@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include "study/report/report_section.h"
+#include "study/report/study_parts.h"
 
 // The figures of a family that may stand beside the answer, with their captions in English.
 namespace study::report {
@@ -15,6 +17,23 @@ inline constexpr std::string_view kPeopleCaption =
     "What every participant thought: a dot is the mean of all that one person answered about a "
     "method. Above, their density; the box holds the middle half, with the median; the diamond is "
     "the mean.";
+
+inline constexpr std::string_view kFewPeopleCaption =
+    "What every participant thought: a dot is the mean of all that one person answered about a "
+    "method; the box holds the middle half, with the median; the diamond is the mean.";
+
+/// Whether the figure of people has densities: those of fewer people would look like more than
+/// they said.
+inline bool hasDensities(const FamilyResult& family) {
+  constexpr std::size_t kFewest = 5;
+  return std::ranges::any_of(family.cohorts, [](const auto& cohort) {
+    return hasAnswers(cohort) && cohort.table.participants.size() >= kFewest;
+  });
+}
+
+inline std::string_view peopleCaption(const FamilyResult& family) {
+  return hasDensities(family) ? kPeopleCaption : kFewPeopleCaption;
+}
 
 inline constexpr std::string_view kDifferencesCaption =
     "Mean differences within people with their intervals at 1 − α. Shaded, where the protocol "

@@ -29,7 +29,7 @@ class FamilyWriter : HtmlWriter {
     if (isShownByPoint(f_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
     }
-    figureOrReference(MainFigure::People, figures_.people, kPeopleCaption);
+    figureOrReference(MainFigure::People, figures_.people, peopleCaption(f_));
     if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
     if (!f_.isNamed("welch")) pooled();

@@ -7,11 +7,55 @@
 namespace study::report {
 namespace {
 
+/// The keys of the captions in @p html whose tag is @p caption; those that have none get one that
+/// begins with @p prefix.
+std::vector<std::string> keysOf(
+    std::string& html, std::string_view caption, const std::string& prefix) {
+  constexpr std::string_view kId = " id=\"";
+  std::vector<std::string> keys;
+  for (auto at = html.find(caption); at != std::string::npos; at = html.find(caption, at + 1)) {
+    const auto end = at + caption.size();
+    if (html[end] == '>') {
+      html.insert(end, std::string(kId) + prefix + std::to_string(keys.size()) + '"');
+    }
+    const auto begin = end + kId.size();
+    keys.push_back(html.substr(begin, html.find('"', begin) - begin));
+  }
+  return keys;
+}
+
+/// "Table A3 to Table A5".
+std::string rangeOf(const std::vector<std::string>& keys, const words::Words& words) {
+  const auto reference = [](const std::string& key) { return "<a href=\"#" + key + "\"></a>"; };
+  if (keys.size() == 1) return reference(keys.front());
+  return reference(keys.front()) + " " + escaped(words("to")) + " " + reference(keys.back());
+}
+
+/// The parts of the appendix, each with its tables and figures.
+std::string contentsOf(std::vector<AppendixPart>& parts, const words::Words& words) {
+  std::string items;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    items += "<li>" + escaped(parts[i].heading);
+    std::string before = ": ";
+    for (const std::string caption : {"<caption", "<figcaption"}) {
+      const auto prefix = "part-" + std::to_string(i) + "-" + caption.substr(1) + "-";
+      const auto keys = keysOf(parts[i].html, caption, prefix);
+      if (keys.empty()) continue;
+      items += before + rangeOf(keys, words);
+      before = "; ";
+    }
+    items += "</li>";
+  }
+  return "<ul>" + items + "</ul>\n";
+}
+
 /// The answer of a study, then everything else, folded.
 std::string asHtml(const ReportSection& section) {
   std::string html = headAsHtml(section) + participantsAsHtml(section) + answerAsHtml(section);
-  html += "<h2 class=\"appendix\">" + escaped(section.words("Appendix")) + "</h2>\n";
-  for (const auto& part : appendixOf(section)) {
+  auto parts = appendixOf(section);
+  html += "<h2 class=\"appendix\">" + escaped(section.words("Appendix")) + "</h2>\n" +
+          contentsOf(parts, section.words);
+  for (const auto& part : parts) {
     html += "<details><summary><h3>" + escaped(part.heading) + "</h3></summary>\n" + part.html +
             "</details>\n";
   }

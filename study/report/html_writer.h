@@ -107,6 +107,16 @@ class HtmlWriter {
   /// The number of a table or figure of this study: "Table 3" (numbering.h).
   static std::string reference(const std::string& key) { return "<a href=\"#" + key + "\"></a>"; }
 
+  /// A sentence that refers to captions: each {} stands for one.
+  std::string withReferences(std::string_view english, const std::vector<std::string>& keys) const {
+    std::string text = say(english, "{}", "{}");
+    for (const auto& key : keys) {
+      const auto at = text.find("{}");
+      if (at != std::string::npos) text.replace(at, 2, reference(key));
+    }
+    return text;
+  }
+
   std::string condition(const std::string& id) const { return escaped(s_.conditionTitle(id)); }
   std::string cohort(const std::string& id) const { return escaped(s_.cohortTitle(id)); }
 

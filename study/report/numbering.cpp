@@ -63,12 +63,14 @@ std::string Numbering::numbered(const std::string& page, const words::Words& wor
   std::map<std::string, Target> targets;
   for (std::size_t kind = 0; kind < kCaptioned.size(); ++kind) {
     const auto& [element, caption, prefix, pattern] = kCaptioned[kind];
-    int& count = kind == 0 ? tables_ : figures_;
     for (auto at = html.find(element); at != std::string::npos; at = html.find(element, at + 1)) {
       const auto tag = html.find(caption, at);
       if (tag == std::string::npos) break;
-      ++count;
-      const Target target{std::string(prefix) + std::to_string(count), words.say(pattern, count)};
+      const bool isInAppendix = at > html.find("<h2 class=\"appendix\">");
+      auto& counts = isInAppendix ? appendix_ : main_;
+      const int count = ++(kind == 0 ? counts.tables : counts.figures);
+      const auto number = (isInAppendix ? "A" : "") + std::to_string(count);
+      const Target target{std::string(prefix) + number, words.say(pattern, number)};
       const auto key = takeKey(html, tag);
       if (!key.empty()) targets.emplace(key, target);
       const auto name = "<b>" + escaped(target.name) + ".</b> ";

@@ -6,7 +6,8 @@
 
 namespace study::report {
 
-/// Numbers tables and figures in the order of a page, over several studies. A caption may have a
+/// Numbers tables and figures in the order of a page, over several studies; those of appendixes by
+/// themselves, from A1. A caption may have a
 /// key, <caption id="answer">, to which <a href="#answer"></a> of the same text refers. Then the
 /// table has the id "table-3", its caption begins with "Table 3.", and the reference reads
 /// "Table 3". A reference to a key that no caption has is an error of ours.
@@ -16,8 +17,12 @@ class Numbering {
   std::string numbered(const std::string& html, const words::Words& words);
 
  private:
-  int tables_ = 0;
-  int figures_ = 0;
+  struct Counts {
+    int tables = 0;
+    int figures = 0;
+  };
+  Counts main_;
+  Counts appendix_;
 };
 
 }  // namespace study::report

@@ -165,11 +165,14 @@ std::vector<Item> itemsOf(const QTextDocument& document) {
   return items;
 }
 
-bool beginsPage(const Item& item, double page) {
-  if (std::fmod(item.top + kSlack, page) < 2.0 * kSlack) return true;
+bool breaksPage(const Item& item) {
   const auto policy = item.table != nullptr ? item.table->format().pageBreakPolicy()
                                             : item.block.blockFormat().pageBreakPolicy();
   return policy != QTextFormat::PageBreak_Auto;
+}
+
+bool beginsPage(const Item& item, double page) {
+  return breaksPage(item) || std::fmod(item.top + kSlack, page) < 2.0 * kSlack;
 }
 
 void setPageBreak(const Item& item, QTextFormat::PageBreakFlag policy) {
@@ -235,6 +238,23 @@ bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double 
   return true;
 }
 
+/// What lies between a figure and the text of its caption, on whichever page. The line that holds a
+/// figure is a little higher than it, also when it is shrunk.
+double gapBelow(const Item& figure, const Item& caption) {
+  constexpr double kLine = 5.0;  // [px]
+  const double dpi = figure.block.document()->documentLayout()->paintDevice()->logicalDpiY();
+  const double margin =
+      std::max(figure.block.blockFormat().bottomMargin(), caption.block.blockFormat().topMargin());
+  return dpi / 96.0 * (margin + kLine);
+}
+
+/// Whether the page that an item leaves by its break has much room left, and is not the first.
+bool leavesRoom(const std::vector<Item>& items, std::size_t at, double page) {
+  if (at == 0 || !breaksPage(items[at])) return false;
+  const double before = items[at - 1].bottom / page;
+  return before > 1.0 && before - std::floor(before) < 0.6;
+}
+
 /// Looks at the items that belong together from @p begin on. Returns whether it changed something.
 bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, double page) {
   const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
@@ -243,7 +263,7 @@ bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, do
     if (!items[i].isFigure || isShrunk(items[i])) continue;
     // The figure may lie on the next page by now; what follows it is as high there as here.
     const double top = items[i].top < bottom ? items[i].top : items[i - 1].bottom;
-    const double below = items[end].firstPart - items[end].top;
+    const double below = items[end].firstPart - items[end].top + gapBelow(items[i], items[i + 1]);
     const double factor = (bottom - top - below) / items[i].figureHeight;
     if (factor < kLeastScale || factor >= 1.0) continue;
     shrink(items[i], 0.99 * factor);
@@ -277,9 +297,17 @@ void layOutAgain(QTextDocument& document) {
 void breakPages(QTextDocument& document) {
   const double page = document.pageSize().height();
   // What comes before a change stays where it is, so that each item is mended at most thrice.
-  for (std::size_t begin = 0;;) {
+  for (std::size_t begin = 0, looked = 0;;) {
     const auto items = itemsOf(document);
     if (begin >= items.size()) return;
+    // A heading whose break is in the page; those that are set here are not looked at again.
+    if (begin > looked && leavesRoom(items, begin, page)) {
+      setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
+      layOutAgain(document);
+      looked = begin;
+      continue;
+    }
+    looked = begin;
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
     if (mend(items, begin, end, page)) {

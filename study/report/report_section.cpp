@@ -98,6 +98,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
     if (!svg.empty()) named.emplace_back(name, svg);
   };
   const auto& all = section.figures;
+  add("participants", all.flow);
   for (std::size_t i = 0; i < all.families.size(); ++i) {
     const auto& id = section.results.families[i].family.id;
     add(id + "-answers", all.families[i].answers);

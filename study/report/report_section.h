@@ -32,6 +32,7 @@ struct ItemFigure {
 };
 
 struct Figures {
+  std::string flow;  ///< of participants
   std::vector<FamilyFigures> families;
   std::vector<ItemFigure> items;
   std::string votes;

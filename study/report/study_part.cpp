@@ -101,8 +101,25 @@ class ParticipantWriter : HtmlWriter {
          {"Device failed", &CohortFlow::abortedHardware},
          {"Erased", &CohortFlow::erased}}};
     heading("Participants");
+    if (!s_.figures.flow.empty()) {
+      int enrolled = 0;
+      for (const auto& flow : s_.results.flow) enrolled += flow.enrolled;
+      put("<p>{} ({}).</p>",
+          say("{} of {} enrolled participants completed their sessions",
+              s_.results.completed(),
+              enrolled),
+          reference("participants"));
+      figure(s_.figures.flow, "Participants from enrolment to the comparison", "participants");
+    } else {
+      counts(kColumns);
+    }
+    notes(isShown(kColumns.back()));
+  }
+
+  /// The figure's numbers, for a palpate that paints none.
+  void counts(const std::array<Column, 8>& columns) {
     std::vector<std::string> headings;
-    for (const auto& column : kColumns) {
+    for (const auto& column : columns) {
       const auto title = say(column.heading);  // also of hidden columns, so that gaps are found
       if (isShown(column)) headings.push_back(title);
     }
@@ -113,7 +130,7 @@ class ParticipantWriter : HtmlWriter {
     };
     const auto add = [&](const std::string& who, const CohortFlow& flow) {
       std::vector<std::string> cells{who};
-      for (const auto& column : kColumns) {
+      for (const auto& column : columns) {
         if (isShown(column)) cells.push_back(std::to_string(flow.*column.count));
       }
       row(cells);
@@ -126,13 +143,16 @@ class ParticipantWriter : HtmlWriter {
       for (const auto& [site, flow] : s_.results.siteFlow) add(escaped(site), flow);
       endTable();
     }
+  }
+
+  void notes(bool isAnyErased) {
     note(
         "Only completed sessions count below, and of these only steps that were finished and not "
         "repeated. Reasons for leaving are omitted to protect anonymity.");
     const auto erased = say(
         "Erased: answers and traces were deleted at the participant's request, and no number below "
         "contains them.");
-    if (isShown(kColumns.back())) put("<p class=\"note\">{}</p>", erased);
+    if (isAnyErased) put("<p class=\"note\">{}</p>", erased);
   }
 };
 

@@ -27,9 +27,10 @@ FamilyFigures figuresOf(
         [&](QPainter& painter) { paintLikertFigure(painter, section, family, format); },
         format);
   }
+  const auto clouds = hasDensities(family) ? Clouds::Shown : Clouds::Hidden;
   figures.people = asSvg(
-      raincloudFigureSize(family, format),
-      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format); },
+      raincloudFigureSize(family, format, clouds),
+      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format, clouds); },
       format);
   figures.effects = asSvg(
       effectFigureSize(family, format),
@@ -135,6 +136,10 @@ std::string timingFigure(const ReportSection& section, const FigureFormat& forma
 
 void paintFigures(ReportSection& section, const FigureFormat& format) {
   section.figures = {};
+  if (const auto size = flowFigureSize(section, format); !size.isEmpty()) {
+    section.figures.flow = asSvg(
+        size, [&](QPainter& painter) { paintFlowFigure(painter, section, format); }, format);
+  }
   for (const auto& family : section.results.families) {
     section.figures.families.push_back(figuresOf(section, withAnswers(family), format));
   }

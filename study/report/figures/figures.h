@@ -11,6 +11,11 @@ namespace study::report {
 /// Paints all figures of a section into it. Needs a QGuiApplication.
 void paintFigures(ReportSection& section, const FigureFormat& format = {});
 
+/// Participants of each cohort, and of each site, from enrolment to the comparison, and how they
+/// left. Its size is empty without cohorts.
+QSizeF flowFigureSize(const ReportSection& section, const FigureFormat& format);
+void paintFlowFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format);
+
 /// Differences between methods within people: mean differences with intervals, thick at 1 − α, thin
 /// at 1 − α/m. The shaded range holds the differences that the protocol declares negligible.
 QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format);

@@ -176,6 +176,35 @@ TEST(Numbering, CountsOverStudiesAndFillsInReferences) {
   EXPECT_THROW(numbering.numbered("<a href=\"#none\"></a>", words), std::logic_error);
 }
 
+TEST(Numbering, CountsTablesAndFiguresOfTheAppendixByThemselves) {
+  Numbering numbering;
+  const words::Words words;
+  const std::string page =
+      "<table><caption>A</caption></table><h2 class=\"appendix\"></h2><table><caption "
+      "id=\"b\">B</caption></table><a href=\"#b\"></a>";
+  EXPECT_TRUE(has(numbering.numbered(page, words), "<a href=\"#table-A1\">Table A1</a>"));
+  const auto second = numbering.numbered(page, words);
+  EXPECT_TRUE(has(second, "<b>Table 2.</b> A"));
+  EXPECT_TRUE(has(second, "<b>Table A2.</b> B"));
+}
+
+TEST(HtmlReport, RefersToEveryTableOfTheAppendix) {
+  const auto page = asHtml({tests::madeUpSection()});
+  int last = 0;
+  while (has(page, "id=\"table-A" + std::to_string(last + 1) + "\"")) ++last;
+  EXPECT_GT(last, 3);
+  // A part refers to its first and its last table, and the next part goes on from there.
+  int referred = 0;
+  for (int i = 1; i <= last; ++i) {
+    const auto name = "\">Table A" + std::to_string(i) + "</a>";
+    if (!has(page, name)) continue;
+    const bool beginsRange = has(page, name + " to <a href=\"#table-A");
+    EXPECT_TRUE(beginsRange || i == referred + 1 || referred > 0) << i;
+    referred = i;
+  }
+  EXPECT_EQ(referred, last);
+}
+
 TEST(PrintHtml, UnfoldsTheAppendixOnAPageOfItsOwn) {
   const auto page = forPrint(
       "<h2 class=\"appendix\">Appendix</h2><details><summary><h3>A</h3></summary>see <a "

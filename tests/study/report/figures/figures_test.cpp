@@ -118,6 +118,24 @@ TEST(Figures, ShowEffectsWithTheirNumbers) {
   EXPECT_NE(texts.find("difference of participants’ means [points]"), std::string::npos);
 }
 
+TEST(Figures, ShowHowManyEnrolledCompletedAndAreAnalysed) {
+  const auto section = painted();
+  const auto& flow = section.results.flow.front();
+  const auto texts = textsIn(section.figures.flow);
+  const auto& table = section.results.families.front().cohorts.front().table;
+  for (const auto& words :
+       {section.cohortTitle(flow.cohort),
+        "Enrolled: " + std::to_string(flow.enrolled),
+        "Completed: " + std::to_string(flow.completed),
+        "Withdrawn: " + std::to_string(flow.withdrawn),
+        "Analysed: " + std::to_string(table.participants.size())}) {
+    EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
+  }
+  auto ofSites = tests::madeUpSectionOfSites();
+  paintFigures(ofSites);
+  EXPECT_NE(textsIn(ofSites.figures.flow).find("Site oslo"), std::string::npos);
+}
+
 TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
   auto section = tests::madeUpSectionOfSites();
   paintFigures(section);
