@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
 #include "questionnaires/model/answer.h"
@@ -154,24 +157,66 @@ std::vector<const questionnaires::Instrument*> askedInBlocks(
   return all;
 }
 
-/// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program takes.
-std::string wideName(const std::string& instrument, const std::string& what) {
-  std::string name = instrument + "__" + what;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
+/// The columns of questions and scores in the wide table.
+class WideNames {
+ public:
+  explicit WideNames(const protocols::LoadedProtocol& loaded) {
+    for (const auto* instrument : askedInBlocks(loaded)) {
+      for (const auto& item : instrument->items) add({instrument->id, item.id, false});
+      for (const auto& score : instrument->scores) add({instrument->id, score.id, true});
+    }
+  }
 
-std::string scoreName(const std::string& instrument, const std::string& score) {
-  return wideName(instrument, "score_" + score);
-}
+  /// Empty for an item that an earlier version of the protocol asked.
+  std::string ofItem(const std::string& instrument, const std::string& item) const {
+    return of({instrument, item, false});
+  }
+  std::string ofScore(const std::string& instrument, const std::string& score) const {
+    return of({instrument, score, true});
+  }
+
+ private:
+  struct Key {
+    std::string instrument;
+    std::string id;
+    bool isScore;
+    auto operator<=>(const Key&) const = default;
+  };
+
+  std::string of(const Key& key) const {
+    const auto found = names_.find(key);
+    return found == names_.end() ? std::string() : found->second;
+  }
+
+  /// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program takes. Ids
+  /// that differ in other characters only, or in their case, which SPSS ignores, get a number.
+  void add(const Key& key) {
+    auto name = key.instrument + "__" + (key.isScore ? "score_" : "") + key.id;
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    auto unique = name;
+    for (int number = 2; !taken_.insert(lowered(unique)).second; ++number) {
+      unique = name + "_" + std::to_string(number);
+    }
+    names_.emplace(key, unique);
+  }
+
+  static std::string lowered(std::string text) {
+    std::ranges::transform(
+        text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  }
+
+  std::map<Key, std::string> names_;
+  std::set<std::string> taken_;
+};
 
 Column<ExportedForms> itemColumn(
+    const std::string& name,
     const questionnaires::Instrument& instrument,
     const questionnaires::Item& item,
     const std::string& language) {
   using namespace holds;
-  const auto name = wideName(instrument.id, item.id);
   const auto cell = [name](const ExportedForms& row) {
     const auto found = row.cells.find(name);
     return found == row.cells.end() ? Cell() : found->second;
@@ -190,8 +235,9 @@ Column<ExportedForms> itemColumn(
 }
 
 Column<ExportedForms> scoreColumn(
-    const questionnaires::Instrument& instrument, const questionnaires::Score& score) {
-  const auto name = scoreName(instrument.id, score.id);
+    const std::string& name,
+    const questionnaires::Instrument& instrument,
+    const questionnaires::Score& score) {
   return {
       name,
       holds::Number{},
@@ -217,14 +263,18 @@ Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded) {
       conditionCodeColumn<C>(),
       conditionColumn<C>()};
   const auto& language = loaded.protocol.languages.front();
+  const WideNames names(loaded);
   for (const auto* instrument : askedInBlocks(loaded)) {
     for (const auto& item : instrument->items) {
       const bool isText = answerKindOf(item.type) == questionnaires::AnswerKind::Text;
       if (!isText && !item.isIdentifying) {
-        columns.push_back(itemColumn(*instrument, item, language));
+        columns.push_back(
+            itemColumn(names.ofItem(instrument->id, item.id), *instrument, item, language));
       }
     }
-    for (const auto& score : instrument->scores) columns.push_back(scoreColumn(*instrument, score));
+    for (const auto& score : instrument->scores) {
+      columns.push_back(scoreColumn(names.ofScore(instrument->id, score.id), *instrument, score));
+    }
   }
   return {
       .name = "wide",
@@ -237,6 +287,7 @@ Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded) {
 
 std::vector<ExportedForms> wideRows(
     const protocols::LoadedProtocol& loaded, const std::vector<ExportedAnswer>& answers) {
+  const WideNames names(loaded);
   using Key = std::tuple<SessionId, std::string_view, int>;
   std::map<Key, std::size_t> places;
   std::vector<ExportedForms> rows;
@@ -253,15 +304,17 @@ std::vector<ExportedForms> wideRows(
     const auto& instrument = answer.record->step.instrument;
     const auto& item = answer.record->answer.item;
     // A band of a number about the person is no number.
-    if (answer.band.empty())
-      rows[found->second].cells[wideName(instrument, item)] = answer.response;
+    if (answer.band.empty()) {
+      const auto name = names.ofItem(instrument, item);
+      if (!name.empty()) rows[found->second].cells[name] = answer.response;
+    }
     given[found->second][instrument].push_back({item, answer.record->answer.response});
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const auto* instrument : askedInBlocks(loaded)) {
       for (const auto& score : instrument->scores) {
         const auto result = questionnaires::scored(*instrument, score, given[i][instrument->id]);
-        if (result) rows[i].cells[scoreName(instrument->id, score.id)] = *result;
+        if (result) rows[i].cells[names.ofScore(instrument->id, score.id)] = *result;
       }
     }
   }

@@ -2,6 +2,7 @@
 // field, so that exchanged fields are detected. The other tables: export_columns_test.cpp, and
 // tests/study/report/exported_results_test.cpp.
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <set>
 #include <string>
@@ -79,6 +80,32 @@ TEST_F(NumberedRows, AreOneForEachAlternativeInAWideTable) {
       return one.name() == column;
     })) << column;
   }
+}
+
+TEST_F(NumberedRows, OfAWideTableHaveAColumnForIdsThatDifferInPunctuationOrCase) {
+  auto loaded = study_->protocol();
+  for (auto& instrument : loaded.instruments) {
+    auto items = instrument.items;
+    for (auto& item : items) item.id += "-b";
+    const auto others = instrument.items.size();
+    instrument.items.insert(instrument.items.end(), items.begin(), items.end());
+    for (auto& item : items) item.id.back() = 'B';
+    instrument.items.insert(instrument.items.end(), items.begin(), items.end());
+    for (auto& item : items) std::ranges::replace(item.id, '-', '.');
+    instrument.items.insert(instrument.items.end(), items.begin(), items.end());
+    EXPECT_EQ(instrument.items.size(), 4 * others);
+  }
+  const auto plain = wideTable(study_->protocol()).columns;
+  std::set<std::string> names;
+  const auto columns = wideTable(loaded).columns;
+  for (const auto& column : columns) {
+    std::string name = column.name();
+    std::ranges::transform(name, name.begin(), [](char c) {
+      return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    EXPECT_TRUE(names.insert(name).second) << column.name();
+  }
+  EXPECT_GT(columns.size(), plain.size() + 3);
 }
 
 TEST_F(NumberedRows, OfAnAnswerHasEachNumberInTheColumnThatIsNamedAfterIt) {
