@@ -233,12 +233,16 @@ class Writer {
                       equalsInWords(pInWords(slope.p)))
                 : "  Order: no slope over positions: " + base::describe(slope.reason));
     for (const auto& method : cohort.checks.methods) {
-      line(fmt::format(
-          "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p {}",
-          titleOf(method.method),
-          rounded(method.alpha.value, 2),
-          rounded(method.omega.value, 2),
-          equalsInWords(pInWords(method.normality.p))));
+      std::string defined;
+      const auto add = [&](const std::string& text) {
+        defined += (defined.empty() ? "" : ", ") + text;
+      };
+      if (method.alpha.value) add("Cronbach's α = " + rounded(method.alpha.value, 2));
+      if (method.omega.value) add("ω = " + rounded(method.omega.value, 2));
+      if (method.normality.p) {
+        add("Shapiro–Wilk p " + equalsInWords(pInWords(method.normality.p)));
+      }
+      if (!defined.empty()) line("  Scale, " + titleOf(method.method) + ": " + defined);
     }
   }
 
