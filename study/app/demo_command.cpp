@@ -83,7 +83,8 @@ int demo(const DemoArguments& options) {
   const std::string reaming = (folder / "reaming-hardness.json").string();
   writeNewFile(reaming, libraryProtocol("reaming-hardness"));
   sections.push_back(runStudy(reaming, folder, "reaming-study", options.seed));
-  writeReport(sections, (folder / "report.html").string());
+  const auto page = (folder / "report.html").string();
+  writeNewFile(page, reportFor(page, sections));
   const std::string place = fs::absolute(folder).lexically_normal().string();
   fmt::print(
       "\nReport:   {0}/report.html\nExports:  {0}/export-punch-study, {0}/export-reaming-study\n"

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
 #include "study/app/write_report.h"
+#include "study/model/new_file.h"
 #include "study/session/unblinding.h"
 #include "study/words/counted.h"
 
@@ -65,20 +67,23 @@ int report(const ReportArguments& options) {
         options.figures + " is there already. Nothing is overwritten: choose another folder.");
   }
   SystemClock clock;
+  std::vector<std::pair<Study, RunMode>> studies;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
     auto study = Study::open(folder, clock, accessToNote(options.reason));
     unlockIfAsked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
-    noteReport(study, mode, "report", options.out);
     if (!options.figures.empty()) noteReport(study, mode, "figures", options.figures);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
     sections.back().hasQuotes = options.hasQuotes;
     sections.back().wording = wordingNamed(options.wording);
+    studies.emplace_back(std::move(study), mode);
   }
-  writeReport(
-      sections, options.out, options.paper == "letter" ? report::Paper::Letter : report::Paper::A4);
+  const auto paper = options.paper == "letter" ? report::Paper::Letter : report::Paper::A4;
+  const auto page = reportFor(options.out, sections, paper);
+  for (auto& [study, mode] : studies) noteReport(study, mode, "report", options.out, page);
+  writeNewFile(options.out, page);
   fmt::print("Report saved: {}\n", options.out);
   if (!options.figures.empty()) writeFigureFolder(sections, options.figures, formatOf(options));
   return 0;

@@ -8,12 +8,12 @@
 
 namespace study::app {
 
-void writeReport(
-    std::vector<report::ReportSection>& sections, const std::string& path, report::Paper paper) {
+std::string reportFor(
+    const std::string& path, std::vector<report::ReportSection>& sections, report::Paper paper) {
   paintFigures(sections);
   const auto html = report::asHtml(sections);
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
-  writeNewFile(path, isPdf ? pdfOf(html, sections.front().protocol.study.title, paper) : html);
+  return isPdf ? pdfOf(html, sections.front().protocol.study.title, paper) : html;
 }
 
 void writeDocument(const std::string& folder, const std::string& name, report::Document document) {

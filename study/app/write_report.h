@@ -9,12 +9,10 @@
 
 namespace study::app {
 
-/// Paints the figures if the program was built with Qt, and writes the page, as a PDF if @p path
-/// ends in .pdf.
-/// @throws storage::StorageError  if the file exists already or cannot be written.
-void writeReport(
-    std::vector<report::ReportSection>& sections,
+/// The page, as a PDF if @p path ends in .pdf, with its figures if the program was built with Qt.
+std::string reportFor(
     const std::string& path,
+    std::vector<report::ReportSection>& sections,
     report::Paper paper = report::Paper::A4);
 
 /// Writes the page @p name.html, a CSV file for each table and an SVG file for each figure into a

@@ -4,10 +4,12 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "base/file.h"
 #include "study/model/study_files.h"
 #include "study/model/user_error.h"
+#include "study/session/unblinding.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 
@@ -53,17 +55,36 @@ bool isToBeErasedFrom(const fs::path& folder, const storage::ListedErasure& eras
   return !storage::missingErasures(database, {erasure}).empty();
 }
 
-/// @throws UserError  if the study's audit trail does not know the file
-void removeFile(const fs::path& file, const std::vector<KnownCopy>& known) {
-  const bool isKnown = std::any_of(known.begin(), known.end(), [&](const KnownCopy& copy) {
+/// @throws UserError  if the study's audit trail does not prove that the study wrote the file
+void requireOwnFile(const fs::path& file, const std::vector<KnownCopy>& known) {
+  using Content = KnownCopy::Content;
+  std::optional<Content> found;  // the same path may have been written several times
+  for (const auto& copy : known) {
     std::error_code ignored;
-    return fs::equivalent(copy.folder, file, ignored);
-  });
-  if (!isKnown) {
+    if (!fs::equivalent(copy.folder, file, ignored)) continue;
+    if (copy.content == Content::AsWritten) return;
+    if (found != Content::Changed) found = copy.content;
+  }
+  if (!found) {
     throw UserError(
         "It is a file that this study did not write, or that was moved since: a file does not say "
         "whose it is. Delete it yourself.");
   }
+  if (*found == Content::Changed) {
+    throw UserError(
+        "This study wrote a report under this name, and the file that is there now has another "
+        "content. It was kept. Look what it is, and delete it yourself if it shows participants' "
+        "data.");
+  }
+  throw UserError(
+      "An older release wrote a report under this name and did not note its content, so that "
+      "another file may be there now. It was kept. Look whether it is the report, and delete it "
+      "yourself.");
+}
+
+/// @throws UserError  if it is not proved to be the study's
+void removeFile(const fs::path& file, const std::vector<KnownCopy>& known) {
+  requireOwnFile(file, known);
   fs::remove(fs::canonical(file));  // not only a link to it
 }
 
@@ -102,20 +123,38 @@ ErasedCopy eraseFrom(
   return copy;
 }
 
+/// A value of an event that belongs to no session; empty: it has none of that name.
+std::string textIn(const storage::Event& event, std::string_view name) {
+  const auto* value = event.visit ? nullptr : event.value(name);
+  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  return text == nullptr ? std::string() : *text;
+}
+
+KnownCopy::Content contentOf(Study& study, const fs::path& file, const std::string& fingerprint) {
+  std::error_code ignored;
+  if (fingerprint.empty() || !fs::is_regular_file(file, ignored)) {
+    return KnownCopy::Content::Unknown;
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const auto content = base::readAll(stream);
+  return fingerprintOf(study, content) == fingerprint ? KnownCopy::Content::AsWritten
+                                                      : KnownCopy::Content::Changed;
+}
+
 }  // namespace
 
 std::vector<KnownCopy> knownCopies(Study& study) {
   std::vector<KnownCopy> copies;
   std::error_code ignored;
   for (const auto& event : study.events().read()) {
-    const auto* value = event.visit ? nullptr : event.value("folder");
-    const auto* folder = value == nullptr ? nullptr : std::get_if<std::string>(value);
-    if (folder == nullptr) continue;
+    const auto folder = textIn(event, "folder");
+    if (folder.empty()) continue;
     copies.push_back(
-        {.folder = *folder,
+        {.folder = folder,
          .what = std::string(event.name()),
          .madeUtc = asUtc(event.when.wall),
-         .isThere = fs::exists(*folder, ignored)});
+         .isThere = fs::exists(folder, ignored),
+         .content = contentOf(study, folder, textIn(event, "fingerprint"))});
   }
   const auto exports = study.folder() / "exports";
   if (!fs::is_directory(exports, ignored)) return copies;

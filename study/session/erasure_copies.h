@@ -14,6 +14,15 @@ struct KnownCopy {
   std::string what;     ///< "made_backup", "exported": the event
   std::string madeUtc;  ///< empty if it is found in the study's folder
   bool isThere = false;
+
+  /// Of a file: whether it is still the one that was written. Until then another one may have been
+  /// put under its name.
+  enum class Content {
+    AsWritten,
+    Changed,
+    Unknown,  ///< a folder; or a release that noted no fingerprint wrote it
+  };
+  Content content = Content::Unknown;
 };
 
 /// Backups, exports and reports that the audit trail knows, and what lies in the study's `exports`.
@@ -42,7 +51,7 @@ std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& d
 /// the file of a report.
 /// @param texts  are searched for in every byte of the copy afterwards
 /// @param known  of the study: a single file does not say whose it is, and is removed only if it is
-///     among them
+///     among them, as it was written
 /// What fails is told in the result: the study itself is erased from already.
 ErasedCopy eraseFromCopy(
     const std::filesystem::path& folder,

@@ -1,6 +1,7 @@
 #include "study/session/unblinding.h"
 
 #include "study/session/backup.h"
+#include "study/storage/hasher.h"
 
 namespace study {
 
@@ -18,21 +19,34 @@ void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::strin
 }
 
 void noteReport(
-    Study& study, RunMode mode, const std::string& how, const std::filesystem::path& path) {
+    Study& study,
+    RunMode mode,
+    const std::string& how,
+    const std::filesystem::path& path,
+    std::string_view content) {
   if (mode == RunMode::Simulated) return;
-  const storage::Event event{
+  storage::Event event{
       .actor = storage::Actor::Operator,
       .kind = EventKind::Exported,
       .values = {
           {"how", how},
           {"run_mode", std::string(nameOf(mode))},
           {"folder", pathForAuditTrail(path)}}};
+  if (!content.empty()) event.values.emplace_back("fingerprint", fingerprintOf(study, content));
   try {
     if (study.isWritable()) return study.note(event);
     Study::open(study.folder(), study.clock()).note(event);
   } catch (const storage::StorageError&) {
     return;  // as of an export: a full disk must not keep data from being rescued
   }
+}
+
+std::string fingerprintOf(Study& study, std::string_view content) {
+  storage::Hasher hasher;
+  hasher.add(content);
+  const auto* key = study.database().key();
+  return storage::inHexadecimal(
+      key == nullptr ? hasher.finish() : hasher.finish(key->hashingKey()));
 }
 
 }  // namespace study

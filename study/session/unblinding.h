@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "study/model/run_mode.h"
 #include "study/session/study.h"
@@ -21,8 +22,18 @@ void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::strin
 /// answered and wrote, and an erasure lists them (knownCopies()). Of simulated sessions nothing is
 /// noted. A study that cannot be written is reported on all the same.
 /// @param how  "report" or "figures"
+/// @param content  of the file, so that an erasure deletes this one only; empty: it is a folder
 void noteReport(
-    Study& study, RunMode mode, const std::string& how, const std::filesystem::path& path);
+    Study& study,
+    RunMode mode,
+    const std::string& how,
+    const std::filesystem::path& path,
+    std::string_view content = {});
+
+/// A hash of a file that the study writes. It is made with the study's key if conditions are
+/// sealed: otherwise who has the audit trail and no key could compute the report of each possible
+/// order, and know the true one by its hash.
+std::string fingerprintOf(Study& study, std::string_view content);
 
 /// How a study must be opened for noteUnblinding().
 inline storage::Database::Access accessToNote(const std::string& reason) {

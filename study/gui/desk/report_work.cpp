@@ -45,7 +45,6 @@ void write(const ReportOrder& order, const Progress& progress) {
         "sessions.");
   }
   noteUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
-  noteReport(study, order.mode, "report", order.out);
   if (!order.figures.empty()) noteReport(study, order.mode, "figures", order.figures);
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
@@ -60,6 +59,7 @@ void write(const ReportOrder& order, const Progress& progress) {
   const auto page =
       isPdf ? report::asPdf(html, sections.front().protocol.study.title, order.paper) : html;
   tell(progress, 3 * kStep, "writing it");
+  noteReport(study, order.mode, "report", order.out, page);
   writeNewFile(order.out, page);
   if (order.figures.empty()) return;
   std::filesystem::create_directories(order.figures);

@@ -17,6 +17,7 @@
 #include "study/session/study_key.h"
 #include "study/session/unblinding.h"
 #include "study/session/verification.h"
+#include "study/storage/hasher.h"
 #include "study/storage/map/study_keys.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
@@ -371,8 +372,14 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAnExport) {
 TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
   const auto known = study_.scratch() / "report.html";
   const auto other = study_.scratch() / "other.html";
-  for (const auto& file : {known, other}) std::ofstream(file) << kSentinel;
-  noteReport(*study_, RunMode::Live, "report", known);
+  const auto replaced = study_.scratch() / "replaced.html";
+  const auto older = study_.scratch() / "older.html";
+  for (const auto& file : {known, other, older}) std::ofstream(file) << kSentinel;
+  std::ofstream(replaced) << "the letter that somebody saved there later";
+  for (const auto& file : {known, replaced}) {
+    noteReport(*study_, RunMode::Live, "report", file, kSentinel);
+  }
+  noteReport(*study_, RunMode::Live, "report", older);  // as releases without fingerprints did
   const auto report = eraseThem();
   const auto copies = knownCopies(*study_);
   const auto outcome = [&](const std::string& file) {
@@ -380,8 +387,18 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
   };
   EXPECT_EQ(outcome(known), ErasedCopy::Outcome::Removed);
   EXPECT_FALSE(fs::exists(known));
-  EXPECT_EQ(outcome(other), ErasedCopy::Outcome::Failed);
-  EXPECT_TRUE(fs::exists(other));
+  for (const auto& file : {other, replaced, older}) {
+    EXPECT_EQ(outcome(file), ErasedCopy::Outcome::Failed) << file;
+    EXPECT_TRUE(fs::exists(file)) << file;
+  }
+}
+
+TEST_F(ErasureTest, FingerprintsOfReportsTellNothingWithoutTheKeyOfTheStudy) {
+  storage::Hasher open;
+  open.add("the report of each order that can be");
+  const std::string content = "the report of each order that can be";
+  EXPECT_NE(fingerprintOf(*study_, content), storage::inHexadecimal(open.finish()));
+  EXPECT_EQ(fingerprintOf(*study_, content), fingerprintOf(*study_, content));
 }
 
 TEST(ErasureList, ReadsWhatItWrote) {
