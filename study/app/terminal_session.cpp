@@ -28,6 +28,7 @@ using questionnaires::Item;
 using questionnaires::Response;
 
 constexpr double kLongestTrial = 600.0;  // [s]
+constexpr int kMostTries = 20;           // each waits for 3 s for the other program
 
 /// Thrown when the input ends.
 struct InputEnded {};
@@ -59,6 +60,28 @@ bool isYes(const std::string& word) {
 
 bool isNo(const std::string& word) {
   return isAmongWords(word, {"n", "no", "nein", "nei"});
+}
+
+/// Runs @p action, which stores something. While another program writes, it is tried again, and
+/// the operator reads why: ten stations that share a slow disk may wait for each other for longer
+/// than a database does. A refused action has changed nothing, so that what was typed is still to
+/// be stored. After a minute the program gives up; the session can be continued later.
+template <typename Action>
+void store(const Action& action) {
+  for (int tries = 1;; ++tries) {
+    try {
+      action();
+      return;
+    } catch (const storage::StorageError& error) {
+      if (error.kind() != storage::StorageError::Kind::Busy || tries == kMostTries) throw;
+      fmt::print(
+          stderr,
+          "Not stored yet. {} Trying again, {} of {}.\n",
+          error.what(),
+          tries,
+          kMostTries - 1);
+    }
+  }
 }
 
 /// Runs one session in a terminal.
@@ -100,11 +123,11 @@ class TerminalSession {
   void step() {
     if (session_.state() == SessionState::Interrupted) {
       fmt::print("\nThe last trial broke off. It begins again.\n");
-      session_.repeatStep("continued in the terminal");
+      store([&] { session_.repeatStep("continued in the terminal"); });
     }
-    if (session_.state() == SessionState::Paused) session_.resumeAfterPause();
+    if (session_.state() == SessionState::Paused) store([&] { session_.resumeAfterPause(); });
     if (session_.step().kind == StepKind::Trial) {
-      acceptsOffer() ? feel() : session_.skipOfferedTrial();
+      acceptsOffer() ? feel() : store([&] { session_.skipOfferedTrial(); });
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -116,7 +139,7 @@ class TerminalSession {
     if (!phase->text.isEmpty()) fmt::print("\n{}\n", phase->text.in(language()));
     if (session_.step().kind == StepKind::Benchmark) countCuts();
     askAll();
-    session_.finishStep();
+    store([&] { session_.finishStep(); });
   }
 
   /// Asks whether an optional trial is wanted.
@@ -133,7 +156,7 @@ class TerminalSession {
     while (session_.benchmarkCuts() < needed) {
       fmt::print("How many cuts were made (at least {})? ", needed);
       const auto cuts = numberIn<int>(readLine());
-      if (cuts && *cuts >= 0) session_.recordBenchmarkCuts(*cuts);
+      if (cuts && *cuts >= 0) store([&] { session_.recordBenchmarkCuts(*cuts); });
     }
   }
 
@@ -163,14 +186,15 @@ class TerminalSession {
     }
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const GivenAnswer given{
+        .item = item.id,
+        .response = *response,
+        .itemOrder = order,
+        .firstTouch = seconds,
+        .responseTime = seconds,
+        .language = language()};
     try {
-      session_.record(
-          {.item = item.id,
-           .response = *response,
-           .itemOrder = order,
-           .firstTouch = seconds,
-           .responseTime = seconds,
-           .language = language()});
+      store([&] { session_.record(given); });
     } catch (const UserError& objection) {
       fmt::print("{}\n", objection.what());
       return false;
@@ -265,16 +289,15 @@ class TerminalSession {
       fmt::print("{}\n", error.what());
       return;  // the same step again
     }
-    session_.beginTrial();
+    store([&] { session_.beginTrial(); });
     const auto record = runRealtime(*trial, step.minimumCuts, kLongestTrial);
     fmt::print(
         "{} in {:.1f} s.\n", words::counted(record.cuts.size(), stroke, strokes), record.duration);
     if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);
-    if (record.ending == TrialEnding::Finished) {
-      session_.finishTrial(record);
-    } else {
-      session_.abortTrial(record);
-    }
+    store([&] {
+      record.ending == TrialEnding::Finished ? session_.finishTrial(record)
+                                             : session_.abortTrial(record);
+    });
   }
 
   Study& study_;

@@ -171,8 +171,7 @@ void Lease::requireHeld() const {
   held.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
   if (held.step()) return;
   throw StorageError(
-      "This session was taken over by another program. Go on there; nothing more is stored here.",
-      StorageError::Kind::Busy);
+      "This session was taken over by another program. Go on there; nothing more is stored here.");
 }
 
 Lease::Lease(Lease&& other) noexcept

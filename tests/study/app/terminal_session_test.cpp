@@ -1,8 +1,15 @@
 // `palpate study run`: a session in the terminal with typed input.
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 
@@ -31,8 +38,60 @@ class TerminalSessionTest : public testing::Test {
   }
   storage::SessionRecord last() { return storage::Records(study_->database()).sessions().back(); }
 
+  /// Answers a pilot's first question while another program holds the lock of study.db.
+  /// @param isLetGo  once the session has said that it waits, until it asks the next question;
+  ///     otherwise it is ended
+  /// @return what it wrote to stderr
+  std::string answeredUnderALock(bool isLetGo) {
+    study_.close();
+    const auto output = study_.scratch() / "output";
+    const auto errors = study_.scratch() / "errors";
+    for (const auto& file : {output, errors}) std::ofstream(file).flush();
+    const std::string call = "exec '" + tests::program() + "' study run '" + study_.folder() +
+                             "' --pilot >'" + output + "' 2>'" + errors + "'";
+    tests::ChildProcess session({"sh", "-c", call}, {}, tests::ChildProcess::Input::Pipe);
+    const auto waitFor = [&](const auto& isThere) {
+      while (!isThere() && !session.hasEnded()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+    };
+    const auto hasAsked = [&](int questions) {
+      const auto text = tests::contentOf(output);
+      std::size_t place = 0;
+      for (int i = 0; i < questions && place != std::string::npos; ++i) {
+        place = text.find("\n> ", place + 1);
+      }
+      return place != std::string::npos;
+    };
+    waitFor([&] { return hasAsked(1); });
+    tests::Sql other(study_.file("study.db"));
+    other.run("BEGIN IMMEDIATE");
+    session.say("yes");
+    waitFor([&] { return tests::contentOf(errors).find("Not stored yet") != std::string::npos; });
+    if (isLetGo) {
+      other.run("ROLLBACK");
+      waitFor([&] { return hasAsked(2); });
+    }
+    session.kill(SIGKILL);
+    session.finish();
+    if (!isLetGo) other.run("ROLLBACK");
+    study_.reopen();
+    return tests::contentOf(errors);
+  }
+
   tests::MadeStudy study_;
 };
+
+TEST_F(TerminalSessionTest, StoresAnAnswerOnceAnotherProgramLetsGoOfTheStudy) {
+  const auto said = answeredUnderALock(true);
+  EXPECT_NE(said.find("another program is using it"), std::string::npos) << said;
+  EXPECT_EQ(consented(), "yes");
+}
+
+TEST_F(TerminalSessionTest, StoresNothingWhileAnotherProgramKeepsTheStudy) {
+  answeredUnderALock(false);
+  EXPECT_EQ(consented(), "") << "the control";
+}
 
 TEST_F(TerminalSessionTest, AcceptsYesAndNoInItsLanguages) {
   for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
