@@ -35,6 +35,21 @@ TEST(ReportSection, CountsOptionalTrialsSeparately) {
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;
 }
 
+TEST(ReportSection, CountsTrialsByTheirVerdicts) {
+  tests::MadeStudy study;
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  auto& database = study->database();
+  database.execute(
+      "UPDATE trial SET verdict = 'FAIL' WHERE rowid = (SELECT min(rowid) FROM trial)");
+  database.execute(
+      "UPDATE trial SET verdict = 'WARN' WHERE rowid > (SELECT min(rowid) FROM trial)");
+  const auto section = gather(*study, RunMode::Live);
+  EXPECT_EQ(section.quality.pass, 0);
+  EXPECT_EQ(section.quality.warn, 2);
+  EXPECT_EQ(section.quality.fail, 1);
+}
+
 TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {
   tests::MadeStudy study;
   simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});

@@ -140,6 +140,17 @@ TEST(QuestionnairePage, EmitsNumbersInRangeOnly) {
   EXPECT_EQ(shown.answers[0].response, questionnaires::Response(12.0));
 }
 
+TEST(QuestionnairePage, TakesADecimalCommaForADecimalPoint) {
+  questionnaires::Item item{
+      .id = "years", .type = questionnaires::ItemType::Number, .least = 0, .most = 60};
+  Shown shown({item});
+  for (const auto* words : {"2.5", "2,5", " 2,5 "}) {
+    shown.page.findChild<QLineEdit*>()->setText(QString::fromUtf8(words));
+    ASSERT_TRUE(shown.page.isComplete()) << words;
+    EXPECT_EQ(shown.answers.back().response, questionnaires::Response(2.5)) << words;
+  }
+}
+
 TEST(QuestionnairePage, CountsMarksAndFocusesWhatIsOpen) {
   Shown shown(itemsOf("realism-common"));
   ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page));
