@@ -195,6 +195,25 @@ TEST(Export, MarksAnswersThatDoNotCountWithTheReason) {
   EXPECT_EQ(said, expected);
 }
 
+TEST(Export, LabelsAnAnswerInTheLanguageInWhichItWasGiven) {
+  tests::MadeStudy study;
+  auto session = Session::enrol(*study, {.cohort = "surgeons", .code = "A1", .language = "en"});
+  tests::walkTo(session, StepKind::Questionnaire);
+  tests::answerStep(session);
+  session.setLanguage("de");
+  session.finishStep();
+  tests::walkToTheEnd(session);
+  std::set<std::string> english;
+  std::set<std::string> german;
+  for (const auto& row : rowsOf(*study, "responses")) {
+    if (row.at("item_id") != "resistance") continue;
+    (row.at("language") == "en" ? english : german).insert(row.at("response_label"));
+  }
+  ASSERT_EQ(english.size(), 1U);
+  ASSERT_FALSE(german.empty());
+  EXPECT_FALSE(german.contains(*english.begin())) << *english.begin();
+}
+
 /// Conditions in the order of their codes: C1, C2, …
 Names codedConditions(Study& study, RunMode mode) {
   std::map<std::string, std::string> byCode;

@@ -56,6 +56,14 @@ TEST(KaiserLowPass, HalvesAtItsCutOffAndStopsBeyond) {
   for (int f = 31; f < 166; ++f) EXPECT_LT(std::abs(gainAt(filter, f, rate)), 1e-3) << f;
 }
 
+TEST(KaiserLowPass, GoesOnWithTheFirstAndTheLastValueBeyondTheEnds) {
+  std::vector<double> ramp(200);
+  std::iota(ramp.begin(), ramp.end(), 100.0);
+  const auto filtered = KaiserLowPass(KaiserLowPass::Design{}).filtered(ramp);
+  EXPECT_NEAR(filtered.front(), 100.0, 5.0);
+  EXPECT_NEAR(filtered.back(), 299.0, 5.0);
+}
+
 TEST(KaiserLowPass, DelaysNothing) {
   std::vector<double> ramp(200);
   for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = 0.1 * static_cast<double>(i);

@@ -102,6 +102,14 @@ TEST(TraceStore, SeparatesTheAttemptsOfAStep) {
   EXPECT_NE(store.digest(kVisit), store.digest(again));
 }
 
+TEST(TraceStore, RefusesATraceInWhichASecondIsMissing) {
+  TraceStore store(Database::inMemory(traceSchema()));
+  store.add(kVisit, 0, anySamples(10, 1));
+  store.add(kVisit, 2, anySamples(10, 2));
+  EXPECT_THROW(store.read(kVisit), StorageError);
+  EXPECT_THROW(store.intactSamples(kVisit), StorageError);
+}
+
 TEST(TraceStore, NeverOverwritesAChunk) {
   TraceStore store(Database::inMemory(traceSchema()));
   const auto first = anySamples(10, 1);
@@ -114,6 +122,10 @@ TEST(TraceStore, NeverOverwritesAChunk) {
 /// A session with a trial of several seconds, made by a simulated hand and stored.
 class KeptTrialTest : public testing::Test {
  protected:
+  explicit KeptTrialTest(
+      const std::string& protocol = tests::shortProtocol({.labels = "position", .minimumCuts = 3}))
+      : study_(tests::protocolFrom(protocol)) {}
+
   void SetUp() override {
     tests::walkTo(session_, StepKind::Trial);
     visit_ = session_.visit();
@@ -137,8 +149,7 @@ class KeptTrialTest : public testing::Test {
     return problems;
   }
 
-  tests::MadeStudy study_{
-      tests::protocolFrom(tests::shortProtocol({.labels = "position", .minimumCuts = 3}))};
+  tests::MadeStudy study_;
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
   SimulatedDeviceSet deviceSet_{
       [](const protocols::DeviceNeed& need) { return simulatedHandFor(need, 7, "surgeons", 0); }};
@@ -160,6 +171,24 @@ TEST_F(KeptTrialTest, IsStoredInChunksOfOneSecond) {
 TEST_F(KeptTrialTest, IsReportedIfAChunkInTheMiddleIsMissing) {
   EXPECT_NE(
       problemsAfter("DELETE FROM chunk WHERE number = 1").find("second 2"), std::string::npos);
+}
+
+/// The same where nothing is sealed, so that the samples of one second are sound in another's
+/// place.
+class OpenTrialTest : public KeptTrialTest {
+ protected:
+  static std::string protocol() {
+    auto text = tests::shortProtocol({.labels = "position", .minimumCuts = 3});
+    return text.insert(text.find(R"("languages")"), R"("blinding": "open", )");
+  }
+  OpenTrialTest() : KeptTrialTest(protocol()) {}
+};
+
+TEST_F(OpenTrialTest, IsReportedIfASecondTookThePlaceOfAnother) {
+  const auto problems = problemsAfter(
+      "UPDATE chunk SET data = (SELECT data FROM chunk WHERE number = 0), "
+      "hash = (SELECT hash FROM chunk WHERE number = 0) WHERE number = 1");
+  EXPECT_NE(problems.find("not the one that was recorded"), std::string::npos) << problems;
 }
 
 TEST_F(KeptTrialTest, IsReportedIfItsLastChunkIsMissing) {

@@ -193,6 +193,18 @@ TEST(DensityFit, TheSwarmReachesTheOptimumOfAFewLayersAndNotOfAllSpheres) {
   EXPECT_EQ(alone.densities, three.densities);
 }
 
+TEST(DensityFit, GoesOnBelowWhatWasTouchedAsInTheDeepestLayerThatWas) {
+  const auto& p = problem();
+  const auto fit = fitBone(p.matrix, p.forces);
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < p.matrix.columns(); ++i) {
+    if (p.matrix.isTouched(i)) continue;
+    ++below;
+    ASSERT_GT(fit.densities[i], 0.0) << i;
+  }
+  EXPECT_GT(below, p.matrix.columns() / 10);
+}
+
 TEST(DensityFit, AcceptsACurveOfZero) {
   const auto& p = problem();
   const std::vector<double> nothing(p.forces.size(), 0.0);

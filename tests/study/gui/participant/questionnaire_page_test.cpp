@@ -80,6 +80,23 @@ TEST(QuestionnairePage, RecordsFirstTouchAndNumberOfChanges) {
   EXPECT_EQ(shown.answers[1].response, questionnaires::Response(std::int64_t{5}));
 }
 
+TEST(QuestionnairePage, GoesOnCountingChangesOfAnEarlierAnswer) {
+  const auto items = itemsOf("realism-common");
+  Shown shown(
+      items,
+      {{.item = items[1].id,
+        .response = std::int64_t{4},
+        .itemOrder = 2,
+        .firstTouch = 1.5,
+        .responseTime = 2.5,
+        .changes = 3,
+        .language = "en"}});
+  QTest::mouseClick(shown.page.findChildren<OptionButtons*>()[1]->button(0), Qt::LeftButton);
+  ASSERT_EQ(shown.answers.size(), 1U);
+  EXPECT_EQ(shown.answers[0].changes, 4);
+  EXPECT_EQ(shown.answers[0].firstTouch, 1.5);
+}
+
 TEST(QuestionnairePage, ShowsEarlierAnswersWithoutEmittingThem) {
   const auto items = itemsOf("realism-common");
   Shown shown(
