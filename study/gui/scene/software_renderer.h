@@ -35,7 +35,7 @@ inline float linear(std::uint8_t channel) {
 }
 
 /// Draws scenes on the processor without OpenGL. Light is computed per vertex, with a depth buffer
-/// per pixel.
+/// per pixel. Edges of bodies are smoothed.
 class SoftwareRenderer final : public Renderer {
  public:
   const QImage& draw(const Scene& scene, QSize size) override;
@@ -72,10 +72,16 @@ class SoftwareRenderer final : public Renderer {
   void drawSpheres(const Frame& frame, SphereCloud& spheres);
   void drawSphere(const Frame& frame, const SphereInstance& sphere, QVector3D toLamp);
   void darkenRim(const Frame& frame);
+  void smoothEdges();
 
   QImage picture_;
   std::vector<float> nearness_;  ///< 1 / distance of each pixel; 0: empty
   std::vector<Corner> corners_;
+  struct Pixel {
+    int place = 0;  ///< in the picture, row by row
+    QRgb colour = 0;
+  };
+  std::vector<Pixel> smoothed_;  ///< what edges become
   std::uint64_t sphereBytes_ = 0;
 };
 
