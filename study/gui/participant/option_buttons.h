@@ -30,6 +30,9 @@ class OptionButtons final : public QWidget {
       const QString& role,
       QWidget* parent = nullptr);
 
+  /// Puts all options into one column, and @p widget beside them.
+  void putBeside(QWidget& widget);
+
   /// The index of the chosen option; −1 while none is chosen.
   int chosen() const { return group_->checkedId(); }
   void choose(int index);

@@ -17,6 +17,7 @@
 #include "study/gui/participant/benchmark_page.h"
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/participant/thanks_page.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/session/tool_picture.h"
 #include "study/gui/session/trial_view.h"
@@ -206,8 +207,13 @@ void ParticipantWindow::showOpen(bool isAskedFor) {
   QString words;
   if (saysWhatIsOpen_ && progress.open > 0) {
     words = tr("%1 of %2 left").arg(progress.open).arg(progress.required);
-  } else if (questions_->sheets() > 1) {
-    words = tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
+  } else {
+    QStringList parts;
+    if (questions_->sheets() > 1) {
+      parts << tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
+    }
+    if (questions_->hasMoreBelow()) parts << tr("More below ↓");
+    words = parts.join(QStringLiteral(" · "));
   }
   remark_->setText(words);
   if (!isAskedFor) return;
@@ -282,7 +288,9 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   connect(questions_, &QuestionnairePage::answered, &controller_, &SessionController::answer);
   connect(questions_, &QuestionnairePage::retracted, &controller_, &SessionController::retract);
   connect(&controller_, &SessionController::notSaved, questions_, &QuestionnairePage::markUnsaved);
-  connect(questions_, &QuestionnairePage::progressChanged, this, [this] { showOpen(false); });
+  for (const auto signal : {&QuestionnairePage::progressChanged, &QuestionnairePage::scrolled}) {
+    connect(questions_, signal, this, [this] { showOpen(false); });
+  }
   showOpen(false);
   return questions_;
 }
@@ -365,21 +373,18 @@ QWidget* ParticipantWindow::makeEnd() {
   }
 }
 
-/// The thank-you page: the debrief with which the session ended, or, without one, a few words.
+/// The thank-you page, with the debrief if the session ended with one.
 QWidget* ParticipantWindow::makeThanks() {
   const auto& session = controller_.session();
   const auto& last = session.plan().back();
-  const QString over = tr("This session is over. Please tell the researcher.");
-  if (last.kind != StepKind::Reading) return makeMessage(tr("Thank you"), over);
-  const auto* debrief = session.protocol().instrument(last.instrument);
-  return new QuestionnairePage(
-      {.title = localized(debrief->title),
-       .introduction = localized(debrief->introduction),
-       .items = {},
-       .choices = {},
-       .language = QString::fromStdString(session.language()),
-       .before = {},
-       .closing = over},
+  const auto* debrief =
+      last.kind == StepKind::Reading ? session.protocol().instrument(last.instrument) : nullptr;
+  return new ThanksPage(
+      debrief == nullptr ? tr("Thank you") : localized(debrief->title),
+      debrief == nullptr ? QString() : localized(debrief->introduction),
+      {tr("This session is over. Please tell the researcher."),
+       tr("Your answers are saved."),
+       tr("Do you have a question, now or later? Please ask the researcher.")},
       this);
 }
 

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/participant/column.h"
+#include "study/gui/participant/option_buttons.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
@@ -23,6 +24,23 @@ std::vector<Item> withSignatures(std::vector<Item> items) {
   std::stable_partition(
       consent + 1, items.end(), [](const Item& item) { return item.isIdentifying; });
   return items;
+}
+
+constexpr int kAboveTitle = 6;  // [px] at scale 1
+
+/// What is agreed to, paragraph by paragraph; a heading belongs to the paragraph below it.
+QStringList clausesOf(const QString& text) {
+  QStringList clauses;
+  for (const auto& paragraph : text.split(QStringLiteral("\n\n"), Qt::SkipEmptyParts)) {
+    const bool isBelowHeading =
+        !clauses.isEmpty() && clauses.back().startsWith(u'#') && !clauses.back().contains(u'\n');
+    if (isBelowHeading) {
+      clauses.back() += QStringLiteral("\n\n") + paragraph;
+    } else {
+      clauses << paragraph;
+    }
+  }
+  return clauses;
 }
 
 bool isSignature(const std::vector<Item>& items, std::size_t index) {
@@ -44,19 +62,21 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   auto* column = addColumn(*inside);
   head_ = new QWidget(inside);
   auto* head = new QVBoxLayout(head_);
-  head->setContentsMargins(0, 0, 0, 0);
+  head->setContentsMargins(0, scaled(*this, kAboveTitle), 0, 0);
+  head->setSpacing(scaled(*this, 10));
   head->addWidget(titleLabel(content.title, head_));
-  if (!content.introduction.isEmpty()) head->addWidget(textLabel(content.introduction, head_));
+  const bool isConsent = std::any_of(
+      items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
+  if (isConsent) {
+    for (const auto& clause : clausesOf(content.introduction)) head->addWidget(clauseOf(clause));
+  } else if (!content.introduction.isEmpty()) {
+    head->addWidget(textLabel(content.introduction, head_));
+  }
   column->addWidget(head_);
   addSheet(*column);
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (items_[i].startsPage && !entries_.empty()) addSheet(*column);
     addItem(content, i);
-  }
-  if (!content.closing.isEmpty()) {
-    auto* closing = bodyLabel(content.closing, inside);
-    closing->setProperty("role", QStringLiteral("statement"));
-    column->addWidget(closing);
   }
   column->addStretch(1);
   scroll_->setWidget(inside);
@@ -67,6 +87,9 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   scroll_->setAccessibleName(content.title);
   scroll_->setAccessibleDescription(content.introduction);
   setFocusProxy(scroll_);
+  const auto* bar = scroll_->verticalScrollBar();
+  connect(bar, &QScrollBar::valueChanged, this, &QuestionnairePage::scrolled);
+  connect(bar, &QScrollBar::rangeChanged, this, &QuestionnairePage::scrolled);
   shown_.start();
   shownAt_.front() = 0.0;
   updateAsked();
@@ -81,6 +104,22 @@ void QuestionnairePage::addSheet(QLayout& column) {
   if (!sheets_.empty()) sheet->hide();
   sheets_.push_back(sheet);
   shownAt_.push_back(-1.0);
+}
+
+/// A part of what is agreed to, apart from the next one so that each is read for itself.
+QFrame* QuestionnairePage::clauseOf(const QString& text) {
+  auto* clause = new QFrame(head_);
+  clause->setProperty("role", QStringLiteral("clause"));
+  auto* layout = new QVBoxLayout(clause);
+  const int above = scaled(*this, 8);
+  layout->setContentsMargins(scaled(*this, 14), above, scaled(*this, 14), above / 2);
+  layout->addWidget(textLabel(text, clause));
+  return clause;
+}
+
+bool QuestionnairePage::hasMoreBelow() const {
+  const auto* bar = scroll_->verticalScrollBar();
+  return bar->value() < bar->maximum();
 }
 
 QFrame* QuestionnairePage::addCard() {
@@ -103,8 +142,11 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   mark->hide();
   auto* widget = makeItemWidget(item, content.choices, content.language, card);
   card->layout()->addWidget(mark);
-  card->layout()->addWidget(widget);
-  if (!item.isRequired) card->layout()->addWidget(quietLabel(tr("Optional"), card));
+  if (!item.isRequired) widget->layout()->addWidget(quietLabel(tr("Optional"), widget));
+  // The name is written beside the option that it signs.
+  const bool signsOption = isSignature(items_, index) && !items_[index - 1].consentOption.empty();
+  auto* options = signsOption ? card->findChild<OptionButtons*>() : nullptr;
+  options != nullptr ? options->putBeside(*widget) : card->layout()->addWidget(widget);
   entries_.push_back(
       {.widget = widget,
        .card = card,

@@ -26,7 +26,6 @@ class QuestionnairePage final : public QWidget {
     ItemWidget::Choices choices;
     QString language;
     std::vector<GivenAnswer> before;  ///< answers given earlier
-    QString closing = {};             ///< a last line below the items
   };
 
   explicit QuestionnairePage(const Content& content, QWidget* parent = nullptr);
@@ -43,6 +42,9 @@ class QuestionnairePage final : public QWidget {
 
   /// Scrolls to the first question of the sheet that must still be answered, marks and focuses it.
   void showFirstOpen();
+
+  /// Whether a part of the sheet is below the lower edge of the page.
+  bool hasMoreBelow() const;
 
   int sheet() const noexcept { return sheet_; }
   int sheets() const noexcept { return static_cast<int>(sheets_.size()); }
@@ -64,6 +66,8 @@ class QuestionnairePage final : public QWidget {
   void retracted(const QString& item);
   /// Emitted after each of the two.
   void progressChanged();
+  /// hasMoreBelow() may have changed.
+  void scrolled();
 
  private:
   struct ItemState {
@@ -84,6 +88,7 @@ class QuestionnairePage final : public QWidget {
   void addSheet(QLayout& column);
   void addItem(const Content& content, std::size_t index);
   QFrame* addCard();
+  QFrame* clauseOf(const QString& text);
   std::optional<questionnaires::Response> responseOf(const Entry& entry) const;
   bool isOpen(const Entry& entry) const;
   void mark(Entry& entry, bool isOpen);

@@ -35,7 +35,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   layout->setSpacing(scaled(*this, picture == nullptr ? 12 : 8));
   count_ = new CutCounter(content.minimumCuts, this);
   if (picture == nullptr) {
-    layout->addStretch(1);
+    layout->addStretch(2);
     layout->addWidget(hugeLabel(content.name, this));
     layout->addWidget(count_);
   } else {
@@ -54,12 +54,17 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   }
   hint_->setAlignment(Qt::AlignCenter);
   layout->addWidget(hint_);
-  if (picture == nullptr) layout->addStretch(1);
+  if (picture == nullptr) {
+    // A low window has no room for it.
+    constexpr int kAboveButton = 30;  // [px] at scale 1
+    layout->addSpacerItem(new QSpacerItem(
+        0, scaled(*this, kAboveButton), QSizePolicy::Minimum, QSizePolicy::Maximum));
+  }
   for (auto* button : {begin_, enough_, decline_}) {
     button->setProperty("role", QStringLiteral("next"));
     layout->addWidget(button, 0, Qt::AlignCenter);
   }
-  if (picture == nullptr) layout->addStretch(1);
+  if (picture == nullptr) layout->addStretch(3);
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(enough_, &QPushButton::clicked, this, &TrialPage::finishRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);

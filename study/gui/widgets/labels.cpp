@@ -1,11 +1,14 @@
 #include "study/gui/widgets/labels.h"
 
+#include <utility>
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLocale>
 #include <QStyle>
 
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/theme.h"
 #include "study/report/marked_text.h"
 
 namespace study::gui {
@@ -18,6 +21,58 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
   label->setWordWrap(true);
   return label;
 }
+
+/// Formatted text. Its gaps between paragraphs grow with its window, which Qt's own do not.
+class MarkedText final : public QLabel {
+ public:
+  MarkedText(const QString& markdown, QWidget* parent)
+      : QLabel(parent), html_(report::asHtml(markdown)) {
+    setProperty("role", QStringLiteral("text"));
+    setTextFormat(Qt::RichText);
+    setWordWrap(true);
+    setTextInteractionFlags(Qt::NoTextInteraction);
+    spaceOut();
+  }
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::StyleChange) spaceOut();
+    return QLabel::event(event);
+  }
+
+ private:
+  void spaceOut() {
+    constexpr int kGap = 10;          // [px] at scale 1, below a paragraph
+    constexpr int kAboveHeading = 8;  // more than that
+    const int gap = scaled(*this, kGap);
+    // A single paragraph, such as a statement, has its place to itself.
+    const bool isRunning = html_.count(QStringLiteral("<p>")) > 1 ||
+                           html_.contains(QStringLiteral("<h")) ||
+                           html_.contains(QStringLiteral("<li"));
+    if (!isRunning && gap_ < 0) setText(html_);
+    if (gap == std::exchange(gap_, gap) || !isRunning) return;
+    QString html = html_.trimmed();
+    const auto styled = [&](const char* tag, int above, int below, int line) {
+      html.replace(
+          QStringLiteral("<%1>").arg(QLatin1String(tag)),
+          QStringLiteral("<%1 style=\"margin-top:%2px; margin-bottom:%3px; line-height:%4%\">")
+              .arg(QLatin1String(tag))
+              .arg(above)
+              .arg(below)
+              .arg(line));
+    };
+    constexpr int kOfText = 125;  // [%] of the letters' height, so that the eye finds the next line
+    styled("p", 0, gap, kOfText);
+    styled("li", 0, gap / 2, kOfText);
+    for (const auto* heading : {"h2", "h3"}) {
+      styled(heading, scaled(*this, kAboveHeading), gap / 2, 100);
+    }
+    setText(html);
+  }
+
+  QString html_;
+  int gap_ = -1;
+};
 
 }  // namespace
 
@@ -36,10 +91,7 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
 }
 
 QLabel* textLabel(const QString& markdown, QWidget* parent) {
-  auto* text = label(report::asHtml(markdown), "text", parent);
-  text->setTextFormat(Qt::RichText);
-  text->setTextInteractionFlags(Qt::NoTextInteraction);
-  return text;
+  return new MarkedText(markdown, parent);
 }
 
 QString capitalised(const QString& words) {

@@ -92,6 +92,10 @@ QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
 QFrame[role="card"] QLabel[role="good"] { color: @good.text; background: @good; }
 QFrame[role="card"] QLabel[role="warn"] { color: @warn.text; background: @warn; }
 QFrame[role="card"] QLabel[role="bad"] { color: @bad.text; background: @bad; }
+QFrame[role="clause"] { background: @field; border: none; border-left: 4px solid @accent; }
+QFrame[role="clause"] QLabel { background: transparent; }
+QLabel[role="done"] { color: @good.text; background: @good; border-radius: 35px; font-size: 40px; font-weight: 600;
+                      min-width: 72px; max-width: 72px; min-height: 72px; max-height: 72px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QScrollArea { border: none; }
 QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }

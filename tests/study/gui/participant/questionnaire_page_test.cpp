@@ -247,10 +247,40 @@ TEST(QuestionnairePage, HasTheSignatureBesideTheConsent) {
   Shown shown(itemsOf("consent-punch"));
   auto* consent = shown.page.findChildren<OptionButtons*>().front();
   auto* signature = shown.page.findChild<QLineEdit*>();
-  auto* card = signature->parentWidget()->parentWidget();
-  EXPECT_TRUE(card->isAncestorOf(consent));
-  EXPECT_FALSE(card->isAncestorOf(shown.page.findChildren<OptionButtons*>().back()))
-      << "the video is another question";
+  EXPECT_TRUE(consent->isAncestorOf(signature)) << "the video is another question";
+  const auto placeOf = [&](const QWidget& widget) {
+    return QRect(widget.mapTo(consent, QPoint(0, 0)), widget.size());
+  };
+  const auto yes = placeOf(*consent->button(0));
+  EXPECT_GT(placeOf(*signature).left(), yes.right());
+  EXPECT_LT(yes.bottom(), placeOf(*consent->button(1)).top()) << "No is below Yes";
+}
+
+TEST(QuestionnairePage, ShowsWhatIsAgreedToInPartsOfItsOwn) {
+  const auto clauses = [](const QuestionnairePage& page) {
+    int count = 0;
+    for (const auto* frame : page.findChildren<QFrame*>()) {
+      if (frame->property("role") == QStringLiteral("clause")) ++count;
+    }
+    return count;
+  };
+  const QString text = QStringLiteral("One.\n\n# Heading\n\nTwo,\nstill two.");
+  QuestionnairePage consent(
+      {.title = {},
+       .introduction = text,
+       .items = itemsOf("consent-punch"),
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = {}});
+  EXPECT_EQ(clauses(consent), 2) << "a heading belongs to what is below it";
+  QuestionnairePage other(
+      {.title = {},
+       .introduction = text,
+       .items = {},
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = {}});
+  EXPECT_EQ(clauses(other), 0);
 }
 
 }  // namespace questionnaire_page_test

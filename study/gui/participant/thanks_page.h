@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+namespace study::gui {
+
+/// The last page of a completed session: thanks, the debrief, and what happens now.
+class ThanksPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param debrief  Markdown; may be empty. @param now  what happens now, a line each.
+  ThanksPage(
+      const QString& title,
+      const QString& debrief,
+      const QStringList& now,
+      QWidget* parent = nullptr);
+};
+
+}  // namespace study::gui
