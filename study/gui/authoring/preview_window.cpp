@@ -86,6 +86,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
       languages_(new QComboBox(this)),
       sizes_(new QComboBox(this)),
       said_(quietLabel({}, this)),
+      bar_(new QHBoxLayout),
       place_(new QScrollArea(this)),
       folder_(std::make_unique<QTemporaryDir>()) {
   setWindowTitle(
@@ -105,6 +106,9 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   resize(1360, 860);
   steps_->setAccessibleName(tr("Steps of the session"));
   steps_->setObjectName(QStringLiteral("steps"));
+  steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  steps_->setWordWrap(true);
+  steps_->setResizeMode(QListView::Adjust);
   place_->setAlignment(Qt::AlignCenter);
   place_->setAccessibleName(tr("Page of the participant"));
   SystemClock clock;
@@ -136,6 +140,7 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   }
   sizes_->setAccessibleName(tr("Size of the participant's screen"));
   sizes_->setObjectName(QStringLiteral("size"));
+  sizes_->addItem(tr("As large as this window"), QSize());
   for (const auto& size : kSizes) {
     sizes_->addItem(tr("Screen of %1 × %2").arg(size.width()).arg(size.height()), size);
   }
@@ -155,17 +160,26 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
     attempt(this, [&] { goTo(steps_->currentRow()); });
   });
   auto* pages = new QHBoxLayout;
-  pages->addWidget(back);
-  pages->addWidget(next);
-  pages->addWidget(again);
-  pages->addStretch(1);
+  for (auto* button : {back, next, again}) {
+    button->setProperty("role", QStringLiteral("tool"));
+    pages->addWidget(button);
+  }
   auto* looks = new QHBoxLayout;
   looks->addWidget(languages_);
   looks->addWidget(sizes_);
   looks->addStretch(1);
   languages_->setVisible(languages_->count() > 1);
-  layout.addLayout(pages);
-  layout.addLayout(looks);
+  bar_->addLayout(pages);
+  bar_->addLayout(looks, 1);
+  layout.addLayout(bar_);
+}
+
+/// Puts all of the bar into one line, or two in a narrow window.
+void PreviewWindow::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForOneLine = 1000;  // [px]
+  bar_->setDirection(
+      width() >= kRoomForOneLine ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QMainWindow::resizeEvent(event);
 }
 
 std::string PreviewWindow::language() const {
@@ -236,7 +250,14 @@ void PreviewWindow::chooseLanguage() {
 }
 
 void PreviewWindow::chooseSize() {
-  page().setFixedSize(sizes_->currentData().toSize());
+  const auto size = sizes_->currentData().toSize();
+  place_->setWidgetResizable(size.isEmpty());
+  if (size.isEmpty()) {
+    page().setMinimumSize(0, 0);
+    page().setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+  } else {
+    page().setFixedSize(size);
+  }
 }
 
 void PreviewWindow::moveHand(double share) {

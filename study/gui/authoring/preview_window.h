@@ -36,6 +36,9 @@ class PreviewWindow final : public QMainWindow {
   ParticipantWindow& page();
   QString folder() const;  ///< the temporary one
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Day;
   void makeBar(QVBoxLayout& layout);
@@ -55,6 +58,7 @@ class PreviewWindow final : public QMainWindow {
   QComboBox* languages_;
   QComboBox* sizes_;
   QLabel* said_;
+  QBoxLayout* bar_;
   QScrollArea* place_;
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<Day> day_;

@@ -86,7 +86,11 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   layout->addWidget(readAt_);
   layout->addWidget(all, 1);
   constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
+  constexpr int kLeastOfPart = 90;   // each has a scroll bar of its own
   inside->setMinimumHeight(kLeastHeight);
+  for (QWidget* part : {static_cast<QWidget*>(text_), static_cast<QWidget*>(problems_)}) {
+    part->setMinimumHeight(kLeastOfPart);
+  }
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -109,7 +113,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
 
 void ProtocolWindow::prepareText() {
   text_->setReadOnly(true);
-  text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  text_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
   text_->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 14px;"));
   text_->setAccessibleName(tr("Text of the protocol"));
 }

@@ -186,7 +186,7 @@ QWidget* HomeWindow::makeList() {
   heads->setSectionResizeMode(0, QHeaderView::Stretch);
   heads->setSectionResizeMode(1, QHeaderView::Interactive);
   heads->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  list_->setColumnWidth(1, 190);
+  list_->setColumnWidth(1, 170);
   list_->setItemDelegateForColumn(1, new ProgressDelegate(list_));
   connect(
       list_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { reading_.start(); });
@@ -224,7 +224,7 @@ void HomeWindow::makeMenus() {
   auto* study = menuBar()->addMenu(tr("&Study"));
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
   study->addAction(tr("&Open a folder…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
-  study->addAction(tr("Read a &protocol…"), this, &HomeWindow::askForProtocol);
+  study->addAction(tr("Check &protocol…"), this, &HomeWindow::askForProtocol);
   study->addAction(tr("&Remove from list"), this, &HomeWindow::removeSelectedFromList);
   study->addAction(tr("Re&fresh"), QKeySequence::Refresh, this, &HomeWindow::refresh);
   study->addSeparator();
@@ -296,6 +296,9 @@ void HomeWindow::previewChosen() {
 }
 
 void HomeWindow::connectPanel() {
+  connect(panel_, &StudyPanel::newStudyRequested, this, &HomeWindow::makeStudy);
+  connect(panel_, &StudyPanel::tourRequested, this, &HomeWindow::showTour);
+  connect(panel_, &StudyPanel::systemCheckRequested, this, &HomeWindow::testComputer);
   connect(panel_, &StudyPanel::openRequested, this, [this] {
     if (const auto* study = chosen()) openStudy(QString::fromStdString(study->folder));
   });
@@ -338,7 +341,9 @@ void HomeWindow::refresh() {
     studies_.push_back(
         {.summary = {.folder = study.folder.toStdString(), .title = study.title.toStdString()}});
     const QString opened = study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-    list_->setItem(row, 2, new QTableWidgetItem(opened));
+    auto* day = new QTableWidgetItem(opened.section(u' ', 0, 0));
+    day->setToolTip(opened);
+    list_->setItem(row, 2, day);
     fillRow(row++);
   }
   reading_.start();

@@ -1,5 +1,6 @@
 #include "study/gui/desk/new_study_dialog.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -102,11 +103,25 @@ void NewStudyDialog::fillInTexts() {
   showChecked();
 }
 
+/// What was found, with all blanks of texts in one line: one form asks for them.
+QString NewStudyDialog::problemsInWords() const {
+  const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
+  auto others = checked_.problems;
+  std::erase_if(others, isBlank);
+  const QString words = QString::fromStdString(questionnaires::describe(others));
+  if (!checked_.loaded || others.size() == checked_.problems.size()) return words;
+  const auto blanks = std::ranges::count_if(
+      protocols::blanksOf(*checked_.loaded),
+      [](const auto& blank) { return blank.text.isEmpty(); });
+  return tr("%1 blanks in texts for participants").arg(blanks) + QStringLiteral(" → ") +
+         tr("Fill in the texts…") + QLatin1Char('\n') + words;
+}
+
 void NewStudyDialog::showChecked() {
   preview_->setEnabled(checked_.loaded.has_value());
   fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   if (source().isEmpty()) return clear();
-  const QString problems = QString::fromStdString(questionnaires::describe(checked_.problems));
+  const QString problems = problemsInWords();
   const bool isSound = checked_.loaded.has_value();
   showOutcome(
       isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,

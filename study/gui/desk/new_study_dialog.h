@@ -33,6 +33,7 @@ class NewStudyDialog final : public WorkDialog {
   QString source() const;
   void check();
   void showChecked();
+  QString problemsInWords() const;
   /// Opens the form for the blanks of the protocol; the study gets its texts.
   void fillInTexts();
 

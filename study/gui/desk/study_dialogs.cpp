@@ -5,6 +5,7 @@
 #include <QDate>
 #include <QDir>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QInputDialog>
 
 #include "study/gui/desk/recent_studies.h"
@@ -193,9 +194,13 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   quotes_->setChecked(true);
   target_->setPath(newPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
   form().addRow(tr("Sessions"), mode_);
-  form().addRow(tr("Language"), language_);
+  auto* pages = new QWidget(this);
+  auto* side = new QHBoxLayout(pages);
+  side->setContentsMargins(0, 0, 0, 0);
+  side->addWidget(language_, 3);
+  side->addWidget(paper_, 2);
+  form().addRow(tr("Language, pages of a PDF"), pages);
   form().addRow(tr("Numbers in sentences"), wording_);
-  form().addRow(tr("Pages of a PDF"), paper_);
   form().addRow(tr("Quotes"), quotes_);
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));

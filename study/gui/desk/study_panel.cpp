@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostDocumentsShown = 6;
 constexpr int kLeastOfParts = 110;  // [px]
+constexpr int kGap = 6;             // [px] between buttons of a row
 
 QString localTime(const std::string& utc) {
   const auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -33,8 +34,9 @@ StudyPanel::StudyPanel(QWidget* parent)
       arrivals_(bodyLabel({}, this)),
       folder_(quietLabel({}, this)),
       problem_(bodyLabel({}, this)),
-      buttons_(new QGridLayout),
+      buttons_(new QVBoxLayout),
       open_(new QPushButton(tr("Open"), this)),
+      start_(makeStart()),
       forget_(new QPushButton(tr("Remove from list"), this)),
       place_(new QWidget(this)),
       parts_(new QVBoxLayout(place_)) {
@@ -62,70 +64,137 @@ StudyPanel::StudyPanel(QWidget* parent)
   for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
     layout->addWidget(label);
   layout->addWidget(open_);
+  layout->addWidget(start_);
   layout->addWidget(scroll, 1);
   layout->addLayout(buttons_);
+  layout->addWidget(forget_);
   makeButtons();
-  fitInto(0);
   clear();
 }
 
 void StudyPanel::makeButtons() {
+  const auto group = [&](const QString& title) {
+    auto* heading = quietLabel(title, this);
+    heading->setWordWrap(false);
+    groups_.push_back({heading, {}});
+  };
   const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
     auto* button = new QPushButton(words, this);
     button->setObjectName(QString::fromUtf8(name));
-    button->setProperty("role", QStringLiteral("tool"));
-    actions_.push_back(button);
+    button->setProperty("role", QStringLiteral("link"));
+    button->setAccessibleDescription(groups_.back().heading->text());
+    groups_.back().buttons.push_back(button);
     connect(button, &QPushButton::clicked, this, wanted);
     return button;
   };
+  group(tr("Results"));
   add(tr("Report…"), "report", &StudyPanel::reportRequested);
   add(tr("Export…"), "export", &StudyPanel::exportRequested);
   add(tr("Statistics…"), "statistics", &StudyPanel::statisticsRequested);
+  group(tr("Protocol"));
   texts_ = add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
   add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
   add(tr("Plan…"), "plan", &StudyPanel::planRequested);
   add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
+  group(tr("Safety"));
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
-  add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
   key_ = add(tr("Key…"), "key", &StudyPanel::keyRequested);
+  add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
+  buttons_->setContentsMargins(0, 0, 0, 0);
+  buttons_->setSpacing(4);
+}
+
+/// A row of buttons that starts with the heading of its group, or with as much room.
+QHBoxLayout* StudyPanel::addRow(QWidget* heading, int headingWidth) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap);
+  if (heading != nullptr) {
+    heading->setFixedWidth(headingWidth);
+    row->addWidget(heading);
+  } else {
+    row->addSpacing(headingWidth + kGap);
+  }
+  buttons_->addLayout(row);
+  return row;
 }
 
 void StudyPanel::fitInto(int width) {
-  constexpr int kMostColumns = 3;
-  constexpr int kCounted = 36;  // [px]: " (16)" after the words
+  width_ = width;
   const auto margins = layout()->contentsMargins();
   const int room = width - margins.left() - margins.right() - 2 * frameWidth();
-  int widest = 0;
-  for (auto* button : actions_) {
-    button->ensurePolished();
-    const bool isCounted = button == texts_ && !button->text().contains(u'(');
-    widest = std::max(widest, button->sizeHint().width() + (isCounted ? kCounted : 0));
+  int headingWidth = 0;
+  for (const auto& group : groups_) {
+    group.heading->ensurePolished();
+    group.heading->setMinimumWidth(0);
+    group.heading->setMaximumWidth(QWIDGETSIZE_MAX);
+    headingWidth = std::max(headingWidth, group.heading->sizeHint().width());
   }
-  const int gap = buttons_->horizontalSpacing();
-  const int columns = std::clamp((room + gap) / (widest + gap), 1, kMostColumns);
-  while (buttons_->count() > 0) delete buttons_->takeAt(0);
-  int place = 0;
-  for (auto* button : actions_) {
-    buttons_->addWidget(button, place / columns, place % columns);
-    ++place;
+  while (auto* row = buttons_->takeAt(0)) delete row;
+  for (const auto& group : groups_) {
+    auto* row = addRow(group.heading, headingWidth);
+    int left = room - headingWidth;
+    for (auto* button : group.buttons) {
+      button->ensurePolished();
+      const int needed = button->sizeHint().width() + kGap;
+      if (needed > left && row->count() > 1) {
+        row->addStretch(1);
+        row = addRow(nullptr, headingWidth);
+        left = room - headingWidth;
+      }
+      row->addWidget(button);
+      left -= needed;
+    }
+    row->addStretch(1);
   }
-  buttons_->addWidget(forget_, place / columns + 1, 0, 1, columns);
-  for (int column = 0; column < kMostColumns; ++column) {
-    buttons_->setColumnStretch(column, column < columns ? 1 : 0);
+}
+
+/// What can be done without a study.
+QWidget* StudyPanel::makeStart() {
+  auto* start = new QWidget(this);
+  start->setProperty("role", QStringLiteral("plain"));
+  auto* lines = new QVBoxLayout(start);
+  lines->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& words, const char* role, void (StudyPanel::*wanted)()) {
+    auto* button = new QPushButton(words, start);
+    button->setProperty("role", QString::fromUtf8(role));
+    lines->addWidget(button);
+    connect(button, &QPushButton::clicked, this, wanted);
+  };
+  add(tr("New study…"), "main", &StudyPanel::newStudyRequested);
+  add(tr("Tour in three steps…"), "tool", &StudyPanel::tourRequested);
+  add(tr("System check…"), "tool", &StudyPanel::systemCheckRequested);
+  return start;
+}
+
+/// Shows what can be done without a study in place of what needs one.
+void StudyPanel::showStart(bool isEmpty) {
+  start_->setVisible(isEmpty);
+  open_->setVisible(!isEmpty);
+  for (auto* label : {sessions_, folder_}) label->setVisible(!isEmpty && !label->text().isEmpty());
+  for (const auto& group : groups_) {
+    group.heading->setVisible(!isEmpty);
+    for (auto* button : group.buttons) button->setVisible(!isEmpty);
+  }
+}
+
+void StudyPanel::enableActions(bool isEnabled) {
+  for (const auto& group : groups_) {
+    for (auto* button : group.buttons) button->setEnabled(isEnabled);
   }
 }
 
 void StudyPanel::clear() {
   show(StudySummary{});
-  title_->setText(tr("No study is selected"));
-  what_->setText(tr("Create one from a protocol, or open the folder of an existing study."));
+  title_->setText(tr("Begin here"));
+  what_->setText(tr("Create a study from a protocol, or open the folder of an existing one."));
   sessions_->clear();
   folder_->clear();
   open_->setEnabled(false);
   forget_->setVisible(false);
-  for (auto* button : actions_) button->setEnabled(false);
+  showStart(true);
+  enableActions(false);
 }
 
 void StudyPanel::show(const StudySummary& summary) {
@@ -147,16 +216,17 @@ void StudyPanel::show(const StudySummary& summary) {
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
   forget_->setVisible(!isSound);
-  for (auto* button : actions_) button->setEnabled(isSound);
+  enableActions(isSound);
   texts_->setText(
       summary.blanks == 0 ? tr("Fill in the texts…")
                           : tr("Fill in the texts… (%1)").arg(summary.blanks));
   texts_->setToolTip(
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
-  key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (!)") : tr("Key…"));
-  key_->setToolTip(
-      summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
+  key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (no copy yet)") : tr("Key…"));
+  key_->setToolTip(summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
+  showStart(false);
+  fitInto(width_);  // two of the buttons may have become wider
   while (auto* item = parts_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -218,14 +288,15 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
     choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +
                QStringLiteral("•  ") + spoken(choice);
   }
-  layout->addWidget(quietLabel(choices, card));
   if (!session.isOpenElsewhere()) {
     auto* button =
         new QPushButton(tr("Open with %1").arg(QString::fromStdString(session.participant)), card);
-    layout->addWidget(button, 0, Qt::AlignLeft);
+    button->setProperty("role", QStringLiteral("tool"));
+    layout->insertWidget(0, button, 0, Qt::AlignLeft);  // in sight however long the words are
     const auto id = static_cast<qlonglong>(session.id);
     connect(button, &QPushButton::clicked, this, [this, id] { emit goOnRequested(id); });
   }
+  layout->addWidget(quietLabel(choices, card));
   return card;
 }
 

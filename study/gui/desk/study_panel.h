@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <QFrame>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -24,10 +24,13 @@ class StudyPanel final : public QFrame {
   using QFrame::show;
   /// Shows that no study is selected.
   void clear();
-  /// Arranges the buttons in as many columns as fit into @p width [px].
+  /// Arranges the buttons group by group in rows that fit into @p width [px].
   void fitInto(int width);
 
  signals:
+  void newStudyRequested();
+  void tourRequested();
+  void systemCheckRequested();
   void openRequested();
   void goOnRequested(qlonglong session);
   void reportRequested();
@@ -46,6 +49,10 @@ class StudyPanel final : public QFrame {
 
  private:
   void makeButtons();
+  QWidget* makeStart();
+  void showStart(bool isEmpty);
+  QHBoxLayout* addRow(QWidget* heading, int headingWidth);
+  void enableActions(bool isEnabled);
   void showProgress(const StudySummary& summary);
   void showDocuments(const StudySummary& summary);
   void showUnfinished(const StudySummary& summary);
@@ -58,11 +65,18 @@ class StudyPanel final : public QFrame {
   QLabel* arrivals_;
   QLabel* folder_;
   QLabel* problem_;
-  QGridLayout* buttons_;
+  /// Actions that belong together, enabled only if the study can be opened.
+  struct Group {
+    QLabel* heading = nullptr;
+    std::vector<QPushButton*> buttons;
+  };
+  QVBoxLayout* buttons_;  ///< the groups, row by row
+  int width_ = 0;         ///< [px] that they have to fit into
   QPushButton* open_;
-  std::vector<QPushButton*> actions_;  ///< enabled only if the study can be opened
-  QPushButton* texts_ = nullptr;       ///< one of them; says how many texts are blank
-  QPushButton* key_ = nullptr;         ///< says if no copy of the key was made
+  QWidget* start_;  ///< in place of these where there is no study
+  std::vector<Group> groups_;
+  QPushButton* texts_ = nullptr;  ///< one of them; says how many texts are blank
+  QPushButton* key_ = nullptr;    ///< says if no copy of the key was made
   QPushButton* forget_;
   QWidget* place_;  ///< holds what differs between studies
   QVBoxLayout* parts_;

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QScreen>
+#include <QTimer>
 
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/written_file.h"
@@ -36,7 +37,7 @@ WorkDialog::WorkDialog(
   more_->setMinimumHeight(200);
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form_->setVerticalSpacing(12);
+  form_->setVerticalSpacing(10);
   auto* inside = new QWidget(this);
   auto* page = new QVBoxLayout(inside);
   page->setContentsMargins(24, 20, 24, 0);
@@ -101,8 +102,10 @@ void WorkDialog::fit() {
   auto* inside = scroll_->widget();
   inside->layout()->activate();
   const auto* buttons = layout()->itemAt(1);
-  const int needed = inside->layout()->totalHeightForWidth(width()) + layout()->spacing() +
-                     buttons->sizeHint().height();
+  // A scrolled widget is never lower than its least size, in which labels have more lines.
+  const int own =
+      std::max(inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
+  const int needed = own + layout()->spacing() + buttons->sizeHint().height();
   const int most = screen()->availableSize().height() - kFrame;
   if (!isVisible() || more_->isHidden() || height() < needed) {
     resize(width(), std::min(needed, most));
@@ -117,6 +120,7 @@ void WorkDialog::showEvent(QShowEvent* event) {
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
   fit();  // sizes depend on the theme, which applies only from here on
+  QTimer::singleShot(0, this, &WorkDialog::fit);  // and to some fields only when they are shown
 }
 
 void WorkDialog::clear() {

@@ -96,6 +96,11 @@ QFrame[role="clause"] { background: @field; border: none; border-left: 4px solid
 QFrame[role="clause"] QLabel { background: transparent; }
 QLabel[role="done"] { color: @good.text; background: @good; border-radius: 35px; font-size: 40px; font-weight: 600;
                       min-width: 72px; max-width: 72px; min-height: 72px; max-height: 72px; }
+QPushButton[role="link"] { color: @link; background: transparent; border: 2px solid transparent; border-radius: 6px;
+                           min-height: 22px; padding: 3px 6px; text-align: left; }
+QPushButton[role="link"]:hover { text-decoration: underline; }
+QPushButton[role="link"]:focus { border: 3px solid @focus; padding: 2px 5px; }
+QPushButton[role="link"]:disabled { color: @disabled.text; background: transparent; border-color: transparent; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QScrollArea { border: none; }
 QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }
@@ -248,8 +253,9 @@ QString styleSheetOf(const Theme& theme, double scale) {
        {"good", theme.good},
        {"warn", theme.warn},
        {"bad", theme.bad}}};
-  const std::array<std::pair<const char*, QColor>, 4> colours{
+  const std::array<std::pair<const char*, QColor>, 5> colours{
       {{"quiet", theme.quiet},
+       {"link", theme.link},
        {"border", theme.border},
        {"line", theme.line},
        {"focus", theme.focus}}};

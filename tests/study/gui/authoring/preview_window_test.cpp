@@ -56,6 +56,15 @@ TEST(PreviewWindow, HasTheLanguageAndTheSizeThatAreChosen) {
   tests::photographInAllThemes(preview, QStringLiteral("preview"));
 }
 
+TEST(PreviewWindow, ShowsWholePagesUntilASizeIsChosen) {
+  PreviewWindow preview(shipped("punch-face-validity"));
+  preview.resize(1366, 768);
+  preview.show();
+  QCoreApplication::processEvents();
+  const auto* place = preview.findChild<QScrollArea*>();
+  EXPECT_EQ(preview.page().size(), place->viewport()->size());
+}
+
 TEST(PreviewWindow, LetsAnAlternativeBeFelt) {
   PreviewWindow preview(shipped("punch-face-validity"));
   preview.show();
