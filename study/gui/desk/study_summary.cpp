@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <QDateTime>
-#include <QLocale>
-
 #include "protocols/model/loaded_protocol.h"
+#include "study/gui/session/station_push.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/session/study.h"
 #include "study/session/study_key.h"
@@ -40,33 +38,6 @@ void fillArrivals(Study& study, StudySummary& summary) {
   const auto last = lastPush(study.uuid(), study.station().uuid);
   summary.arrivals = arrivalsBy(study, last.have);
   summary.pushProblem = last.problem;
-}
-
-QDateTime timeOf(const std::string& utc) {
-  return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
-}
-
-/// "Tuesday" within a week, else "2026-11-17".
-std::string dayInWords(const std::string& utc) {
-  constexpr int kWeek = 7;
-  const auto day = timeOf(utc).date();
-  if (day.daysTo(QDate::currentDate()) >= kWeek) return day.toString(Qt::ISODate).toStdString();
-  return QLocale(QString::fromStdString(deskLanguage())).dayName(day.dayOfWeek()).toStdString();
-}
-
-/// Why the last push did not succeed.
-std::string problemInWords(const std::string& problem) {
-  if (problem == "unreachable") return said("no network, or no server");
-  if (problem == "not_let_in") return said("the server does not let this computer in");
-  if (problem == "full") return said("the server’s disk is full");
-  if (problem == "release" || problem == "newer") {
-    return said("the server has another release of this program");
-  }
-  if (problem == "revoked") return said("this station was shut out");
-  if (problem == "fork" || problem == "older_copy") {
-    return said("another copy of this folder has sent something");
-  }
-  return said("the server refused it; 'palpate collect push' says why");
 }
 
 void fill(StudySummary& summary) {
@@ -133,25 +104,11 @@ std::string sessionsInWords(const StudySummary& summary) {
 }
 
 std::string arrivalsInWords(const StudySummary& summary) {
-  if (!summary.arrivals || summary.arrivals->all == 0) return {};
-  const auto& [all, arrived, since] = *summary.arrivals;
-  std::string words = arrived == all ? said("Sessions here: {}. All have arrived", all)
-                                     : said(
-                                           "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
-                                           all,
-                                           arrived,
-                                           dayInWords(since),
-                                           all - arrived);
-  if (arrived < all && !summary.pushProblem.empty()) {
-    words += " (" + problemInWords(summary.pushProblem) + ")";
-  }
-  return words;
+  return summary.arrivals ? arrivalsInWords(*summary.arrivals, summary.pushProblem) : std::string();
 }
 
 bool isArrivalOverdue(const StudySummary& summary) {
-  constexpr qint64 kDay = 24 * 60 * 60;
-  return summary.arrivals && !summary.arrivals->waitingSince.empty() &&
-         timeOf(summary.arrivals->waitingSince).secsTo(QDateTime::currentDateTime()) > kDay;
+  return summary.arrivals && isOverdue(*summary.arrivals);
 }
 
 RunMode likelyRunMode(const StudySummary& summary) {

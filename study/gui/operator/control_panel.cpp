@@ -79,7 +79,8 @@ QWidget* ControlPanel::makeButtons() {
   addGroup(*layout, tr("Emergency: ends the session"), {emergency_});
   constexpr int kTwoNotes = 76;  // [px]
   notes_->setMinimumHeight(kTwoNotes);
-  layout->addWidget(notes_, 1);
+  layout->addWidget(notes_, 2);
+  layout->addStretch(1);
   return inside;
 }
 
@@ -160,11 +161,13 @@ void ControlPanel::keepNote() {
 /// Lists the newest note first.
 void ControlPanel::showNotes() {
   notes_->clear();
-  if (controller_ == nullptr) return;
-  for (const auto& note : controller_->notes()) {
-    notes_->insertItem(
-        0, note.when.toString(QStringLiteral("HH:mm:ss")) + QStringLiteral("  ") + note.text);
+  if (controller_ != nullptr) {
+    for (const auto& note : controller_->notes()) {
+      notes_->insertItem(
+          0, note.when.toString(QStringLiteral("HH:mm:ss")) + QStringLiteral("  ") + note.text);
+    }
   }
+  notes_->setVisible(notes_->count() > 0);
 }
 
 /// Shows, for example, "P003" and "Orthopaedic surgeons · live · English".

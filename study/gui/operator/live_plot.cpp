@@ -75,13 +75,22 @@ void LivePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
+/// A third axis leaves a narrow plot too little room for its curves.
+void LivePlot::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForTheVelocity = 560;  // [px]
+  const bool isWide = width() >= kRoomForTheVelocity;
+  plot_->graph(2)->setVisible(isWide);
+  plot_->graph(2)->valueAxis()->setVisible(isWide);
+  QWidget::resizeEvent(event);
+}
+
 void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
   slices_ = {};
   period_ = 1.0 / rate;
   slice_ = 0;
   last_ = 0.0;
-  plot_->xAxis->setRange(0.0, kShown);
+  plot_->xAxis->setRange(0.0, kFirst);
   // The range of a normal hand movement. Larger values extend the axis.
   auto* speed = plot_->graph(2)->valueAxis();
   plot_->yAxis->setRange(0.0, device.plot.force);
@@ -141,7 +150,7 @@ void LivePlot::refresh() {
     plot_->graph(i)->data()->removeBefore(last_ - kShown);
     plot_->graph(i)->rescaleValueAxis(true);
   }
-  plot_->xAxis->setRange(std::max(0.0, last_ - kShown), std::max(kShown, last_));
+  plot_->xAxis->setRange(std::max(0.0, last_ - kShown), std::max(kFirst, last_));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -14,7 +14,8 @@ class QCustomPlot;
 namespace study::gui {
 
 /// Plots force, position, velocity and, of a kind of device whose scenes have one, the torque about
-/// the tool's axis over the last ten seconds of a running trial.
+/// the tool's axis over the last ten seconds of a running trial, at its start over fewer, so that
+/// the first strokes are not a narrow line at the edge. The velocity is left out of a narrow plot.
 ///
 /// Each slice of 10 ms is drawn as its minimum and maximum, in the order in which they occurred. No
 /// peak is lost, and drawing takes a fifth of the time of drawing every tick. Pens are one pixel
@@ -24,6 +25,7 @@ class LivePlot final : public QWidget {
 
  public:
   static constexpr double kShown = 10.0;  ///< [s]
+  static constexpr double kFirst = 4.0;   ///< at the start of a trial [s]
   static constexpr double kSlice = 0.01;  ///< [s]
 
   explicit LivePlot(QWidget* parent = nullptr);
@@ -40,6 +42,7 @@ class LivePlot final : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   /// The minimum and maximum of a channel within one slice of time.

@@ -4,13 +4,11 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -27,6 +25,7 @@
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/mnemonics.h"
@@ -35,30 +34,6 @@
 #include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
-namespace {
-
-/// Sends what is new from a station to its server, in a process of its own with the lowest
-/// priority: nobody waits for it, and the next session may begin meanwhile. What became of it
-/// stands on the home page.
-void pushInBackground(const Study& study) {
-  const QString program =
-      QCoreApplication::applicationDirPath() + QStringLiteral("/palpate-collect");
-  if (study.station().isNone() || !QFileInfo::exists(program)) return;
-  QProcess push;
-  push.setProgram(QStringLiteral("nice"));
-  push.setArguments(
-      {QStringLiteral("-n"),
-       QStringLiteral("19"),
-       program,
-       QStringLiteral("push"),
-       QString::fromStdString(study.folder().string())});
-  push.setStandardInputFile(QProcess::nullDevice());
-  push.setStandardOutputFile(QProcess::nullDevice());
-  push.setStandardErrorFile(QProcess::nullDevice());
-  push.startDetached();
-}
-
-}  // namespace
 
 OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
     : QMainWindow(parent),
@@ -71,15 +46,33 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
             hands_[need.id] = hand.get();
             return hand;
           })),
-      pages_(new QStackedWidget(this)),
-      middle_(new QStackedWidget(this)),
-      sessions_(new SessionsPage(study, this)),
-      controls_(new ControlPanel(this)),
-      trial_(new TrialPanel(this)),
-      devices_(new DevicePanel(study.protocol().protocol, *deviceSet_, this)),
-      mirror_(new PageMirror(this)) {
+      push_(study, [this] { return controller_ && controller_->isTrialRunning(); }) {
   const auto title = QString::fromStdString(study.protocol().protocol.study.title);
   setWindowTitle(tr("Palpate — %1").arg(title));
+  makeContents();
+  constexpr QSize kComfortable(1280, 860);
+  const QSize available = screen()->availableSize();
+  resize(kComfortable.boundedTo(available));
+  // A desktop adds its frame around a window as large as the screen, which would push the last line
+  // off the screen.
+  if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
+  connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
+  connect(&cutKey_, &CutKey::pressed, this, [this] {
+    if (controller_) controller_->countBenchmarkCut();
+  });
+}
+
+void OperatorWindow::makeContents() {
+  language_ = deskLanguage();
+  pages_ = new QStackedWidget(this);
+  middle_ = new QStackedWidget(this);
+  sessions_ = new SessionsPage(study_, push_, this);
+  controls_ = new ControlPanel(this);
+  trial_ = new TrialPanel(this);
+  devices_ = new DevicePanel(study_.protocol().protocol, *deviceSet_, this);
+  delete mirror_;  // a window of its own, which the contents do not hold
+  mirror_ = new PageMirror(this);
+  menuBar()->clear();
   makeMenus();
   auto* inside = new QWidget(this);
   auto* layout = new QVBoxLayout(inside);
@@ -100,18 +93,24 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   giveRoom(pages_->currentIndex());
   layout->addWidget(pages_, 1);
   setCentralWidget(new FittingScroll(inside, this));
-  constexpr QSize kComfortable(1280, 860);
-  const QSize available = screen()->availableSize();
-  resize(kComfortable.boundedTo(available));
-  // A desktop adds its frame around a window as large as the screen, which would push the last line
-  // off the screen.
-  if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connectPanels();
+  arrange();
+}
+
+void OperatorWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange || language_ == deskLanguage()) return;
+  // The menu that chose the language is still open.
+  QTimer::singleShot(0, this, [this] {
+    if (!controller_ && language_ != deskLanguage()) makeContents();
+  });
 }
 
 void OperatorWindow::makeMenus() {
   auto* view = menuBar()->addMenu(tr("&View"));
   addThemesTo(*view->addMenu(tr("&Theme")));
+  languages_ = view->addMenu(tr("&Language"));
+  addLanguagesTo(*languages_);
   auto* mirror = view->addAction(tr("&Participant's page"));
   mirror->setCheckable(true);
   mirror->setObjectName(QStringLiteral("show-mirror"));
@@ -155,9 +154,13 @@ QWidget* OperatorWindow::makeSession() {
   return page;
 }
 
-/// Puts the buttons beside the trial, or above it in a narrow window.
 void OperatorWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
+  arrange();
+}
+
+/// Puts the buttons beside the trial, or above it in a narrow window.
+void OperatorWindow::arrange() {
   // Its lines are wrapped in a narrow window, which the least height of the contents does not tell.
   constexpr int kAround = 60;  // [px]: margins, and the bar of what is scrolled
   head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
@@ -181,10 +184,6 @@ void OperatorWindow::connectPanels() {
       [this](qlonglong id, const QString& takeOver) {
         resumeIfFit(SessionId{id}, takeOver.toStdString());
       });
-  connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
-  connect(&cutKey_, &CutKey::pressed, this, [this] {
-    if (controller_) controller_->countBenchmarkCut();
-  });
   connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
   connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
     if (controller_) saveConsentCopy(study_, controller_->session().participant(), this);
@@ -238,6 +237,7 @@ void OperatorWindow::begin(Session session) {
   trial_->setController(controller_.get());
   controls_->setController(controller_.get());
   mirror_->setPage(participant_.get());
+  languages_->menuAction()->setEnabled(false);  // until the session's end
   pages_->setCurrentIndex(1);
   updateAll();
   showParticipant();
@@ -377,9 +377,10 @@ void OperatorWindow::endSession() {
     interview_ = nullptr;
   }
   controller_.reset();
+  languages_->menuAction()->setEnabled(true);
   sessions_->refresh();
   pages_->setCurrentIndex(0);
-  pushInBackground(study_);
+  push_.send();
 }
 
 bool OperatorWindow::confirmLoss() {

@@ -6,6 +6,7 @@
 
 #include <QBoxLayout>
 #include <QMainWindow>
+#include <QMenu>
 #include <QStackedWidget>
 
 #include "study/gui/participant/participant_window.h"
@@ -13,6 +14,7 @@
 #include "study/gui/session/cut_key.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
+#include "study/gui/session/station_push.h"
 #include "study/gui/session/stop_key.h"
 #include "study/trial/device_set.h"
 
@@ -58,9 +60,13 @@ class OperatorWindow final : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  /// Makes everything that the window shows, in the language of the desk.
+  void makeContents();
   void makeMenus();
+  void arrange();
   void tile();
   QWidget* makeHead();
   QWidget* makeSession();
@@ -92,14 +98,17 @@ class OperatorWindow final : public QMainWindow {
   QStringList waitingErrors_;  ///< messages that wait until the participant's window is unlocked
   QBoxLayout* columns_ = nullptr;  ///< of the page during a session
   QWidget* head_ = nullptr;
-  QStackedWidget* pages_;   ///< between sessions, and during a session
-  QStackedWidget* middle_;  ///< during a session: the trial, or the interview
+  StationPush push_;
+  std::string language_;              ///< of what is shown
+  QMenu* languages_ = nullptr;        ///< to choose from, between sessions
+  QStackedWidget* pages_ = nullptr;   ///< between sessions, and during a session
+  QStackedWidget* middle_ = nullptr;  ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
-  SessionsPage* sessions_;
-  ControlPanel* controls_;
-  TrialPanel* trial_;
-  DevicePanel* devices_;
-  PageMirror* mirror_;
+  SessionsPage* sessions_ = nullptr;
+  ControlPanel* controls_ = nullptr;
+  TrialPanel* trial_ = nullptr;
+  DevicePanel* devices_ = nullptr;
+  PageMirror* mirror_ = nullptr;
 };
 
 }  // namespace study::gui

@@ -20,7 +20,7 @@
 namespace study::gui {
 namespace {
 
-enum SessionColumn { kCode, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
+enum SessionColumn { kCode, kSite, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
 
 /// A UTC time as local time: "2026-03-09 08:15".
 QString localTime(const std::string& utc) {
@@ -36,9 +36,10 @@ QLabel* sectionHeading(const QString& words, QWidget* parent) {
 
 }  // namespace
 
-SessionsPage::SessionsPage(Study& study, QWidget* parent)
+SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
     : QWidget(parent),
       study_(study),
+      push_(push),
       columns_(new QHBoxLayout(this)),
       table_(new QTableWidget(0, kSessionColumns, this)),
       details_(quietLabel({}, this)),
@@ -47,7 +48,9 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
       enrol_(new QPushButton(tr("New participant"), this)),
-      resume_(new QPushButton(tr("Continue session"), this)) {
+      resume_(new QPushButton(tr("Continue session"), this)),
+      arrived_(bodyLabel({}, this)),
+      send_(new QPushButton(tr("Send now"), this)) {
   columns_->setContentsMargins(0, 0, 0, 0);
   columns_->setSpacing(20);
   columns_->addWidget(makeList(), 1);
@@ -64,13 +67,22 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
     if (const auto* one = selectedUnfinished()) goOnWith(*one);
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SessionsPage::showSelected);
+  connect(send_, &QPushButton::clicked, &push_, &StationPush::send);
+  connect(&push_, &StationPush::changed, this, &SessionsPage::showPush);
   refresh();
 }
 
 QWidget* SessionsPage::makeList() {
   table_->setAccessibleName(tr("Sessions"));
   table_->setHorizontalHeaderLabels(
-      {tr("Participant"), tr("Cohort"), tr("Run mode"), tr("Language"), tr("Begun"), tr("Status")});
+      {tr("Participant"),
+       tr("Site"),
+       tr("Cohort"),
+       tr("Run mode"),
+       tr("Language"),
+       tr("Begun"),
+       tr("Status")});
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
   table_->verticalHeader()->hide();
@@ -85,7 +97,15 @@ QWidget* SessionsPage::makeList() {
   layout->addWidget(sectionHeading(tr("Sessions"), list));
   layout->addWidget(table_, 1);
   layout->addWidget(details_);
+  resume_->setProperty("role", QStringLiteral("tool"));
   layout->addWidget(resume_, 0, Qt::AlignLeft);
+  arrived_->setObjectName(QStringLiteral("arrived"));
+  send_->setObjectName(QStringLiteral("send"));
+  send_->setProperty("role", QStringLiteral("tool"));
+  auto* collecting = new QHBoxLayout;
+  collecting->addWidget(arrived_, 1);
+  collecting->addWidget(send_);
+  layout->addLayout(collecting);
   return list;
 }
 
@@ -104,7 +124,7 @@ QWidget* SessionsPage::makeEnrolment() {
 
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
-  constexpr int kCardWidth = 440;  // [px]
+  constexpr int kCardWidth = 380;  // [px]
   card->setFixedWidth(kCardWidth);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
@@ -135,6 +155,32 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   table_->setMinimumHeight(isWide ? 0 : kLeastOfTable);
   giveRoom();
+  fitColumns();
+}
+
+/// Leaves out what a narrow table has no room for: the language, and then the run mode, which codes
+/// of pilots and simulated participants name as well.
+void SessionsPage::fitColumns() {
+  constexpr int kRoomForTheLanguage = 740;  // [px]
+  constexpr int kRoomForTheMode = 600;
+  const bool isBeside = columns_->direction() == QBoxLayout::LeftToRight;
+  const int card = isBeside ? enrol_->parentWidget()->maximumWidth() + columns_->spacing() : 0;
+  const int site = study_.station().isNone() ? 0 : table_->columnWidth(kSite);
+  const int room = width() - card - site;
+  table_->setColumnHidden(kSite, study_.station().isNone());
+  table_->setColumnHidden(kLanguage, room < kRoomForTheLanguage);
+  table_->setColumnHidden(kRunMode, room < kRoomForTheMode);
+}
+
+/// Shows what has arrived at the server, and offers to send the rest.
+void SessionsPage::showPush() {
+  const auto words = push_.inWords();
+  const bool isStation = push_.isPossible() && !words.empty();
+  arrived_->setVisible(isStation);
+  send_->setVisible(isStation);
+  send_->setEnabled(!push_.isSending());
+  arrived_->setText(push_.isSending() ? tr("Sending…") : QString::fromStdString(words));
+  setRole(*arrived_, push_.isOverdue() && !push_.isSending() ? "warn" : "body");
 }
 
 /// A scrolled page gets the least height that its layout asks for, which knows nothing of the lines
@@ -155,7 +201,9 @@ void SessionsPage::refresh() {
     const auto& protocol = study_.protocol().protocol;
     fillTable(sessions, protocol);
     fillCohorts(sessions, protocol);
+    showPush();
   });
+  fitColumns();
   giveRoom();
   showSelected();
 }
@@ -167,6 +215,7 @@ void SessionsPage::fillTable(
     const auto& s = sessions[static_cast<std::size_t>(row)];
     const std::array<QString, kSessionColumns> cells{
         QString::fromStdString(s.participant),
+        QString::fromStdString(s.site),
         cohortTitle(protocol, s.cohort),
         spoken(nameOf(s.runMode)),
         nativeName(QString::fromStdString(s.language)),
@@ -175,6 +224,7 @@ void SessionsPage::fillTable(
     for (int column = 0; column < kSessionColumns; ++column) {
       auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       cell->setData(Qt::UserRole, static_cast<qlonglong>(s.id));
+      cell->setToolTip(cells[static_cast<std::size_t>(column)]);
       table_->setItem(row, column, cell);
     }
   }

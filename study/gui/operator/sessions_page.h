@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "study/gui/session/station_push.h"
 #include "study/session/session.h"
 #include "study/session/unfinished_sessions.h"
 #include "study/storage/records.h"
@@ -25,8 +26,8 @@ class SessionsPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The study must outlive the page.
-  explicit SessionsPage(Study& study, QWidget* parent = nullptr);
+  /// Both must outlive the page.
+  SessionsPage(Study& study, StationPush& push, QWidget* parent = nullptr);
 
   /// Reads the sessions from the database again.
   void refresh();
@@ -45,6 +46,8 @@ class SessionsPage final : public QWidget {
   void fillTable(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void giveRoom();
+  void fitColumns();
+  void showPush();
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
@@ -52,6 +55,7 @@ class SessionsPage final : public QWidget {
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;
+  StationPush& push_;
   QBoxLayout* columns_;
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
@@ -62,6 +66,8 @@ class SessionsPage final : public QWidget {
   QComboBox* language_;
   QPushButton* enrol_;
   QPushButton* resume_;
+  QLabel* arrived_;    ///< at the server; a station's study only
+  QPushButton* send_;  ///< what has not arrived
 };
 
 }  // namespace study::gui

@@ -39,8 +39,11 @@ TrialPanel::TrialPanel(QWidget* parent)
   cutCount_->setWordWrap(false);
   health_->setAlignment(Qt::AlignCenter);
   health_->setMinimumHeight(36);
-  cuts_->setMinimumHeight(92);
-  constexpr int kThreeSteps = 104;  // [px]
+  constexpr int kTwoCuts = 92;  // [px]
+  constexpr int kFiveCuts = 180;
+  cuts_->setMinimumHeight(kTwoCuts);
+  cuts_->setMaximumHeight(kFiveCuts);
+  constexpr int kThreeSteps = 126;  // [px]
   steps_->setMinimumHeight(kThreeSteps);
   // These take all free space and ignore their size hints, which are too large for a low
   // screen.
@@ -51,7 +54,7 @@ TrialPanel::TrialPanel(QWidget* parent)
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(steps_, 3);
+  layout->addWidget(steps_, 2);
   auto* numbers = new QHBoxLayout;
   numbers->addWidget(health_, 1);
   numbers->addWidget(cutCount_);
@@ -62,8 +65,8 @@ TrialPanel::TrialPanel(QWidget* parent)
   layout->addLayout(below);
   auto* plots = new QHBoxLayout;
   plots->addWidget(plot_, 3);
-  plots->addWidget(travel_, 2);
-  layout->addLayout(plots, 3);
+  plots->addWidget(travel_, 3);
+  layout->addLayout(plots, 7);
   layout->addWidget(servo_);
   layout->addWidget(cuts_, 1);
   setController(nullptr);

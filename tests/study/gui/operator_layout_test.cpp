@@ -21,6 +21,7 @@
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/window_places.h"
+#include "study/gui/session/station_push.h"
 #include "study/model/new_file.h"
 #include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
@@ -134,6 +135,89 @@ TEST(Station, PushesInTheBackgroundAfterEachSession) {
   constexpr int kPatience = 20'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return lastPush(study.uuid(), "11").problem == "unreachable"; }, kPatience));
+}
+
+/// A station's study with a session that has not arrived, and no server that can be reached.
+class StationDesk : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto bin = std::filesystem::path(QCoreApplication::applicationDirPath().toStdString());
+    if (!std::filesystem::exists(bin / "palpate-collect"))
+      GTEST_SKIP() << "built without PostgreSQL";
+    writeNewFile(
+        folder_ / "study/collect.json",
+        R"({"server": "host=/nowhere", "role": "station_oslo", "bundle_key": ""})");
+    auto session = Session::enrol(
+        study_, {.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  }
+
+  std::string problem() { return lastPush(study_.uuid(), "11").problem; }
+
+  static constexpr int kPatience = 20'000;
+  static constexpr int kSoon = 20;
+  tests::ScratchFolder folder_;
+  tests::OwnStation account_{folder_ / "account"};
+  SystemClock clock_;
+  Study study_{Study::create(
+      folder_ / "study",
+      shipped("punch-face-validity"),
+      clock_,
+      7,
+      tests::knownSecret(),
+      {.site = "oslo", .label = "oslo", .uuid = "11"})};
+};
+
+TEST_F(StationDesk, ShowsTheSiteOfASessionAndSendsOnRequest) {
+  OperatorWindow window(study_);
+  window.setWindowState(Qt::WindowNoState);
+  window.resize(1280, 720);
+  window.show();
+  const auto* table = window.findChild<SessionsPage*>()->findChild<QTableWidget*>();
+  EXPECT_FALSE(table->isColumnHidden(1));
+  EXPECT_EQ(table->item(0, 1)->text(), QStringLiteral("oslo"));
+  const auto* arrived = window.findChild<QLabel*>(QStringLiteral("arrived"));
+  EXPECT_TRUE(arrived->text().contains(QStringLiteral("Arrived: 0")));
+  auto* send = window.findChild<QPushButton*>(QStringLiteral("send"));
+  QTest::mouseClick(send, Qt::LeftButton);
+  EXPECT_FALSE(send->isEnabled()) << "it is sending";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return send->isEnabled(); }, kPatience));
+  EXPECT_EQ(problem(), "unreachable");
+  EXPECT_TRUE(arrived->text().contains(QStringLiteral("no network")));
+}
+
+TEST_F(StationDesk, SendsAgainByItselfButNotDuringATrial) {
+  bool isBusy = true;
+  int askedOften = 0;
+  StationPush push(
+      study_,
+      [&] {
+        ++askedOften;
+        return isBusy;
+      },
+      kSoon);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return askedOften > 2; }, kPatience));
+  EXPECT_FALSE(push.isSending());
+  isBusy = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return problem() == "unreachable"; }, kPatience));
+}
+
+TEST_F(OperatorLayout, IsInTheLanguageThatIsChosenBetweenSessions) {
+  constexpr int kPatience = 20'000;
+  const auto choose = [&](const char* tag) {
+    window_.findChild<QAction*>(QStringLiteral("language-") + QString::fromUtf8(tag))->trigger();
+  };
+  const auto says = [&](const char* words) {
+    const auto wanted = QString::fromUtf8(words);
+    return QTest::qWaitFor(
+        [&] { return tests::buttonSaying(&window_, wanted) != nullptr; }, kPatience);
+  };
+  choose("de");
+  EXPECT_TRUE(says("Sitzung fortsetzen"));
+  enrol();
+  EXPECT_TRUE(says("Schließen"));
+  window_.findChild<ControlPanel*>()->closeSessionRequested();
+  choose("en");
+  EXPECT_TRUE(says("Continue session"));
 }
 
 TEST_F(OperatorLayout, ShowsEverythingInASession) {

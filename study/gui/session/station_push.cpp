@@ -1,0 +1,134 @@
+#include "study/gui/session/station_push.h"
+
+#include <utility>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+#include <QProcess>
+
+#include "study/gui/widgets/desk_language.h"
+
+namespace study::gui {
+namespace {
+
+constexpr int kAskEvery = 1000;  // [ms]
+constexpr int kMostLooks = 120;  // of a push that ended without a note
+
+QString program() {
+  return QCoreApplication::applicationDirPath() + QStringLiteral("/palpate-collect");
+}
+
+QDateTime timeOf(const std::string& utc) {
+  return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
+}
+
+/// "Tuesday" within a week, else "2026-11-17".
+std::string dayInWords(const std::string& utc) {
+  constexpr int kWeek = 7;
+  const auto day = timeOf(utc).date();
+  if (day.daysTo(QDate::currentDate()) >= kWeek) return day.toString(Qt::ISODate).toStdString();
+  return QLocale(QString::fromStdString(deskLanguage())).dayName(day.dayOfWeek()).toStdString();
+}
+
+/// Why the last push did not succeed.
+std::string problemInWords(const std::string& problem) {
+  if (problem == "unreachable") return said("no network, or no server");
+  if (problem == "not_let_in") return said("the server does not let this computer in");
+  if (problem == "full") return said("the server’s disk is full");
+  if (problem == "release" || problem == "newer") {
+    return said("the server has another release of this program");
+  }
+  if (problem == "revoked") return said("this station was shut out");
+  if (problem == "fork" || problem == "older_copy") {
+    return said("another copy of this folder has sent something");
+  }
+  return said("the server refused it; 'palpate collect push' says why");
+}
+
+bool isSame(const NotedPush& one, const NotedPush& other) {
+  return one.utc == other.utc && one.have == other.have && one.problem == other.problem;
+}
+
+}  // namespace
+
+std::string arrivalsInWords(const Arrivals& arrivals, const std::string& problem) {
+  const auto& [all, arrived, since] = arrivals;
+  if (all == 0) return {};
+  std::string words = arrived == all ? said("Sessions here: {}. All have arrived", all)
+                                     : said(
+                                           "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
+                                           all,
+                                           arrived,
+                                           dayInWords(since),
+                                           all - arrived);
+  if (arrived < all && !problem.empty()) words += " (" + problemInWords(problem) + ")";
+  return words;
+}
+
+bool isOverdue(const Arrivals& arrivals) {
+  constexpr qint64 kDay = 24 * 60 * 60;
+  return !arrivals.waitingSince.empty() &&
+         timeOf(arrivals.waitingSince).secsTo(QDateTime::currentDateTime()) > kDay;
+}
+
+StationPush::StationPush(
+    Study& study, std::function<bool()> isBusy, int retryEvery, QObject* parent)
+    : QObject(parent), study_(study), isBusy_(std::move(isBusy)) {
+  connect(&watching_, &QTimer::timeout, this, &StationPush::look);
+  connect(&retry_, &QTimer::timeout, this, [this] {
+    if (!isBusy_() && isWaiting()) send();
+  });
+  if (isPossible()) retry_.start(retryEvery);
+}
+
+bool StationPush::isPossible() const {
+  return !study_.station().isNone() && QFileInfo::exists(program());
+}
+
+bool StationPush::isWaiting() const {
+  const auto last = lastPush(study_.uuid(), study_.station().uuid);
+  return !arrivalsBy(study_, last.have).waitingSince.empty();
+}
+
+void StationPush::send() {
+  if (!isPossible() || isSending()) return;
+  before_ = lastPush(study_.uuid(), study_.station().uuid);
+  QProcess push;
+  push.setProgram(QStringLiteral("nice"));
+  push.setArguments(
+      {QStringLiteral("-n"),
+       QStringLiteral("19"),
+       program(),
+       QStringLiteral("push"),
+       QString::fromStdString(study_.folder().string())});
+  push.setStandardInputFile(QProcess::nullDevice());
+  push.setStandardOutputFile(QProcess::nullDevice());
+  push.setStandardErrorFile(QProcess::nullDevice());
+  push.startDetached();  // it goes on if the window is closed
+  looksLeft_ = kMostLooks;
+  watching_.start(kAskEvery);
+  emit changed();
+}
+
+/// Ends the watch once the push has left its note.
+void StationPush::look() {
+  const bool isNoted = !isSame(before_, lastPush(study_.uuid(), study_.station().uuid));
+  if (!isNoted && --looksLeft_ > 0) return;
+  watching_.stop();
+  emit changed();
+}
+
+std::string StationPush::inWords() const {
+  if (study_.station().isNone()) return {};
+  const auto last = lastPush(study_.uuid(), study_.station().uuid);
+  return arrivalsInWords(arrivalsBy(study_, last.have), last.problem);
+}
+
+bool StationPush::isOverdue() const {
+  if (study_.station().isNone()) return false;
+  return gui::isOverdue(arrivalsBy(study_, lastPush(study_.uuid(), study_.station().uuid).have));
+}
+
+}  // namespace study::gui
