@@ -6,7 +6,8 @@
 # "ordinal"))); being searched for, the linear one agrees to 1e-4 only. Of the ordinal one, whose search
 # in R ends early, estimates agree to 5e-4 (of a standard error where they are smaller than that), odds
 # ratios to 2e-3, standard errors and z to 3e-3, and p, which multiplies what z is off, to a twentieth.
-# Where the packages are missing it says so and goes on. Not computed are omega, Friedman's permutations, scores and what was felt.
+# Where the packages are missing it says so and goes on. Not computed are omega, Friedman's permutations, means of scores and what
+# was felt. The scores that a family compares are taken from the wide table; the codebook says how they are computed.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -16,8 +17,12 @@ table_of <- function(name) {
 }
 responses <- table_of("responses")
 statistics <- table_of("statistics")
-# Families that compare a score are left out: how it is computed is in the codebook.
-statistics <- statistics[is.na(statistics$family_id) | is.na(statistics$score), ]
+# Only exports as CSV have the wide table; in others, families that compare a score are left out.
+if (length(list.files(folder, "^wide[.]csv$", recursive = TRUE)) > 0) {
+  wide <- table_of("wide")
+} else {
+  statistics <- statistics[is.na(statistics$family_id) | is.na(statistics$score), ]
+}
 responses <- responses[responses$included == "true" | responses$included == TRUE, ]
 everything <- responses
 responses <- responses[responses$item_type == "likert" & !is.na(responses$condition_code), ]
@@ -33,8 +38,18 @@ check <- function(row, column, value, least = 1e-3) {
   worst[name] <<- max(distance, if (name %in% names(worst)) worst[name] else 0)
 }
 
+# A family's score as the answer to one item.
+scored <- function(row) {
+  column <- gsub("[^A-Za-z0-9]", "_", paste0(row$instrument, "__score_", row$score))
+  answers <- wide[!is.na(wide[[column]]), ]
+  answers$instrument <- row$instrument
+  answers$item_id <- row$score
+  answers$response_keyed <- answers[[column]]
+  answers
+}
 answers_to <- function(row, cohort) {
   blocks <- strsplit(row$blocks, " ")[[1]]
+  if (!is.na(row$score)) responses <- scored(row)
   responses[responses$run_mode == row$run_mode & responses$cohort == cohort &
               responses$instrument == row$instrument & responses$block %in% blocks, ]
 }

@@ -9,11 +9,13 @@ It needs Python 3.8 or later with NumPy and SciPy, and no pandas. To get them:
 
 It prints how far each number is from the exported one, and ends with 1 where one is further than
 1e-9, or with 2 where SciPy is missing. Mixed models are not computed here, nor Shapiro-Wilk tests,
-which SciPy computes to six digits, nor omega, Friedman's permutations, scores and what was felt."""
+which SciPy computes to six digits, nor omega, Friedman's permutations, means of scores and what was
+felt. The scores that a family compares are taken from the wide table; the codebook says how they are computed."""
 import csv
 import itertools
 import math
 import pathlib
+import re
 import sys
 from collections import defaultdict
 
@@ -37,8 +39,11 @@ def table_of(name):
 
 everything = [r for r in table_of("responses") if r["included"] == "true"]
 responses = [r for r in everything if r["item_type"] == "likert" and r["condition_code"]]
-# Families that compare a score are left out: how it is computed is in the codebook.
-statistics = [r for r in table_of("statistics") if not (r["family_id"] and r["score"])]
+statistics = table_of("statistics")
+# Only exports as CSV have the wide table; in others, families that compare a score are left out.
+wide = table_of("wide") if list(folder.rglob("wide.csv")) else []
+if not wide:
+    statistics = [r for r in statistics if not (r["family_id"] and r["score"])]
 worst = {}
 
 
@@ -54,21 +59,30 @@ def check(row, column, value):
 def answers_to(row, cohort):
     blocks = row["blocks"].split(" ")
     return [
-        r for r in responses
+        r for r in (scored(row) if row["score"] else responses)
         if r["run_mode"] == row["run_mode"] and r["cohort"] == cohort
         and r["instrument"] == row["instrument"] and r["block"] in blocks
     ]
 
 
+def scored(row):
+    """A family's score as the answer to one item."""
+    column = re.sub("[^A-Za-z0-9]", "_", f"{row['instrument']}__score_{row['score']}")
+    return [
+        {**r, "instrument": row["instrument"], "item_id": row["score"], "response_keyed": r[column]}
+        for r in wide if r[column] != ""
+    ]
+
+
 def scores(row, group):
-    return [int(r["response_keyed"]) for r in answers_to(row, row["cohort"]) if r["condition_code"] == group]
+    return [float(r["response_keyed"]) for r in answers_to(row, row["cohort"]) if r["condition_code"] == group]
 
 
 def means(row, group, cohort=None):
     of = defaultdict(list)
     for r in answers_to(row, cohort or row["cohort"]):
         if r["condition_code"] == group:
-            of[r["participant_id"]].append(int(r["response_keyed"]))
+            of[r["participant_id"]].append(float(r["response_keyed"]))
     return {person: sum(points) / len(points) for person, points in sorted(of.items())}
 
 
@@ -257,10 +271,10 @@ def order_slope(row):
     answers = answers_to(row, row["cohort"])
     of_method = defaultdict(list)
     for r in answers:
-        of_method[r["condition_code"]].append(int(r["response_keyed"]))
+        of_method[r["condition_code"]].append(float(r["response_keyed"]))
     own = defaultdict(lambda: defaultdict(list))
     for r in answers:
-        rest = int(r["response_keyed"]) - numpy.mean(of_method[r["condition_code"]])
+        rest = float(r["response_keyed"]) - numpy.mean(of_method[r["condition_code"]])
         own[r["participant_id"]][int(r["position"])].append(rest)
     slopes = []
     for person, positions in own.items():
@@ -282,7 +296,7 @@ def cronbach_alpha(row):
     of = defaultdict(lambda: defaultdict(list))
     for r in answers_to(row, row["cohort"]):
         if r["condition_code"] == row["group1"]:
-            of[r["participant_id"]][r["item_id"]].append(int(r["response_keyed"]))
+            of[r["participant_id"]][r["item_id"]].append(float(r["response_keyed"]))
     items = sorted({item for answered in of.values() for item in answered})
     rows = [[numpy.mean(a[item]) for item in items] for a in of.values() if len(a) == len(items)]
     cells = numpy.array(rows)
