@@ -75,11 +75,13 @@ void Participant::answerAll() {
   }
   for (auto* line : page()->findChildren<QLineEdit*>()) {
     const bool isOpen = line->isVisible() && line->text().isEmpty();
-    if (isOpen) QTest::keyClicks(line, QStringLiteral("12"));
+    const bool isNumber = words_.isEmpty() || line->property("role") == QStringLiteral("number");
+    if (isOpen) QTest::keyClicks(line, isNumber ? QStringLiteral("12") : words_);
   }
   for (auto* lines : page()->findChildren<QPlainTextEdit*>()) {
     const bool isOpen = lines->isVisible() && lines->toPlainText().isEmpty();
-    if (isOpen) QTest::keyClicks(lines, QStringLiteral("It felt real."));
+    if (isOpen)
+      QTest::keyClicks(lines, words_.isEmpty() ? QStringLiteral("It felt real.") : words_);
   }
 }
 
@@ -123,7 +125,8 @@ void Participant::cut(int cuts) {
 
 void Participant::doInterview() {
   for (auto* lines : window_.findChildren<QPlainTextEdit*>()) {
-    if (lines->isVisible()) QTest::keyClicks(lines, QStringLiteral("Like bone."));
+    const bool isOpen = lines->isVisible();
+    if (isOpen) QTest::keyClicks(lines, words_.isEmpty() ? QStringLiteral("Like bone.") : words_);
   }
   for (auto* buttons : window_.findChildren<OptionButtons*>()) {
     QTest::mouseClick(buttons->button(0), Qt::LeftButton);

@@ -18,6 +18,9 @@ class Participant {
  public:
   explicit Participant(study::gui::OperatorWindow& window) : window_(window) {}
 
+  /// From now on these words are typed into every field that takes words.
+  void writes(const QString& words) { words_ = words; }
+
   /// Takes the session to its end, or until step @p stopBefore begins.
   void takePart(int stopBefore = -1);
 
@@ -47,6 +50,7 @@ class Participant {
   bool waitFor(const std::function<bool()>& condition, int milliseconds) const;
 
   study::gui::OperatorWindow& window_;
+  QString words_;
   std::set<QString> seen_;
   std::set<QString> seenByOperator_;
   int pictures_ = 0;
