@@ -11,14 +11,15 @@ LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
 DECLARE
   other bigint; lowest bigint; most bigint; many bigint; first bigint; before text;
 BEGIN
-  SELECT n.seq INTO other FROM jsonb_to_recordset(said->'events') AS n (seq bigint, hash text)
-    JOIN event AS e ON e.station = me.id AND e.seq = n.seq
-    WHERE e.hash <> decode(n.hash, 'hex') ORDER BY 1 LIMIT 1;
-  IF FOUND THEN PERFORM refuse('fork', format('event %s is here with another hash', other)); END IF;
-
   SELECT min(n.seq), min(n.seq) FILTER (WHERE n.seq > me.have), max(n.seq) FILTER (WHERE n.seq > me.have),
          count(*) FILTER (WHERE n.seq > me.have)
     INTO first, lowest, most, many FROM jsonb_to_recordset(said->'events') AS n (seq bigint);
+  IF first <= me.have THEN  -- some are here already
+    SELECT n.seq INTO other FROM jsonb_to_recordset(said->'events') AS n (seq bigint, hash text)
+      JOIN event AS e ON e.station = me.id AND e.seq = n.seq
+      WHERE e.hash <> decode(n.hash, 'hex') ORDER BY 1 LIMIT 1;
+    IF FOUND THEN PERFORM refuse('fork', format('event %s is here with another hash', other)); END IF;
+  END IF;
   IF first > me.have + 1 OR (many > 0 AND (lowest <> me.have + 1 OR most <> me.have + many)) THEN
     PERFORM refuse('gap', format('events %s to %s came after event %s', first, most, me.have));
   END IF;
