@@ -61,6 +61,20 @@ TEST_F(CollectProgram, EnrolsByAMarkAndShowsWhatWasRefused) {
   expectWords(status, "revoked: stolen");
 }
 
+TEST_F(CollectProgram, ShowsAnOperatorTheStationsOfTheOwnSiteAlone) {
+  for (const auto* site : {"oslo", "bergen"}) {
+    addStation(site);
+    runSession(site);
+    push(site);
+  }
+  const auto operatorOfOslo = "olav_" + database();
+  admin().execute("CREATE ROLE " + operatorOfOslo + " LOGIN IN ROLE operator_oslo");
+  const auto said = call({"status", "--server", way(database()) + " user=" + operatorOfOslo});
+  expectWords(said, "oslo ");
+  EXPECT_EQ(said.find("bergen"), std::string::npos) << said;
+  expectWords(call({"status"}), "bergen ");  // the control: the owner sees all
+}
+
 TEST_F(CollectProgram, SaysWhatTheServersLogIsMissing) {
   const auto protocol = scratch_.write("protocol.json", tests::shortProtocol());
   const std::vector<std::string> words{"init", "--study", "realism", "--protocol", protocol};
