@@ -43,13 +43,39 @@ std::vector<std::vector<Option>> neighbours(
 
 }  // namespace
 
+PublicForm publicFormOf(const Item& item) noexcept {
+  const bool isListed = item.optionSource == questionnaires::OptionSource::Listed;
+  switch (item.type) {
+    case ItemType::Number:
+      return PublicForm::Bands;
+    case ItemType::SingleChoice:
+      return isListed ? PublicForm::Options : PublicForm::None;
+    case ItemType::MultipleChoice:
+      return isListed ? PublicForm::Sets : PublicForm::None;
+    case ItemType::Likert:
+    case ItemType::SemanticDifferential:
+    case ItemType::Slider:
+    case ItemType::PairwiseChoice:
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      break;
+  }
+  return PublicForm::None;
+}
+
 Coarsening::Coarsening(const Item& item, std::string_view language) {
-  if (item.type == ItemType::Number) {
-    addBands(item);
-  } else if (item.type == ItemType::MultipleChoice) {
-    levels_.emplace_back();
-  } else {
-    addOptions(item, language);
+  switch (publicFormOf(item)) {
+    case PublicForm::Bands:
+      addBands(item);
+      break;
+    case PublicForm::Options:
+      addOptions(item, language);
+      break;
+    case PublicForm::Sets:
+      levels_.emplace_back();
+      break;
+    case PublicForm::None:
+      break;
   }
 }
 
@@ -112,13 +138,6 @@ std::string Coarsening::releasedValue(
   if (chosen.byOption.empty()) return text;
   const auto option = chosen.byOption.find(text);
   return option == chosen.byOption.end() ? std::string() : option->second;
-}
-
-bool isAboutThePerson(const Item& item) noexcept {
-  const bool isChoice =
-      item.type == ItemType::SingleChoice || item.type == ItemType::MultipleChoice;
-  return (isChoice && item.optionSource == questionnaires::OptionSource::Listed) ||
-         item.type == ItemType::Number;
 }
 
 }  // namespace study

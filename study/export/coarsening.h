@@ -11,6 +11,21 @@
 
 namespace study {
 
+/// How public data tell the answers to an item. Every type of item has to say.
+enum class PublicForm {
+  None,     ///< no fact about the person that acquaintances may know
+  Bands,    ///< a number about the person, which identifies if it is exact
+  Options,  ///< one of several options
+  Sets,     ///< several of them, unchanged or not at all
+};
+/// Points of scales and sliders are opinions; free text is never released.
+PublicForm publicFormOf(const questionnaires::Item& item) noexcept;
+
+/// Whether answers to @p item are facts about the person that acquaintances may know.
+inline bool isAboutThePerson(const questionnaires::Item& item) noexcept {
+  return publicFormOf(item) != PublicForm::None;
+}
+
 /// Generalisation of answers about a person for public data, in levels from fine to coarse.
 ///
 /// A number becomes a band. The bands of the first level are 1, 2 or 5 times a power of ten wide,
@@ -19,6 +34,7 @@ namespace study {
 /// joins two neighbours. Other options, and sets of options, are released unchanged or not at all.
 class Coarsening {
  public:
+  /// @param item  about the person, see isAboutThePerson().
   /// @param language  of the options' labels
   Coarsening(const questionnaires::Item& item, std::string_view language);
 
@@ -49,9 +65,5 @@ class Coarsening {
   std::vector<CoarseLevel> levels_;
   bool isWhole_ = false;  ///< whole steps: "20 to 24", otherwise "20 to <25"
 };
-
-/// Whether answers to @p item are facts about the person that acquaintances may know: a choice or a
-/// number. Points of scales are opinions; free text is never released.
-bool isAboutThePerson(const questionnaires::Item& item) noexcept;
 
 }  // namespace study

@@ -67,8 +67,7 @@ class Bands {
  public:
   /// Empty if @p answer is no such number, or one of a few.
   std::string of(const storage::AnswerRecord& answer, const questionnaires::Item& item) {
-    const bool isTheirs = answer.step.kind == StepKind::Form && isAboutThePerson(item);
-    if (!isTheirs || item.type != questionnaires::ItemType::Number) return {};
+    if (answer.step.kind != StepKind::Form || publicFormOf(item) != PublicForm::Bands) return {};
     const auto& bands = known_.try_emplace(&item, item, "").first->second;
     return bands.levelCount() == 0 ? std::string() : bands.releasedValue(0, answer.answer.response);
   }

@@ -1,6 +1,7 @@
 // Rows of the statistics table that belong to no family.
 #include <filesystem>
 
+#include "study/export/coarsening.h"
 #include "study/export/statistics_row.h"
 #include "study/model/messages.h"
 
@@ -78,7 +79,7 @@ std::vector<StatisticsRow> itemRows(
   std::vector<StatisticsRow> rows;
   for (const auto& one : items) {
     const auto* item = loaded.instrument(one.instrument)->item(one.item);
-    const bool isTheirs = one.condition.empty() && item->type == questionnaires::ItemType::Number;
+    const bool isTheirs = one.condition.empty() && publicFormOf(*item) == PublicForm::Bands;
     if (isTheirs && !isExact) continue;
     auto about = studyRow(one.mean ? "item" : "item_option", one.cohort);
     about.instrument = one.instrument;
