@@ -19,7 +19,8 @@ questionnaires::Response firstAllowed(const study::Session& session, const Item&
     case ItemType::ShortText:
     case ItemType::LongText:
       return std::string("some words");
-    default:
+    case ItemType::SingleChoice:
+    case ItemType::PairwiseChoice:
       break;
   }
   if (!item.consentOption.empty()) return item.consentOption;

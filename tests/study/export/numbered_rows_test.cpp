@@ -205,6 +205,19 @@ TEST_F(NumberedRows, OfAnEventHasEachFieldInItsColumn) {
   EXPECT_EQ(rows.back(), expected);
 }
 
+/// Many tests walk through this instrument to try every type of item.
+TEST(NumberedItems, OfTheInstrumentOfAllTestsAreOfEveryType) {
+  tests::MadeStudy study(tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}}));
+  std::set<std::string> types;
+  for (const auto& row : tests::rowsOf(itemsTable(*study, {}))) {
+    if (row.at("instrument") == "everything") types.insert(row.at("item_type"));
+  }
+  std::set<std::string> expected;
+  for (const auto& type : questionnaires::kItemTypes) expected.emplace(type.name);
+  EXPECT_EQ(types, expected);
+}
+
 TEST(NumberedItems, HaveEachFieldInItsColumn) {
   auto text = tests::everythingInstrument();
   const std::string words = R"("right_label": {"en": "hard", "de": "hart", "nb": "hard"}, )";
