@@ -2,10 +2,19 @@
 
 #include <array>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 
 #include "haptics/engine/scene_spec.h"
 
 namespace haptics::engine {
+
+template <typename... Spec>
+constexpr auto namesOf(std::type_identity<std::variant<Spec...>>) {
+  return std::array{Spec::kFacts.name...};
+}
+/// The names of all models, in the order of ModelSpec.
+inline constexpr auto kModelNames = namesOf(std::type_identity<ModelSpec>{});
 
 /// A variant of a model, by the name that protocols give it.
 template <typename Value>

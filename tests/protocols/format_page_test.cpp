@@ -4,14 +4,12 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "haptics/engine/scene_spec.h"
+#include "haptics/engine/model_names.h"
 #include "protocols/load_protocol.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/recording_file.h"
@@ -21,6 +19,8 @@
 
 namespace protocols {
 namespace format_page_test {
+
+namespace engine = haptics::engine;
 
 std::string page() {
   return tests::contentOf((tests::repository() / "docs/protocol-format.md").string());
@@ -66,10 +66,7 @@ std::set<std::string> modelsIn(const nlohmann::json& protocol) {
   return models;
 }
 
-template <typename... Spec>
-std::set<std::string> namesOf(std::type_identity<std::variant<Spec...>>) {
-  return {std::string(Spec::kFacts.name)...};
-}
+const std::set<std::string> kModels(engine::kModelNames.begin(), engine::kModelNames.end());
 
 TEST(ProtocolFormatPage, HasConditionsThatFitIntoItAndShowsEveryModel) {
   const auto conditions = examples(" fragment");
@@ -81,7 +78,14 @@ TEST(ProtocolFormatPage, HasConditionsThatFitIntoItAndShowsEveryModel) {
     const auto loading = loadWithCut(whole);
     EXPECT_TRUE(loading.loaded) << condition << loading.describe();
   }
-  EXPECT_EQ(models, namesOf(std::type_identity<haptics::engine::ModelSpec>{}));
+  EXPECT_EQ(models, kModels);
+}
+
+TEST(ProtocolSchema, HasARuleForEveryModel) {
+  const auto schema = tests::repository() / "protocols/library/protocol-1.schema.json";
+  const auto values = tests::valuesInSchema(schema.string(), "scene", "model");
+  EXPECT_EQ(values.listed, kModels);
+  EXPECT_EQ(values.withRule, kModels);
 }
 
 TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {

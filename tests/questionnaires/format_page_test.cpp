@@ -68,6 +68,15 @@ TEST(QuestionnaireFormatPage, ShowsEveryTypeOfItem) {
   }
 }
 
+TEST(InstrumentSchema, HasARuleForEveryTypeOfItem) {
+  std::set<std::string> types;
+  for (const auto& type : kItemTypes) types.emplace(type.name);
+  const auto schema = tests::repository() / "questionnaires/library/instrument-1.schema.json";
+  const auto values = tests::valuesInSchema(schema.string(), "item", "type");
+  EXPECT_EQ(values.listed, types);
+  EXPECT_EQ(values.withRule, types);
+}
+
 TEST(QuestionnaireFormatPage, ListsTheWholeLibrary) {
   const std::filesystem::path folder = tests::repository() / "questionnaires/library";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -43,4 +43,32 @@ inline void expectEveryKey(
   for (const auto& key : keys) EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
 }
 
+/// The values of @p key that the definition @p name of a schema lists, and those that one of its
+/// rules ("if") is about.
+struct SchemaValues {
+  std::set<std::string> listed;
+  std::set<std::string> withRule;
+};
+
+inline SchemaValues valuesInSchema(
+    const std::string& file, std::string_view name, std::string_view key) {
+  questionnaires::Problems problems;
+  SchemaValues values;
+  const auto schema = questionnaires::parseJson(questionnaires::readTextFile(file), problems);
+  const auto put = [](const questionnaires::Node& property, std::set<std::string>& into) {
+    if (property.has("const")) into.insert(property.text("const"));
+    for (const auto& each : property.texts("enum")) into.insert(each);
+  };
+  const auto propertyOf = [&](const questionnaires::Node& owner) {
+    return owner.object("properties").value().object(key).value();
+  };
+  const questionnaires::Node root(schema.value(), "$", problems);
+  const auto definition = root.object("$defs").value().object(name).value();
+  put(propertyOf(definition), values.listed);
+  for (const auto& rule : definition.list("allOf")) {
+    if (const auto condition = rule.object("if")) put(propertyOf(*condition), values.withRule);
+  }
+  return values;
+}
+
 }  // namespace tests
