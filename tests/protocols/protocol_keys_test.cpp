@@ -1,12 +1,17 @@
 // What becomes of each key of a protocol.
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/engine/built_in_models.h"
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/model_names.h"
 #include "haptics/recordings/cut.h"
 #include "protocols/load_protocol.h"
 #include "protocols/reading/anatomy_file.h"
@@ -135,6 +140,40 @@ TEST(ProtocolKeys, DescribeTheReamer) {
   EXPECT_EQ(reamer.speed, -2.5);
   EXPECT_EQ(reamer.teeth, 6);
   EXPECT_DOUBLE_EQ(reamer.feedPerTooth, 0.05e-3);
+}
+
+TEST(ProtocolKeys, DescribeThePacking) {
+  const auto bone = sceneOf<engine::PackingSpec>(readGood("every-key-of-a-packing"), "soft");
+  ASSERT_NE(bone.bone, nullptr);
+  EXPECT_EQ(bone.hardness, 0.25);
+  EXPECT_EQ(bone.forceScale, 0.5);
+  EXPECT_TRUE(bone.isRemoved);
+  EXPECT_EQ(bone.options.coupling, 40'000.0);
+  EXPECT_EQ(bone.options.cuttingDamping, 1'500.0);
+  EXPECT_EQ(bone.options.friction, 0.2);
+}
+
+/// 'palpate scene explain' says of every pass why a scene has it or not.
+TEST(ProtocolKeys, DescribeEveryModelInScenesOfTheSamePasses) {
+  // Said only of a scene that has the pass which they are a part of.
+  const std::set<std::string> kParts{
+      "opening branch of the recorded cut", "torque about the tool's axis"};
+  std::set<std::string_view> models;
+  std::set<std::set<std::string>> passes;
+  for (const auto* file : {"every-key", "every-key-of-a-packing"}) {
+    const auto protocol = readGood(file);
+    for (const auto& condition : protocol.conditions) {
+      models.insert(engine::factsOf(condition.model.value()).name);
+      std::set<std::string> names;
+      const engine::CompiledScene scene(condition.scene());
+      for (const auto& pass : scene.passes()) {
+        if (!kParts.contains(pass.name)) names.insert(pass.name);
+      }
+      passes.insert(std::move(names));
+    }
+  }
+  EXPECT_EQ(models, (std::set(engine::kModelNames.begin(), engine::kModelNames.end())));
+  EXPECT_EQ(passes.size(), 1U) << testing::PrintToString(passes);
 }
 
 TEST(ProtocolKeys, DescribeThePhasesOfASession) {
