@@ -111,6 +111,7 @@ class LeakSearch : public testing::TestWithParam<std::string> {
     for (const auto& condition : json["conditions"]) {
       secrets.insert(condition["id"].get<std::string>());
       secrets.insert(condition["title"].get<std::string>());
+      secrets.insert(condition["scene"]["model"].get<std::string>());
     }
     for (const auto* word : {"kalman", "finite element", "parametric", "hysteresis", "hardness-"}) {
       secrets.insert(word);
