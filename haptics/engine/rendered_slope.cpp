@@ -45,8 +45,9 @@ class Sweep {
   double range() const noexcept { return most_ - least_; }
 
   void feel() noexcept {
-    const auto response = scene_.respond({.travel = travel_, .dt = 1.0 / rate_});
     const double moved = travel_ - lastTravel_;
+    const auto response =
+        scene_.respond({.travel = travel_, .velocity = moved * rate_, .dt = 1.0 / rate_});
     if (response.isDefined && hasForce_) {
       const double step = std::abs(response.force - force_);
       if (std::abs(moved) > kLeastMove * range()) {
