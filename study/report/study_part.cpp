@@ -206,6 +206,19 @@ std::string warningsAsHtml(const ReportSection& section) {
   return WarningWriter(section).all();
 }
 
+std::span<const CommonPart> commonParts() noexcept {
+  static constexpr std::array kParts{
+      CommonPart{"Preferences", preferencesAsHtml},
+      CommonPart{"Questionnaires", instrumentsAsHtml},
+      CommonPart{"Every item by itself", itemsAsHtml},
+      CommonPart{"In participants’ own words", quotesAsHtml},
+      CommonPart{"What each alternative felt like", renderingAsHtml},
+      CommonPart{"What to know about the design", warningsAsHtml},
+      CommonPart{"Validity evidence", validityAsHtml},
+      CommonPart{"Methods", methodsAsHtml}};
+  return kParts;
+}
+
 std::vector<AppendixPart> appendixOf(const ReportSection& section) {
   std::vector<AppendixPart> parts;
   const auto& figures = section.figures.families;
@@ -215,17 +228,11 @@ std::vector<AppendixPart> appendixOf(const ReportSection& section) {
         {family.family.title,
          familyAsHtml(section, family, i < figures.size() ? figures[i] : FamilyFigures{})});
   }
-  const auto add = [&](std::string_view heading, const std::string& html) {
-    if (!html.empty()) parts.push_back({section.words(heading), html});
-  };
-  add("Preferences", preferencesAsHtml(section));
-  add("Questionnaires", instrumentsAsHtml(section));
-  add("Every item by itself", itemsAsHtml(section));
-  add("In participants’ own words", quotesAsHtml(section));
-  add("What each alternative felt like", renderingAsHtml(section));
-  add("What to know about the design", warningsAsHtml(section));
-  add("Validity evidence", validityAsHtml(section));
-  add("Methods", methodsAsHtml(section));
+  for (const auto& part : commonParts()) {
+    if (auto html = part.html(section); !html.empty()) {
+      parts.push_back({section.words(part.heading), std::move(html)});
+    }
+  }
   return parts;
 }
 

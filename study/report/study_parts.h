@@ -1,6 +1,8 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/report/report_section.h"
@@ -53,6 +55,13 @@ struct AppendixPart {
   std::string heading;
   std::string html;
 };
+
+/// The parts that every study may have, in the order of the page, after one for each family.
+struct CommonPart {
+  std::string_view heading;  ///< in English
+  std::string (*html)(const ReportSection& section);
+};
+std::span<const CommonPart> commonParts() noexcept;
 
 /// All that have something to say, in the order of the page.
 std::vector<AppendixPart> appendixOf(const ReportSection& section);

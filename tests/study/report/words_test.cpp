@@ -30,8 +30,48 @@ std::multiset<std::string> placesIn(const std::string& text) {
 
 class WordsTest : public testing::TestWithParam<std::string> {};
 
+/// The section of the other tests, with something in every part of its page.
+report::ReportSection withEveryPart() {
+  auto section = tests::madeUpSection();
+  const std::string asked = "punch-face-validity";
+  const std::string form = "background-knee";
+  for (auto& instrument : section.instruments) {
+    if (instrument.id == asked) instrument.consistency.emplace();
+  }
+  section.results.instruments = {
+      {.instrument = asked,
+       .scores =
+           {{.score = "face-validity-1",
+             .cohort = "professional",
+             .condition = "kalman",
+             .values = {3.0},
+             .mean = 3.0}},
+       .acceptable = {{.cohort = "professional", .condition = "kalman"}},
+       .forms = 3,
+       .contradictory = 1},
+      {.instrument = asked, .forms = 3, .contradictory = 2}};
+  section.results.answers.items = {
+      {.instrument = asked,
+       .item = "1.1",
+       .cohort = "professional",
+       .condition = "kalman",
+       .values = {3.0},
+       .mean = 3.0,
+       .median = 3.0,
+       .least = 3.0,
+       .most = 3.0},
+      {.instrument = form,
+       .item = "handedness",
+       .cohort = "professional",
+       .answers = 1,
+       .options = {{"left", 1}}}};
+  section.results.answers.quotes = {{"preference", "why", "kalman", "It was softer."}};
+  section.figures.items = {{asked, "1.1", "<svg/>"}, {form, "handedness", "<svg/>"}};
+  return section;
+}
+
 TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
-  std::vector<report::ReportSection> sections{tests::madeUpSection()};
+  std::vector<report::ReportSection> sections{withEveryPart()};
   auto& section = sections.front();
   section.words = wordsIn(GetParam());
   std::set<std::string_view> flags;
@@ -54,6 +94,12 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   std::string missing;
   for (const auto& sentence : section.words.missing()) missing += "  " + sentence + "\n";
   EXPECT_EQ(missing, "");
+}
+
+/// So that TranslateEverySentenceOfAReport looks at all of them.
+TEST(Words, AreLookedForInEveryPartOfAReport) {
+  const auto section = withEveryPart();
+  for (const auto& part : report::commonParts()) EXPECT_NE(part.html(section), "") << part.heading;
 }
 
 TEST_P(WordsTest, TranslateEverySentenceOnSites) {
