@@ -162,7 +162,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       "--certificate",
       erasure.certificates,
       "Write a certificate: .txt, .html or .pdf; nothing is overwritten; repeatable");
-  erase->add_option("--language", erasure.language, "Language of certificates: en, de, nb")
+  erase->add_option("--language", erasure.language, "Language of certificates")
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
   erase->add_option(

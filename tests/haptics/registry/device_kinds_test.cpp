@@ -45,15 +45,10 @@ TEST_P(EveryDeviceKind, HasFactsThatFitTogether) {
   EXPECT_GE(kind().serial.believable.most, kind().travel.most);
 }
 
-TEST_P(EveryDeviceKind, HasItsWordsInEveryLanguage) {
+TEST_P(EveryDeviceKind, HasItsWordsAlsoInOtherLanguages) {
   for (const auto* text : {&kind().strokeName, &kind().strokesName, &kind().pointerHint}) {
     EXPECT_FALSE(text->in("en").empty());
-    std::set<std::string_view> languages;
-    for (const auto& [language, words] : text->others()) {
-      languages.insert(language);
-      EXPECT_FALSE(words.empty());
-    }
-    EXPECT_EQ(languages, (std::set<std::string_view>{"de", "nb"}));
+    for (const auto& [language, words] : text->others()) EXPECT_FALSE(words.empty()) << language;
     EXPECT_EQ(text->in("de-CH"), text->in("de"));
     EXPECT_EQ(text->in("fi"), text->in("en"));
   }
