@@ -1,9 +1,16 @@
 // What the tables themselves refuse, as the last check against our own mistakes.
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace schema_test {
@@ -30,6 +37,35 @@ class SchemaTest : public testing::Test {
   tests::MadeStudy study_;
   std::optional<tests::Sql> sql_;
 };
+
+/// The words of a source: names of columns among them.
+std::set<std::string> wordsIn(const std::string& source) {
+  std::ifstream file(tests::repository() / source);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::regex word("\\w+");
+  return {std::sregex_token_iterator(text.begin(), text.end(), word), {}};
+}
+
+TEST_F(SchemaTest, HasNoColumnOfASessionThatItsHashOrItsTransferLeavesOut) {
+  // It follows from other columns: of the step, its allocation and the item.
+  const std::set<std::string> kLeftOut{"answer.question"};
+  for (const auto* source :
+       {"study/storage/content_hash.cpp", "study/storage/transfer/session_facts.cpp"}) {
+    const auto named = wordsIn(source);
+    for (const std::string table :
+         {"participant", "session", "step", "allocation", "visit", "answer", "trial", "cut"}) {
+      const std::string columns = " FROM pragma_table_info('" + table + "')";
+      const auto count = sql_->number("SELECT count(*)" + columns);
+      EXPECT_GT(count, 0) << table;
+      for (std::int64_t i = 0; i < count; ++i) {
+        const auto column =
+            sql_->text("SELECT name" + columns + " WHERE cid = " + std::to_string(i));
+        if (kLeftOut.contains(table + "." + column)) continue;
+        EXPECT_TRUE(named.contains(column)) << source << ": " << table << "." << column;
+      }
+    }
+  }
+}
 
 TEST_F(SchemaTest, RefusesASecondAnswerToTheSameQuestion) {
   const std::string copy =
