@@ -19,8 +19,7 @@ struct ConsentArguments {
 };
 
 int copyConsent(const ConsentArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
   const auto html = report::consentCopy(study, options.participant, htmlOf);
   const bool isPdf = std::filesystem::path(options.out).extension() == ".pdf";
   writeNewFile(options.out, isPdf ? pdfOf(html, study.protocol().protocol.study.title) : html);

@@ -53,25 +53,24 @@ void printExport(
   }
 }
 
-RunMode runModeIn(const ExportArguments& options, Clock& clock) {
+RunMode runModeIn(const ExportArguments& options) {
   const auto access = options.unblind || options.forPublic ? storage::Database::Access::ReadWrite
                                                            : storage::Database::Access::ReadOnly;
-  auto study = Study::open(options.folder, clock, access);
+  auto study = Study::open(options.folder, access);
   return chosenRunMode(study, options.runMode);
 }
 
 int exportAs(const ExportArguments& options) {
-  SystemClock clock;
   ExportOptions how{
       .format = kFormats.at(options.format),
-      .runMode = runModeIn(options, clock),
+      .runMode = runModeIn(options),
       .isBlinded = !options.unblind,
       .hasTraces = options.traces,
       .isExact = options.exact,
       .hasTexts = options.texts};
   if (!options.codesOf.empty()) how.codes = codeSetOf(options.codesOf);
   if (options.forPublic) how.publicClass = options.smallestClass;
-  auto study = openForExport(options.folder, clock, how);
+  auto study = openForExport(options.folder, how);
   unlockIfAsked(study);
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
     unlockNamesIfAsked(study, true);

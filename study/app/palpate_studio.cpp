@@ -130,12 +130,11 @@ int main(int argc, char** argv) {
   }
 
   const QString folder = folderOf(path);
-  study::SystemClock clock;
   int status = 1;
   study::gui::askForKeyOf(folder.toStdString(), nullptr);
   study::gui::askForNamesOf(folder.toStdString(), nullptr);
   study::gui::attempt(nullptr, [&] {
-    auto study = study::Study::open(folder.toStdString(), clock);
+    auto study = study::Study::open(folder.toStdString());
     study::gui::OperatorWindow window(study, devices);
     const auto& title = study.protocol().protocol.study.title;
     study::gui::rememberStudy(folder, QString::fromStdString(title));

@@ -66,11 +66,10 @@ int report(const ReportArguments& options) {
     throw std::runtime_error(
         options.figures + " is there already. Nothing is overwritten: choose another folder.");
   }
-  SystemClock clock;
   std::vector<std::pair<Study, RunMode>> studies;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
-    auto study = Study::open(folder, clock, accessToNote(options.reason));
+    auto study = Study::open(folder, accessToNote(options.reason));
     unlockIfAsked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);

@@ -97,9 +97,8 @@ int create(const StudyArguments& options) {
 }
 
 int amend(const StudyArguments& options) {
-  SystemClock clock;
   const auto protocol = usableProtocol(options.protocol);
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   if (isSame(study.protocols().current(), protocol)) {
     fmt::print(
         "{} is what {} uses already, to the byte: nothing has changed.\n",
@@ -167,8 +166,7 @@ int simulate(const StudyArguments& options) {
 }
 
 int run(const StudyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   unlockIfAsked(study);
   unlockNamesIfAsked(study);
   return runInTerminal(
@@ -182,8 +180,7 @@ int run(const StudyArguments& options) {
 }
 
 int status(const StudyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, Access::ReadOnly);
+  auto study = Study::open(options.folder, Access::ReadOnly);
   if (options.json) {
     std::fputs(statusAsJson(study).c_str(), stdout);
     return 0;

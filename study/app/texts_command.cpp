@@ -114,12 +114,11 @@ int protocolTexts(const TextsArguments& options) {
 }
 
 int studyTexts(const TextsArguments& options) {
-  SystemClock clock;
   if (options.set.empty()) {
-    auto study = Study::open(options.source, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(options.source, storage::Database::Access::ReadOnly);
     return listBlanks(study.protocol(), options.json);
   }
-  auto study = Study::open(options.source, clock);
+  auto study = Study::open(options.source);
   const auto filled = filledIn(study.protocol(), options.set);
   study.amend(filled, options.reason);
   listBlanks(filled, options.json);

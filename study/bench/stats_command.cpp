@@ -42,8 +42,7 @@ struct StatsMeasurement {
 /// Opens a study and computes the comparisons of all its families and cohorts.
 /// @return the number of compared answers.
 std::uint64_t compareAll(const fs::path& folder) {
-  SystemClock clock;
-  auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(folder, storage::Database::Access::ReadOnly);
   std::uint64_t counted = 0;
   for (const auto& family : pooledResults(study, RunMode::Simulated).families) {
     for (const auto& cohort : family.cohorts) {

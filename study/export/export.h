@@ -68,8 +68,7 @@ std::size_t exportStudy(
 /// (an archive, a full disk, an analyst's rights) is opened all the same for an export that hides
 /// conditions. For one of simulated sessions, which is not noted, nothing is opened for writing.
 /// @throws storage::StorageError
-Study openForExport(
-    const std::filesystem::path& folder, Clock& clock, const ExportOptions& options);
+Study openForExport(const std::filesystem::path& folder, const ExportOptions& options);
 
 /// What identifies the condition of an answer in spite of its code, in any version of the study's
 /// protocol (protocols/validation/validation.h). If there is anything, an export with codes is not

@@ -168,14 +168,14 @@ void writeScripts(const fs::path& folder, const ExportOptions& options) {
   }
 }
 
-Study openForExport(const fs::path& folder, Clock& clock, const ExportOptions& options) {
+Study openForExport(const fs::path& folder, const ExportOptions& options) {
   using Access = storage::Database::Access;
-  if (isNoteRequired(options)) return Study::open(folder, clock, Access::ReadWrite);
-  if (options.runMode == RunMode::Simulated) return Study::open(folder, clock, Access::ReadOnly);
+  if (isNoteRequired(options)) return Study::open(folder, Access::ReadWrite);
+  if (options.runMode == RunMode::Simulated) return Study::open(folder, Access::ReadOnly);
   try {
-    return Study::open(folder, clock, Access::ReadWrite);
+    return Study::open(folder, Access::ReadWrite);
   } catch (const storage::StorageError&) {
-    return Study::open(folder, clock, Access::ReadOnly);
+    return Study::open(folder, Access::ReadOnly);
   }
 }
 

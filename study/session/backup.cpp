@@ -105,8 +105,7 @@ void copyOtherFiles(const fs::path& from, const fs::path& to, const Progress& pr
 }
 
 Verification verifyCopy(const fs::path& folder, const Progress& progress) {
-  SystemClock clock;
-  auto copy = Study::open(folder, clock, Access::ReadOnly);
+  auto copy = Study::open(folder, Access::ReadOnly);
   const auto told = [&](double share, const std::string& words) {
     tell(progress, kShareOfCopying + (1.0 - kShareOfCopying) * share, "reading the copy: " + words);
   };
@@ -165,8 +164,7 @@ void clearLeases(const fs::path& copy) {
 /// The copy has this event as well. A study that cannot be written is copied all the same.
 void noteBackup(const fs::path& from, const fs::path& target) {
   try {
-    SystemClock clock;
-    auto study = Study::open(from, clock);
+    auto study = Study::open(from);
     study.note(
         {.actor = storage::Actor::Operator,
          .kind = EventKind::MadeBackup,

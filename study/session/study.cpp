@@ -51,6 +51,11 @@ Study::Study(fs::path folder, Clock& clock, Database database, Database traces, 
       identities_(std::move(identities)),
       signer_(std::move(folder)) {}
 
+Study Study::open(const fs::path& folder, Database::Access access) {
+  static SystemClock clock;
+  return open(folder, clock, access);
+}
+
 Study Study::open(const fs::path& folder, Clock& clock, Database::Access access) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   if (!fs::is_directory(folder)) {

@@ -52,6 +52,10 @@ class Study {
       const std::filesystem::path& folder,
       Clock& clock,
       storage::Database::Access access = storage::Database::Access::ReadWrite);
+  /// The same with the clocks of this computer.
+  static Study open(
+      const std::filesystem::path& folder,
+      storage::Database::Access access = storage::Database::Access::ReadWrite);
 
   const std::filesystem::path& folder() const noexcept { return folder_; }
   const std::string& uuid() const noexcept { return uuid_; }

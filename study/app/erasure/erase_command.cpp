@@ -59,8 +59,7 @@ int eraseBy(const ErasureArguments& options) {
   }
   // Every copy that is opened on this station from now on is erased from.
   for (const auto& erasure : erasures) storage::list(erasure);
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   bool isOfThisStudy = false;
   for (const auto& erasure : erasures) {
     if (erasure.study != study.uuid()) continue;
@@ -104,8 +103,7 @@ int erase(ErasureArguments options) {
 }
 
 int setPassphrase(const ErasureArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   unlockNamesIfAsked(study);
   setPassphraseOfNames(study, askNewPassphrase(kNewPassphraseOfNames), options.request.reason);
   fmt::print(
@@ -118,8 +116,7 @@ int setPassphrase(const ErasureArguments& options) {
 
 int names(const ErasureArguments& options) {
   if (options.setsPassphrase) return setPassphrase(options);
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
   unlockNamesIfAsked(study);
   const auto names = study.identities().names();
   for (const auto& name : names) {

@@ -59,8 +59,7 @@ int backup(const EvidenceArguments& options) {
   if (copy.verification.isSound()) {
     fmt::print("It was read again to the last byte: everything is what was written.\n");
     printHead(copy.verification);
-    SystemClock clock;
-    auto study = Study::open(options.folder, clock, Access::ReadOnly);
+    auto study = Study::open(options.folder, Access::ReadOnly);
     writeWitness(study, options);
     return 0;
   }
@@ -70,8 +69,7 @@ int backup(const EvidenceArguments& options) {
 }
 
 int verify(const EvidenceArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, Access::ReadOnly);
+  auto study = Study::open(options.folder, Access::ReadOnly);
   auto verification = study::verify(
       study,
       {},
@@ -88,8 +86,7 @@ int verify(const EvidenceArguments& options) {
 }
 
 int restored(const EvidenceArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   const auto givenUp = noteRestoredCopy(study, options.reason);
   if (givenUp == 0) {
     fmt::print("This study has all that this station signed: there is nothing to note.\n");

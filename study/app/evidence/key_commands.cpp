@@ -19,8 +19,7 @@ struct KeyArguments {
 };
 
 int exportTo(const KeyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   unlockIfAsked(study);
   exportKey(study, options.file, options.reason);
   fmt::print(
@@ -32,8 +31,7 @@ int exportTo(const KeyArguments& options) {
 }
 
 int import(const KeyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   if (!options.file.empty()) {
     importKey(study, options.file);
   } else {
@@ -45,8 +43,7 @@ int import(const KeyArguments& options) {
 }
 
 int passphrase(const KeyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   unlockIfAsked(study);
   setPassphrase(study, askNewPassphrase("New passphrase of the study"), options.reason);
   fmt::print(
@@ -57,8 +54,7 @@ int passphrase(const KeyArguments& options) {
 }
 
 int drop(const KeyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   dropKey(study, options.reason);
   fmt::print("This account has the key of {} no more.\n", options.folder);
   return 0;

@@ -226,8 +226,7 @@ int timestamp(const TimeStampArguments& options) {
                    static_cast<int>(!options.request.empty()) +
                    static_cast<int>(!options.reply.empty());
   if (ways != 1) throw UserError("Say one of --authority URL, --request FILE and --reply FILE.");
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock);
+  auto study = Study::open(options.folder);
   if (options.request.empty()) requireCertificate(options.certificate);
   if (!options.reply.empty()) return keepReply(study, options);
   const TemporaryFolder scratch;

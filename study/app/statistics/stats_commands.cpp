@@ -58,8 +58,7 @@ Profile profileNamed(std::string_view name) {
 }
 
 int run(const RunOptions& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, accessToNote(options.reason));
+  auto study = Study::open(options.folder, accessToNote(options.reason));
   unlockIfAsked(study);
   const auto mode = chosenRunMode(study, options.runMode);
   noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);

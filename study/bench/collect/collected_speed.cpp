@@ -148,8 +148,7 @@ Counts named(Connection& owner, const Counts& counts) {
 
 /// The same counts in a study's folder.
 Counts countsAt(const fs::path& folder, const std::string& instrument) {
-  SystemClock clock;
-  auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(folder, storage::Database::Access::ReadOnly);
   storage::Statement select(
       study.database(),
       "SELECT s.cohort, l.condition, a.point, count(*) FROM answer AS a "

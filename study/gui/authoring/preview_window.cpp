@@ -59,7 +59,7 @@ SessionId sessionAt(const std::string& folder, const std::string& language, int 
 /// A session with its devices and its window. Each member uses those before it.
 struct PreviewWindow::Day {
   Day(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
-      : study(Study::open(folder, clock)),
+      : study(Study::open(folder)),
         devices([this](const protocols::DeviceNeed& need) {
           auto hand = pointerHandFor(need);
           hands[need.id] = hand.get();
@@ -70,7 +70,6 @@ struct PreviewWindow::Day {
 
   ~Day() { window->allowClosing(); }
 
-  SystemClock clock;
   Study study;
   std::map<std::string, haptics::devices::PointerHand*> hands;
   SimulatedDeviceSet devices;

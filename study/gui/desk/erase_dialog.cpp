@@ -104,8 +104,7 @@ void EraseDialog::fillIn() {
   participant_->clear();
   code_->clear();
   attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     for (const auto& [code, names] : namesByCode(study)) {
       const auto words = QString::fromStdString(code);
       participant_->addItem(

@@ -112,8 +112,7 @@ void ExportDialog::updateChoices() {
 
 void ExportDialog::showIdentifiability() {
   try {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto how = options();
     showDetails(QString::fromStdString(
         how.publicClass ? study::describe(publicRelease(study, how))
@@ -133,9 +132,8 @@ void ExportDialog::work() {
   const std::string earlier =
       form().isRowVisible(earlier_) ? earlier_->path().toStdString() : std::string();
   const auto write = [&](const Progress& progress) {
-    SystemClock clock;
     if (!earlier.empty()) how.codes = codeSetOf(earlier);
-    auto study = openForExport(folder_, clock, how);
+    auto study = openForExport(folder_, how);
     how.progress = progress;
     sessions = exportStudy(study, target, how, reason);
     what = how.publicClass ? "for the public" : blindingInWords(study, how);

@@ -98,9 +98,8 @@ QVariant shareOf(const StudySummary& study) {
 /// A study and its window. Each member uses those before it.
 struct HomeWindow::OpenStudy {
   OpenStudy(const std::string& folder, const std::string& deviceFile)
-      : study(Study::open(folder, clock)), window(study, deviceFile) {}
+      : study(Study::open(folder)), window(study, deviceFile) {}
 
-  SystemClock clock;
   Study study;
   OperatorWindow window;
 };
@@ -270,8 +269,7 @@ void HomeWindow::fillInTexts() {
   if (study == nullptr) return;
   const auto folder = study->folder;
   attempt(this, [&] {
-    SystemClock clock;
-    auto opened = Study::open(folder, clock);
+    auto opened = Study::open(folder);
     const auto& protocol = opened.protocol();
     const bool hasBegun = opened.protocols().current().frozenUtc.has_value();
     TextsDialog form(
@@ -289,8 +287,7 @@ void HomeWindow::previewChosen() {
   const auto* study = chosen();
   if (study == nullptr) return;
   attempt(this, [&] {
-    SystemClock clock;
-    auto opened = Study::open(study->folder, clock, storage::Database::Access::ReadOnly);
+    auto opened = Study::open(study->folder, storage::Database::Access::ReadOnly);
     openPreview(opened.protocol(), this);
   });
 }

@@ -62,8 +62,7 @@ KeyDialog::Wanted KeyDialog::wanted() const {
 
 void KeyDialog::showState() {
   attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto words = sealInWords(study);
     state_ = words.empty() ? tr("Nothing is sealed.")
                            : tr("Conditions: %1.").arg(QString::fromStdString(words));
@@ -93,8 +92,7 @@ void KeyDialog::work() {
   if (wanted() == Wanted::Save) return saveKey();
   if (wanted() == Wanted::SealNames) return sealNames();
   const bool isTaken = attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock);
+    auto study = Study::open(folder_);
     importKey(study, source_->path().toStdString());
   });
   if (!isTaken) return clear();
@@ -105,8 +103,7 @@ void KeyDialog::work() {
 void KeyDialog::saveKey() {
   const auto target = target_->path();
   const bool isSaved = attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock);
+    auto study = Study::open(folder_);
     exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
   });
   if (!isSaved) return clear();
@@ -120,8 +117,7 @@ void KeyDialog::saveKey() {
 
 void KeyDialog::sealNames() {
   const bool isSealed = attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock);
+    auto study = Study::open(folder_);
     setPassphraseOfNames(
         study, passphrase_->text().toStdString(), reason_->text().trimmed().toStdString());
   });

@@ -33,8 +33,7 @@ void ask(
 
 void askForKeyOf(const std::string& folder, QWidget* parent) {
   attempt(parent, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
     ask(parent,
         spoken("Sealed study"),
@@ -46,8 +45,7 @@ void askForKeyOf(const std::string& folder, QWidget* parent) {
 
 void askForNamesOf(const std::string& folder, QWidget* parent) {
   attempt(parent, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.identities().isLocked()) return;
     ask(parent,
         spoken("Sealed names"),

@@ -32,8 +32,7 @@ void requireWritable(const std::string& out) {
 void write(const ReportOrder& order, const Progress& progress) {
   constexpr double kStep = 0.25;  // one of four steps
   requireWritable(order.out);
-  SystemClock clock;
-  auto study = Study::open(order.folder, clock, accessToNote(order.reason));
+  auto study = Study::open(order.folder, accessToNote(order.reason));
   const auto sessions = study.sessions().all();
   const bool hasAny = std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
     return session.runMode == order.mode;

@@ -127,8 +127,7 @@ void VerifyDialog::noteRestored() {
          "the reason:"));
   if (reason.trimmed().isEmpty()) return;
   const bool isNoted = attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock);
+    auto study = Study::open(folder_);
     noteRestoredCopy(study, reason.trimmed().toStdString());
   });
   if (isNoted) work();
@@ -138,8 +137,7 @@ void VerifyDialog::work() {
   Verification verification;
   std::size_t missing = 0;
   const bool isDone = BackgroundTask::run(this, tr("Verifying"), [&](const Progress& progress) {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     verification = verify(study, progress);
     missing = headsMissingIn(study);
   });

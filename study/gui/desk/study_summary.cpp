@@ -41,8 +41,7 @@ void fillArrivals(Study& study, StudySummary& summary) {
 }
 
 void fill(StudySummary& summary) {
-  SystemClock clock;
-  auto study = Study::open(summary.folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(summary.folder, storage::Database::Access::ReadOnly);
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   summary.title = metadata.title;

@@ -85,8 +85,7 @@ void AmendDialog::updateButton() {
 void AmendDialog::work() {
   bool isSame = false;
   const bool isDone = attempt(this, [&] {
-    SystemClock clock;
-    auto study = Study::open(folder_, clock);
+    auto study = Study::open(folder_);
     const auto& protocol = *checked_.loaded;
     isSame = storage::isSame(study.protocols().current(), protocol);
     if (!isSame) study.amend(protocol, reason_->text().trimmed().toStdString());
@@ -186,8 +185,7 @@ void PlanDialog::work() {
   std::string plan;
   const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
     tell(progress, kUnknownShare, "simulating studies");
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, Access::ReadOnly);
+    auto study = Study::open(folder_, Access::ReadOnly);
     plan = studyPlanAsText(planOf(study.protocol(), question));
   });
   if (!isDone) return clear();
@@ -237,8 +235,7 @@ void StatisticsDialog::work() {
   std::string tables;
   const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
     tell(progress, kUnknownShare, "computing the tables");
-    SystemClock clock;
-    auto study = Study::open(folder_, clock, accessToNote(reason));
+    auto study = Study::open(folder_, accessToNote(reason));
     noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
     tables = resultsAsText(study, computeResults(study, mode), profile);
   });
