@@ -197,7 +197,7 @@ TEST(Export, MarksAnswersThatDoNotCountWithTheReason) {
 
 TEST(Export, LabelsAnAnswerInTheLanguageInWhichItWasGiven) {
   tests::MadeStudy study;
-  auto session = Session::enrol(*study, {.cohort = "surgeons", .code = "A1", .language = "en"});
+  auto session = Session::enrol(*study, {.cohort = "surgeons", .language = "en", .code = "A1"});
   tests::walkTo(session, StepKind::Questionnaire);
   tests::answerStep(session);
   session.setLanguage("de");
