@@ -110,6 +110,12 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"one_force_felt.fix",
      "bring noise.finite_elements and noise.interpolation closer together, or take another "
      "variant; 'palpate scene play' draws what is felt"},
+    {"cut_beyond_limit",
+     "the cut asks for up to {} N, and the device gives {} N at most ('max_force_n'): from travel "
+     "{} "
+     "to {} a plateau is felt in place of the cut"},
+    {"cut_beyond_limit.fix",
+     "say so in the paper, or import the cut of another recording; a cut cannot be scaled"},
     {"opening_gives_more",
      "the opening branch lies up to {} N above the closing one (at travel {}), so that opening "
      "gives back more than closing took"},

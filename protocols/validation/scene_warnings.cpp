@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,30 @@ void adviseOnBranches(
       message("opening_gives_more.fix"));
 }
 
+/// Warns of a cut with more force than the protocol lets its device give: it is felt as a plateau.
+void adviseOnLimit(
+    const engine::InterpolationSpec& spec,
+    const DeviceNeed& device,
+    const std::string& path,
+    Problems& problems) {
+  double most = 0.0;
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (const auto& node : spec.curve) {
+    most = std::max(most, node.force);
+    if (node.force <= device.maxForce) continue;
+    from = std::min(from, node.travel);
+    to = std::max(to, node.travel);
+  }
+  if (most <= device.maxForce) return;
+  using questionnaires::shown;
+  const auto tenths = [](double value) { return shown(std::round(value * 10.0) / 10.0); };
+  problems.warn(
+      path + ".parameters",
+      message("cut_beyond_limit", tenths(most), shown(device.maxForce), tenths(from), tenths(to)),
+      message("cut_beyond_limit.fix"));
+}
+
 /// Whether a block shows the tissue of condition @p id.
 bool isSeen(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
@@ -91,6 +116,9 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
     const auto parts = engine::partsOf(*condition.model);
     if (parts.filter != nullptr) adviseOnWeight(*parts.filter, path, problems);
     if (parts.cut != nullptr) adviseOnBranches(*parts.cut, path, problems);
+    const auto* device = protocol.device(condition.device);
+    const bool isFeltAsItIs = parts.cut != nullptr && parts.filter == nullptr;
+    if (isFeltAsItIs && device != nullptr) adviseOnLimit(*parts.cut, *device, path, problems);
   }
   for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }

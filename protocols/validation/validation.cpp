@@ -236,7 +236,7 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
               " N (docs/devices.md, 'Saturation'), and this is " + shown(device.maxForce) +
               " N: what is asked for beyond is not felt",
           "write " + shown(device.kind->simulatedForce) +
-              " or less, and scale the scenes by 'force_scale'");
+              " or less; scenes of bone can be scaled ('force_scale'), recorded cuts cannot");
     }
   }
 }

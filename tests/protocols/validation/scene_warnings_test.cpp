@@ -53,6 +53,23 @@ TEST(SceneWarnings, WarnsOfAFilterThatUsesOneForceOnly) {
   EXPECT_EQ(other[0].what, message("elements_not_felt"));
 }
 
+TEST(SceneWarnings, WarnsOfACutThatAsksForMoreThanItsDeviceMayGive) {
+  InterpolationSpec spec{.curve = {{0.0, 0.0}, {4.0, 6.0}, {6.0, 12.0}, {7.0, 9.0}, {9.0, 1.0}}};
+  Protocol protocol;
+  protocol.devices.push_back({.id = "punch", .maxForce = 8.0});
+  protocol.conditions.push_back({.id = "a", .device = "punch", .model = spec});
+  questionnaires::Problems problems;
+  addSceneWarnings(protocol, problems);
+  const auto said = problems.all();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].path, "$.conditions[0].scene.parameters");
+  EXPECT_EQ(said[0].what, message("cut_beyond_limit", "12", "8", "6", "7"));
+  protocol.devices[0].maxForce = 12.0;
+  questionnaires::Problems none;
+  addSceneWarnings(protocol, none);
+  EXPECT_TRUE(none.all().empty());
+}
+
 TEST(SceneWarnings, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
   const auto cut = haptics::recordings::parametricCut();
   InterpolationSpec spec{.curve = nodesOf(cut.curve)};
