@@ -94,7 +94,7 @@ class AnswerWriter : HtmlWriter {
         "{1} ({0} participant)",
         "{1} ({0} participants)",
         s_.cohortTitle(part.cohort)));
-    return s_.results.families.size() > 1 ? "“" + escaped(family.family.title) + "”, " + who : who;
+    return s_.results.families.size() > 1 ? say("“{}”", family.family.title) + ", " + who : who;
   }
 
   std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {

@@ -62,7 +62,10 @@ FlowRow rowOf(
 
 std::vector<FlowRow> rowsOf(const ReportSection& section) {
   std::vector<FlowRow> rows;
+  const bool isAnyEnrolled =
+      std::ranges::any_of(section.results.flow, [](const auto& flow) { return flow.enrolled > 0; });
   for (const auto& flow : section.results.flow) {
+    if (isAnyEnrolled && flow.enrolled == 0) continue;
     rows.push_back(rowOf(
         section.words, section.cohortTitle(flow.cohort), flow, analysedOf(section, flow.cohort)));
   }
