@@ -22,6 +22,7 @@
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QTableView>
 #include <QTest>
 
 #include "study/gui/participant/participant_window.h"
@@ -242,6 +243,31 @@ bool hasRoomForItsWords(const QWidget& widget) {
   return true;
 }
 
+/// The cells of a table in sight whose words are cut off.
+QStringList cutOffCells(const QTableView& table) {
+  constexpr int kAround = 12;  // [px] of a cell, left and right of its words
+  constexpr int kRounding = 3;
+  QStringList found;
+  const auto* model = table.model();
+  for (int row = 0; model != nullptr && row < model->rowCount(); ++row) {
+    for (int column = 0; column < model->columnCount(); ++column) {
+      const auto index = model->index(row, column);
+      const QRect place = table.visualRect(index);
+      const auto words = index.data().toString();
+      if (place.isEmpty() || words.isEmpty() || table.isColumnHidden(column)) continue;
+      const auto own = index.data(Qt::FontRole);
+      const QFontMetrics metrics(own.isValid() ? own.value<QFont>() : table.font());
+      const int room = place.width() - kAround + kRounding;
+      const auto needed = metrics.boundingRect(
+          QRect(0, 0, table.wordWrap() ? room : QWIDGETSIZE_MAX, QWIDGETSIZE_MAX),
+          table.wordWrap() ? Qt::TextWordWrap : 0,
+          words);
+      if (needed.width() > room || needed.height() > place.height() + kRounding) found << words;
+    }
+  }
+  return found;
+}
+
 /// Whether the name of a field is level with its middle, if it is beside a field of one line.
 bool isLevelWithItsField(const QLabel& label) {
   constexpr int kRounding = 2;  // [px]
@@ -387,6 +413,13 @@ QStringList cutOffAt(QWidget& window, QSize size) {
     if (!isInSight(*widget)) about(nameOf(*widget) + QStringLiteral(" is not in sight"));
     if (!hasRoomForItsWords(*widget))
       about(nameOf(*widget) + QStringLiteral(" has no room for its words"));
+  }
+  constexpr int kRoomForTables = 1024;  // [px]; narrower ones are scrolled or leave words out
+  for (const auto* table : window.findChildren<QTableView*>()) {
+    if (size.width() < kRoomForTables || !table->isVisible()) continue;
+    for (const auto& words : cutOffCells(*table)) {
+      about(nameOf(*table) + QStringLiteral(" cuts off '") + words + QLatin1Char('\''));
+    }
   }
   return found;
 }
