@@ -224,7 +224,8 @@ void StudyPanel::show(const StudySummary& summary) {
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
   key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (no copy yet)") : tr("Key…"));
-  key_->setToolTip(summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
+  key_->setToolTip(
+      summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
   showStart(false);
   fitInto(width_);  // two of the buttons may have become wider
   while (auto* item = parts_->takeAt(0)) {
