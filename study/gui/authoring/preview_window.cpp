@@ -101,6 +101,8 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   sides->setSizes({260, 1000});
   layout->addWidget(sides, 1);
   layout->addWidget(said_);
+  constexpr int kLeastWidth = 640;  // [px]: of the bar in two lines
+  inside->setMinimumWidth(kLeastWidth);
   setCentralWidget(inside);
   resize(1360, 860);
   steps_->setAccessibleName(tr("Steps of the session"));

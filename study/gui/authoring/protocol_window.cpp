@@ -131,7 +131,7 @@ void ProtocolWindow::prepareProblems() {
   heads->setSectionResizeMode(1, QHeaderView::Interactive);
   heads->setSectionResizeMode(2, QHeaderView::Stretch);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
-  problems_->setColumnWidth(1, 240);
+  problems_->setColumnWidth(1, 290);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, problems_, &QTableWidget::resizeRowsToContents);
   heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

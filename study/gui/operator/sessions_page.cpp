@@ -86,6 +86,7 @@ QWidget* SessionsPage::makeList() {
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   makeReadOnly(*table_);
@@ -124,7 +125,7 @@ QWidget* SessionsPage::makeEnrolment() {
 
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
-  constexpr int kCardWidth = 380;  // [px]
+  constexpr int kCardWidth = 440;  // [px]
   card->setFixedWidth(kCardWidth);
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(20, 16, 20, 16);
@@ -158,8 +159,8 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   fitColumns();
 }
 
-/// Leaves out what a narrow table has no room for: the language, and then the run mode, which codes
-/// of pilots and simulated participants name as well.
+/// Leaves out what a narrow table has no room for: the language, and then the time and the run
+/// mode, which codes of pilots and simulated participants name as well.
 void SessionsPage::fitColumns() {
   constexpr int kRoomForTheLanguage = 740;  // [px]
   constexpr int kRoomForTheMode = 600;
@@ -170,6 +171,7 @@ void SessionsPage::fitColumns() {
   table_->setColumnHidden(kSite, study_.station().isNone());
   table_->setColumnHidden(kLanguage, room < kRoomForTheLanguage);
   table_->setColumnHidden(kRunMode, room < kRoomForTheMode);
+  table_->setColumnHidden(kBegun, room < kRoomForTheMode);
 }
 
 /// Shows what has arrived at the server, and offers to send the rest.

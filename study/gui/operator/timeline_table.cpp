@@ -69,8 +69,11 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
 
 void TimelineTable::resizeEvent(QResizeEvent* event) {
   constexpr int kRoomForTheKind = 520;  // [px]; the step's name contains its kind as well
+  constexpr int kRoomForTheAttempts = 470;
   setColumnHidden(2, event->size().width() < kRoomForTheKind);
+  setColumnHidden(3, event->size().width() < kRoomForTheAttempts);
   QTableWidget::resizeEvent(event);
+  resizeRowsToContents();  // a narrow column wraps the names of steps
 }
 
 void TimelineTable::show(const SessionController* controller) {
@@ -84,6 +87,7 @@ void TimelineTable::show(const SessionController* controller) {
   for (const int narrow : {0, 2, 3}) {
     if (isNew) resizeColumnToContents(narrow);
   }
+  if (isNew) resizeRowsToContents();
   const int now = controller->session().stepIndex();
   if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);
 }

@@ -230,7 +230,7 @@ TEST_F(CommandLineTest, ReportsAnAmendmentWithoutChanges) {
   EXPECT_EQ(same.status, 0) << same.error;
   EXPECT_NE(same.out.find("nothing has changed"), std::string::npos) << same.out;
   const auto other = palpate({"study", "amend", study, "--protocol", "punch-counterbalanced"});
-  EXPECT_NE(other.out.find("New sessions use"), std::string::npos) << other.out;
+  EXPECT_NE(other.error.find("not another version"), std::string::npos) << other.error;
 }
 
 TEST_F(CommandLineTest, NeverOverwrites) {

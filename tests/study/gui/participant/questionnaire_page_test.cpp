@@ -159,7 +159,7 @@ TEST(QuestionnairePage, EmitsNumbersInRangeOnly) {
 
 TEST(QuestionnairePage, TakesADecimalCommaForADecimalPoint) {
   questionnaires::Item item{
-      .id = "years", .type = questionnaires::ItemType::Number, .least = 0, .most = 60};
+      .id = "years", .type = questionnaires::ItemType::Number, .least = 0, .most = 60, .step = 0.5};
   Shown shown({item});
   for (const auto* words : {"2.5", "2,5", " 2,5 "}) {
     shown.page.findChild<QLineEdit*>()->setText(QString::fromUtf8(words));
