@@ -36,7 +36,9 @@ TEST(ReportSection, CountsOptionalTrialsSeparately) {
 }
 
 TEST(ReportSection, CountsTrialsByTheirVerdicts) {
-  tests::MadeStudy study;
+  auto protocol = tests::shortProtocol();  // open: what is sealed cannot be changed here
+  protocol.insert(protocol.find(R"("languages")"), R"("blinding": "open", )");
+  tests::MadeStudy study(tests::protocolFrom(protocol));
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
   auto& database = study->database();
