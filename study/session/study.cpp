@@ -237,13 +237,13 @@ void Study::copyForms() {
 }
 
 void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {
-  const auto& id = this->protocol().protocol.study.id;
-  if (protocol.protocol.study.id != id) {
+  const auto& study = this->protocol().protocol.study.id;
+  if (protocol.protocol.study.id != study) {
     throw UserError(
-        "This study has the protocol '" + id + "', and that is '" + protocol.protocol.study.id +
+        "This study has the protocol '" + study + "', and that is '" + protocol.protocol.study.id +
         "': not another version of it. Make a folder of its own for another study, or give the "
         "version the id '" +
-        id + "'.");
+        study + "'.");
   }
   transact([&] {
     const auto ids = protocols().all();
