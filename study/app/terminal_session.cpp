@@ -15,6 +15,7 @@
 
 #include "haptics/devices/device.h"
 #include "protocols/model/loaded_protocol.h"
+#include "study/cohort/simulated_participant.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_device_set.h"
 #include "study/trial/live_trial.h"

@@ -51,9 +51,9 @@ TEST(QuestionnairePage, IsCompleteOnlyWhenEveryRequiredItemIsAnswered) {
   Shown shown(itemsOf("realism-common"));
   EXPECT_FALSE(shown.page.isComplete());
   const auto rows = shown.page.findChildren<OptionButtons*>();
-  for (int i = 0; i < rows.size(); ++i) {
+  for (auto* row : rows) {
     EXPECT_FALSE(shown.page.isComplete());
-    QTest::mouseClick(rows[i]->button(2), Qt::LeftButton);
+    QTest::mouseClick(row->button(2), Qt::LeftButton);
   }
   EXPECT_TRUE(shown.page.isComplete());
   EXPECT_EQ(shown.answers.size(), static_cast<std::size_t>(rows.size()));
