@@ -48,6 +48,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   fill_->setObjectName(QStringLiteral("texts"));
   preview_->setObjectName(QStringLiteral("preview"));
   auto* looks = new QHBoxLayout;
+  looks->setSpacing(8);
   for (auto* button : {read_, preview_, fill_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));

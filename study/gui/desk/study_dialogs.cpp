@@ -239,9 +239,9 @@ void ReportDialog::addFigures() {
 void ReportDialog::updateChoices() {
   form().setRowVisible(width_, figures_->isChecked());
   form().setRowVisible(font_, figures_->isChecked());
-  fit();
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
+  fit();
   go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
 }
 

@@ -224,6 +224,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
 void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
+  fit();
   go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
 }
 

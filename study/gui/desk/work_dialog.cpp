@@ -108,7 +108,10 @@ void WorkDialog::fit() {
   const int needed = own + layout()->spacing() + buttons->sizeHint().height();
   const int most = screen()->availableSize().height() - kFrame;
   if (!isVisible() || more_->isHidden() || height() < needed) {
+    // Beside a scroll bar labels have more lines, so that one that is there once would stay.
+    scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     resize(width(), std::min(needed, most));
+    scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   }
 }
 

@@ -13,7 +13,7 @@ namespace study::gui {
 
 /// Sends what is new from a station to its server: after each session, on request, and again every
 /// few minutes while something waits. The windows have no connection to a server: a process of its
-/// own with the lowest priority sends and notes what became of it, and nobody waits for it.
+/// own with the lowest priority sends and notes what became of it, and nothing waits for it.
 class StationPush final : public QObject {
   Q_OBJECT
 

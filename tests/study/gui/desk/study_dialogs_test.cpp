@@ -14,6 +14,8 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
@@ -221,6 +223,21 @@ TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
   EXPECT_FALSE(go->isEnabled());
   reason->setText(QStringLiteral("plan signed"));
   EXPECT_TRUE(go->isEnabled());
+}
+
+TEST_F(StudyDialogsTest, ReportIsNotScrolledWithOrWithoutAReason) {
+  ReportDialog dialog(summary());
+  dialog.show();
+  const auto* bar = dialog.findChild<QScrollArea*>()->verticalScrollBar();
+  for (const auto mode : {RunMode::Simulated, RunMode::Live, RunMode::Simulated}) {
+    for (auto* choice : dialog.findChildren<QComboBox*>()) {
+      const int index = choice->findData(static_cast<int>(mode));
+      if (choice->accessibleName() != QStringLiteral("Which sessions")) continue;
+      choice->setCurrentIndex(index);
+    }
+    QTest::qWait(1);  // sizes follow what is shown
+    EXPECT_EQ(bar->maximum(), 0) << nameOf(mode);
+  }
 }
 
 TEST_F(StudyDialogsTest, ReportWritesFiguresInTheSizeOfAJournal) {
