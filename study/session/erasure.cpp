@@ -61,7 +61,8 @@ void requireErasable(Study& study, const ErasureRequest& request) {
   if (sessions.front().runMode == RunMode::Simulated) {
     throw UserError(
         "'" + request.participant +
-        "' was simulated: there is nobody to erase. To try an erasure, run a pilot (palpate study "
+        "' was simulated: there is no person to erase. To try an erasure, run a pilot (palpate "
+        "study "
         "run --pilot) and erase that participant.");
   }
   for (const auto& row : sessions) {

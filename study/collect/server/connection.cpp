@@ -131,7 +131,7 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
     case Kind::Denied:
       return "The server (" + where +
              ") refuses that to this role. The page on collecting says which role may do what "
-             "(\"Roles\"); whoever runs the server gives it. It says: " +
+             "(\"Roles\"); the server's administrator gives it. It says: " +
              said + ".";
     case Kind::Full:
       return "The disk of the server (" + where +

@@ -38,7 +38,7 @@ QString planted(const QString& where) {
   return kSentinel + QStringLiteral(" in ") + where;
 }
 
-/// A protocol with each kind of page on which somebody types: a consent form, a form with an item
+/// A protocol of every kind of page that has a field for text: a consent form, a form with an item
 /// of every type, a trial, an interview.
 protocols::LoadedProtocol protocolWithWords() {
   auto json = nlohmann::ordered_json::parse(tests::protocolWithEverything());

@@ -375,7 +375,7 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
   const auto replaced = study_.scratch() / "replaced.html";
   const auto older = study_.scratch() / "older.html";
   for (const auto& file : {known, other, older}) std::ofstream(file) << kSentinel;
-  std::ofstream(replaced) << "the letter that somebody saved there later";
+  std::ofstream(replaced) << "a letter that was saved there later";
   for (const auto& file : {known, replaced}) {
     noteReport(*study_, RunMode::Live, "report", file, kSentinel);
   }
