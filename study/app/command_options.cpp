@@ -42,7 +42,7 @@ void addRunModeOfSession(CLI::App& command, std::string& name) {
           .add_option(
               "--run-mode",
               name,
-              "Run mode of the session; a pilot takes no place in the orders (default: live)")
+              "Run mode of the session; a pilot uses up none of the planned orders (default: live)")
           ->check(CLI::IsMember({"live", "pilot"}));
   command
       .add_flag_callback(

@@ -400,7 +400,8 @@ void addSceneCommands(CLI::App& program, Action& action) {
       noun,
       action,
       "explain",
-      "Explain what a condition's scene computes, what it omits and why",
+      "Explain how the force of a condition is computed: its steps, those that are left out, and "
+      "why",
       app::explain);
   addProtocolFile(*explain, options.file);
   explain->add_option("--condition", options.condition, "Id of the condition in the protocol")

@@ -251,7 +251,8 @@ void addStudyCommands(CLI::App& program, Action& action) {
   create->add_flag(
       "--names-passphrase",
       creating.hasNamesPassphrase,
-      "Ask for a passphrase that is needed to read or add names; without it they are lost");
+      "Ask for a passphrase that is needed to read or add names; if it is forgotten, the names are "
+      "lost");
 
   auto [run, running] =
       add("run", "Run a session in the terminal, or resume an interrupted one", app::run);

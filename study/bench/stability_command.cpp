@@ -230,7 +230,9 @@ void addStabilityCommand(CLI::App& program, Action& action) {
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
   command
       ->add_option(
-          "--effort", options.effort, "Share of the random cases to try; less than 1 is faster")
+          "--effort",
+          options.effort,
+          "Number of random cases relative to the usual number; less than 1 is faster")
       ->check(app::finiteRange(0.001, 100.0))
       ->capture_default_str();
 }

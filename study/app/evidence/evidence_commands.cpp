@@ -177,7 +177,8 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       noun,
       action,
       "restored",
-      "Record that the study was replaced on purpose by an older copy or by a copy from elsewhere",
+      "Record in the audit trail that this folder was replaced on purpose by an older or another "
+      "copy, so that 'verify' accepts it",
       app::restored);
   addStudyFolder(*restored, noting.folder);
   restored->add_option("--reason", verifying.reason, "Reason; goes into the audit trail")

@@ -63,7 +63,11 @@ int drop(const KeyArguments& options) {
 }  // namespace
 
 void addKeyCommands(CLI::App& study, Action& action) {
-  auto& noun = addNoun(study, "key", "The key with which conditions are sealed");
+  auto& noun = addNoun(
+      study,
+      "key",
+      "Keep the key that encrypts which alternative is which condition: export, import, "
+      "passphrase, drop");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);

@@ -31,7 +31,11 @@ recordings::ForceCalibration calibrationNamed(const std::string& name) {
 void RecordingInputs::addTo(CLI::App& verb) {
   verb.add_option("FILE", file, "Recording (text): five columns, or those that --columns describes")
       ->required();
-  verb.add_option("--columns", columns, "Columns file (JSON) that describes the columns of FILE");
+  verb.add_option(
+      "--columns",
+      columns,
+      "Columns file (JSON) that describes the columns of FILE: docs/protocol-format.md, "
+      "Recordings");
   verb.add_option(
       "--calibration",
       calibration,

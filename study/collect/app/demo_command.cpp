@@ -125,7 +125,10 @@ void addDemoCommand(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
       "demo", "Four stations with simulated participants and a private server, on this computer");
   noun->add_option("--out", given->out, "New folder (default: palpate-sites)");
-  noun->add_option("--participants", given->participants, "Of each station (default: 4)")
+  noun->add_option(
+          "--participants",
+          given->participants,
+          "Number of simulated participants of each station (default: 4)")
       ->check(CLI::Range(1, 1000));
   noun->callback([&action, given] { action = [given] { return demo(*given); }; });
 }

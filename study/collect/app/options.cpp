@@ -16,7 +16,8 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       .add_option(
           "--server",
           server,
-          "Where PostgreSQL is: \"service=NAME\", \"host=… dbname=…\" (default: libpq's own)")
+          "Connection string of PostgreSQL: \"service=NAME\", \"host=… dbname=…\" (default: "
+          "PGSERVICE, PGHOST … of the environment)")
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }

@@ -120,32 +120,40 @@ int checkStudy(const PullArguments& given) {
 
 void addPullCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<PullArguments>();
-  auto* out = program.add_subcommand("pull", "Make one ordinary study of all that has arrived");
+  auto* out = program.add_subcommand(
+      "pull", "Make one study folder on this computer of all data on the server");
   addServerOption(*out, given->server);
   out->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");
   out->add_option("--out", given->folder, "New folder of the study")->required();
-  out->add_option("--reason", given->reason, "Why; the map of conditions is pulled, too")
+  out->add_option(
+         "--reason",
+         given->reason,
+         "Reason; the copy can name conditions, so its audit trail and the server keep it")
       ->required();
   out->callback([&action, given] { action = [given] { return pullStudy(*given); }; });
 
   auto* stats = program.add_subcommand(
-      "stats", "Statistics of all that has arrived; further options are those of 'stats run'");
+      "stats",
+      "Print statistics of all data on the server; further options are those of 'palpate stats "
+      "run'");
   addServerOption(*stats, given->server);
   stats->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");
-  stats->add_option("--reason", given->reason, "Why; it is kept as for 'pull'")->required();
+  stats->add_option("--reason", given->reason, "Reason for naming conditions, as for 'pull'")
+      ->required();
   stats->allow_extras();
   stats->callback([&action, given, stats] {
     action = [given, words = stats->remaining()] { return statsOfAll(*given, words); };
   });
 
   auto* look = program.add_subcommand(
-      "check", "Pull into a temporary folder, to see whether all is as the stations signed it");
+      "check", "Pull into a temporary folder and compare all data with what the stations signed");
   addServerOption(*look, given->server);
   look->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");
-  look->add_option("--reason", given->reason, "Why; it is kept as for 'pull'")->required();
+  look->add_option("--reason", given->reason, "Reason for naming conditions, as for 'pull'")
+      ->required();
   look->callback([&action, given] { action = [given] { return checkStudy(*given); }; });
 }
 

@@ -150,46 +150,61 @@ int takeIn(const ServerArguments& given) {
 void addServerCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<ServerArguments>();
   auto* make = program.add_subcommand(
-      "init", "Bring the server's schema up to date; make a study there, or enrol a station");
+      "init",
+      "Create or update the database schema; with --study and --protocol create a study, with "
+      "--station enrol a station");
   addServerOption(*make, given->server);
   make->add_option("--study", given->study, "Name of the study on the server");
   make->add_option(
-          "--protocol", given->protocol, "Its protocol; for a study that is there a new version")
+          "--protocol",
+          given->protocol,
+          "Protocol of the study; for an existing study its new version")
       ->type_name("FILE");
-  auto* seed = make->add_option("--seed", given->seed, "Of all orders (default: random)");
+  auto* seed = make->add_option(
+      "--seed", given->seed, "Seed of the condition orders of all stations (default: random)");
   make->add_option("--station", given->station, "Write an enrolment to this file")
       ->type_name("FILE");
-  make->add_option("--site", given->site, "Where the station stands: \"oslo\"");
-  make->add_option("--name", given->name, "Of the station (default: its site): \"oslo-2\"");
-  make->add_option("--key", given->key, "What 'palpate collect key' prints on the station");
+  make->add_option("--site", given->site, "Name of the station's site: \"oslo\"");
   make->add_option(
-          "--address", given->address, "Where the station finds the server (default: as here)")
+      "--name", given->name, "Name of the station (default: that of its site): \"oslo-2\"");
+  make->add_option(
+      "--key", given->key, "Public key of the station, as 'palpate collect key' prints it there");
+  make->add_option(
+          "--address",
+          given->address,
+          "Connection string with which the station reaches the server (default: that of --server)")
       ->type_name("WHERE");
-  make->add_option("--days", given->days, "For how long the enrolment can be used")
+  make->add_option(
+          "--days", given->days, "Number of days for which the enrolment is valid (default: 30)")
       ->check(CLI::Range(1, 365));
   make->callback([&action, given, seed] {
     given->hasSeed = seed->count() > 0;
     action = [given] { return init(*given); };
   });
 
-  auto* in = program.add_subcommand("ingest", "Take in what 'palpate collect bundle' wrote");
+  auto* in =
+      program.add_subcommand("ingest", "Take a file of 'palpate collect bundle' into the server");
   addServerOption(*in, given->server);
   in->add_option("FILE", given->file, "The bundle")->required();
   in->callback([&action, given] { action = [given] { return takeIn(*given); }; });
 
-  auto* out = program.add_subcommand("revoke", "Take nothing from a station any more");
+  auto* out = program.add_subcommand(
+      "revoke", "Revoke a station's access: the server takes no more data from it");
   addServerOption(*out, given->server);
   out->add_option("--study", given->study, "Name of the study on the server");
   out->add_option("--station", given->station, "Name of the station")->required();
-  out->add_option("--reason", given->reason, "Why; the station is told")->required();
+  out->add_option("--reason", given->reason, "Reason; the station shows it at its next push")
+      ->required();
   out->callback([&action, given] { action = [given] { return revoke(*given); }; });
 
   auto* aside = program.add_subcommand(
-      "set-aside", "Begin again with a station of which the server has what it did not record");
+      "set-aside",
+      "Let a station send everything again: its present data stay on the server under another name "
+      "and are pulled no more");
   addServerOption(*aside, given->server);
   aside->add_option("--study", given->study, "Name of the study on the server");
   aside->add_option("--station", given->station, "Name of the station")->required();
-  aside->add_option("--reason", given->reason, "Why; it is kept")->required();
+  aside->add_option("--reason", given->reason, "Reason; it is kept on the server")->required();
   aside->callback([&action, given] { action = [given] { return setAside(*given); }; });
 }
 

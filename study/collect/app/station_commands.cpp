@@ -232,37 +232,42 @@ int statusOfServer(const StationArguments& given) {
 
 void addStationCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<StationArguments>();
-  auto* key = program.add_subcommand("key", "Print the key of this computer, for its enrolment");
+  auto* key =
+      program.add_subcommand("key", "Print the public key of this computer, for its enrolment");
   key->callback([&action] { action = [] { return printKey(); }; });
 
-  auto* joining = program.add_subcommand("join", "Make the study's folder on an enrolled computer");
+  auto* joining = program.add_subcommand(
+      "join", "Make the study's folder on this computer from an enrolment file");
   joining->add_option("ENROLMENT", given->enrolment, "File from 'palpate collect init --station'")
       ->required();
   joining->add_option("FOLDER", given->folder, "New folder of the study")->required();
   joining->add_option(
       "--mark",
       given->mark,
-      "The study's mark, as whoever runs it read it out; the file is refused if it has another "
-      "one");
+      "Mark (fingerprint) of the study, as its administrator read it out on the telephone; a file "
+      "with another one is refused");
   joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
 
-  auto* push = program.add_subcommand("push", "Send what is new to the server");
+  auto* push = program.add_subcommand(
+      "push", "Send the sessions and events that the server does not have yet");
   push->add_option("FOLDER", given->folder, "Folder of the study")->required();
   addServerOption(*push, given->server);
   push->callback([&action, given] { action = [given] { return pushStudy(*given); }; });
 
-  auto* bundle =
-      program.add_subcommand("bundle", "Write what is new to a file, where there is no network");
+  auto* bundle = program.add_subcommand(
+      "bundle",
+      "Without a network: write what the server does not have to a file for 'palpate collect "
+      "ingest'");
   bundle->add_option("FOLDER", given->folder, "Folder of the study")->required();
   bundle->add_option("--out", given->out, "New file")->required();
   bundle->add_option(
       "--after",
       given->after,
-      "Last event that the server has (default: of the last push, or none)");
+      "Number of the last event that the server has (default: as of the last push, or 0)");
   bundle->callback([&action, given] { action = [given] { return bundleStudy(*given); }; });
 
   auto* status = program.add_subcommand(
-      "status", "How many sessions have arrived: of a station, or of all on the server");
+      "status", "Show how many sessions have arrived at the server: of one station, or of all");
   status->add_option("FOLDER", given->folder, "Folder of the study (default: all on the server)");
   status->add_option("--study", given->study, "Name of the study on the server (default: all)");
   addServerOption(*status, given->server);
