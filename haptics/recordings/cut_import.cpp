@@ -71,18 +71,74 @@ std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportRepo
   return std::move(gentle.curve);
 }
 
+double largestForce(std::span<const double> forces) {
+  return *std::ranges::max_element(forces);
+}
+
+/// The largest force of the rows; of several closures, the mean of theirs.
+double recordedPeak(const Trace& trace, std::span<const RowRange> ranges) {
+  double sum = 0.0;
+  for (const RowRange& rows : ranges) {
+    sum += largestForce(std::span(trace.force).subspan(rows.first - 1, rows.last - rows.first + 1));
+  }
+  return sum / static_cast<double>(ranges.size());
+}
+
+/// From each node to the first that lies kSlopeStep or more beyond it.
+double steepnessOf(const ForceCurve& curve) {
+  const auto& nodes = curve.nodes();
+  double largest = 0.0;
+  std::size_t far = 0;
+  for (const CurvePoint& near : nodes) {
+    while (far < nodes.size() && nodes[far].travel < near.travel + kSlopeStep) ++far;
+    if (far == nodes.size()) break;
+    const double slope = (nodes[far].force - near.force) / (nodes[far].travel - near.travel);
+    largest = std::max(largest, std::abs(slope));
+  }
+  return largest;
+}
+
 ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& report) {
   report.slopeBefore = curve.largestSlope();
+  report.steepness = steepnessOf(curve);
   SlopeLimited gentle = limitSlope(curve, maxSlope);
+  report.points = curve.nodes().size();
+  for (std::size_t i = 0; i < report.points; ++i) {
+    const double force = gentle.curve.nodes()[i].force;
+    const double moved = std::abs(force - curve.nodes()[i].force);
+    report.movedPoints += moved > kVisibleShare * report.peakBefore ? 1 : 0;
+    report.peakAfter = i == 0 ? force : std::max(report.peakAfter, force);
+  }
   report.largestChange = gentle.largestChange;
   report.largestChangeAt = gentle.largestChangeAt;
   if (gentle.largestChange > 0.0) {
     report.changes.push_back(
-        "slope limited from " + decimal(report.slopeBefore, 2) + " to " + decimal(maxSlope, 2) +
+        "slope limited to " + decimal(maxSlope, 2) +
         " N per travel unit, which moves the force by up to " + decimal(gentle.largestChange, 3) +
-        " N, most at travel " + decimal(gentle.largestChangeAt, 3));
+        " N, most at travel " + decimal(gentle.largestChangeAt, 3) +
+        "; the recording rises by up "
+        "to " +
+        decimal(report.steepness, 2) + " N per travel unit (over steps of " +
+        decimal(kSlopeStep, 1) + " travel units)");
   }
   return std::move(gentle.curve);
+}
+
+/// What the import did to the peak, before all other changes; nothing where it is the recorded one.
+void reportPeak(ImportReport& report) {
+  constexpr double kShown = 0.005;  // [N]: two decimals
+  const double change = report.peakAfter - report.peakBefore;
+  if (std::abs(change) < kShown && report.movedPoints == 0) return;
+  std::string words =
+      "peak " + decimal(report.peakBefore, 2) + " → " + decimal(report.peakAfter, 2) + " N";
+  if (report.peakBefore > 0.0) {
+    words += " (" + std::string(change > 0.0 ? "+" : "") +
+             decimal(100.0 * change / report.peakBefore, 1) + " %)";
+  }
+  words += "; " + std::to_string(report.movedPoints) + " of " + std::to_string(report.points) +
+           " points moved by more than " + decimal(100.0 * kVisibleShare, 0) +
+           " % of the recorded peak";
+  report.changes.insert(report.changes.begin(), std::move(words));
 }
 
 std::string shortest(double value) {
@@ -169,6 +225,10 @@ void requireSlope(double maxSlope) {
 
 }  // namespace
 
+bool ImportReport::isAltered() const noexcept {
+  return std::max(largestChange, std::abs(peakAfter - peakBefore)) > kVisibleShare * peakBefore;
+}
+
 ImportedCut importCut(const Recording& recording, const ImportOptions& options) {
   requireSlope(options.maxSlope);
   const ForceCalibration calibration =
@@ -180,8 +240,10 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   report.rows = std::move(choice.rows);
   report.reason = std::move(choice.reason);
 
+  report.peakBefore = recordedPeak(trace, report.rows);
   const ForceCurve recorded = drawn(trace, report);
   ForceCurve curve = limited(recorded, options.maxSlope, report);
+  reportPeak(report);
   auto opening = opened(trace, options.maxSlope, report);
   warnOfTheSensor(recording, calibration, report);
   Cut cut{

@@ -116,12 +116,28 @@ struct ImportReport {
   std::vector<RowRange> rows{};         ///< that went into the curve
   std::string reason{};                 ///< why these, in a sentence
   std::size_t mergedSamples = 0;        ///< so that the travel rises strictly
-  double slopeBefore = 0.0;             ///< the largest, before it was limited [N/travel unit]
-  double largestChange = 0.0;           ///< by limiting the slope [N]
-  double largestChangeAt = 0.0;         ///< [travel units]
-  std::vector<double> deviation{};      ///< of a mean: between its closures at each node [N]
-  std::vector<std::string> changes{};   ///< all of it in words
+  double peakBefore = 0.0;      ///< largest force of the rows; of several closures, their mean [N]
+  double peakAfter = 0.0;       ///< largest force of the cut [N]
+  std::size_t points = 0;       ///< of the curve
+  std::size_t movedPoints = 0;  ///< by limiting the slope, by more than kVisibleShare of the peak
+  double slopeBefore = 0.0;     ///< the largest, before it was limited [N/travel unit]
+  /// The same over steps of kSlopeStep or more: what neighbouring samples of a tool that stands
+  /// still differ by, divided by next to no travel, is noise [N/travel unit].
+  double steepness = 0.0;
+  double largestChange = 0.0;          ///< by limiting the slope [N]
+  double largestChangeAt = 0.0;        ///< [travel units]
+  std::vector<double> deviation{};     ///< of a mean: between its closures at each node [N]
+  std::vector<std::string> changes{};  ///< all of it in words, what happened to the peak first
+
+  /// Whether the cut differs from the recording by more than kVisibleShare of its peak.
+  bool isAltered() const noexcept;
 };
+
+/// What "differs visibly" means here: a share of the recorded peak.
+inline constexpr double kVisibleShare = 0.05;
+
+/// Over which the steepness of a recording is measured [travel units].
+inline constexpr double kSlopeStep = 0.1;
 
 struct ImportedCut {
   Cut cut;

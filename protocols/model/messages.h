@@ -135,6 +135,7 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"source.femur", "femur"},
     {"source.capsule", "capsule"},
     {"source.recorded_in", "recorded in '{}'"},
+    {"source.changed", "changed by the import: {}"},
     {"source.test_set", "test set {}"},
     {"source.spheres_in", "spheres in '{}'"},
     {"source.fitted_to", "fitted to '{}'"},

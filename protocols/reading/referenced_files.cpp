@@ -212,6 +212,9 @@ std::vector<Message> originOf(const haptics::recordings::Provenance& provenance)
   if (!provenance.sourceFile.empty()) {
     origin.push_back(message("source.recorded_in", provenance.sourceFile));
   }
+  std::string changes;
+  for (const auto& change : provenance.changes) changes += (changes.empty() ? "" : "; ") + change;
+  if (!changes.empty()) origin.push_back(message("source.changed", changes));
   return origin;
 }
 

@@ -50,7 +50,13 @@ Json chosenAsJson(
   chosen["calibration"] = cut.provenance.calibration;
   chosen["filter"] = cut.provenance.filter;
   chosen["filter_parameters"] = cut.provenance.filterParameters;
+  chosen["peak_before_n"] = report.peakBefore;
+  chosen["peak_n"] = report.peakAfter;
+  chosen["points"] = report.points;
+  chosen["moved_points"] = report.movedPoints;
+  chosen["altered"] = report.isAltered();
   chosen["largest_slope_before"] = report.slopeBefore;
+  chosen["steepness_before"] = report.steepness;
   chosen["largest_slope"] = cut.curve.largestSlope();
   chosen["largest_change_n"] = report.largestChange;
   chosen["changes"] = report.changes;

@@ -124,6 +124,19 @@ std::optional<recordings::ImportedCut> cutFrom(
 void printChoice(const ImportCommand& command, const recordings::ImportReport& report) {
   fmt::print("\n  {}\n", report.reason);
   for (const auto& change : report.changes) fmt::print("  {}\n", change);
+  if (report.isAltered()) {
+    fmt::print(
+        "\nWARNING: the cut is not what was recorded: its peak is {:.2f} N in place of {:.2f} N, "
+        "and its force differs by up to {:.2f} N. Slopes above {:g} N per travel unit are limited "
+        "(--max-slope; by default 4.39, the largest stiffness in the cuts of the punch paper), and "
+        "the recording rises by up to {:.2f}. A larger --max-slope keeps its shape; check the "
+        "result with 'palpate scene explain'.\n",
+        report.peakAfter,
+        report.peakBefore,
+        report.largestChange,
+        command.options.maxSlope,
+        report.steepness);
+  }
   if (command.out.empty()) {
     fmt::print("\nNothing was written. Add --out CUT.json to keep this cut.\n");
   } else {

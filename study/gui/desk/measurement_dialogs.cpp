@@ -7,8 +7,10 @@
 #include <QFileInfo>
 
 #include "study/gui/desk/measurement_work.h"
-#include "study/gui/desk/recording_picture.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/labels.h"
+#include "study/model/user_error.h"
+#include "study/session/import_recording.h"
 
 namespace study::gui {
 namespace {
@@ -48,8 +50,16 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
       columns_(new PathField(
           PathField::Kind::ExistingFile, tr("Columns file"), tr("Columns files (*.json)"), this)),
       cut_(new QSpinBox(this)),
+      slope_(new QDoubleSpinBox(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)),
-      picture_(new RecordingPicture(this)) {
+      picture_(new RecordingPicture(this)),
+      cutPicture_(new CutPicture(this)) {
+  constexpr double kMostSlope = 1e6;  // [N/travel unit]
+  const double usualSlope = haptics::recordings::ImportOptions{}.maxSlope;
+  slope_->setRange(0.01, kMostSlope);
+  slope_->setValue(usualSlope);
+  slope_->setAccessibleName(tr("Largest slope"));
+  slope_->setObjectName(QStringLiteral("slope"));
   cut_->setRange(0, 10'000);
   cut_->setSpecialValueText(tr("the most typical one"));
   cut_->setAccessibleName(tr("Which cut"));
@@ -60,11 +70,24 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Recording"), recording_);
   form().addRow(tr("Columns file (if it has other columns)"), columns_);
   form().addRow(tr("Which cut"), cut_);
+  form().addRow(tr("Largest slope [N per travel unit]"), slope_);
+  form().addRow(quietLabel(
+      tr("Steeper parts of the cut are made gentler, and a steep peak is lost. %1 is the largest "
+         "stiffness in the cuts of the punch paper, for which its device can be kept stable. "
+         "Choose a larger one to keep the recorded shape, and check the result with 'palpate scene "
+         "explain'.")
+          .arg(usualSlope),
+      this));
   form().addRow(tr("To a new file"), target_);
-  form().addRow(picture_);
+  auto* pictures = new QHBoxLayout;  // beside each other: the result below stays in sight
+  pictures->addWidget(picture_, 1);
+  pictures->addWidget(cutPicture_, 1);
+  form().addRow(pictures);
   connect(recording_, &PathField::pathChanged, this, &ImportCutDialog::look);
   connect(columns_, &PathField::pathChanged, this, &ImportCutDialog::look);
   connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPicture::choose);
+  connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
+  connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   look();
 }
 
@@ -84,6 +107,29 @@ void ImportCutDialog::look() {
   picture_->show(std::move(read));
   constexpr int kMostCuts = 10'000;
   cut_->setRange(0, picture_->cuts() > 0 ? picture_->cuts() : kMostCuts);
+  preview();
+}
+
+haptics::recordings::ImportOptions ImportCutDialog::options() const {
+  haptics::recordings::ImportOptions options{.maxSlope = slope_->value()};
+  if (cut_->value() > 0) options.closures = {static_cast<std::size_t>(cut_->value())};
+  return options;
+}
+
+void ImportCutDialog::preview() {
+  const auto& look = picture_->look();
+  cutPicture_->setVisible(look.has_value());
+  if (look) {
+    try {
+      cutPicture_->show(look->trace, importRecording(look->recording, options()));
+    } catch (const UserError& error) {
+      cutPicture_->setVisible(false);
+      showOutcome(
+          Outcome::Warning,
+          tr("No cut can be taken from this recording yet"),
+          QString::fromUtf8(error.what()));
+    }
+  }
   fit();
 }
 
@@ -91,13 +137,22 @@ void ImportCutDialog::work() {
   const auto recording = recording_->path().toStdString();
   const auto columns = columns_->path().toStdString();
   const auto target = target_->path().toStdString();
-  const auto cut =
-      cut_->value() == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(cut_->value()));
+  haptics::recordings::ImportReport report;
   const auto said = runWithProgress(this, tr("Importing"), [&](const Progress& progress) {
-    return importCutTo(recording, columns, cut, target, progress);
+    report = importCutTo(recording, columns, options(), target, progress);
+    std::string words = report.reason + "\n";
+    for (const auto& change : report.changes) words += change + "\n";
+    return words;
   });
   if (!said) return clear();
-  showWritten(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
+  if (!report.isAltered()) {
+    return showWritten(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
+  }
+  showWritten(
+      target_->path(),
+      tr("Cut saved, but it is not what was recorded: %1").arg(peakInWords(report)),
+      *said,
+      Outcome::Warning);
 }
 
 FitMaterialDialog::FitMaterialDialog(QWidget* parent)

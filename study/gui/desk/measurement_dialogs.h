@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include "study/gui/desk/recording_picture.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
@@ -22,12 +24,17 @@ class ImportCutDialog final : public WorkDialog {
  private:
   /// Shows the recording that is chosen, before anything is kept.
   void look();
+  /// Shows the cut that an import would make of it.
+  void preview();
+  haptics::recordings::ImportOptions options() const;
 
   PathField* recording_;
   PathField* columns_;
   QSpinBox* cut_;
+  QDoubleSpinBox* slope_;
   PathField* target_;
-  class RecordingPicture* picture_;
+  RecordingPicture* picture_;
+  CutPicture* cutPicture_;
 };
 
 /// Fits a reaming material to a folder of measured series.

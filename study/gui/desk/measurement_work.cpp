@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -97,24 +99,20 @@ std::string describe(const reaming::MaterialFit& fit) {
 
 }  // namespace
 
-std::string importCutTo(
+haptics::recordings::ImportReport importCutTo(
     const std::string& recording,
     const std::string& columns,
-    std::optional<std::size_t> cut,
+    const haptics::recordings::ImportOptions& options,
     const std::string& out,
     const Progress& progress) {
   requireNewFile(out, ".json");
   tell(progress, 0.0, "reading the recording");
   const auto read = recordingIn(recording, columns);
   tell(progress, 0.5, "taking the cut");
-  haptics::recordings::ImportOptions options;
-  if (cut) options.closures = {*cut};
-  const auto imported = importRecording(read, options);
+  auto imported = importRecording(read, options);
   tell(progress, 0.9, "writing it");
   writeNewFile(out, cutAsJsonFrom(recording, imported.cut));
-  std::string words = imported.report.reason + "\n";
-  for (const auto& change : imported.report.changes) words += change + "\n";
-  return words;
+  return std::move(imported.report);
 }
 
 std::string fitMaterialTo(

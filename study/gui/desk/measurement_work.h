@@ -2,23 +2,23 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 
+#include "haptics/recordings/cut_import.h"
 #include "study/model/progress.h"
 
 namespace study::gui {
 
 // The work behind the measurement dialogs, callable from any thread. Each function writes a new
-// file, never overwrites one, and returns a few lines that describe the result. They throw errors
-// with a message for the user, and pass on what @p progress throws.
+// file, never overwrites one, and returns what describes the result, in a few lines or as values.
+// They throw errors with a message for the user, and pass on what @p progress throws.
 
 /// @param columns  a columns file that describes @p recording; empty: the recorder's five columns.
-/// @param cut  its number in the recording, from 1; nothing: the most typical cut.
-std::string importCutTo(
+/// @return what was changed.
+haptics::recordings::ImportReport importCutTo(
     const std::string& recording,
     const std::string& columns,
-    std::optional<std::size_t> cut,
+    const haptics::recordings::ImportOptions& options,
     const std::string& out,
     const Progress& progress);
 

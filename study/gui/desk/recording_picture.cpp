@@ -1,6 +1,7 @@
 #include "study/gui/desk/recording_picture.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include <QEvent>
@@ -15,6 +16,18 @@ namespace study::gui {
 namespace {
 
 constexpr double kMilli = 1e-3;
+
+void paintAxes(QCustomPlot& plot, const Theme& colours, std::initializer_list<QCPAxis*> axes) {
+  plot.setBackground(colours.field.background);
+  for (auto* axis : axes) {
+    axis->setBasePen(QPen(colours.quiet));
+    axis->setTickPen(QPen(colours.quiet));
+    axis->setSubTickPen(QPen(colours.quiet));
+    axis->setTickLabelColor(colours.field.text);
+    axis->setLabelColor(colours.field.text);
+    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
+  }
+}
 
 QString describe(const RecordingLook& look) {
   const auto& [recording, trace, survey] = look;
@@ -62,8 +75,9 @@ RecordingPicture::RecordingPicture(QWidget* parent)
   plot_->yAxis2->setVisible(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_, 1);
+  layout->addWidget(plot_);
   layout->addWidget(words_);
+  layout->addStretch(1);
   show(std::nullopt);
 }
 
@@ -87,15 +101,7 @@ void RecordingPicture::draw() {
   plot_->clearPlottables();
   plot_->clearItems();
   const auto& colours = themeOf(*this);
-  plot_->setBackground(colours.field.background);
-  for (auto* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2}) {
-    axis->setBasePen(QPen(colours.quiet));
-    axis->setTickPen(QPen(colours.quiet));
-    axis->setSubTickPen(QPen(colours.quiet));
-    axis->setTickLabelColor(colours.field.text);
-    axis->setLabelColor(colours.field.text);
-    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
-  }
+  paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis, plot_->yAxis2});
   if (!look_) return plot_->replot();
   const auto& rows = look_->recording.rows;
   const auto timeOf = [&](std::size_t row) {  // from 1
@@ -134,6 +140,132 @@ void RecordingPicture::draw() {
 
 void RecordingPicture::changeEvent(QEvent* event) {
   if (event->type() == QEvent::StyleChange) draw();
+  QWidget::changeEvent(event);
+}
+
+namespace {
+
+using haptics::recordings::CurvePoint;
+using haptics::recordings::CutLandmarks;
+
+/// The graphs of a CutPicture, in the order in which it adds them.
+enum Graph { Recorded, Rendered, Landmarks };
+
+QString landmark(const QString& name, const std::optional<CurvePoint>& point) {
+  if (!point) return CutPicture::tr("%1 not found").arg(name);
+  return CutPicture::tr("%1 %2 N at %3")
+      .arg(name)
+      .arg(point->force, 0, 'f', 2)
+      .arg(point->travel, 0, 'f', 2);
+}
+
+QString describe(const CutLandmarks& landmarks) {
+  return CutPicture::tr("Landmarks, at travels from 0 (open) to 10 (closed): %1, %2, %3, %4.")
+      .arg(
+          landmark(CutPicture::tr("interception"), landmarks.interception),
+          landmark(CutPicture::tr("yield"), landmarks.yield),
+          landmark(CutPicture::tr("bottom-out"), landmarks.bottomOut),
+          landmark(CutPicture::tr("opening"), landmarks.opening));
+}
+
+QString describeChange(const haptics::recordings::ImportedCut& imported) {
+  const auto& [cut, report] = imported;
+  if (!report.isAltered()) {
+    return CutPicture::tr("The cut keeps the shape of the recording: %1.").arg(peakInWords(report));
+  }
+  return CutPicture::tr(
+             "The cut is not what was recorded: %1. Slopes above %2 N per travel unit are limited; "
+             "the recording rises by up to %3.")
+      .arg(peakInWords(report))
+      .arg(cut.provenance.slopeLimit.value_or(0.0), 0, 'f', 2)
+      .arg(report.steepness, 0, 'f', 2);
+}
+
+}  // namespace
+
+QString peakInWords(const haptics::recordings::ImportReport& report) {
+  const double change = report.peakAfter - report.peakBefore;
+  const QString words = CutPicture::tr("peak %1 → %2 N")
+                            .arg(report.peakBefore, 0, 'f', 2)
+                            .arg(report.peakAfter, 0, 'f', 2);
+  if (!(report.peakBefore > 0.0)) return words;
+  return words + QStringLiteral(" (%1 %)").arg(100.0 * change / report.peakBefore, 0, 'f', 1);
+}
+
+CutPicture::CutPicture(QWidget* parent)
+    : QWidget(parent),
+      plot_(new QCustomPlot(this)),
+      change_(bodyLabel({}, this)),
+      landmarks_(quietLabel({}, this)) {
+  change_->setObjectName(QStringLiteral("cut-change"));
+  landmarks_->setObjectName(QStringLiteral("cut-landmarks"));
+  plot_->setMinimumHeight(220);
+  plot_->xAxis->setLabel(tr("travel [units]"));
+  plot_->yAxis->setLabel(tr("force [N]"));
+  plot_->legend->setVisible(true);
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
+  plot_->plotLayout()->insertRow(0);  // above the axes: a legend inside them hides samples
+  plot_->plotLayout()->addElement(0, 0, plot_->legend);
+  plot_->plotLayout()->setRowStretchFactor(0, 1e-3);
+  const auto add = [&](const QString& name, QCPGraph::LineStyle line, QCPScatterStyle dots) {
+    auto* graph = plot_->addGraph();
+    graph->setName(name);
+    graph->setLineStyle(line);
+    graph->setScatterStyle(dots);
+  };
+  add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDisc, 3));
+  add(tr("the cut"), QCPGraph::lsLine, QCPScatterStyle::ssNone);
+  add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  layout->addWidget(change_);
+  layout->addWidget(landmarks_);
+  layout->addStretch(1);
+}
+
+void CutPicture::show(
+    const haptics::recordings::Trace& trace, const haptics::recordings::ImportedCut& imported) {
+  const auto& [cut, report] = imported;
+  for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
+  for (const auto& rows : report.rows) {
+    for (std::size_t row = rows.first - 1; row < rows.last; ++row) {
+      plot_->graph(Recorded)->addData(trace.travel[row], trace.force[row]);
+    }
+  }
+  for (const auto& point : cut.curve.nodes()) {
+    plot_->graph(Rendered)->addData(point.travel, point.force);
+  }
+  const auto& found = cut.landmarks;
+  for (const auto& point : {found.interception, found.yield, found.bottomOut, found.opening}) {
+    if (point) plot_->graph(Landmarks)->addData(point->travel, point->force);
+  }
+  plot_->rescaleAxes();
+  constexpr double kMargin = 1.08;  // the marks at the ends are not cut off
+  plot_->xAxis->scaleRange(kMargin);
+  plot_->yAxis->scaleRange(kMargin);
+  setRole(*change_, report.isAltered() ? "warn" : "quiet");
+  change_->setText(
+      (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported));
+  landmarks_->setText(describe(cut.landmarks));
+  paint();
+}
+
+void CutPicture::paint() {
+  const auto& colours = themeOf(*this);
+  paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis});
+  constexpr double kWidth = 2.0;  // [px]
+  plot_->graph(Recorded)->setPen(QPen(colours.quiet, 1));
+  plot_->graph(Rendered)->setPen(QPen(colours.force, kWidth));
+  plot_->graph(Landmarks)->setPen(QPen(colours.travel, kWidth));
+  plot_->legend->setBrush(colours.field.background);
+  plot_->legend->setBorderPen(Qt::NoPen);
+  plot_->legend->setTextColor(colours.field.text);
+  plot_->replot();
+}
+
+void CutPicture::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::StyleChange) paint();
   QWidget::changeEvent(event);
 }
 

@@ -39,6 +39,7 @@ class RecordingPicture final : public QWidget {
   void choose(int cut);
   int cuts() const;
   QString words() const { return words_->text(); }
+  const std::optional<RecordingLook>& look() const noexcept { return look_; }
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -51,5 +52,33 @@ class RecordingPicture final : public QWidget {
   QCustomPlot* plot_;
   QLabel* words_;
 };
+
+/// Draws the cut that an import makes over the samples that it was taken from, with the landmarks,
+/// and says in words what was changed.
+class CutPicture final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CutPicture(QWidget* parent = nullptr);
+
+  /// @param trace  of the recording that the cut was taken from.
+  void show(
+      const haptics::recordings::Trace& trace, const haptics::recordings::ImportedCut& imported);
+  using QWidget::show;
+  QString words() const { return change_->text() + QLatin1Char('\n') + landmarks_->text(); }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void paint();
+
+  QCustomPlot* plot_;
+  QLabel* change_;
+  QLabel* landmarks_;
+};
+
+/// "peak 17.06 → 12.99 N (-23.9 %)"
+QString peakInWords(const haptics::recordings::ImportReport& report);
 
 }  // namespace study::gui

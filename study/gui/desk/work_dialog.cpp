@@ -85,10 +85,12 @@ void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString
   showDetails(more);
 }
 
-void WorkDialog::showWritten(const QString& path, const QString& line, const QString& more) {
-  showOutcome(Outcome::Good, line, more);
+void WorkDialog::showWritten(
+    const QString& path, const QString& line, const QString& more, Outcome outcome) {
+  showOutcome(outcome, line, more);
   written_->show(path);
   fit();
+  scroll_->ensureWidgetVisible(line_);  // what was shown above it may fill the screen
 }
 
 void WorkDialog::showDetails(const QString& more) {

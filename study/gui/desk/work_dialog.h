@@ -31,7 +31,11 @@ class WorkDialog : public QDialog {
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
   /// The same for something that was written, which can be opened from here. The button that wrote
   /// it is no longer the main one.
-  void showWritten(const QString& path, const QString& line, const QString& more = {});
+  void showWritten(
+      const QString& path,
+      const QString& line,
+      const QString& more = {},
+      Outcome outcome = Outcome::Good);
   /// Shows details without a result.
   void showDetails(const QString& more);
   void clear();

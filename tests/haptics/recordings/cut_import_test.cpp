@@ -10,6 +10,7 @@
 #include "haptics/recordings/cut.h"
 #include "haptics/recordings/force_curve.h"
 #include "haptics/recordings/recording.h"
+#include "haptics/recordings/recording_table.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {
@@ -99,6 +100,51 @@ TEST(CutImport, LimitsTheSlopeAndSaysWhere) {
   expectMentions(changes.back(), "opening branch");
   ASSERT_TRUE(imported.cut.opening.has_value());
   EXPECT_LE(imported.cut.opening->largestSlope(), 1.0 + 1e-9);
+}
+
+TEST(CutImport, SaysFirstWhatItDidToThePeak) {
+  const ImportedCut imported = importCut(made(), {.closures = {2}, .maxSlope = 1.0});
+  const ImportReport& report = imported.report;
+
+  EXPECT_NEAR(report.peakBefore, report.survey.closures.at(1).peakForce, 0.05);
+  double peak = 0.0;
+  for (const CurvePoint& node : imported.cut.curve.nodes()) peak = std::max(peak, node.force);
+  EXPECT_EQ(report.peakAfter, peak);
+  EXPECT_LT(report.peakAfter, 0.9 * report.peakBefore);
+  EXPECT_GT(report.movedPoints, 0U);
+  EXPECT_TRUE(report.isAltered());
+  const std::string& first = report.changes.front();
+  expectMentions(
+      first, "peak " + decimal(report.peakBefore, 2) + " → " + decimal(report.peakAfter, 2) + " N");
+  expectMentions(first, std::to_string(report.movedPoints) + " of ");
+}
+
+TEST(CutImport, CallsACutThatKeepsItsShapeUnaltered) {
+  const ImportReport report = importCut(made(), {.closures = {2}, .maxSlope = 1e6}).report;
+  EXPECT_FALSE(report.isAltered());
+  EXPECT_EQ(report.movedPoints, 0U);
+  EXPECT_NEAR(report.peakAfter, report.peakBefore, 0.05);
+}
+
+TEST(CutImport, MeasuresSteepnessOverAStepThatTheToolHasMade) {
+  // rests for a while, where noise of 0.1 N lies between travels that differ by 0.0001
+  std::string text;
+  for (int i = 0; i < 400; ++i) {
+    const double travel = i < 100 ? 1e-4 * i : 0.01 + 0.04 * (i - 100);
+    const double force = (i % 2 == 0 ? 0.1 : 0.0) + 0.5 * travel;
+    text += decimal(force, 4) + "," + decimal(travel, 6) + "\n";
+  }
+  const Recording recording = readRecordingTable(
+      text, "made.csv", {.rate = 500.0, .travel = {.number = 2}, .force = {.number = 1}});
+  const ImportReport report =
+      importCut(
+          recording, {.rows = RowRange{1, 400}, .filter = TravelFilter{TravelFilter::Kind::None}})
+          .report;
+  EXPECT_GT(report.slopeBefore, 500.0);
+  EXPECT_LT(report.steepness, 2.0);
+  for (const std::string& change : report.changes) {
+    EXPECT_EQ(change.find("1000."), std::string::npos) << change;
+  }
 }
 
 TEST(CutImport, KeepsWhereItCameFrom) {

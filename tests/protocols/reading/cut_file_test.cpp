@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
+#include "tests/protocols/small_protocol.h"
 
 namespace protocols {
 namespace cut_file_test {
@@ -268,6 +270,36 @@ TEST(CutFile, RefusesWhatIsNoJson) {
   for (const std::string text : {"", "[", "null", "12", "\"cut\"", "{}"}) {
     EXPECT_NE(refusalOf(text), "") << text;
   }
+}
+
+TEST(CutFile, SaysInAProtocolsSourcesWhatItsImportChanged) {
+  using namespace haptics::recordings;
+  const auto recording = readRecording(tests::textOf({}), "made.txt");
+  const auto cut = importCut(recording, {.closures = {2}, .maxSlope = 1.0}).cut;
+  const auto find = [&](const std::string& name) {
+    return name == "my.json" ? std::optional(cutAsJson(cut, "")) : std::nullopt;
+  };
+  const auto loading = tests::load(
+      R"({
+    "$schema": "protocol-1.schema.json",
+    "study": {"id": "punch", "title": "Punch", "version": "1"},
+    "languages": ["en"], "cohorts": [{"id": "all", "title": "All"}],
+    "devices": [{"id": "punch", "kind": "punch", "max_force_n": 8,
+                 "max_force_rate_n_per_s": 300}],
+    "conditions": [
+      {"id": "a", "title": "A", "scene": {"device": "punch", "model": "interpolation",
+       "parameters": {"cut": "my.json"}}},
+      {"id": "b", "title": "B", "scene": {"device": "punch", "model": "interpolation",
+       "parameters": {"cut": "parametric"}}}],
+    "labels": {"policy": "random"},
+    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-punch"},
+               {"id": "felt", "type": "block", "conditions": ["a", "b"],
+                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})",
+      find);
+  ASSERT_TRUE(loading.loaded) << loading.describe();
+  const auto words = describe(loading.loaded->sources.at(0));
+  EXPECT_NE(words.find("changed by the import: peak 4.96 → 4.41 N"), std::string::npos) << words;
+  EXPECT_NE(words.find("; slope limited to 1.00 N"), std::string::npos) << words;
 }
 
 }  // namespace cut_file_test

@@ -117,6 +117,21 @@ TEST_F(RecordingCommands, ListsTheRowsThatACutIsMadeOf) {
   EXPECT_NE(text.find(range + " "), std::string::npos) << range << "\n" << text;
 }
 
+TEST_F(RecordingCommands, WarnsWhereTheCutIsNotWhatWasRecorded) {
+  const auto table = file("cuts.csv", foreignCuts(false));
+  const auto columns = file("columns.json", kColumns);
+  const auto take = [&](const char* slope) {
+    return palpate(
+        {"recording", "import", table, "--columns", columns, "--cut", "2", "--max-slope", slope});
+  };
+  const auto altered = take("1").out;
+  EXPECT_NE(altered.find("WARNING: the cut is not what was recorded"), std::string::npos)
+      << altered;
+  EXPECT_LT(altered.find("  peak "), altered.find("  slope limited to 1.00 N")) << altered;
+  const auto kept = take("50").out;
+  EXPECT_EQ(kept.find("WARNING"), std::string::npos) << kept;
+}
+
 TEST_F(RecordingCommands, CalibratesASensorAndImportsWhatItRead) {
   const auto loads = file("loads.csv", "U [V],load [N]\n0.1,0\n0.6,1\n1.1,2\n2.6,5\n5.1,10\n");
   const std::string sensor = folder_ / "cell.json";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTextBrowser>
@@ -65,6 +66,30 @@ TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
   set(dialog, "recording", folder_.write("text.txt", "no recording"));
   EXPECT_FALSE(picture->isVisible());
   EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'));
+}
+
+TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
+  ImportCutDialog dialog;
+  set(dialog, "recording", folder_.write("recording.txt", tests::textOf({})));
+  set(dialog, "target", folder_ / "cut.json");
+  dialog.show();
+  auto* slope = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("slope"));
+  EXPECT_EQ(slope->value(), haptics::recordings::ImportOptions{}.maxSlope);
+  const auto* picture = dialog.findChild<CutPicture*>();
+  EXPECT_TRUE(picture->isVisible());
+  EXPECT_TRUE(picture->words().startsWith(QStringLiteral("The cut keeps")))
+      << picture->words().toStdString();
+  EXPECT_TRUE(picture->words().contains(QStringLiteral("yield 4.4")))
+      << picture->words().toStdString();
+  slope->setValue(1.0);
+  EXPECT_TRUE(picture->words().startsWith(u'!')) << picture->words().toStdString();
+  const auto line = press(dialog);
+  EXPECT_TRUE(line.starts_with("!")) << line;
+  EXPECT_NE(line.find("peak 4.96 → 4.41 N"), std::string::npos) << line;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
+  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  EXPECT_TRUE(more.contains(QStringLiteral("to 1.00 N per travel unit"))) << more.toStdString();
+  tests::photographInAllThemes(dialog, QStringLiteral("import-altered"));
 }
 
 TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
