@@ -251,7 +251,9 @@ class Reader {
            " is a row of five numbers (force reading, grams, potentiometer, travel, time in ms); "
            "line " +
            std::to_string(first.number) + ": " + first.reason +
-           ". Check that it is a recording of the punch.";
+           ". Only the punch's recorder writes such rows: for any other table, give a columns file "
+           "that says which column is the time, the travel and the force (docs/protocol-format.md, "
+           "\"Columns files\"; --columns on the command line).";
   }
 
   Recording recording_;

@@ -35,7 +35,7 @@ constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"FitMaterialDialog", "Write the protocol"},
     {"HelpWindow", ""},
     {"HomeWindow", "The studio"},
-    {"ImportCutDialog", "Write the protocol"},
+    {"ImportCutDialog", "Import a recording"},
     {"KeyDialog", "The results"},
     {"NewStudyDialog", "Create the study"},
     {"OperatorWindow", "The day"},

@@ -169,8 +169,10 @@ TEST(RecordingText, ReportsAFileWithoutARow) {
   EXPECT_EQ(
       complaintAbout("{\\rtf1\\ansi}\nwhatever\n"),
       "No line of 'cut.txt' is a row of five numbers (force reading, grams, potentiometer, travel, "
-      "time in ms); line 1: '{\\rtf1\\ansi' is no number. Check that it is a recording of the "
-      "punch.");
+      "time in ms); line 1: '{\\rtf1\\ansi' is no number. Only the punch's recorder writes such "
+      "rows: for any other table, give a columns file that says which column is the time, the "
+      "travel and the force (docs/protocol-format.md, \"Columns files\"; --columns on the command "
+      "line).");
 }
 
 TEST(RecordingText, ReportsAMissingPotentiometer) {
@@ -185,6 +187,18 @@ TEST(RecordingText, TellsWhereTimeRunsBackwards) {
       complaintAbout(kNextRow + "\n\n" + kRow + "\n"),
       "Time runs backwards in 'cut.txt' at line 3: two recordings in one file? Split it before "
       "that line and import the parts.");
+}
+
+TEST(RecordingText, SaysThatAnotherTableNeedsAColumnsFile) {
+  try {
+    readRecording("t_ms,jaw_mm,load_N\n0,0.1,0.2\n", "mine.csv");
+    FAIL() << "was read";
+  } catch (const base::UserError& error) {
+    const std::string words = error.what();
+    EXPECT_NE(words.find("'mine.csv'"), std::string::npos) << words;
+    EXPECT_NE(words.find("columns file"), std::string::npos) << words;
+    EXPECT_NE(words.find("--columns"), std::string::npos) << words;
+  }
 }
 
 }  // namespace recording_text_test

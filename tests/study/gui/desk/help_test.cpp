@@ -13,6 +13,7 @@
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/home_window.h"
+#include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/self_test_dialog.h"
 #include "study/gui/desk/study_dialogs.h"
@@ -52,6 +53,7 @@ TEST_F(HelpTest, OpensAtTheSectionOfEachDeskWindow) {
   ExportDialog exporting(study);
   SelfTestDialog test(SelfTestOrder{});
   Tour tour;
+  ImportCutDialog import;
   const std::pair<QWidget*, const char*> expected[]{
       {&home, "The studio"},
       {&make, "Create the study"},
@@ -61,7 +63,8 @@ TEST_F(HelpTest, OpensAtTheSectionOfEachDeskWindow) {
       {&report, "The results"},
       {&exporting, "The results"},
       {&test, "System check"},
-      {&tour, "Try it"}};
+      {&tour, "Try it"},
+      {&import, "Import a recording"}};
   for (const auto& [window, topic] : expected) {
     EXPECT_TRUE(pressF1(*window).contains(QString::fromUtf8(topic)))
         << window->metaObject()->className() << ": " << pressF1(*window).toStdString();
