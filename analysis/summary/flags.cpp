@@ -278,16 +278,32 @@ class FlagFinder {
            {text("late_ticks", facts_.lateTrials, facts_.trials)},
            text("late_ticks.why"),
            text("late_ticks.remedy"),
-           {text("source.trial_verdicts")}});
+           {text("source.trial_verdicts")},
+           false,
+           true});
     }
-    if (facts_.saturatedTrials > 0) {
+    if (!facts_.saturated.empty()) {
       flags_.push_back(
           {"saturated",
-           {text("saturated", facts_.saturatedTrials, facts_.trials)},
+           saturatedInWords(),
            text("saturated.why"),
            text("saturated.remedy"),
-           {text("source.trial_verdicts")}});
+           {text("source.trial_verdicts")},
+           false,
+           true});
     }
+  }
+
+  std::vector<Message> saturatedInWords() const {
+    std::size_t trials = 0;
+    for (const auto& method : facts_.saturated) trials += method.saturated;
+    std::vector<Message> what{text("saturated", trials, facts_.trials)};
+    for (const auto& method : facts_.saturated) {
+      what.push_back(what.size() == 1 ? text("colon") : text("comma"));
+      what.push_back(text("saturated.method", method.title, method.saturated, method.trials));
+    }
+    what.push_back(text("full_stop"));
+    return what;
   }
 
   const std::string& titleOf(std::size_t method) const {
@@ -300,6 +316,11 @@ class FlagFinder {
 };
 
 }  // namespace
+
+Message Flag::title() const {
+  const auto key = std::string(id) + ".title";
+  return {*std::ranges::find(kFlagMessages, key, &base::MessageKind::key), {}};
+}
 
 std::string Flag::inEnglish() const {
   std::string text;

@@ -17,15 +17,19 @@ namespace analysis {
 inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"alpha_rounded", "A p value lies between alpha per test {:.6f} and its rounded form {:.3f}."},
     {"alpha_rounded.remedy", "Compare with the unrounded threshold, as is done here."},
+    {"alpha_rounded.title", "Rounded threshold"},
     {"alpha_rounded.why", "Rounding the threshold decides about significance."},
     {"bimodal", "Answers fall into two camps: "},
     {"bimodal.method", "{} (variance {:.2f}, at most {:.2f} with one peak)"},
     {"bimodal.remedy",
      "Look at the distribution, and at who is in which camp; report counts beside means."},
+    {"bimodal.title", "Two camps of answers"},
     {"bimodal.why", "The mean then says what nobody thinks."},
+    {"colon", ": "},
     {"comma", ", "},
     {"constant_group", "Everybody gave the same answer to everything about: {}."},
     {"constant_group.remedy", "Report the counts; use exact tests of the paired differences."},
+    {"constant_group.title", "Answers without variation"},
     {"constant_group.why",
      "Tests that divide by the scatter are not defined, or see certainty where there are few "
      "answers."},
@@ -34,16 +38,19 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"family_not_declared.remedy",
      "Declare the family in the protocol's analysis plan before the first participant; report what "
      "is here as exploratory."},
+    {"family_not_declared.title", "Comparisons that were not declared beforehand"},
     {"family_not_declared.why",
      "Which tests are run, and how many, may then depend on what the data look like; p values lose "
      "their meaning."},
     {"full_stop", "."},
     {"items_not_common_to_methods", "The methods were judged by different statements."},
     {"items_not_common_to_methods.remedy", "Ask the same statements about every method."},
+    {"items_not_common_to_methods.title", "Different statements about the methods"},
     {"items_not_common_to_methods.why",
      "A difference may lie in the wording as well as in the method."},
     {"late_ticks", "In {} of {} trials the force loop was late more often than is borne."},
     {"late_ticks.remedy", "Look at the trials' verdicts; repeat the analysis without them."},
+    {"late_ticks.title", "A late force loop"},
     {"late_ticks.why", "People may have felt the computer instead of the method."},
     {"missing_cells", "{} of {} answers are missing, in {} of {} pairs of participant and method."},
     {"missing_cells.one",
@@ -51,29 +58,33 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"missing_cells.remedy",
      "Paired tests leave out participants who lack a method altogether; the mixed model uses all "
      "that there is."},
+    {"missing_cells.title", "Missing answers"},
     {"missing_cells.why",
      "Means of fewer answers scatter more, and who leaves out what is rarely chance."},
     {"n_below_minimum_for_alpha",
-     "With {} people who judged both methods of a pair no exact paired test can give less than p = "
-     "{:.4f}; the family of {} asks for {:.4f}."},
+     "With {} people who judged both methods of a pair no exact paired test can give a p below "
+     "{:.2g}; the family of {} asks for {:.2g}."},
     {"n_below_minimum_for_alpha.one",
-     "With {} person who judged both methods of a pair no exact paired test can give less than p = "
-     "{:.4f}; the family of {} asks for {:.4f}."},
+     "With {} person who judged both methods of a pair no exact paired test can give a p below "
+     "{:.2g}; the family of {} asks for {:.2g}."},
     {"n_below_minimum_for_alpha.remedy",
      "More participants (palpate plan says how many), fewer comparisons, or an overall test "
      "(Friedman) first."},
+    {"n_below_minimum_for_alpha.title", "Too few participants for a significant result"},
     {"n_below_minimum_for_alpha.why",
      "Such a test cannot be significant, whatever the answers are."},
     {"order_not_counterbalanced", "How often a method came at a position goes from {} to {}."},
     {"order_not_counterbalanced.remedy",
      "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N as a "
      "multiple of their number."},
+    {"order_not_counterbalanced.title", "Orders that are not balanced"},
     {"order_not_counterbalanced.why",
      "Practice, fatigue and contrast with what came before then count for one method and against "
      "another."},
     {"paired_data_unpaired_test",
      "The same people judged every method, and the pooled tests take them for different people."},
     {"paired_data_unpaired_test.remedy", "Read the paired tests."},
+    {"paired_data_unpaired_test.title", "Paired answers in unpaired tests"},
     {"paired_data_unpaired_test.why",
      "What a person always says more or less of goes into the scatter instead of cancelling."},
     {"pseudo_replication",
@@ -83,6 +94,7 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"pseudo_replication.one",
      "{} answers of {} person are treated as {} independent observations in the pooled tests"},
     {"pseudo_replication.remedy", "Read the tests on participants' means, or the mixed model."},
+    {"pseudo_replication.title", "Several answers of one person counted as independent"},
     {"pseudo_replication.why",
      "Answers of one person go together. Where people differ in their taste for a method, pooled "
      "tests find differences that are not there (up to 35 % instead of 5 % in simulations); where "
@@ -90,16 +102,22 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"relative_item_without_referent", "Statements compare with what was felt before: {}."},
     {"relative_item_without_referent.remedy",
      "Ask about each method by itself, or fix the order and say so."},
+    {"relative_item_without_referent.title", "Statements that compare with what was felt before"},
     {"relative_item_without_referent.why",
      "With another order they compare with another method, and the first method with none."},
-    {"saturated", "In {} of {} trials the scene asked for more force than the device may give."},
-    {"saturated.remedy", "Compare the felt curves; scale the force alike for every condition."},
+    {"saturated", "In {} of {} trials the scene asked for more force than the device may give"},
+    {"saturated.method", "“{}” in {} of {}"},
+    {"saturated.remedy",
+     "Compare the felt curves, and say in the paper which methods were cut off. In a next version, "
+     "take scenes that stay below the limit: the force of bone can be scaled alike for every "
+     "condition ('force_scale'), that of a recorded cut cannot."},
+    {"saturated.title", "Forces cut off at the device’s limit"},
     {"saturated.why", "Where forces are cut off, methods feel more alike than they are."},
-    {"source.not_defined", "docs/statistics.md, what is not defined"},
-    {"source.planning", "docs/statistics.md, planning"},
-    {"source.published_analysis", "docs/statistics.md, the published analysis, point {}"},
+    {"source.not_defined", "Palpate’s manual, Statistics: what is not defined"},
+    {"source.planning", "Palpate’s manual, Statistics: planning"},
+    {"source.published_analysis", "Palpate’s manual, Statistics: the published analysis, point {}"},
     {"source.punch_paper", "The punch paper's 0.017 for 0.05/3"},
-    {"source.trial_verdicts", "Trial verdicts, docs/running-a-study.md"},
+    {"source.trial_verdicts", "Palpate’s manual, Running a study: trial verdicts"},
 });
 
 /// A note that a reader of a result needs.
@@ -110,9 +128,20 @@ struct Flag {
   base::Message remedy;               ///< what to do
   std::vector<base::Message> source;  ///< the source of the statement
   bool isOfPooled = false;            ///< it concerns pooled tests only
+  bool isOfRendering = false;         ///< what was felt is not what the methods are
+
+  /// What it is about, as a heading for people.
+  base::Message title() const;
 
   /// What was found.
   std::string inEnglish() const;
+};
+
+/// A method with trials whose scene asked for more force than the device may give.
+struct SaturatedMethod {
+  std::string title;
+  std::size_t saturated = 0;  ///< such trials
+  std::size_t trials = 0;     ///< all of the method
 };
 
 /// What an answer table does not know about the study that it comes from.
@@ -127,8 +156,9 @@ struct StudyFacts {
   std::vector<double> pValues;                  ///< of the family's tests, unrounded
   std::vector<std::size_t> expected;  ///< answers of a participant, by method; empty: not known
   std::size_t trials = 0;
-  std::size_t lateTrials = 0;       ///< whose loop was late more often than the protocol bears
-  std::size_t saturatedTrials = 0;  ///< whose scene asked for more than the device may give
+  std::size_t lateTrials = 0;  ///< whose loop was late more often than the protocol bears
+  /// Those whose scene asked for more than the device may give, by method; no others.
+  std::vector<SaturatedMethod> saturated;
 };
 
 /// Everything that is to be said about the answers of one cohort, the weightiest first

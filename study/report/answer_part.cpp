@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "study/report/family_captions.h"
 #include "study/report/html_writer.h"
@@ -57,6 +56,7 @@ class AnswerWriter : HtmlWriter {
     } else {
       sentences();
       preferences();
+      asRendered();
       references(*family);
     }
     if (family != nullptr) {
@@ -301,16 +301,29 @@ class AnswerWriter : HtmlWriter {
 
   // --- What weakens it ---
 
-  void weaknesses() {
-    std::string items;
-    std::set<std::string> told;  // what several families share is said once
+  /// What of the answer is about something else than the methods, before anything that weakens it.
+  void asRendered() {
+    for (const auto& sentence : weaknessesOf(true)) put("<p><strong>{}</strong></p>", sentence);
+  }
+
+  /// All that is said of the families, with what several of them share only once.
+  std::vector<std::string> weaknessesOf(bool isOfRendering) const {
+    std::vector<std::string> all;
     for (const auto& family : s_.results.families) {
       const bool isOfPooled = isPooled(Profile::Declared, family.family);
       for (const auto& [flag, found] : flagsByKind(family, isOfPooled)) {
-        const auto item = weakness(found);
-        if (told.insert(item).second) items += item;
+        if (flag->isOfRendering != isOfRendering) continue;
+        for (auto& sentence : weakness(found)) {
+          if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
+        }
       }
     }
+    return all;
+  }
+
+  void weaknesses() {
+    std::string items;
+    for (const auto& sentence : weaknessesOf(false)) items += "<li>" + sentence + "</li>";
     if (!s_.warnings.empty()) {
       items += "<li>" +
                count(
@@ -327,7 +340,7 @@ class AnswerWriter : HtmlWriter {
   }
 
   /// A sentence that several cohorts share is said once.
-  std::string weakness(
+  std::vector<std::string> weakness(
       const std::vector<std::pair<std::string, const analysis::Flag*>>& found) const {
     std::vector<std::pair<std::string, std::string>> said;  // sentence, cohorts
     for (const auto& [cohort, flag] : found) {
@@ -341,12 +354,16 @@ class AnswerWriter : HtmlWriter {
         same->second += ", " + title;
       }
     }
-    std::string items;
+    std::vector<std::string> sentences;
     for (const auto& [what, who] : said) {
       const bool isOfAll = said.size() == 1 && found.size() == s_.results.flow.size();
-      items += "<li>" + (isOfAll ? std::string() : escaped(who) + ": ") + escaped(what) + "</li>";
+      const bool isOnlyCohort = s_.results.flow.size() == 1;
+      const auto label = isOnlyCohort ? std::string()
+                         : isOfAll    ? say("In each cohort") + ": "
+                                      : escaped(who) + ": ";
+      sentences.push_back(label + escaped(what));
     }
-    return items;
+    return sentences;
   }
 };
 
@@ -358,8 +375,11 @@ bool hasAnswers(const CohortResult& cohort) {
 }
 
 std::string_view differencesCaption(const FamilyResult& family) {
-  return nameOf(family.family.correction).empty() ? kDifferencesCaption
-                                                  : kCorrectedDifferencesCaption;
+  const bool isShaded = family.family.equivalenceBound.has_value();
+  if (nameOf(family.family.correction).empty()) {
+    return isShaded ? kShadedDifferencesCaption : kDifferencesCaption;
+  }
+  return isShaded ? kShadedCorrectedDifferencesCaption : kCorrectedDifferencesCaption;
 }
 
 std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family) {

@@ -36,13 +36,20 @@ inline std::string_view peopleCaption(const FamilyResult& family) {
 }
 
 inline constexpr std::string_view kDifferencesCaption =
-    "Mean differences within people with their intervals at 1 − α. Shaded, where the protocol "
-    "declares it, are differences that count as none.";
+    "Mean differences within people with their intervals at 1 − α.";
+
+inline constexpr std::string_view kShadedDifferencesCaption =
+    "Mean differences within people with their intervals at 1 − α. Shaded are differences that "
+    "count as none.";
 
 inline constexpr std::string_view kCorrectedDifferencesCaption =
     "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
-    "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded, where the protocol "
-    "declares it, are differences that count as none.";
+    "α/m, as wide as Bonferroni’s correction asks of m comparisons.";
+
+inline constexpr std::string_view kShadedCorrectedDifferencesCaption =
+    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
+    "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded are differences that "
+    "count as none.";
 
 /// The most points of a scale whose answers are shown by point.
 inline constexpr int kMostBars = 11;

@@ -113,7 +113,7 @@ class ChecksWriter : HtmlWriter {
     if (raised.empty()) return;
     put("<h4>{}</h4><dl class=\"flags\">", say("What a reader has to know"));
     for (const auto& [flag, found] : raised) {
-      put("<dt>{}</dt><dd>", escaped(flag->id));
+      put("<dt>{}</dt><dd>", escaped(s_.words(flag->title())));
       for (const auto& [name, own] : found) {
         std::string what;
         for (const auto& part : own->what) what += s_.words(part);

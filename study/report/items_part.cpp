@@ -68,18 +68,16 @@ class ItemsWriter : HtmlWriter {
     if (rows.empty()) return;
     table(
         titleOf(instrument) + say(": every item by itself"),
-        {say("Item"),
-         say("Cohort"),
-         say("About"),
-         "n",
-         say("Mean"),
-         say("SD"),
-         say("Median"),
-         say("Range")});
+        {say("Cohort"), say("About"), "n", say("Mean"), say("SD"), say("Median"), say("Range")});
+    constexpr std::size_t kColumns = 7;
+    const std::string* item = nullptr;
     for (const auto* one : rows) {
+      if (item == nullptr || *item != one->item) {
+        rowOver(questionOf(instrument, one->item), kColumns);
+      }
+      item = &one->item;
       row(
-          {questionOf(instrument, one->item),
-           cohort(one->cohort),
+          {cohort(one->cohort),
            aboutOf(one->condition),
            std::to_string(one->values.size()),
            rounded(one->mean, 2),
@@ -95,10 +93,15 @@ class ItemsWriter : HtmlWriter {
     if (rows.empty()) return;
     table(
         titleOf(instrument) + say(": how often each option was chosen"),
-        {say("Item"), say("Cohort"), say("About"), "n", say("Chosen")});
+        {say("Cohort"), say("About"), "n", say("Chosen")});
+    constexpr std::size_t kColumns = 4;
+    const std::string* item = nullptr;
     for (const auto* one : rows) {
-      put("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
-          questionOf(instrument, one->item),
+      if (item == nullptr || *item != one->item) {
+        rowOver(questionOf(instrument, one->item), kColumns);
+      }
+      item = &one->item;
+      put("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
           cohort(one->cohort),
           aboutOf(one->condition),
           one->answers,

@@ -18,6 +18,9 @@ class MethodsWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
+    if (const auto& description = s_.protocol.study.description; !description.empty()) {
+      put("<p>{}</p>", say("The protocol describes the study as: “{}”", description));
+    }
     put("<p>{}</p>", procedure());
     put("<p>{}</p>", plan());
     put("<p>{}</p>", computation());

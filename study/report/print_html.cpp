@@ -13,6 +13,7 @@ body { font-size: 9pt; }
 h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size: 11pt; margin-top: 10px; margin-bottom: 3px; } h4 { font-size: 9.5pt; margin-bottom: 3px; }
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
+p.figcaption { margin-bottom: 12px; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }

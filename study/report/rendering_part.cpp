@@ -7,6 +7,22 @@
 namespace study::report {
 namespace {
 
+constexpr std::string_view kCurvesCaption =
+    "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
+    "% of all strokes, each of which counts once.";
+
+constexpr std::string_view kBoneCurvesCaption =
+    "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
+    "% of all strokes, each of which counts once. Dashed, for bone: what its material gives where "
+    "nothing has been reamed away. Where bone is taken away, the first stroke and the later ones, "
+    "which go through its hole, are in this together: the median then lies between both.";
+
+/// @param rising  not empty.
+double medianOf(const std::vector<double>& rising) {
+  const auto middle = rising.size() / 2;
+  return rising.size() % 2 == 1 ? rising[middle] : 0.5 * (rising[middle - 1] + rising[middle]);
+}
+
 class RenderingWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;
@@ -17,13 +33,7 @@ class RenderingWriter : HtmlWriter {
       return std::move(html_);
     }
     for (const auto& svg : s_.figures.felt) {
-      figure(
-          svg,
-          "Force at the handle while the tool closed or advanced, over travel: median and the "
-          "middle 80 % of all strokes, each of which counts once. Dashed, for bone: what its "
-          "material gives where nothing has been reamed away. Where bone is taken away, the first "
-          "stroke and the later ones, which go through its hole, are in this together: the median "
-          "then lies between both.");
+      figure(svg, isOfBone() ? kBoneCurvesCaption : kCurvesCaption);
     }
     const bool isEmpty = std::all_of(
         s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return curve.points.empty(); });
@@ -60,11 +70,14 @@ class RenderingWriter : HtmlWriter {
         "by what hands do differently from one cut to the next.");
   }
 
-  void againstMaterial() {
-    const bool isBone = std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
-      return rmsFromIntended(curve);
+  bool isOfBone() const {
+    return std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
+      return rmsFromIntended(curve).has_value();
     });
-    if (!isBone) return;
+  }
+
+  void againstMaterial() {
+    if (!isOfBone()) return;
     table(
         say("Felt against the material: root mean square difference of the median force"),
         {say("Alternative"), "[N]"});
@@ -112,12 +125,32 @@ class RenderingWriter : HtmlWriter {
     } else {
       paragraph("The trials ran in virtual time, so there is no lateness to report.");
     }
+    cutOff();
     if (q.reasons.empty()) return;
     put("<ul>");
-    for (const auto& reason : q.reasons) {
-      put("<li>{}</li>", escaped(s_.words(reason)));
+    for (const auto& [reasons, trials] : q.reasons) {
+      put("<li>{}</li>",
+          trials == 1 ? escaped(s_.words(reasons))
+                      : say("{} trials, the first one: {}", trials, s_.words(reasons)));
     }
     put("</ul>");
+  }
+
+  /// The alternatives whose scene asked for more force than the device may give.
+  void cutOff() {
+    const auto& all = s_.quality.cutOff;
+    if (all.empty()) return;
+    table(
+        say("Trials in which the scene asked for more force than the device may give"),
+        {say("Alternative"), say("Trials"), say("Share of the contact: median"), say("largest")});
+    for (const auto& one : all) {
+      row(
+          {condition(one.condition),
+           say("{} of {}", one.shares.size(), one.trials),
+           fmt::format("{:.1f} %", 100.0 * medianOf(one.shares)),
+           fmt::format("{:.1f} %", 100.0 * one.shares.back())});
+    }
+    endTable();
   }
 };
 

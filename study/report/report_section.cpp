@@ -1,6 +1,7 @@
 #include "study/report/report_section.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "protocols/load_protocol.h"
@@ -8,6 +9,21 @@
 
 namespace study::report {
 namespace {
+
+/// Counts a trial's reasons with others of the same kinds. That the force was cut off is left out:
+/// it is told by condition.
+void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reasons) {
+  std::erase_if(reasons, [](const auto& reason) { return reason.key() == "trial.cut_off"; });
+  if (reasons.empty()) return;
+  const auto known = std::ranges::find_if(all, [&](const auto& other) {
+    return std::ranges::equal(other.reasons, reasons, {}, &base::Message::key, &base::Message::key);
+  });
+  if (known == all.end()) {
+    all.push_back({std::move(reasons)});
+  } else {
+    ++known->trials;
+  }
+}
 
 TrialQuality qualityOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
@@ -18,6 +34,7 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     }
   }
   TrialQuality quality;
+  std::map<std::string, CutOffTrials> cutOff;
   for (const auto& trial : records.trials()) {
     const bool counts =
         trial.step.isFinished() &&
@@ -41,10 +58,19 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
            .p99 = *trial.latenessP99,
            .largest = trial.latenessLargest.value_or(*trial.latenessP99)});
     }
-    const bool isNew = !trial.reasons.empty() &&
-                       std::find(quality.reasons.begin(), quality.reasons.end(), trial.reasons) ==
-                           quality.reasons.end();
-    if (isNew) quality.reasons.push_back(trial.reasons);
+    addReasons(quality.reasons, trial.reasons);
+    auto& ofCondition = cutOff[trial.step.condition];
+    ++ofCondition.trials;
+    if (trial.saturated > 0.0 && trial.contact > 0.0) {
+      ofCondition.shares.push_back(trial.saturated / trial.contact);
+    }
+  }
+  for (const auto& condition : study.protocol().protocol.conditions) {
+    auto& found = cutOff[condition.id];
+    if (found.shares.empty()) continue;
+    found.condition = condition.id;
+    std::ranges::sort(found.shares);
+    quality.cutOff.push_back(std::move(found));
   }
   return quality;
 }

@@ -47,6 +47,19 @@ struct TrialTiming {
   double largest = 0.0;  ///< [µs]
 };
 
+/// The trials of a condition whose scene asked for more force than the device may give.
+struct CutOffTrials {
+  std::string condition;
+  int trials = 0;              ///< all of the condition
+  std::vector<double> shares;  ///< of the contact, 0 to 1, one for each such trial, rising
+};
+
+/// Why trials did not pass.
+struct TrialReasons {
+  std::vector<base::Message> reasons;  ///< of the first of them
+  int trials = 1;                      ///< those with reasons of the same kinds
+};
+
 /// How well the trials of a study were rendered. Counts the trials of completed sessions that were
 /// finished and not repeated, without the optional ones before a preference.
 struct TrialQuality {
@@ -60,8 +73,9 @@ struct TrialQuality {
   double contact = 0.0;    ///< [s]
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
-  std::vector<std::vector<base::Message>> reasons;  ///< of all trials that did not pass
-  std::vector<TrialTiming> timings;  ///< in the order of the trials; empty in simulated time
+  std::vector<CutOffTrials> cutOff;   ///< by condition, in the protocol's order
+  std::vector<TrialReasons> reasons;  ///< of all trials that did not pass, the force apart
+  std::vector<TrialTiming> timings;   ///< in the order of the trials; empty in simulated time
 };
 
 /// One study in a report: everything that is printed, computed once.

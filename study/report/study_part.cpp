@@ -32,9 +32,7 @@ class HeadWriter : HtmlWriter {
       put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
     }
     synthetic();
-    heading("The question");
-    if (!s_.protocol.study.description.empty())
-      put("<p>{}</p>", escaped(s_.protocol.study.description));
+    if (!s_.results.families.empty()) heading("The question");
     for (const auto& family : s_.results.families) declared(family);
   }
 
@@ -56,15 +54,21 @@ class HeadWriter : HtmlWriter {
   }
 
   void synthetic() {
-    std::string titles;
+    std::string made;
     for (const auto& source : s_.sources) {
-      if (source.isSynthetic) titles += (titles.empty() ? "" : "; ") + s_.words(source.title);
+      if (!source.isSynthetic) continue;
+      std::string conditions;
+      for (const auto& id : source.conditions) {
+        conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
+      }
+      made += (made.empty() ? "" : "; ") +
+              s_.words.say("{} (from: {})", conditions, s_.words(source.title));
     }
-    if (titles.empty()) return;
+    if (made.empty()) return;
     put("<p class=\"banner\">{}</p>",
-        say("SYNTHETIC: nobody recorded or measured what these alternatives were made from: {}. "
-            "See “How this was made”.",
-            titles));
+        say("SYNTHETIC, made from what was neither recorded nor measured: {}. See “How this was "
+            "made”.",
+            made));
   }
 };
 

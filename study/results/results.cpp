@@ -236,11 +236,19 @@ class Computation {
         if (p) facts.pValues.push_back(*p);
       }
     }
+    std::map<std::string, analysis::SaturatedMethod> methods;
     for (const auto& trial : trials_) {
       if (sessions_.at(trial.step.visit.session).cohort != part.cohort) continue;
       ++facts.trials;
       if (isOftenLate(trial.lateTicks.value_or(0), trial.ticks)) ++facts.lateTrials;
-      if (trial.saturated > 0.0) ++facts.saturatedTrials;
+      auto& method = methods[trial.step.condition];
+      ++method.trials;
+      if (trial.saturated > 0.0) ++method.saturated;
+    }
+    for (const auto& condition : loaded_.protocol.conditions) {
+      auto& method = methods[condition.id];
+      method.title = condition.title;
+      if (method.saturated > 0) facts.saturated.push_back(method);
     }
     return analysis::flagsOf(part.table, facts);
   }

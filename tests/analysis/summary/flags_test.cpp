@@ -1,6 +1,7 @@
 #include "analysis/summary/flags.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -179,8 +180,27 @@ TEST(Flags, NameTrialsThatWereNotRenderedAsMeant) {
   auto facts = kSound;
   facts.trials = 12;
   facts.lateTrials = 2;
-  facts.saturatedTrials = 1;
+  facts.saturated = {{"Recording", 3, 4}, {"Model", 1, 4}};
   EXPECT_EQ(idsOf(balanced(), facts), (Ids{"late_ticks", "saturated"}));
+  EXPECT_EQ(
+      analysis::flagsOf(balanced(), facts)[1].inEnglish(),
+      "In 4 of 12 trials the scene asked for more force than the device may give: “Recording” in 3 "
+      "of 4, “Model” in 1 of 4.");
+}
+
+TEST(Flags, HaveTitlesForPeople) {
+  auto facts = kSound;
+  facts.trials = 12;
+  facts.lateTrials = 2;
+  EXPECT_EQ(base::describe(analysis::flagsOf(balanced(), facts)[0].title()), "A late force loop");
+  std::set<std::string> ids;
+  for (const auto& kind : analysis::kFlagMessages) {
+    if (kind.key.ends_with(".remedy"))
+      ids.insert(std::string(kind.key.substr(0, kind.key.rfind('.'))));
+  }
+  for (const auto& id : ids) {
+    EXPECT_FALSE(base::describe(analysis::Flag{.id = id}.title()).empty()) << id;
+  }
 }
 
 TEST(Flags, NameAnUndeclaredFamilyEvenWithoutAnswers) {

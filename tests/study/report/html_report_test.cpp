@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "protocols/model/messages.h"
+#include "study/report/family_captions.h"
 #include "study/report/numbering.h"
 #include "study/report/print_html.h"
+#include "study/report/study_parts.h"
 #include "tests/study/report/section.h"
 
 namespace study::report {
@@ -272,10 +274,50 @@ TEST(HtmlReport, MarksSyntheticMaterialsVisibly) {
        .conditions = {"finite-elements"}}};
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "<p class=\"banner\">SYNTHETIC"));
+  EXPECT_TRUE(has(page, "recorded nor measured: Interpolation, KF (from: Specimen &lt;7&gt;)"))
+      << page.substr(page.find("SYNTHETIC"), 300);
   EXPECT_TRUE(has(page, "SYNTHETIC: Specimen &lt;7&gt; (material 'bone.json'), test set static"));
   EXPECT_TRUE(has(page, "<li>A recorded cut (cut "));
   section.sources[0].isSynthetic = false;
   EXPECT_FALSE(has(asHtml({section}), "SYNTHETIC"));
+}
+
+TEST(HtmlReport, PrintsNoDescriptionAsTheQuestion) {
+  auto section = tests::madeUpSection();
+  section.protocol.study.description = "How it differs from the published one.";
+  EXPECT_FALSE(has(headAsHtml(section), "How it differs"));
+  EXPECT_TRUE(has(
+      methodsAsHtml(section), "describes the study as: “How it differs from the published one.”"));
+}
+
+TEST(HtmlReport, NamesNotesInWords) {
+  const auto page = asHtml({tests::madeUpSection()});
+  EXPECT_TRUE(has(page, "<dt>Several answers of one person counted as independent</dt>"));
+  EXPECT_FALSE(has(page, "pseudo_replication"));
+  EXPECT_FALSE(has(page, "docs/"));
+}
+
+TEST(HtmlReport, SaysWhichConditionsAskedForTooMuchForce) {
+  const auto section = tests::madeUpSection();
+  const auto answer = answerAsHtml(section);
+  EXPECT_TRUE(has(answer, "<p><strong>In each cohort: In 1 of 9 trials")) << answer;
+  EXPECT_TRUE(has(answer, "“Interpolation” in 1 of 3.")) << answer;
+  const auto rendering = renderingAsHtml(section);
+  EXPECT_TRUE(
+      has(rendering, "<td>Interpolation</td><td>3 of 12</td><td>12.5 %</td><td>25.0 %</td>"))
+      << rendering;
+  EXPECT_TRUE(has(rendering, "2 trials, the first one: ")) << rendering;
+}
+
+TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.equivalenceBound.reset();
+  EXPECT_FALSE(has(std::string(differencesCaption(family)), "Shaded"));
+  family.family.equivalenceBound = 0.5;
+  EXPECT_TRUE(has(std::string(differencesCaption(family)), "Shaded are differences"));
+  section.figures.felt = {"<svg/>"};
+  EXPECT_FALSE(has(renderingAsHtml(section), "for bone"));
 }
 
 TEST(HtmlReport, IsSelfContained) {

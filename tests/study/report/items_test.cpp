@@ -278,8 +278,10 @@ TEST(ItemSummaries, AreShownInTheReport) {
   for (auto& summary : section.results.answers.items) summary.cohort = "professional";
   const auto items = report::itemsAsHtml(section);
   EXPECT_NE(
-      items.find("<td>Question &lt;vas&gt;</td><td>Orthopaedic surgeons</td><td>KF</td><td>2</td>"
-                 "<td>56.25</td><td>8.84</td><td>56.25</td><td>50 … 62.5</td>"),
+      items.find("<em>Question &lt;vas&gt;</em></td></tr>\n"
+                 "<tr><td>Orthopaedic "
+                 "surgeons</td><td>KF</td><td>2</td><td>56.25</td><td>8.84</td><td>56.25</"
+                 "td><td>50 … 62.5</td>"),
       std::string::npos)
       << items;
   EXPECT_NE(items.find("<td class=\"words\">The right 1</td>"), std::string::npos) << items;

@@ -1,5 +1,6 @@
 #include "study/report/report_section.h"
 
+#include <algorithm>
 #include <regex>
 
 #include <fmt/format.h>
@@ -50,6 +51,28 @@ TEST(ReportSection, CountsTrialsByTheirVerdicts) {
   EXPECT_EQ(section.quality.pass, 0);
   EXPECT_EQ(section.quality.warn, 2);
   EXPECT_EQ(section.quality.fail, 1);
+}
+
+TEST(ReportSection, CountsTrialsWhoseForceWasCutOffByCondition) {
+  auto protocol = tests::shortProtocol();  // open: what is sealed cannot be changed here
+  protocol.insert(protocol.find(R"("languages")"), R"("blinding": "open", )");
+  tests::MadeStudy study(tests::protocolFrom(protocol));
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  study->database().execute(
+      "UPDATE trial SET saturated_s = 0.5, contact_s = 2.0 "
+      "WHERE rowid = (SELECT min(rowid) FROM trial)");
+  const auto section = gather(*study, RunMode::Live);
+  ASSERT_EQ(section.quality.cutOff.size(), 1U);
+  const auto& found = section.quality.cutOff.front();
+  EXPECT_EQ(found.shares, std::vector<double>{0.25});
+  EXPECT_GE(found.trials, 1);
+  const auto& title = section.conditionTitle(found.condition);
+  const auto flags = section.results.families.front().cohorts.front().flags;
+  const auto flag = std::ranges::find(flags, "saturated", &analysis::Flag::id);
+  ASSERT_NE(flag, flags.end());
+  EXPECT_NE(flag->inEnglish().find("“" + title + "” in 1 of "), std::string::npos)
+      << flag->inEnglish();
 }
 
 TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {

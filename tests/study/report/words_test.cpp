@@ -199,7 +199,7 @@ TEST_P(WordsTest, LeaveNoEnglishInAReport) {
   });
   EXPECT_FALSE(section.warnings.empty());
   section.quality.reasons = {
-      {message("trial.late.machine", 30, 4000, 2), message("trial.samples_lost.one", 1)}};
+      {{message("trial.late.machine", 30, 4000, 2), message("trial.samples_lost.one", 1)}, 2}};
   EXPECT_EQ(englishIn(report::asHtml(sections)), "");
   section.words = {};
   EXPECT_NE(englishIn(report::asHtml(sections)), "") << "or this test sees nothing";
