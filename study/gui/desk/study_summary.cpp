@@ -15,17 +15,18 @@ namespace {
 constexpr RunMode kRunModes[]{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
 
 void fillCohorts(Study& study, StudySummary& summary) {
-  const auto mode = likelyRunMode(summary);
   const auto rows = study.sessions().all();
   for (const auto& cohort : study.protocol().protocol.cohorts) {
     const auto completed = std::ranges::count_if(rows, [&](const auto& row) {
-      return row.runMode == mode && row.cohort == cohort.id && row.state == SessionState::Completed;
+      return row.runMode == RunMode::Live && row.cohort == cohort.id &&
+             row.state == SessionState::Completed;
     });
     summary.cohorts.push_back(
         {.title = cohort.title.in(deskLanguage()),
          .completed = static_cast<int>(completed),
          .planned = cohort.planned});
   }
+  const auto mode = likelyRunMode(summary);
   if (mode == RunMode::Simulated) return;  // in a time of their own
   for (const auto& row : rows) {
     if (row.runMode == mode)
@@ -111,7 +112,7 @@ bool isArrivalOverdue(const StudySummary& summary) {
 }
 
 RunMode likelyRunMode(const StudySummary& summary) {
-  for (const auto mode : {RunMode::Live, RunMode::Simulated, RunMode::Pilot}) {
+  for (const auto mode : kRunModes) {
     if (countIn(summary.sessions, mode) > 0) return mode;
   }
   return RunMode::Live;

@@ -14,7 +14,7 @@ namespace study::gui {
 /// How far a cohort has come.
 struct CohortProgress {
   std::string title;
-  int completed = 0;  ///< of the run mode that likelyRunMode() names
+  int completed = 0;  ///< live sessions: pilots and simulated ones take no planned place
   int planned = 0;    ///< 0: the protocol plans no number
 };
 
@@ -26,7 +26,7 @@ struct StudySummary {
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< all of them, finished or not
   std::vector<CohortProgress> cohorts;
-  std::string lastSessionUtc;    ///< when the latest session of that run mode began; empty: none
+  std::string lastSessionUtc;    ///< when the latest session of likelyRunMode() began; empty: none
                                  ///< has, or the sessions are simulated
   std::size_t blanks = 0;        ///< in texts for participants, still to be filled in
   bool isOnlyCopyOfKey = false;  ///< no copy was made of the key with which conditions are sealed
@@ -50,7 +50,7 @@ std::string arrivalsInWords(const StudySummary& summary);
 /// Whether something has been waiting for more than a day.
 bool isArrivalOverdue(const StudySummary& summary);
 
-/// The run mode to offer first: live if there are live sessions, else simulated, else pilot; live
+/// The run mode to offer first: live if there are live sessions, else pilot, else simulated; live
 /// if there are none.
 RunMode likelyRunMode(const StudySummary& summary);
 
