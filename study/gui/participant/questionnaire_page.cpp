@@ -27,6 +27,8 @@ std::vector<Item> withSignatures(std::vector<Item> items) {
 }
 
 constexpr int kAboveTitle = 6;  // [px] at scale 1
+// [ms] in which somebody who has already aimed notices that another question is there now
+constexpr int kSettling = 700;
 
 /// What is agreed to, paragraph by paragraph; a heading belongs to the paragraph below it.
 QStringList clausesOf(const QString& text) {
@@ -54,7 +56,14 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
     : QWidget(parent),
       scroll_(new QScrollArea(this)),
       items_(withSignatures(content.items)),
-      language_(content.language) {
+      language_(content.language),
+      settling_(new QTimer(this)) {
+  settling_->setObjectName(QStringLiteral("settling"));
+  settling_->setSingleShot(true);
+  settling_->setInterval(kSettling);
+  connect(settling_, &QTimer::timeout, this, [this] {
+    for (auto* sheet : sheets_) sheet->setAttribute(Qt::WA_TransparentForMouseEvents, false);
+  });
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   scroll_->setWidgetResizable(true);
@@ -200,6 +209,7 @@ QuestionnairePage::Progress QuestionnairePage::progress() const {
 void QuestionnairePage::mark(Entry& entry, bool isOpen) {
   if (entry.mark->isVisibleTo(entry.card) == isOpen) return;
   entry.mark->setVisible(isOpen);
+  if (!isOpen) ignorePresses();
   entry.card->setProperty("isOpen", isOpen ? QStringLiteral("true") : QString());
   entry.card->style()->unpolish(entry.card);  // makes the style sheet read the property again
   entry.card->style()->polish(entry.card);
@@ -281,8 +291,17 @@ void QuestionnairePage::updateAsked() {
     if (isAsked == entry.isAsked) continue;
     entry.isAsked = isAsked;
     entry.card->setVisible(isAsked);
+    if (entry.sheet == sheet_) ignorePresses();
     if (entry.widget->response()) emitAnswer(i);
   }
+}
+
+/// Questions of the sheet move: a press that was aimed at one of them before would answer the one
+/// that lies there now. The keyboard goes on, because the focus moves with its question.
+void QuestionnairePage::ignorePresses() {
+  if (!isVisible()) return;
+  sheets_[static_cast<std::size_t>(sheet_)]->setAttribute(Qt::WA_TransparentForMouseEvents);
+  settling_->start();
 }
 
 void QuestionnairePage::markUnsaved(const QString& item) {

@@ -6,6 +6,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QScrollArea>
+#include <QTimer>
 #include <QWidget>
 
 #include "study/gui/participant/item_widget.h"
@@ -94,6 +95,7 @@ class QuestionnairePage final : public QWidget {
   void mark(Entry& entry, bool isOpen);
   void emitAnswer(std::size_t index);
   void updateAsked();
+  void ignorePresses();
   double now() const;
 
   QScrollArea* scroll_;
@@ -105,6 +107,7 @@ class QuestionnairePage final : public QWidget {
   std::vector<questionnaires::Item> items_;
   QString language_;
   QElapsedTimer shown_;
+  QTimer* settling_;  ///< runs while presses are ignored, because questions have moved
 };
 
 }  // namespace study::gui

@@ -1,5 +1,6 @@
 #include "study/gui/participant/questionnaire_page.h"
 
+#include <chrono>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
+#include <QTimer>
+#include <QWindow>
 
 #include "questionnaires/reading/instrument_file.h"
 #include "study/gui/participant/answer_slider.h"
@@ -118,6 +121,54 @@ TEST(QuestionnairePage, SetsASliderByMouseAndKeys) {
   EXPECT_EQ(shown.answers.back().response, questionnaires::Response(55.0));
   QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 20));
   EXPECT_EQ(shown.answers.back().response, questionnaires::Response(100.0));
+}
+
+/// Three questions; the one in the middle is asked if the first is answered "yes".
+std::vector<questionnaires::Item> itemsAroundAConditionalOne() {
+  const auto text = [](const char* english) {
+    return questionnaires::LocalizedText({{"en", english}});
+  };
+  std::vector<questionnaires::Item> items;
+  for (const char* id : {"first", "conditional", "last"}) {
+    items.push_back(
+        {.id = id,
+         .type = questionnaires::ItemType::SingleChoice,
+         .text = text(id),
+         .options = {{"yes", text("Yes")}, {"no", text("No")}}});
+  }
+  items[1].showIf = {.item = "first", .isIn = {"yes"}};
+  return items;
+}
+
+TEST(QuestionnairePage, IgnoresClicksRightAfterAnItemAppearedUnderThePointer) {
+  Shown shown(itemsAroundAConditionalOne());
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&shown.page));
+  auto* settling = shown.page.findChild<QTimer*>(QStringLiteral("settling"));
+  ASSERT_NE(settling, nullptr);
+  settling->setInterval(std::chrono::hours(1));  // this test knows no other end of it than its own
+  const auto rows = shown.page.findChildren<OptionButtons*>();
+  ASSERT_EQ(rows.size(), 3);
+  const auto clickAt = [&](QPoint place) {  // as a mouse does: what lies there gets it
+    QTest::mouseClick(shown.page.windowHandle(), Qt::LeftButton, {}, place);
+    QCoreApplication::processEvents();
+  };
+  const auto placeOf = [&](QWidget* button) {
+    return button->mapTo(&shown.page, button->rect().center());
+  };
+  const auto aimedAt = placeOf(rows[2]->button(0));
+  clickAt(placeOf(rows[0]->button(0)));
+  ASSERT_EQ(shown.answers.size(), 1U);
+  ASSERT_TRUE(rows[1]->isVisible());
+  ASSERT_NE(placeOf(rows[2]->button(0)), aimedAt);
+  clickAt(aimedAt);
+  clickAt(placeOf(rows[2]->button(0)));
+  EXPECT_EQ(shown.answers.size(), 1U) << "what was aimed at has moved away";
+
+  settling->start(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !settling->isActive(); }));
+  clickAt(placeOf(rows[2]->button(0)));
+  ASSERT_EQ(shown.answers.size(), 2U);
+  EXPECT_EQ(shown.answers.back().item, "last");
 }
 
 TEST(QuestionnairePage, RetractsADeletedAnswer) {
