@@ -82,9 +82,12 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   // The page appears at once. The renderer is created while the participant reads it.
   constexpr int kAfterThePage = 20;  // [ms]
   QTimer::singleShot(
-      kAfterThePage, place, [place, spec, &controller, visit = controller.session().visit()] {
-        const auto& session = controller.session();
-        if (!session.isOver() && session.visit() == visit) begin(*place, spec, controller);
+      kAfterThePage,
+      place,
+      [place, spec, shown = QPointer(&controller), visit = controller.session().visit()] {
+        if (shown.isNull()) return;  // the page is deleted a little later than the session's window
+        const auto& session = shown->session();
+        if (!session.isOver() && session.visit() == visit) begin(*place, spec, *shown);
       });
   return place;
 }
