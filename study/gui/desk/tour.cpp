@@ -328,8 +328,8 @@ void Tour::showRecord() {
     const double touched = felt.cuts.front().interception.travel;
     add(tr("First cut: touched the tissue at"), inUnits(touched, "units of travel"));
   }
-  if (felt.latenessP99) {
-    add(tr("Timing"), tr("99 % within %1").arg(inUnits(*felt.latenessP99, "µs", 0)));
+  if (felt.lateTicks) {
+    add(tr("Timing"), tr("%1 of %2 ticks late").arg(*felt.lateTicks).arg(felt.ticks));
   }
   const auto judgement = felt.judgement();
   QStringList words{spoken(nameOf(judgement.verdict)).toUpper()};

@@ -16,7 +16,7 @@ enum Column { kContact, kYield, kBottom, kOpening, kDepth, kPeak, kTime, kColumn
 
 QString describe(const CutDetector::Landmark& landmark, const TravelScale& travel) {
   if (!landmark.found) return QStringLiteral("—");
-  return CutTable::tr("%1 N at %2%3")
+  return CutTable::tr("%1 N, %2%3")
       .arg(landmark.force, 0, 'f', 2)
       .arg(travel.factor * landmark.travel, 0, 'f', 1)
       .arg(travel.suffix);
@@ -47,8 +47,11 @@ CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
        tr("Bottom"),
        tr("Opening"),
        tr("Depth"),
-       tr("Largest force"),
+       tr("Peak force"),
        tr("Time")});
+  for (const int column : {kContact, kYield, kBottom, kOpening}) {
+    horizontalHeaderItem(column)->setToolTip(tr("Force, and the travel at it"));
+  }
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   setSelectionMode(QAbstractItemView::NoSelection);
   makeReadOnly(*this);

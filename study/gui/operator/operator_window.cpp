@@ -35,6 +35,14 @@
 
 namespace study::gui {
 
+/// Only the page that is shown needs room.
+static void giveRoomToShown(QStackedWidget& pages) {
+  for (int i = 0; i < pages.count(); ++i) {
+    const auto room = i == pages.currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    pages.widget(i)->setSizePolicy(room, room);
+  }
+}
+
 OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
     : QMainWindow(parent),
       study_(study),
@@ -82,15 +90,10 @@ void OperatorWindow::makeContents() {
   layout->addWidget(head_);
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
-  // Only the page that is shown needs room.
-  const auto giveRoom = [this](int shown) {
-    for (int i = 0; i < pages_->count(); ++i) {
-      const auto high = i == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-      pages_->widget(i)->setSizePolicy(QSizePolicy::Preferred, high);
-    }
-  };
-  connect(pages_, &QStackedWidget::currentChanged, this, giveRoom);
-  giveRoom(pages_->currentIndex());
+  for (auto* stack : {pages_, middle_}) {
+    connect(stack, &QStackedWidget::currentChanged, this, [stack] { giveRoomToShown(*stack); });
+    giveRoomToShown(*stack);
+  }
   layout->addWidget(pages_, 1);
   setCentralWidget(new FittingScroll(inside, this));
   connectPanels();
@@ -165,7 +168,7 @@ void OperatorWindow::arrange() {
   constexpr int kAround = 60;  // [px]: margins, and the bar of what is scrolled
   head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
   constexpr int kRoomForTwo = 900;  // [px]
-  constexpr int kControlsWidth = 470;
+  constexpr int kControlsWidth = 430;
   constexpr int kHeightOfEach = 420;  // above one another
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

@@ -35,7 +35,7 @@ class ServoPanel::Bars final : public QWidget {
     const auto& bars = health_.bars();
     const double wide = static_cast<double>(width()) / static_cast<double>(bars.size());
     constexpr double kFoot = 14.0;
-    const QString caption = ServoPanel::tr("ticks by lateness [µs]");
+    const QString caption = ServoPanel::tr("ticks by lateness [µs], log scale");
     painter.drawText(QRectF(0, 0, width(), kFoot), Qt::AlignRight | Qt::AlignVCenter, caption);
     const double most = std::log10(1.0 + static_cast<double>(health_.ticks()));
     for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -64,6 +64,7 @@ ServoPanel::ServoPanel(QWidget* parent)
       words_(quietLabel({}, this)),
       bars_(new Bars(health_, this)) {
   light_->setObjectName(QStringLiteral("timing"));
+  light_->setWordWrap(true);  // the operator's window is narrow beside a participant's
   details_->setObjectName(QStringLiteral("timing-details"));
   details_->setProperty("role", QStringLiteral("tool"));
   details_->setCheckable(true);
@@ -123,11 +124,15 @@ void ServoPanel::refresh() {
                             .arg(priority);
   showLight();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
+  // Its lines are wrapped in a narrow window, which the least height of the panel does not tell.
+  constexpr int kUsualWidth = 300;  // [px], as long as it was not laid out
+  words_->setMinimumHeight(words_->heightForWidth(std::max(words_->width(), kUsualWidth)));
   bars_->update();
 }
 
 /// One line: whether the trial will be warned about, as TrialRecord::judgement() does, and the
-/// number behind it.
+/// numbers behind it. Force at its limit is named however short it was: what is felt then is not
+/// what the scene asked for.
 void ServoPanel::showLight() {
   constexpr double kMostInvalid = 0.01;
   const auto ticks = static_cast<std::int64_t>(health_.ticks());
@@ -136,17 +141,20 @@ void ServoPanel::showLight() {
     setRole(*light_, "quiet");
     return light_->setText(tr("No trial is running."));
   }
-  const QString within = tr("99 % within %1 µs").arg(health_.lateness(0.99), 0, 'f', 0);
+  const auto saturated = health_.saturatedTicks();
+  QString words;
   if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
     setRole(*light_, "bad");
-    light_->setText(tr("✖ Timing: poor (%1, %2 of %3 late)").arg(within).arg(late).arg(ticks));
-  } else if (late > 0) {
-    setRole(*light_, "warn");
-    light_->setText(tr("▲ Timing: fair (%1, %2 of %3 late)").arg(within).arg(late).arg(ticks));
+    words = tr("✖ Timing: poor (%1 of %2 ticks late)").arg(late).arg(ticks);
   } else {
-    setRole(*light_, "good");
-    light_->setText(tr("● Timing: good (%1)").arg(within));
+    setRole(*light_, late > 0 || saturated > 0 ? "warn" : "good");
+    words = late > 0 ? tr("▲ Timing: fair (%1 of %2 ticks late)").arg(late).arg(ticks)
+                     : tr("● Timing: good (none of %1 ticks late)").arg(ticks);
   }
+  if (saturated > 0) {
+    words += QStringLiteral(" · ") + tr("force at its limit in %1 ticks").arg(saturated);
+  }
+  light_->setText(words);
 }
 
 }  // namespace study::gui

@@ -10,9 +10,9 @@
 
 namespace study::gui {
 
-/// Shows how punctually a trial is rendered: one line that says whether the timing is good, and on
-/// demand the rate, the lateness of ticks, how often the force limiter intervened, and the energy
-/// of the contact.
+/// Shows how punctually a trial is rendered: one line that says whether the timing is good
+/// and whether the force reached its limit, and on demand the rate, the lateness of ticks, how
+/// often the force limiter intervened, and the energy of the contact.
 class ServoPanel final : public QWidget {
   Q_OBJECT
 

@@ -68,8 +68,8 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
 }
 
 void TimelineTable::resizeEvent(QResizeEvent* event) {
-  constexpr int kRoomForTheKind = 520;  // [px]; the step's name contains its kind as well
-  constexpr int kRoomForTheAttempts = 470;
+  constexpr int kRoomForTheKind = 640;  // [px]; the step's name contains its kind as well
+  constexpr int kRoomForTheAttempts = 480;
   setColumnHidden(2, event->size().width() < kRoomForTheKind);
   setColumnHidden(3, event->size().width() < kRoomForTheAttempts);
   QTableWidget::resizeEvent(event);
@@ -87,6 +87,8 @@ void TimelineTable::show(const SessionController* controller) {
   for (const int narrow : {0, 2, 3}) {
     if (isNew) resizeColumnToContents(narrow);
   }
+  constexpr int kBolder = 8;  // [px] of the current step's number
+  if (isNew) setColumnWidth(0, columnWidth(0) + kBolder);
   if (isNew) resizeRowsToContents();
   const int now = controller->session().stepIndex();
   if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);

@@ -24,7 +24,8 @@ class ServoHealth {
   /// The quantile @p q of the ticks' lateness [µs].
   double lateness(double q) const noexcept { return histogram_.quantile(q); }
   double largestLateness() const noexcept { return histogram_.largest(); }  ///< [µs]
-  /// The share of ticks in which the scene asked for more force than the limit, 0 … 1.
+  /// The ticks in which the scene asked for more force than the limit, and their share, 0 … 1.
+  std::uint64_t saturatedTicks() const noexcept { return saturated_; }
   double saturatedShare() const noexcept { return share(saturated_); }
   /// The share of ticks without a measurement from the device, 0 … 1.
   double invalidShare() const noexcept { return share(invalid_); }

@@ -130,14 +130,31 @@ TEST(ServoPanel, SaysInOneLineWhetherTheTimingIsGood) {
     panel.refresh();
     return light->text();
   };
-  EXPECT_TRUE(tick(20.0, 9990).startsWith(QStringLiteral("● Timing: good (99 % within")));
-  EXPECT_TRUE(tick(5000.0, 1).startsWith(QStringLiteral("▲ Timing: fair")));
+  EXPECT_TRUE(
+      tick(20.0, 9990).startsWith(QStringLiteral("● Timing: good (none of 9990 ticks late)")));
+  EXPECT_TRUE(tick(5000.0, 1).startsWith(QStringLiteral("▲ Timing: fair (1 of 9991 ticks late)")));
   EXPECT_TRUE(tick(5000.0, 2000).startsWith(QStringLiteral("✖ Timing: poor")));
   auto* details = panel.findChild<QPushButton*>(QStringLiteral("timing-details"));
   const auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
   EXPECT_TRUE(words->isHidden() || words->parentWidget()->isHidden());
   details->click();
   EXPECT_FALSE(words->parentWidget()->isHidden());
+}
+
+TEST(ServoPanel, SaysInTheSameLineThatTheForceWasAtItsLimit) {
+  ServoPanel panel;
+  const auto* light = panel.findChild<QLabel*>(QStringLiteral("timing"));
+  panel.begin(haptics::devices::punchKind(), 1000.0);
+  for (int i = 0; i < 10; ++i) {
+    auto sample = sampleAt(1, 5.0, 8.0);
+    if (i < 3) sample.interventions = ForceLimiter::Saturated;
+    panel.add(sample);
+  }
+  panel.refresh();
+  EXPECT_TRUE(light->text().endsWith(QStringLiteral(" · force at its limit in 3 ticks")))
+      << light->text().toStdString();
+  EXPECT_EQ(light->property("role").toString(), QStringLiteral("warn"));
+  EXPECT_LT(light->minimumSizeHint().width(), 300) << "it leaves room in a narrow window";
 }
 
 TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
@@ -150,9 +167,9 @@ TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
     return heads.join(u' ').toStdString();
   };
   table.begin(haptics::devices::reamerKind(), 1000.0);
-  EXPECT_EQ(shown(), "Depth Largest force Time");
+  EXPECT_EQ(shown(), "Depth Peak force Time");
   table.begin(haptics::devices::punchKind(), 1000.0);
-  EXPECT_EQ(shown(), "Contact Yield Bottom Opening Largest force");
+  EXPECT_EQ(shown(), "Contact Yield Bottom Opening Peak force");
 }
 
 TEST(TravelPlot, DrawsEachStrokeAsACurveOfItsOwn) {
@@ -217,7 +234,7 @@ TEST(CutTable, FillsARowForEachCut) {
     }
   }
   ASSERT_EQ(table.rowCount(), 3);
-  EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" N at 4")))
+  EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" N, 4")))
       << table.item(0, 0)->text().toStdString();
   const double largest = table.item(1, 5)->text().split(u' ').front().toDouble();
   EXPECT_NEAR(largest, 4.8, 0.1);

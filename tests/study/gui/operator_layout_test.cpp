@@ -9,10 +9,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
 
+#include "haptics/engine/force_limiter.h"
+#include "haptics/engine/sample_ring.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
@@ -20,6 +24,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
+#include "study/gui/operator/trial_panel.h"
 #include "study/gui/operator/window_places.h"
 #include "study/gui/session/station_push.h"
 #include "study/model/new_file.h"
@@ -96,7 +101,7 @@ class OperatorLayout : public testing::Test {
   tests::ScratchFolder folder_;
   SystemClock clock_;
   Study study_{Study::create(
-      folder_ / "study", shipped("punch-face-validity"), clock_, 7, tests::knownSecret())};
+      folder_ / "study", shipped("punch-counterbalanced"), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };
@@ -229,6 +234,43 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   tests::photograph(*window_.participantWindow(), QStringLiteral("in-trial-participant"));
   window_.controller()->stop();
   expectAllInSight(QStringLiteral("broken-off"));
+}
+
+TEST_F(OperatorLayout, HasAllOfItsRightColumnBesideAParticipantsWindow) {
+  const auto places = placesOn({0, 0, 1920, 1080});
+  ASSERT_TRUE(places);
+  enrol();
+  show(places->own.size());
+  const auto expectFits = [&](const char* when) {
+    for (const auto* area : window_.findChildren<QScrollArea*>()) {
+      const auto* bar = area->horizontalScrollBar();
+      if (area->isVisible()) EXPECT_EQ(bar->maximum(), 0) << when;
+    }
+    EXPECT_EQ(cutOff().join(u';').toStdString(), "") << when;
+  };
+  participant_.goTo(StepKind::Trial);
+  participant_.cut(1);
+  auto* servo = window_.findChild<ServoPanel*>();
+  servo->findChild<QPushButton*>(QStringLiteral("timing-details"))->click();
+  haptics::engine::TickSample late;
+  late.lateness = 5000.0F;
+  late.interventions = haptics::engine::ForceLimiter::Saturated;
+  for (int i = 0; i < 20'000; ++i) servo->add(late);
+  servo->refresh();
+  QCoreApplication::processEvents();
+  expectFits("in a trial with a long line about its timing");
+  tests::photograph(window_, QStringLiteral("beside-participant"));
+  window_.controller()->stop();
+  while (window_.controller()->session().step().kind != StepKind::Interview) {
+    window_.controller()->skipStep(QStringLiteral("not needed here"));
+  }
+  QCoreApplication::processEvents();
+  expectFits("in the interview");
+  const auto* middle = window_.findChild<TrialPanel*>()->parentWidget()->parentWidget();
+  const auto* area = qobject_cast<QScrollArea*>(middle->parentWidget());
+  ASSERT_NE(area, nullptr);
+  EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "the questions scroll by themselves";
+  tests::photograph(window_, QStringLiteral("beside-participant-interview"));
 }
 
 TEST(WindowPlaces, AreSideBySideOnAScreenWithRoomForTwo) {
