@@ -267,6 +267,37 @@ QWidget* ParticipantWindow::makePage() {
   }
 }
 
+/// The trials before the current step, without optional repetitions.
+static std::vector<Step> trialsBefore(const Session& session) {
+  std::vector<Step> trials;
+  for (int i = 0; i < session.stepIndex(); ++i) {
+    const auto& step = session.plan()[static_cast<std::size_t>(i)];
+    if (step.kind == StepKind::Trial && !step.isOffered) trials.push_back(step);
+  }
+  return trials;
+}
+
+static bool isLabelledByPosition(const Session& session) {
+  return session.protocol().protocol.labels.policy == protocols::LabelPolicy::Position;
+}
+
+/// Whether the step is the first trial of a block whose labels an earlier block had for its own.
+static bool isNumberedAnew(const Session& session) {
+  const auto& step = session.step();
+  return isLabelledByPosition(session) && !step.isOffered && step.position == 1 &&
+         !trialsBefore(session).empty();
+}
+
+/// Whether the step is a preference whose labels say the order in which the alternatives of the
+/// latest block were felt.
+static bool isNumberedAsFelt(const Session& session) {
+  const auto& step = session.step();
+  if (step.kind != StepKind::Preference || !isLabelledByPosition(session)) return false;
+  const auto trials = trialsBefore(session);
+  return !trials.empty() &&
+         session.protocol().protocol.phase(step.phase)->block == trials.back().phase;
+}
+
 QWidget* ParticipantWindow::makeQuestionnaire() {
   const auto& session = controller_.session();
   const auto* instrument = session.instrument();
@@ -279,6 +310,10 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
       .before = session.answers()};
   if (session.step().kind == StepKind::Questionnaire) {
     content.title = alternativeName(QString::number(session.step().label));
+  }
+  if (isNumberedAsFelt(session)) {
+    content.introduction += (content.introduction.isEmpty() ? QString() : QStringLiteral("\n\n")) +
+                            tr("The numbers are in the order in which you felt them.");
   }
   for (const auto& label : session.step().alternatives) {
     content.choices.alternatives.emplace_back(
@@ -304,6 +339,7 @@ QWidget* ParticipantWindow::makeTrialPage() {
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOffered = step.isOffered,
+       .isNumberedAnew = isNumberedAnew(controller_.session()),
        .device = need->kind,
        .language = controller_.session().language()},
       viewOfTrial(controller_, this),

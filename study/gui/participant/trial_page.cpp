@@ -24,6 +24,10 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       content_(content),
       count_(nullptr),
+      numbering_(bodyLabel(
+          tr("The numbers start again: %1 may now stand for something else than before.")
+              .arg(content.name),
+          this)),
       hint_(nullptr),
       begin_(new QPushButton(tr("Begin"), this)),
       enough_(new QPushButton(tr("Done"), this)),
@@ -46,14 +50,16 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addWidget(picture, 1);
   }
   hint_ = bodyLabel(tr("Press Begin when you hold the instrument."), this);
-  hint_->setProperty("role", QStringLiteral("text"));
   setCuts(0);
   if (content.isOffered) {
     count_->setCount(0, tr("Would you like to feel it once more before you choose?"));
     begin_->setText(tr("Feel it again"));
   }
-  hint_->setAlignment(Qt::AlignCenter);
-  layout->addWidget(hint_);
+  for (auto* label : {numbering_, hint_}) {
+    label->setProperty("role", QStringLiteral("text"));
+    label->setAlignment(Qt::AlignCenter);
+    layout->addWidget(label);
+  }
   if (picture == nullptr) {
     // A low window has no room for it.
     constexpr int kAboveButton = 30;  // [px] at scale 1
@@ -99,6 +105,7 @@ QString TrialPage::cutsInWords(int cuts) const {
 void TrialPage::setRunning(bool isRunning) {
   isRunning_ = isRunning;
   begin_->setVisible(!isRunning);
+  numbering_->setVisible(!isRunning && content_.isNumberedAnew);
   enough_->setVisible(isRunning);
   decline_->setVisible(!isRunning && content_.isOffered);
   enough_->setEnabled(false);

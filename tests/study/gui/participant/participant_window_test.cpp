@@ -264,6 +264,56 @@ TEST_F(ParticipantPages, CanBeAnsweredByKeyboardAlone) {
   EXPECT_EQ(session.stepIndex(), questions + 1);
 }
 
+/// The words of the participant's page about numbers, at each first trial of a block and at each
+/// preference of a session of @p protocol.
+std::vector<std::string> wordsAboutNumbers(const std::string& protocol) {
+  const tests::ScratchFolder folder;
+  SystemClock clock;
+  questionnaires::Problems problems;
+  auto study = Study::create(
+      folder / "study",
+      *protocols::loadProtocolFile(protocol, problems),
+      clock,
+      7,
+      tests::knownSecret());
+  OperatorWindow window(study);
+  window.show();
+  window.enrol({.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  tests::Participant participant(window);
+  participant.goTo(StepKind::Trial);
+  const auto& session = window.controller()->session();
+  std::vector<std::string> words;
+  for (; !session.isOver(); window.controller()->skipStep(QStringLiteral("not needed here"))) {
+    const auto& step = session.step();
+    const bool isFirst = step.kind == StepKind::Trial && step.position == 1;
+    if (!isFirst && step.kind != StepKind::Preference) continue;
+    QCoreApplication::processEvents();  // shows the page
+    words.emplace_back();
+    for (const auto* label : window.participantWindow()->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(QStringLiteral("numbers")))
+        words.back() = label->text().toStdString();
+    }
+    if (!words.back().empty())
+      tests::photograph(*window.participantWindow(), QStringLiteral("numbers"));
+  }
+  return words;
+}
+
+TEST(ParticipantNumbers, StartAgainInTheSecondBlockAndThePageSaysSo) {
+  const auto words = wordsAboutNumbers("punch-counterbalanced");
+  ASSERT_EQ(words.size(), 4U) << "two blocks, each with a preference";
+  EXPECT_EQ(words[0], "");
+  EXPECT_NE(words[1].find("in the order in which you felt them"), std::string::npos) << words[1];
+  EXPECT_EQ(
+      words[2],
+      "The numbers start again: Alternative 1 may now stand for something else than before.");
+  EXPECT_NE(words[3].find("in the order in which you felt them"), std::string::npos) << words[3];
+}
+
+TEST(ParticipantNumbers, AreNotExplainedWhereTheySayNothingOfTheOrder) {
+  for (const auto& words : wordsAboutNumbers("punch-face-validity")) EXPECT_EQ(words, "");
+}
+
 /// The published study with an optional repetition of each alternative before the first choice.
 class OptionalTrialPages : public testing::Test {
  protected:
