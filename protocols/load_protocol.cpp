@@ -92,7 +92,15 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
     if (!fs::exists(file, absent)) return std::nullopt;
     return questionnaires::readTextFile(file.string(), largestOf(name));
   };
-  return loadProtocol(questionnaires::readTextFile(path), beside, problems);
+  const auto text = questionnaires::readTextFile(path);
+  if (fs::path(path).extension() == ".csv") {
+    problems.add(
+        "$",
+        "this is a table (CSV), not a protocol",
+        "import it as a cut, and name that as the 'cut' of a condition in a protocol");
+    return std::nullopt;
+  }
+  return loadProtocol(text, beside, problems);
 }
 
 }  // namespace

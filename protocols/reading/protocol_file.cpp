@@ -310,6 +310,21 @@ bool isComplete(const std::vector<T>& all) noexcept {
          std::all_of(all.begin(), all.end(), [](const T& t) { return isSoundId(t.id); });
 }
 
+/// Whether this is a file of another format, which names it in its "format". Its keys are not
+/// listed one by one then.
+bool isOtherFile(const Node& root) {
+  constexpr std::string_view kCut = "palpate-cut-";
+  const auto format = root.isObject() ? root.member("format") : std::nullopt;
+  if (!format || !format->isText()) return false;
+  const auto name = format->asText();
+  root.problem(
+      "format",
+      "this is a file of the format '" + questionnaires::shown(name) + "', not a protocol",
+      name.starts_with(kCut) ? "open the protocol that has it as a condition's 'cut'"
+                             : "open the protocol that names it");
+  return true;
+}
+
 }  // namespace
 
 bool Draft::lacksDevice(std::string_view id) const noexcept {
@@ -339,6 +354,7 @@ std::optional<Draft> readDraft(
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
+  if (isOtherFile(root)) return std::nullopt;
   if (!root.isObjectWith(
           {"$schema",
            "study",

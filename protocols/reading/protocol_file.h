@@ -45,4 +45,9 @@ std::optional<Draft> readDraft(
 std::string withTexts(
     std::string_view json, const std::map<std::string, questionnaires::LocalizedText>& texts);
 
+/// The protocol in @p json as one of its own: with another id and title of its study. Nothing else
+/// of the file changes, neither its lines nor its spaces.
+/// @pre @p json is a JSON object without faults: a protocol that could be read.
+std::string withName(std::string_view json, const std::string& id, const std::string& title);
+
 }  // namespace protocols

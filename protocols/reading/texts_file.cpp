@@ -66,14 +66,15 @@ struct Range {
 };
 
 /// The members of the outermost object: where the first one begins, where the last one ends, and
-/// where the one called "texts" is.
+/// where the wanted one is, with its name.
 struct Members {
   Range all;
-  Range texts;
-  std::size_t comma = std::string_view::npos;  ///< before "texts"; npos if it is the first
+  Range wanted;
+  std::size_t comma = std::string_view::npos;  ///< before the wanted; npos if it is the first
 };
 
-Members membersOf(std::string_view json) {
+/// @param key  of the wanted member, in quotes.
+Members membersOf(std::string_view json, std::string_view key) {
   Members members;
   std::size_t comma = std::string_view::npos;
   std::size_t i = json.find_first_not_of(kSpaces, json.find('{') + 1);
@@ -82,8 +83,8 @@ Members membersOf(std::string_view json) {
     const auto nameEnd = endOfString(json, i);
     const auto value = json.find_first_not_of(kSpaces, json.find(':', nameEnd) + 1);
     const auto end = json.find_last_not_of(kSpaces, endOfValue(json, value) - 1) + 1;
-    if (json.substr(i, nameEnd - i) == kKey) {
-      members.texts = {i, end};
+    if (json.substr(i, nameEnd - i) == key) {
+      members.wanted = {i, end};
       members.comma = comma;
     }
     members.all.end = end;
@@ -93,28 +94,46 @@ Members membersOf(std::string_view json) {
     i = json.find_first_not_of(kSpaces, i + 1);
   }
   if (members.all.end == std::string_view::npos) {
-    throw std::invalid_argument("withTexts: no JSON object with members");
+    throw std::invalid_argument("no JSON object with members");
   }
   return members;
 }
 
+/// @p json with another value of the member @p key, in quotes, of its outermost object.
+std::string withValue(std::string_view json, std::string_view key, std::string_view value) {
+  const auto member = membersOf(json, key).wanted;
+  if (member.begin == std::string_view::npos) throw std::invalid_argument("no such member");
+  const auto written = std::string(key) + ": " + std::string(value);
+  return std::string(json).replace(member.begin, member.end - member.begin, written);
+}
+
 }  // namespace
 
+std::string withName(std::string_view json, const std::string& id, const std::string& title) {
+  constexpr std::string_view kStudy = "\"study\"";
+  const auto member = membersOf(json, kStudy).wanted;
+  if (member.begin == std::string_view::npos) throw std::invalid_argument("no study");
+  const auto begin = json.find('{', member.begin);
+  auto study = withValue(json.substr(begin, member.end - begin), "\"id\"", quoted(id));
+  study = withValue(study, "\"title\"", quoted(title));
+  return withValue(json, kStudy, study);
+}
+
 std::string withTexts(std::string_view json, const std::map<std::string, LocalizedText>& texts) {
-  const auto members = membersOf(json);
-  const bool isThere = members.texts.begin != std::string_view::npos;
+  const auto members = membersOf(json, kKey);
+  const bool isThere = members.wanted.begin != std::string_view::npos;
   std::string result(json);
   if (texts.empty()) {
     if (!isThere) return result;
     const bool isFirst = members.comma == std::string_view::npos;
-    const auto begin = isFirst ? members.texts.begin : members.comma;
-    auto end = members.texts.end;
+    const auto begin = isFirst ? members.wanted.begin : members.comma;
+    auto end = members.wanted.end;
     if (isFirst) end = json.find_first_not_of(kSpaces, json.find(',', end) + 1);
     return result.erase(begin, end - begin);
   }
   const auto member = std::string(kKey) + ": " + asJson(texts);
   if (isThere)
-    return result.replace(members.texts.begin, members.texts.end - members.texts.begin, member);
+    return result.replace(members.wanted.begin, members.wanted.end - members.wanted.begin, member);
   return result.insert(members.all.end, ",\n  " + member);
 }
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTextBlock>
@@ -19,6 +18,7 @@
 #include "protocols/load_protocol.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/authoring/orders_page.h"
+#include "study/gui/authoring/own_copy.h"
 #include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/authoring/timeline_page.h"
@@ -56,12 +56,12 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       readAt_(quietLabel({}, this)),
       preview_(new QPushButton(tr("Preview as participant…"), this)),
       fill_(new QPushButton(tr("Fill in the texts…"), this)),
+      copy_(new QPushButton(tr("Save as…"), this)),
       text_(new QPlainTextEdit(this)),
       problems_(new QTableWidget(0, 4, this)),
       pages_(new QTabWidget(this)),
       timeline_(new TimelinePage(this)),
       orders_(new OrdersPage(this)) {
-  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source).fileName()));
   verdict_->setObjectName(QStringLiteral("verdict"));
   pages_->addTab(timeline_, tr("Timeline"));
   pages_->addTab(orders_, tr("Orders"));
@@ -82,6 +82,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   head->addWidget(verdict_, 1);
   head->addWidget(preview_);
   head->addWidget(fill_);
+  head->addWidget(copy_);
   layout->addLayout(head);
   layout->addWidget(readAt_);
   layout->addWidget(all, 1);
@@ -96,11 +97,15 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(inside);
   setCentralWidget(scroll);
-  resize(1240, 760);
+  resize(1240, 820);
   preview_->setObjectName(QStringLiteral("preview"));
   fill_->setObjectName(QStringLiteral("texts"));
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
+  copy_->setObjectName(QStringLiteral("save-as"));
+  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
+  connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
   connect(&watch_, &FileWatch::changed, this, &ProtocolWindow::reload);
   connect(problems_, &QTableWidget::currentCellChanged, this, &ProtocolWindow::goToProblem);
   connect(problems_, &QTableWidget::cellClicked, this, &ProtocolWindow::goToProblem);
@@ -108,7 +113,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
     const auto path = "$.phases[" + std::to_string(phase) + "]";
     mark(questionnaires::lineOf(checked_.text, path));
   });
-  reload();
+  showSource(source);
 }
 
 void ProtocolWindow::prepareText() {
@@ -138,10 +143,14 @@ void ProtocolWindow::prepareProblems() {
   problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
-QStringList ProtocolWindow::filesToWatch() const {
-  const QFileInfo file(source_);
+bool ProtocolWindow::isShipped() const {
   const auto shipped = shippedProtocols();
-  if (std::find(shipped.begin(), shipped.end(), checked_.source) != shipped.end()) return {};
+  return std::find(shipped.begin(), shipped.end(), checked_.source) != shipped.end();
+}
+
+QStringList ProtocolWindow::filesToWatch() const {
+  if (isShipped()) return {};
+  const QFileInfo file(source_);
   QStringList files{file.absoluteFilePath()};
   if (!checked_.loaded) return files;
   for (const auto& companion : checked_.loaded->files) {
@@ -170,7 +179,19 @@ void ProtocolWindow::reload() {
   }
   preview_->setEnabled(checked_.loaded.has_value());
   fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
+  copy_->setVisible(isShipped());
   emit reloaded();
+}
+
+void ProtocolWindow::showSource(const QString& source) {
+  source_ = source;
+  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
+  reload();
+}
+
+void ProtocolWindow::saveAs() {
+  const auto file = saveAsOwn(*checked_.loaded, this);
+  if (!file.isEmpty()) showSource(file);
 }
 
 void ProtocolWindow::fillInTexts() {
@@ -178,29 +199,19 @@ void ProtocolWindow::fillInTexts() {
   TextsDialog form(loaded, TextsDialog::Reason::NotNeeded, this);
   if (form.exec() != QDialog::Accepted || form.texts() == loaded.protocol.texts) return;
   QString file = source_;
-  if (filesToWatch().isEmpty()) {
-    file = QFileDialog::getSaveFileName(
-        this,
-        tr("Save the protocol with its texts"),
-        QDir::home().filePath(source_ + QStringLiteral(".json")),
-        tr("Protocols (*.json)"));
-    if (file.isEmpty()) return;
-  }
   const bool isSaved = attempt(this, [&] {
     questionnaires::Problems problems;
     const auto filled = protocols::withTexts(loaded, form.texts(), problems);
     if (!filled) throw UserError(questionnaires::describe(problems.all()));
-    QSaveFile saved(file);  // replaces the file at once, or leaves it as it is
-    const auto text = QByteArray::fromStdString(filled->text);
-    if (!saved.open(QIODevice::WriteOnly) || saved.write(text) != text.size() || !saved.commit()) {
-      throw UserError((tr("Could not save %1: ").arg(file) + saved.errorString()).toStdString());
+    if (isShipped()) {
+      file = saveAsOwn(*filled, this);
+    } else {
+      writeProtocol(file, filled->text);
     }
   });
-  if (!isSaved) return;
+  if (!isSaved || file.isEmpty()) return;
   announceWrittenFile(this, file);
-  source_ = file;
-  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
-  reload();
+  showSource(file);
 }
 
 void ProtocolWindow::showVerdict() {

@@ -47,6 +47,10 @@ class ProtocolWindow final : public QMainWindow {
   void mark(int line);
   void goToProblem(int row);
   QStringList filesToWatch() const;
+  bool isShipped() const;
+  /// Saves the shipped protocol as one of the user's own, and shows that.
+  void saveAs();
+  void showSource(const QString& source);
   /// Opens the form for the blanks, and saves the protocol with its texts. A file of the user is
   /// replaced; a built-in protocol is saved as a new file.
   void fillInTexts();
@@ -58,6 +62,7 @@ class ProtocolWindow final : public QMainWindow {
   QLabel* readAt_;
   QPushButton* preview_;
   QPushButton* fill_;
+  QPushButton* copy_;  ///< of a shipped protocol
   QPlainTextEdit* text_;
   QTableWidget* problems_;
   QTabWidget* pages_;

@@ -9,6 +9,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QLocale>
 #include <QMenuBar>
 #include <QPainter>
@@ -39,6 +40,7 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
+#include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -482,9 +484,24 @@ void HomeWindow::chooseFolder() {
 }
 
 void HomeWindow::askForProtocol() {
+  QStringList names{tr("A file of my own…")};
+  const auto shipped = shippedProtocols();
+  for (const auto& name : shipped) {
+    names << tr("%1 (ships with the program)").arg(QString::fromStdString(name));
+  }
+  bool isChosen = false;
+  const auto name =
+      QInputDialog::getItem(this, tr("Check protocol"), tr("Protocol"), names, 0, false, &isChosen);
+  if (!isChosen) return;
+  const auto index = names.indexOf(name);
+  if (index > 0) {
+    return readProtocol(QString::fromStdString(shipped[static_cast<std::size_t>(index) - 1]));
+  }
   const QString file = QFileDialog::getOpenFileName(
-      this, tr("A protocol"), QDir::homePath(), tr("Protocols (*.json)"));
-  if (!file.isEmpty()) readProtocol(file);
+      this, tr("A protocol"), protocolFolder(), tr("Protocols (*.json)"));
+  if (file.isEmpty()) return;
+  rememberProtocolFolder(file);
+  readProtocol(file);
 }
 
 void HomeWindow::readProtocol(const QString& source) {

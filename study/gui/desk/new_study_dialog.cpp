@@ -9,9 +9,11 @@
 #include <QRegularExpressionValidator>
 
 #include "protocols/load_protocol.h"
+#include "study/gui/authoring/own_copy.h"
 #include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/studio_settings.h"
 #include "study/session/study.h"
 
 namespace study::gui {
@@ -30,7 +32,8 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       seed_(new QLineEdit(this)),
       read_(new QPushButton(tr("Check protocol…"), this)),
       preview_(new QPushButton(tr("Preview…"), this)),
-      fill_(new QPushButton(tr("Fill in the texts…"), this)) {
+      fill_(new QPushButton(tr("Fill in the texts…"), this)),
+      copy_(new QPushButton(tr("Save as…"), this)) {
   protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
   for (const auto& name : shippedProtocols()) {
@@ -45,22 +48,28 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   seed_->setPlaceholderText(tr("the protocol's, otherwise a new one"));
   seed_->setValidator(
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
+  file_->startIn(protocolFolder());
   fill_->setObjectName(QStringLiteral("texts"));
+  copy_->setObjectName(QStringLiteral("save-as"));
+  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   preview_->setObjectName(QStringLiteral("preview"));
   auto* looks = new QHBoxLayout;
   looks->setSpacing(8);
-  for (auto* button : {read_, preview_, fill_}) {
+  for (auto* button : {read_, preview_, fill_, copy_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));
     looks->addWidget(button);
   }
   looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
-  form().addRow(tr("Its file"), file_);
+  form().addRow(tr("Protocol file"), file_);
   form().addRow(looks);
   form().addRow(tr("New folder"), folder_);
   form().addRow(tr("Random seed (optional)"), seed_);
   connect(protocol_, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+  connect(protocol_, &QComboBox::activated, this, [this] {
+    if (source().isEmpty()) file_->choose();
+  });
   connect(file_, &PathField::pathChanged, this, &NewStudyDialog::check);
   connect(folder_, &PathField::pathChanged, this, [this](const QString& path) {
     go().setEnabled(checked_.loaded.has_value() && !path.isEmpty());
@@ -69,6 +78,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   connect(read_, &QPushButton::clicked, this, [this] { emit protocolRequested(source()); });
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(fill_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
+  connect(copy_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
   check();
 }
 
@@ -85,12 +95,14 @@ void NewStudyDialog::setProtocolFile(const QString& file) {
 void NewStudyDialog::check() {
   const bool isOwn = protocol_->currentData().toString().isEmpty();
   form().setRowVisible(file_, isOwn);
+  copy_->setVisible(!isOwn);
   fit();
   watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
   checked_ = {};
   go().setEnabled(false);
   read_->setEnabled(!source().isEmpty());
   if (!source().isEmpty()) checked_ = checkProtocol(source().toStdString());
+  if (isOwn && checked_.loaded) rememberProtocolFolder(file_->path());
   showChecked();
 }
 
@@ -102,6 +114,11 @@ void NewStudyDialog::fillInTexts() {
   checked_.problems = problems.all();
   if (filled) checked_.loaded = std::move(filled);
   showChecked();
+}
+
+void NewStudyDialog::saveAs() {
+  const auto file = saveAsOwn(*checked_.loaded, this);
+  if (!file.isEmpty()) setProtocolFile(file);
 }
 
 /// What was found, with all blanks of texts in one line: one form asks for them.

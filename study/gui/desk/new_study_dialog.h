@@ -36,6 +36,8 @@ class NewStudyDialog final : public WorkDialog {
   QString problemsInWords() const;
   /// Opens the form for the blanks of the protocol; the study gets its texts.
   void fillInTexts();
+  /// Saves the shipped protocol as one of the user's own, and chooses that.
+  void saveAs();
 
   CheckedProtocol checked_;
   FileWatch watch_;
@@ -46,6 +48,7 @@ class NewStudyDialog final : public WorkDialog {
   QPushButton* read_;
   QPushButton* preview_;
   QPushButton* fill_;
+  QPushButton* copy_;  ///< of a shipped protocol
 };
 
 }  // namespace study::gui

@@ -7,6 +7,7 @@
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/studio_settings.h"
 #include "study/results/results.h"
 #include "study/results/results_text.h"
 #include "study/results/study_plan.h"
@@ -49,6 +50,7 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
           PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
       reason_(new QLineEdit(this)) {
   file_->setObjectName(QStringLiteral("protocol-file"));
+  file_->startIn(protocolFolder());
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for the change"));
   reason_->setPlaceholderText(

@@ -26,7 +26,7 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
 }
 
 void PathField::choose() {
-  const QString before = path();
+  const QString before = path().isEmpty() ? start_ : path();
   QString chosen;
   switch (kind_) {
     case Kind::ExistingFile:

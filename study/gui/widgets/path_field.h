@@ -17,16 +17,19 @@ class PathField final : public QWidget {
 
   QString path() const { return line_->text().trimmed(); }
   void setPath(const QString& path) { line_->setText(path); }
+  /// Where choosing begins as long as no path is entered.
+  void startIn(const QString& folder) { start_ = folder; }
+  /// Opens the desktop's chooser for a path.
+  void choose();
 
  signals:
   void pathChanged(const QString& path);
 
  private:
-  void choose();
-
   Kind kind_;
   QString name_;
   QString filter_;
+  QString start_;
   QLineEdit* line_;
 };
 

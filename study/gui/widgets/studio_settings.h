@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 #include <QString>
 
@@ -13,6 +15,15 @@ inline QSettings studioSettings() {
       QSettings::UserScope,
       QStringLiteral("palpate"),
       QStringLiteral("studio"));
+}
+
+/// The folder in which the user last chose or saved a protocol; at first the user's own, where new
+/// studies are offered as well.
+inline QString protocolFolder() {
+  return studioSettings().value(QStringLiteral("protocolFolder"), QDir::homePath()).toString();
+}
+inline void rememberProtocolFolder(const QString& file) {
+  studioSettings().setValue(QStringLiteral("protocolFolder"), QFileInfo(file).absolutePath());
 }
 
 }  // namespace study::gui

@@ -12,6 +12,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/refused_files.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 namespace protocols {
@@ -69,6 +70,15 @@ TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
       EXPECT_LE(said.size(), 3U) << refusal.name << "\n" << describe(reading.problems);
     }
   }
+}
+
+TEST(ProtocolFile, SaysInOneSentenceThatATableOrACutIsNoProtocol) {
+  const tests::ScratchFolder folder;
+  Problems problems;
+  EXPECT_FALSE(loadProtocolFile(folder.write("bench.csv", "t_ms,load_N\n0,0\n"), problems));
+  ASSERT_EQ(problems.all().size(), 1U);
+  EXPECT_EQ(base::describe(problems.all()[0].what), "this is a table (CSV), not a protocol");
+  EXPECT_EQ(read("bad", "a-cut").problems.size(), 1U);
 }
 
 TEST(ProtocolFile, ReadsValidProtocols) {

@@ -103,5 +103,28 @@ TEST(WithTexts, TakesThemAwayWhereNoneAreLeft) {
   EXPECT_EQ(withTexts(R"({"x": 1})", {}), R"({"x": 1})");
 }
 
+TEST(WithName, ChangesTheIdAndTheTitleOfTheStudyOnly) {
+  EXPECT_EQ(
+      withName(
+          R"({"id": 1, "study": {"title": "Old", "id": "old", "version": "1"}, "title": "x"})",
+          "mine",
+          "A \"new\" one"),
+      R"({"id": 1, "study": {"title": "A \"new\" one", "id": "mine", "version": "1"}, "title": "x"})");
+}
+
+TEST(WithName, MakesEveryShippedProtocolOneThatIsValid) {
+  for (const char* name : {"punch-counterbalanced", "reaming-hardness", "two-devices"}) {
+    questionnaires::Problems problems;
+    const auto own = loadProtocol(
+        withName(loaded(name).text, "mine", "My study"),
+        [](const std::string&) { return std::nullopt; },
+        problems);
+    ASSERT_TRUE(own) << questionnaires::describe(problems.all());
+    EXPECT_EQ(own->protocol.study.id, "mine");
+    EXPECT_EQ(own->protocol.study.title, "My study");
+    EXPECT_EQ(own->protocol.conditions.size(), loaded(name).protocol.conditions.size());
+  }
+}
+
 }  // namespace texts_file_test
 }  // namespace protocols

@@ -5,13 +5,22 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QInputDialog>
 #include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include "protocols/load_protocol.h"
 #include "study/gui/authoring/timeline_bar.h"
+#include "study/gui/widgets/studio_settings.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
@@ -143,6 +152,39 @@ TEST_F(ProtocolWindowTest, ReloadsAFileThatAnEditorReplacesRepeatedly) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window.checked().loaded.has_value(); }));
   replace(sound_);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.checked().loaded.has_value(); }));
+}
+
+TEST_F(ProtocolWindowTest, SavesAShippedProtocolAsOneOfOnesOwn) {
+  studioSettings().clear();
+  ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
+  window.show();
+  QCoreApplication::processEvents();
+  const auto* outer = qobject_cast<QScrollArea*>(window.centralWidget());
+  EXPECT_EQ(outer->verticalScrollBar()->maximum(), 0) << "each part scrolls by itself";
+  tests::photographInAllThemes(window, QStringLiteral("protocol-shipped"));
+  const auto file = QString::fromStdString(folder_ / "our-punch.json");
+  QTimer answer;
+  QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+    auto* asked = QApplication::activeModalWidget();
+    if (auto* title = qobject_cast<QInputDialog*>(asked)) {
+      title->setTextValue(QStringLiteral("Our punch"));
+      title->accept();
+    } else if (auto* where = qobject_cast<QFileDialog*>(asked)) {
+      answer.stop();
+      EXPECT_TRUE(where->selectedFiles().front().endsWith(QStringLiteral("/our-punch.json")));
+      where->selectFile(file);
+      where->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+    }
+  });
+  answer.start(20);
+  auto* save = window.findChild<QPushButton*>(QStringLiteral("save-as"));
+  QTest::mouseClick(save, Qt::LeftButton);
+  ASSERT_TRUE(window.checked().loaded) << window.checked().verdict();
+  EXPECT_EQ(window.checked().source, file.toStdString()) << "the window shows the new file";
+  EXPECT_EQ(window.checked().loaded->protocol.study.id, "our-punch");
+  EXPECT_EQ(window.checked().loaded->protocol.study.title, "Our punch");
+  EXPECT_FALSE(save->isVisible()) << "it is a file already";
+  EXPECT_EQ(protocolFolder(), QFileInfo(file).absolutePath());
 }
 
 TEST_F(ProtocolWindowTest, ReportsAMissingFile) {
