@@ -9,12 +9,11 @@ namespace study::gui {
 KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Key of the study"),
-          tr("Which condition an alternative was is sealed in the study's folder; this account "
-             "keeps "
-             "the key. Save a copy before the first participant, and keep it apart: without the "
-             "key "
-             "nobody can say which condition was which. Another account or computer needs it to go "
-             "on with sessions, and to export or report them."),
+          tr("The study's folder keeps sealed which condition an alternative was. The key is with "
+             "this user account on this computer. Save a copy before the first participant, and "
+             "keep it apart from the study: without a key the conditions can never be told apart "
+             "again. Another account or computer needs it to go on with sessions, and to export or "
+             "report them."),
           tr("Save"),
           parent),
       folder_(study.folder),

@@ -33,6 +33,11 @@ StudyPanel::StudyPanel(QWidget* parent)
       sessions_(bodyLabel({}, this)),
       arrivals_(bodyLabel({}, this)),
       folder_(quietLabel({}, this)),
+      keyRemark_(bodyLabel(
+          tr("Conditions are sealed. Only this user account on this computer has the key: without "
+             "it the conditions can never be told apart again. Save a copy with \"Key…\" before "
+             "the first participant."),
+          this)),
       problem_(bodyLabel({}, this)),
       buttons_(new QVBoxLayout),
       open_(new QPushButton(tr("Open"), this)),
@@ -42,6 +47,8 @@ StudyPanel::StudyPanel(QWidget* parent)
       parts_(new QVBoxLayout(place_)) {
   setProperty("role", QStringLiteral("card"));
   title_->setProperty("role", QStringLiteral("heading"));
+  keyRemark_->setProperty("role", QStringLiteral("warn"));
+  keyRemark_->setObjectName(QStringLiteral("key-remark"));
   problem_->setProperty("role", QStringLiteral("bad"));
   problem_->setObjectName(QStringLiteral("problem"));
   open_->setProperty("role", QStringLiteral("main"));
@@ -61,7 +68,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   layout->setContentsMargins(20, 18, 20, 18);
   layout->setSpacing(10);
   arrivals_->setObjectName(QStringLiteral("arrivals"));
-  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
+  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, keyRemark_, problem_})
     layout->addWidget(label);
   layout->addWidget(open_);
   layout->addWidget(start_);
@@ -101,6 +108,8 @@ void StudyPanel::makeButtons() {
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
   key_ = add(tr("Key…"), "key", &StudyPanel::keyRequested);
+  key_->setToolTip(
+      tr("The key says which condition an alternative was: save a copy, or take it from a file"));
   add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
   buttons_->setContentsMargins(0, 0, 0, 0);
   buttons_->setSpacing(4);
@@ -224,8 +233,7 @@ void StudyPanel::show(const StudySummary& summary) {
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
   key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (no copy yet)") : tr("Key…"));
-  key_->setToolTip(
-      summary.isOnlyCopyOfKey ? tr("No copy of the study's key was saved yet") : QString());
+  keyRemark_->setVisible(summary.isOnlyCopyOfKey);
   showStart(false);
   fitInto(width_);  // two of the buttons may have become wider
   while (auto* item = parts_->takeAt(0)) {

@@ -64,6 +64,7 @@ class StudyPanel final : public QFrame {
   QLabel* sessions_;
   QLabel* arrivals_;
   QLabel* folder_;
+  QLabel* keyRemark_;  ///< as long as there is no copy of the key
   QLabel* problem_;
   /// Actions that belong together, enabled only if the study can be opened.
   struct Group {

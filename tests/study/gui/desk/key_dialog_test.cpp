@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 #include <QTextBrowser>
 
+#include "study/gui/desk/study_panel.h"
 #include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/made_study.h"
@@ -38,6 +40,10 @@ class KeyDialogTest : public testing::Test {
 
 TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   EXPECT_TRUE(summary().isOnlyCopyOfKey);
+  StudyPanel panel;
+  const auto* remark = panel.findChild<QLabel*>(QStringLiteral("key-remark"));
+  panel.show(summary());
+  EXPECT_FALSE(remark->isHidden()) << "what is lost without a copy, and how to make one";
   KeyDialog dialog(summary());
   EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("only key")));
   auto& go = the<QPushButton>(dialog, "go");
@@ -48,6 +54,8 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   go.click();
   EXPECT_TRUE(std::filesystem::exists(file_));
   EXPECT_FALSE(summary().isOnlyCopyOfKey);
+  panel.show(summary());
+  EXPECT_TRUE(remark->isHidden());
   EXPECT_EQ(dialog.findChild<WrittenFile*>()->path().toStdString(), file_);
 }
 
