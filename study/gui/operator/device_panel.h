@@ -28,6 +28,8 @@ class DevicePanel final : public QWidget {
   /// Protocol and device set must outlive the panel.
   DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceSet, QWidget* parent = nullptr);
 
+  bool isVirtual() const noexcept { return deviceSet_ == nullptr; }
+
   /// Disables checking while a trial runs.
   void setBusy(bool isBusy);
 

@@ -78,6 +78,7 @@ void OperatorWindow::makeContents() {
   controls_ = new ControlPanel(this);
   trial_ = new TrialPanel(this);
   devices_ = new DevicePanel(study_.protocol().protocol, *deviceSet_, this);
+  if (devices_->isVirtual()) sessions_->offerPilot();
   delete mirror_;  // a window of its own, which the contents do not hold
   mirror_ = new PageMirror(this);
   menuBar()->clear();

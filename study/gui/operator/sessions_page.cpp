@@ -210,6 +210,10 @@ void SessionsPage::refresh() {
   showSelected();
 }
 
+void SessionsPage::offerPilot() {
+  mode_->setCurrentIndex(mode_->findData(static_cast<int>(RunMode::Pilot)));
+}
+
 void SessionsPage::fillTable(
     const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
   table_->setRowCount(static_cast<int>(sessions.size()));

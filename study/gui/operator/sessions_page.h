@@ -31,6 +31,8 @@ class SessionsPage final : public QWidget {
 
   /// Reads the sessions from the database again.
   void refresh();
+  /// Offers a pilot first: with virtual devices a live session is hardly meant.
+  void offerPilot();
 
  signals:
   void enrolRequested(const study::Enrolment& enrolment);

@@ -106,15 +106,21 @@ TEST_F(OperatorSession, AsksBeforeALiveSessionWithPlaceholdersInTexts) {
     QTest::mouseClick(buttonSaying(&window_, QStringLiteral("New participant")), Qt::LeftButton);
     return asked;
   };
+  QComboBox* mode = nullptr;
+  for (auto* box : window_.findChildren<QComboBox*>()) {
+    if (box->accessibleName() == QStringLiteral("Run mode")) mode = box;
+  }
+  ASSERT_NE(mode, nullptr);
+  EXPECT_EQ(mode->currentData().toInt(), static_cast<int>(RunMode::Pilot))
+      << "is offered first, because the devices are virtual";
+  mode->setCurrentIndex(mode->findData(static_cast<int>(RunMode::Live)));
   EXPECT_EQ(press([](FindingsDialog& question) { QTest::keyClick(&question, Qt::Key_Return); }), 1);
   EXPECT_EQ(window_.controller(), nullptr) << "Enter means No";
   EXPECT_TRUE(parts.filter(QStringLiteral("consent-punch")).size() > 0)
       << parts.join(u' ').toStdString();
   EXPECT_TRUE(storage::Records(study_.database()).sessions().empty());
 
-  for (auto* box : window_.findChildren<QComboBox*>()) {
-    if (box->accessibleName() == QStringLiteral("Run mode")) box->setCurrentIndex(1);
-  }
+  mode->setCurrentIndex(mode->findData(static_cast<int>(RunMode::Pilot)));
   EXPECT_EQ(press([](FindingsDialog& question) { question.reject(); }), 0);
   ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
 }
