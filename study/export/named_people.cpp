@@ -62,10 +62,10 @@ Letter letterIn(std::string_view bytes) {
 /// What is told of people besides their answers.
 std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
-  return "- Who knows cohort and background of somebody finds the rest: " +
-         std::to_string(classes.inSmall) + " of " +
+  return "- " + std::to_string(classes.inSmall) + " of " +
          words::counted(classes.people, "person is", "people are") +
-         " alone with theirs. Publish with `--public` only.\n";
+         " alone with their cohort and background: a reader who knows these finds the other "
+         "answers. To publish data, make an export for the public instead.\n";
 }
 
 std::string namesInWords(const NamedPeople& named) {
@@ -91,7 +91,8 @@ std::string namesInWords(const NamedPeople& named) {
   }
   return "- No name that the study keeps apart is in this folder: " +
          words::counted(named.names, "word was", "words were") +
-         " searched for in every text. Nobody searched for names of others.\n";
+         " searched for in every text. Names of other people were not searched for: read free "
+         "texts before you give them away.\n";
 }
 
 }  // namespace

@@ -336,8 +336,11 @@ TEST_F(StudyDialogsTest, ExportSaysWhatACodedFolderTellsOfPeopleBeforeWriting) {
   ExportDialog dialog(summaryOf(made.folder()));
   for (const int audience : {0, 1}) {
     dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(audience);
-    EXPECT_TRUE(more(dialog).contains(QStringLiteral("1 of 1 person is alone with theirs")))
+    EXPECT_TRUE(
+        more(dialog).contains(QStringLiteral("1 of 1 person is alone with their cohort and")))
         << more(dialog).toStdString();
+    EXPECT_FALSE(more(dialog).contains(QStringLiteral("--"))) << "an option of the command line";
+    EXPECT_FALSE(more(dialog).contains(u'`'));
   }
 }
 
