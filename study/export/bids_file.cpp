@@ -53,6 +53,15 @@ void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
   writeWithSidecar(stem, table, sidecarOf(table));
 }
 
+/// Adds a table to @p contents, unless one of another session is there.
+void list(FolderContents& contents, const std::string& file, const ExportedTable& table) {
+  const bool isListed =
+      std::any_of(contents.tables.begin(), contents.tables.end(), [&](const auto& known) {
+        return known.file == file;
+      });
+  if (!isListed) contents.tables.push_back(writtenTable(file, table));
+}
+
 /// Writes one participant's data of one session: a folder of files that are named after both.
 class BidsSession {
  public:
@@ -60,9 +69,11 @@ class BidsSession {
       const fs::path& folder,
       const RowOwner& owner,
       const std::string& task,
-      const Readers& readers)
+      const Readers& readers,
+      FolderContents& contents)
       : session_(owner.session),
         readers_(readers),
+        contents_(contents),
         folder_(folder / bidsSubject(owner) / bidsSession(owner) / "beh"),
         stem_(bidsSubject(owner) + "_" + bidsSession(owner) + "_task-" + task),
         task_(task) {
@@ -76,18 +87,24 @@ class BidsSession {
     const auto part = partOf(table, rows);
     auto sidecar = sidecarOf(part);
     sidecar["TaskName"] = task_;
-    if (!part.rows.empty())
-      writeWithSidecar(folder_ / (stem_ + "_acq-" + table.name + "_beh"), part, std::move(sidecar));
+    writeUnlessEmpty("_acq-" + table.name + "_beh", part, sidecar);
   }
 
   void writeEvents(const std::vector<ExportedEvent>& rows) const {
     const auto table = bidsEventTable();
     if (!table.isFor(readers_)) return;
     const auto part = partOf(table, rows);
-    if (!part.rows.empty()) writeWithSidecar(folder_ / (stem_ + "_events"), part);
+    writeUnlessEmpty("_events", part, sidecarOf(part));
   }
 
  private:
+  void writeUnlessEmpty(
+      const std::string& ending, const ExportedTable& part, const Json& sidecar) const {
+    if (part.rows.empty()) return;
+    writeWithSidecar(folder_ / (stem_ + ending), part, sidecar);
+    list(contents_, "sub-…/ses-…/beh/…" + ending + ".tsv", part);
+  }
+
   template <typename Row>
   ExportedTable partOf(const Table<Row>& table, const std::vector<Row>& rows) const {
     std::vector<Row> theirs;
@@ -99,6 +116,7 @@ class BidsSession {
 
   SessionId session_;
   const Readers& readers_;
+  FolderContents& contents_;
   fs::path folder_;
   std::string stem_;
   std::string task_;
@@ -168,8 +186,12 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
   const auto cuts = rows.cuts();
   const auto events = rows.events();
   const auto task = bidsLabel(study.protocol().protocol.study.id);
+  FolderContents contents{.sessions = sessions.size(), .tables = {}};
+  const auto people = participantsOf(sessions, readers);
+  writeWithSidecar(folder / "participants", people);
+  list(contents, "participants.tsv", people);
   for (const auto& session : sessions) {
-    const BidsSession files(folder, session.owner, task, readers);
+    const BidsSession files(folder, session.owner, task, readers, contents);
     files.write(responseTable(), answers);
     files.write(textTable(), texts);
     files.write(trialTable(), trials);
@@ -177,22 +199,21 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
     files.writeEvents(events);
     if (session.owner.sessionNumber != 1) continue;
     const auto subject = bidsSubject(session.owner);
-    writeWithSidecar(
-        folder / subject / (subject + "_sessions"),
-        sessionsOf(session.owner.participant, sessions, readers));
+    const auto own = sessionsOf(session.owner.participant, sessions, readers);
+    writeWithSidecar(folder / subject / (subject + "_sessions"), own);
+    list(contents, "sub-…/sub-…_sessions.tsv", own);
   }
-  writeWithSidecar(folder / "participants", participantsOf(sessions, readers));
   const auto source = folder / "sourcedata";
   fs::create_directories(source);
-  writeWithSidecar(source / "items", itemsTable(study, readers));
+  const auto items = itemsTable(study, readers);
+  writeWithSidecar(source / "items", items);
+  list(contents, "sourcedata/items.tsv", items);
   if (options.hasTraces) writeTraces(study, source / "traces", options);
   writeNewFile(
       (folder / "dataset_description.json").string(),
       bidsDescription(study, options).dump(2) + "\n");
-  writeNewFile(
-      (folder / "README.md").string(),
-      readmeOf(study, options, sessions.size(), "sub-…/ses-…/beh/…_acq-responses_beh.tsv"));
-  return sessions.size();
+  writeNewFile((folder / "README.md").string(), readmeOf(study, options, contents));
+  return contents.sessions;
 }
 
 }  // namespace study

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 #include "study/export/codebook.h"
@@ -51,44 +54,97 @@ std::string detailInWords(const ExportOptions& options) {
   return text;
 }
 
-/// The particular properties of a format.
-std::string formatInWords(const ExportOptions& options) {
-  const bool isR = options.format == ExportFormat::R;
-  if (options.format == ExportFormat::Bids) {
-    return "- BIDS 1.8.0: tables with tabs, n/a for a missing value; tabs and new lines in words "
-           "that "
-           "somebody wrote have become spaces. Questions and traces lie in `sourcedata/`.\n";
-  }
-  if (!isR && options.format != ExportFormat::Python) return {};
-  const std::string ending = isR ? ".R" : ".py";
-  return "- `read_tables" + ending + "` reads the tables with their types and values in order.\n" +
-         (options.isBlinded
-              ? "- To compute the tests again needs to know who was compared with whom, "
-                "which tells what codes stand for: unblinded there is a script.\n"
-              : std::string());
+/// How a format writes tables, for the README.
+struct FormatFacts {
+  ExportFormat format;
+  const char* missing;     ///< what a missing value is
+  const char* dictionary;  ///< where columns are described
+  const char* more;        ///< other properties; empty: none
+};
+constexpr const char* kEmptyCell = "an empty cell";
+constexpr const char* kCodebook = "`codebook.json`";
+constexpr const char* kBeside = "the JSON file of the same name beside each table";
+constexpr std::array kFormats{
+    FormatFacts{ExportFormat::Csv, kEmptyCell, kCodebook, ""},
+    FormatFacts{
+        ExportFormat::Json,
+        "`null`",
+        kCodebook,
+        "- Each table is an array of `study.json`, each row an object in it.\n"},
+    FormatFacts{ExportFormat::PsychDs, kEmptyCell, kBeside, ""},
+    FormatFacts{
+        ExportFormat::Bids,
+        "`n/a`",
+        kBeside,
+        "- BIDS 1.8.0: cells are separated by tabs; tabs and new lines in free texts have become "
+        "spaces. Whose a table below `beh` is, and of which session, says its path (`sub-…`, "
+        "`ses-…`): it has no column for that. Questions and traces are in `sourcedata/`.\n"},
+    FormatFacts{ExportFormat::R, kEmptyCell, kCodebook, ""},
+    FormatFacts{ExportFormat::Python, kEmptyCell, kCodebook, ""}};
+
+const FormatFacts& factsOf(ExportFormat format) {
+  return *std::find_if(
+      kFormats.begin(), kFormats.end(), [&](const auto& facts) { return facts.format == format; });
 }
 
-/// What the scripts of an unblinded export need to run.
-constexpr const char* kPythonInWords =
-    "- `analysis.py` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
-    "It "
-    "needs Python 3.8 or later with NumPy and SciPy (no pandas): `sudo apt install python3-scipy` "
-    "on "
-    "Debian and Ubuntu, elsewhere `python3 -m pip install scipy`. Where they are missing it says "
-    "so.\n";
-constexpr const char* kRInWords =
-    "- `analysis.R` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
-    "It "
-    "needs R alone: `Rscript analysis.R`. Mixed models too where lmerTest and ordinal are there "
-    "(`sudo apt install r-cran-lmertest r-cran-ordinal`); where not, it says so.\n";
+/// A script of an export, for the README.
+struct ScriptFacts {
+  std::string_view name;
+  const char* purpose;
+};
+constexpr std::array kScripts{
+    ScriptFacts{"read_tables.R", "reads the tables with their types and values in order."},
+    ScriptFacts{"read_tables.py", "reads the tables with their types and values in order."},
+    ScriptFacts{
+        "analysis.R",
+        "computes the rows of the tables `statistics` and `votes` again from the answers. It needs "
+        "R alone. Mixed models too where lmerTest and ordinal are there (`sudo apt install "
+        "r-cran-lmertest r-cran-ordinal`); where not, it says so."},
+    ScriptFacts{
+        "analysis.py",
+        "computes the rows of the tables `statistics` and `votes` again from the answers. It needs "
+        "Python 3.8 or later with NumPy and SciPy (no pandas): `sudo apt install python3-scipy` on "
+        "Debian and Ubuntu, elsewhere `python3 -m pip install scipy`. Where they are missing it "
+        "says so."}};
 
-std::string scriptsInWords(const ExportOptions& options) {
-  const bool hasNone = options.format == ExportFormat::Bids || options.format == ExportFormat::Json;
-  if (options.isBlinded || hasNone) return {};
+std::string scriptsInWords(const ExportOptions& options, const FolderContents& contents) {
   std::string text;
-  if (options.format != ExportFormat::Python) text += kRInWords;
-  if (options.format != ExportFormat::R) text += kPythonInWords;
+  for (const auto& path : contents.scripts) {
+    const auto script = std::find_if(kScripts.begin(), kScripts.end(), [&](const auto& known) {
+      return path.ends_with(known.name);
+    });
+    const auto* program = path.ends_with(".R") ? "Rscript " : "python3 ";
+    text += "- `" + path + "` (`" + program + path + "`) " + script->purpose + "\n";
+  }
+  if (options.publicClass) return text;
+  if (options.isBlinded) {
+    if (contents.scripts.empty()) return text;
+    return text +
+           "- To compute the tests again needs to know who was compared with whom, which tells "
+           "what codes stand for: unblinded there is a script.\n";
+  }
+  const bool hasTests =
+      std::any_of(contents.tables.begin(), contents.tables.end(), [](const auto& table) {
+        return table.file.find("statistics") != std::string::npos;
+      });
+  if (!hasTests || contents.scripts.empty()) {
+    text += std::string("- Not in this format: ") +
+            (hasTests ? "scripts that compute the tests again"
+                      : "tests, votes and scripts that compute them again") +
+            ". `--format csv`, `psych-ds`, `r` and `python` have them.\n";
+  }
   return text;
+}
+
+/// The README's section on the tables.
+std::string tablesInWords(const std::vector<WrittenTable>& tables) {
+  std::string text = "\n## Tables\n\n| table | keys | what |\n|---|---|---|\n";
+  for (const auto& table : tables) {
+    std::string keys;
+    for (const auto& key : table.keys) keys += (keys.empty() ? "`" : ", `") + key + "`";
+    text += "| `" + table.file + "` | " + keys + " | " + table.description + " |\n";
+  }
+  return text + "\nRows of two tables belong together where the keys that both have are equal.\n";
 }
 
 /// The README's section on the columns of traces.
@@ -171,24 +227,36 @@ std::string codeSetInWords(const ExportOptions& options) {
          "`palpate export --codes-of` this folder, with or without `--unblind`, has the same.\n";
 }
 
-std::string readmeOf(
-    Study& study,
-    const ExportOptions& options,
-    std::size_t sessions,
-    const std::string& responses) {
-  if (options.publicClass) return publicReadme(study, options, publicRelease(study, options));
-  std::string text =
-      "# " + study.protocol().protocol.study.title + "\n\n" + "Exported by palpate " +
-      std::string(appVersion()) + ".\n\n" + "- " + sessionsInWords(options, sessions) +
-      "\n"
-      "- One row per answer in `" +
-      responses +
-      "`; keys in every table: `participant_id`, "
-      "`session_num`, `step_num`, `attempt`.\n"
-      "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value.\n"
-      "- Free text that begins with = + - @ has an apostrophe before it, so that no "
-      "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
-      "- What a column holds is written in `codebook.json`, or beside each table.\n";
+std::string formatInWords(const ExportOptions& options) {
+  const auto& facts = factsOf(options.format);
+  std::string text = std::string("- UTF-8, decimal points, lines end with LF; ") + facts.missing +
+                     " is a missing value.\n";
+  if (options.format != ExportFormat::Json) {
+    text +=
+        "- Free text that begins with = + - @ has an apostrophe before it, so that no spreadsheet "
+        "takes it for a formula; the JSON export has it as it was written.\n";
+  }
+  return text + facts.more + "- What a column holds is written in " + facts.dictionary + ".\n";
+}
+
+WrittenTable writtenTable(const std::string& file, const ExportedTable& table) {
+  constexpr std::array kKeys{"participant_id", "session_id", "session_num", "step_num", "attempt"};
+  WrittenTable written{.file = file, .description = table.description, .keys = {}};
+  for (const auto& column : table.columns) {
+    if (std::find(kKeys.begin(), kKeys.end(), column.name) != kKeys.end())
+      written.keys.push_back(column.name);
+  }
+  return written;
+}
+
+std::string readmeOf(Study& study, const ExportOptions& options, const FolderContents& contents) {
+  if (options.publicClass) {
+    return publicReadme(study, options, publicRelease(study, options)) + "\n" +
+           scriptsInWords(options, contents) + tablesInWords(contents.tables);
+  }
+  std::string text = "# " + study.protocol().protocol.study.title + "\n\n" +
+                     "Exported by palpate " + std::string(appVersion()) + ".\n\n" + "- " +
+                     sessionsInWords(options, contents.sessions) + "\n" + formatInWords(options);
   text += identifiabilityInWords(study, options);
   text += detailInWords(options);
   if (leadsToTheStudy(options)) {
@@ -202,7 +270,7 @@ std::string readmeOf(
         "ended and why, events, traces. They depend on the rendering.\n";
   }
   for (const auto& source : study.protocol().sources) text += describe(source, options);
-  return text + formatInWords(options) + scriptsInWords(options) +
+  return text + scriptsInWords(options, contents) + tablesInWords(contents.tables) +
          (options.hasTraces ? tracesInWords() : std::string());
 }
 

@@ -44,22 +44,27 @@ bool hasReader(const ExportOptions& options) {
 /// Writes the tables. @return the number of sessions.
 std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
   auto tables = tablesFor(study, options);
-  const auto sessions = tables.front().rows.size();
+  FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
   if (hasReader(options)) tables.push_back(columnsTable(tables));
   if (options.format == ExportFormat::Json) {
     Json json = Json::parse(exportMetadataAsJson(study, options));
-    for (const auto& table : tables) json[table.name] = asJson(table);
+    for (const auto& table : tables) {
+      json[table.name] = asJson(table);
+      contents.tables.push_back(writtenTable(table.name, table));
+    }
     writeNewFile((folder / "study.json").string(), json.dump(1) + "\n");
   } else {
-    for (const auto& table : tables)
-      writeNewFile((folder / (table.name + ".csv")).string(), asCsv(table));
-    writeScripts(folder, options);
+    for (const auto& table : tables) {
+      const auto file = table.name + ".csv";
+      writeNewFile((folder / file).string(), asCsv(table));
+      contents.tables.push_back(writtenTable(file, table));
+    }
+    contents.scripts = writeScripts(folder, options);
   }
   if (options.hasTraces) writeTraces(study, folder / "traces", options);
   writeNewFile((folder / "codebook.json").string(), codebookAsJson(study, options, tables));
-  writeNewFile(
-      (folder / "README.md").string(), readmeOf(study, options, sessions, "responses.csv"));
-  return sessions;
+  writeNewFile((folder / "README.md").string(), readmeOf(study, options, contents));
+  return contents.sessions;
 }
 
 /// Writes all files in the requested format. @return the number of sessions.
@@ -157,7 +162,8 @@ void noteExport(
 
 }  // namespace
 
-void writeScripts(const fs::path& folder, const ExportOptions& options) {
+std::vector<std::string> writeScripts(const fs::path& folder, const ExportOptions& options) {
+  std::vector<std::string> written;
   const bool hasStatistics = !options.isBlinded && !options.publicClass;
   for (const auto& file : exportScripts()) {
     const bool isReader = file.name.starts_with("read_");
@@ -165,7 +171,9 @@ void writeScripts(const fs::path& folder, const ExportOptions& options) {
     const bool isForOther = options.format == (isForR ? ExportFormat::Python : ExportFormat::R);
     if (isForOther || !(isReader ? hasReader(options) : hasStatistics)) continue;
     writeNewFile((folder / file.name).string(), std::string(file.content));
+    written.emplace_back(file.name);
   }
+  return written;
 }
 
 Study openForExport(const fs::path& folder, const ExportOptions& options) {

@@ -16,10 +16,25 @@ std::string exportMetadataAsJson(Study& study, const ExportOptions& options);
 /// Whether the folder is blinded, as a line of its README.
 std::string codesInWords(Study& study, const ExportOptions& options);
 
-/// The README of a folder. @p sessions is the number of its sessions; @p responses is the table of
-/// answers, by its path in the folder.
-std::string readmeOf(
-    Study& study, const ExportOptions& options, std::size_t sessions, const std::string& responses);
+/// How the tables of a format are written, as lines of its README.
+std::string formatInWords(const ExportOptions& options);
+
+/// A table that was written, as a README lists it.
+struct WrittenTable {
+  std::string file;  ///< its path in the folder; "…": the files of several sessions
+  std::string description;
+  std::vector<std::string> keys;  ///< the columns that identify its rows, among all tables
+};
+WrittenTable writtenTable(const std::string& file, const ExportedTable& table);
+
+/// The contents of a folder, gathered while it is written. Its README says nothing else of them.
+struct FolderContents {
+  std::size_t sessions = 0;
+  std::vector<WrittenTable> tables;
+  std::vector<std::string> scripts = {};  ///< by their paths in the folder
+};
+
+std::string readmeOf(Study& study, const ExportOptions& options, const FolderContents& contents);
 
 /// The readers of a folder made with @p options.
 Readers readersOf(Study& study, const ExportOptions& options);
@@ -45,7 +60,9 @@ std::string bidsLabel(const std::string& text);
 
 /// Writes the scripts for @p options: for R or Python one that reads the tables with their types;
 /// unblinded also one that computes the statistics table again from the responses.
-void writeScripts(const std::filesystem::path& folder, const ExportOptions& options);
+/// @return  their names.
+std::vector<std::string> writeScripts(
+    const std::filesystem::path& folder, const ExportOptions& options);
 
 /// The 1 kHz traces of all trials that @p options choose, one gzip-compressed CSV each, as
 /// `P001_session-1_step-07_attempt-1_force.csv.gz` in @p folder. The same study always gives the

@@ -96,7 +96,7 @@ void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& o
 
 std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptions& options) {
   const auto tables = tablesFor(study, options);
-  const std::size_t sessions = tables.front().rows.size();
+  FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
   std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
   // Files of one site say so. Those of all have a column for it.
   const auto& site = study.station().site;
@@ -108,24 +108,24 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
     writeNewFile((data / (name + ".csv")).string(), asCsv(table));
     Json dictionary{{"description", table.description}, {"variableMeasured", variablesOf({table})}};
     writeNewFile((data / (name + ".json")).string(), dictionary.dump(2) + "\n");
+    contents.tables.push_back(writtenTable("data/" + name + ".csv", table));
   }
   if (options.hasTraces) writeTraces(study, data / "raw", options);
   writeMaterials(study, folder / "materials", options);
   if (!options.isBlinded && !options.publicClass) {
     fs::create_directories(folder / "analysis");
-    writeScripts(folder / "analysis", options);
+    for (const auto& script : writeScripts(folder / "analysis", options))
+      contents.scripts.push_back("analysis/" + script);
   }
   writeNewFile(
       (folder / "dataset_description.json").string(),
       descriptionOf(study, options, tables).dump(2) + "\n");
-  writeNewFile(
-      (folder / "README.md").string(),
-      readmeOf(study, options, sessions, "data/" + prefix + "_description-responses_data.csv"));
+  writeNewFile((folder / "README.md").string(), readmeOf(study, options, contents));
   writeNewFile(
       (folder / "CHANGES.md").string(),
       "# Changes\n\n- Exported by palpate " + std::string(appVersion()) +
           "; nothing has been changed since.\n");
-  return sessions;
+  return contents.sessions;
 }
 
 }  // namespace study

@@ -91,15 +91,15 @@ std::string publicReadme(Study& study, const ExportOptions& options, const Relea
       release.k,
       release.k);
   text +=
-      "- Numbers about people are told as bands. What too few share is empty, or its column is not "
+      "- Numbers about people are told as bands. What too few share is missing, or its column is "
+      "not "
       "there.\n"
       "- Not in this folder: words that somebody wrote, dates and times, how long answers took, "
       "languages, what was measured in trials, events, who did not finish.\n"
       "- Ids were drawn for this folder, and rows stand in an order drawn for it: neither leads "
       "back "
-      "to the study.\n"
-      "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value. "
-      "`codebook.json`, or a dictionary beside each table, says what columns mean.\n"
+      "to the study.\n" +
+      formatInWords(options) +
       "- Opinions are told as they were given. Who has the study's own data can find its people "
       "here "
       "by them; nobody else should be able to.\n";
