@@ -59,6 +59,7 @@ Table<ExportedEvent> eventTable() {
   return tableOfEvents(columnsAfter(
       {participantColumn<ExportedEvent>(),
        sessionNumberColumn<ExportedEvent>(),
+       siteColumn<ExportedEvent>(),
        stepNumberColumn<ExportedEvent>(),
        attemptColumn<ExportedEvent>(),
        utcColumn(),

@@ -256,6 +256,7 @@ Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded) {
       participantColumn<C>(),
       sessionNumberColumn<C>(),
       cohortColumn<C>(),
+      siteColumn<C>(),
       runModeColumn<C>(),
       blockColumn<C>(),
       positionColumn<C>(),

@@ -102,6 +102,7 @@ Table<ExportedCut> cutTable() {
       .columns =
           {participantColumn<Row>(),
            sessionNumberColumn<Row>(),
+           siteColumn<Row>(),
            stepNumberColumn<Row>(),
            attemptColumn<Row>(),
            {"cut_num", Integer{}, "From 1", of(&Cut::number)},

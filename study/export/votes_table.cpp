@@ -49,6 +49,10 @@ Table<ExportedVote> voteTable() {
             OneOf{ValueList::Cohorts},
             kCohortInWords,
             [](const Vote& row) { return row.result->cohort; }},
+           {"site",
+            OneOf{ValueList::Sites},
+            std::string(kSiteInWords) + "; empty: of all",
+            [](const Vote& row) { return row.result->site; }},
            {"preference",
             Text{},
             "Phase of the protocol in which was voted",
@@ -120,7 +124,7 @@ ExportedTable votesTable(
   std::vector<ExportedVote> rows;
   for (const auto& one : results) {
     const auto codes = conditionCodes(study, one.runMode, options.codes);
-    for (const auto& vote : one.votes) {
+    const auto add = [&](const VoteResult& vote) {
       const auto total = vote.votes.total();
       for (const auto& share : vote.votes.shares()) {
         rows.push_back(
@@ -132,7 +136,9 @@ ExportedTable votesTable(
              .wilson = analysis::wilsonInterval(share.votes, total, kVoteLevel),
              .exact = analysis::clopperPearsonInterval(share.votes, total, kVoteLevel)});
       }
-    }
+    };
+    for (const auto& vote : one.votes) add(vote);
+    for (const auto& vote : one.siteVotes) add(vote);
   }
   return filled(voteTable(), rows, readersOf(study, options));
 }

@@ -345,9 +345,12 @@ votes <- table_of("votes")
 trials <- table_of("trials")
 key_of <- function(table, block, label) paste(table$participant_id, table$session_num, block, label)
 felt_as <- setNames(trials$condition_code, key_of(trials, trials$block, trials$alternative))
+# Of several sites the table has also the votes of each.
+sites_of <- function(table) if (is.null(table$site)) rep(NA, nrow(table)) else table$site
+is_of_site <- function(row) if (is.na(sites_of(row))) TRUE else everything$site == row$site
 cast <- function(row) {
   r <- everything[everything$run_mode == row$run_mode & everything$cohort == row$cohort &
-                    everything$block == row$preference &
+                    everything$block == row$preference & is_of_site(row) &
                     everything$item_id %in% strsplit(row$item_id, " ")[[1]], ]
   felt_as[key_of(r, row$block, r$response)]
 }
@@ -386,7 +389,7 @@ most_votes <- function(rows) {
     if (!is.na(p)) check(row, "p_exact", p)
   }
 }
-for (rows in split(votes, paste(votes$run_mode, votes$cohort, votes$preference))) most_votes(rows)
+for (rows in split(votes, paste(votes$run_mode, votes$cohort, sites_of(votes), votes$preference))) most_votes(rows)
 
 for (name in sort(names(worst))) cat(sprintf("%-28s %.1e\n", name, worst[[name]]))
 cat(length(worst), "kinds of numbers; the worst is", format(max(worst, 0), digits = 2), "off\n")

@@ -375,6 +375,7 @@ def cast(row):
         for r in everything
         if r["run_mode"] == row["run_mode"] and r["cohort"] == row["cohort"]
         and r["block"] == row["preference"] and r["item_id"] in items
+        and row.get("site", "") in ("", r.get("site"))  # of several sites there are also the votes of each
     ]
 
 
@@ -424,7 +425,7 @@ def most_votes(rows):
 
 votes = defaultdict(list)
 for row in table_of("votes"):
-    votes[row["run_mode"], row["cohort"], row["preference"]].append(row)
+    votes[row["run_mode"], row["cohort"], row.get("site"), row["preference"]].append(row)
 for rows in votes.values():
     most_votes(rows)
 

@@ -63,6 +63,10 @@ class Computation {
       if (phase.type != protocols::PhaseType::Preference) continue;
       for (const auto& cohort : loaded_.protocol.cohorts) {
         results.votes.push_back(votesOf(phase, cohort.id));
+        if (sites_.size() < 2) continue;
+        for (const auto& site : sites_) {
+          results.siteVotes.push_back(votesOf(phase, cohort.id, site));
+        }
       }
     }
     results.instruments = summariseInstruments(loaded_, sessions_, answers_);
@@ -270,10 +274,15 @@ class Computation {
     return felt == allocation_.end() ? std::string() : felt->second;
   }
 
-  VoteResult votesOf(const protocols::Phase& phase, const std::string& cohort) const {
+  /// @param site  empty: of all sites
+  VoteResult votesOf(
+      const protocols::Phase& phase,
+      const std::string& cohort,
+      const std::string& site = {}) const {
     const auto& block = loaded_.protocol.phase(phase.block)->trials;
     VoteResult result{
         .cohort = cohort,
+        .site = site,
         .phase = phase.id,
         .block = phase.block,
         .votes = analysis::VoteCounts(block.conditions),
@@ -282,6 +291,8 @@ class Computation {
     const auto* instrument = loaded_.instrument(phase.instrument);
     for (const auto& answer : answers_) {
       if (answer.step.phase != phase.id || cohortOf(answer) != cohort) continue;
+      const auto& session = sessions_.at(answer.step.visit.session);
+      if (!site.empty() && session.site != site) continue;
       const auto* item = instrument->item(answer.answer.item);
       const auto* label = std::get_if<std::string>(&answer.answer.response);
       const bool isVote = item != nullptr && label != nullptr &&

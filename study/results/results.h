@@ -104,6 +104,7 @@ std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTe
 /// The preferences of one cohort after one block.
 struct VoteResult {
   std::string cohort;
+  std::string site;   ///< empty: at all sites
   std::string phase;  ///< of the preference
   std::string block;
   analysis::VoteCounts votes;  ///< by condition id
@@ -121,6 +122,7 @@ struct Results {
   std::vector<std::pair<std::string, CohortFlow>> siteFlow = {};
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
+  std::vector<VoteResult> siteVotes = {};      ///< of each site; empty if there are not several
   std::vector<InstrumentSummary> instruments;  ///< see InstrumentSummary
   ItemResults answers;                         ///< every answered item by itself
 

@@ -467,14 +467,6 @@ std::string expectToComputeAgain(
   return finished.out;
 }
 
-bool isInstalled(const std::vector<std::string>& call) {
-  try {
-    return tests::run(call).status == 0;
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
 /// Checks the output of the script that reads @p folder; skips the test if @p program is not
 /// installed.
 void expectToRead(
@@ -490,7 +482,7 @@ void expectToRead(
 }
 
 TEST_F(ExportLayoutTest, IsReadByItsScriptInR) {
-  if (!isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
+  if (!tests::isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
   const auto blinded = exported("blinded", {.format = ExportFormat::R});
   EXPECT_FALSE(fs::exists(blinded / "analysis.R"));
   EXPECT_FALSE(fs::exists(blinded / "read_tables.py"));
@@ -503,7 +495,7 @@ TEST_F(ExportLayoutTest, IsReadByItsScriptInR) {
 
 TEST_F(ExportLayoutTest, IsReadByItsScriptInPython) {
   const std::string python = "/usr/bin/python3";
-  if (!isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
+  if (!tests::isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
   const auto blinded = exported("blinded", {.format = ExportFormat::Python});
   EXPECT_FALSE(fs::exists(blinded / "read_tables.R"));
   expectToRead({python}, blinded / "read_tables.py", blinded);
@@ -526,10 +518,11 @@ class ComputedAgainTest : public ExportLayoutTest {
 };
 
 TEST_F(ComputedAgainTest, InR) {
-  if (!isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
+  if (!tests::isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
   const auto said = expectToComputeAgain({"Rscript"}, folder / "analysis.R", folder);
-  const bool hasModels = isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"});
+  const bool hasModels =
+      tests::isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"});
   for (const auto* number : {"mixed_model df", "mixed_model p_adj", "ordinal_model effect"}) {
     EXPECT_EQ(said.find(number) != std::string::npos, hasModels) << number;
   }
@@ -537,7 +530,7 @@ TEST_F(ComputedAgainTest, InR) {
 }
 
 TEST_F(ComputedAgainTest, InRDetectsAnOrdinalEstimateThatIsAHundredthOff) {
-  if (!isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"})) {
+  if (!tests::isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"})) {
     GTEST_SKIP() << "needs R with ordinal: ./setup --check";
   }
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
@@ -554,14 +547,15 @@ TEST_F(ComputedAgainTest, InRDetectsAnOrdinalEstimateThatIsAHundredthOff) {
 
 TEST_F(ComputedAgainTest, InPython) {
   const std::string python = "/usr/bin/python3";  // Debian's Python, with Debian's SciPy
-  if (!isInstalled({python, "-c", "import scipy"})) GTEST_SKIP() << "needs SciPy: ./setup --check";
+  if (!tests::isInstalled({python, "-c", "import scipy"}))
+    GTEST_SKIP() << "needs SciPy: ./setup --check";
   const auto folder = exported("out", open(ExportFormat::PsychDs), "for a test");
   expectToComputeAgain({python}, folder / "analysis" / "analysis.py", folder);
 }
 
 TEST_F(ComputedAgainTest, ReportsHowToInstallSciPyIfItIsMissing) {
   const std::string python = "/usr/bin/python3";
-  if (!isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
+  if (!tests::isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
   const auto folder =
       exported("out", {.format = ExportFormat::Python, .isBlinded = false}, "for a test");
   EXPECT_NE(contentOf(folder / "README.md").find("NumPy and SciPy"), std::string::npos);

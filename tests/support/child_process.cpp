@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <stdexcept>
 #include <utility>
 
@@ -140,6 +141,14 @@ Finished ChildProcess::finish() {
 Finished run(
     const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   return ChildProcess(arguments, environment).finish();
+}
+
+bool isInstalled(const std::vector<std::string>& command) {
+  try {
+    return run(command).status == 0;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace tests

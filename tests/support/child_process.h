@@ -53,4 +53,7 @@ class ChildProcess {
 Finished run(
     const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
+/// Whether @p command can be started and succeeds: {"Rscript", "-e", "0"}.
+bool isInstalled(const std::vector<std::string>& command);
+
 }  // namespace tests

@@ -1,9 +1,7 @@
 // The scripts of an export on a study whose family compares a score.
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -50,27 +48,20 @@ class ScoreScripts : public testing::Test {
     EXPECT_EQ(tests::run({program, file, folder_.string()}).status, 1);
   }
 
-  static bool isInstalled(const std::vector<std::string>& command) {
-    try {
-      return tests::run(command).status == 0;
-    } catch (const std::exception&) {
-      return false;
-    }
-  }
-
   tests::ScratchFolder scratch_;
   fs::path folder_ = scratch_ / "out";
   tests::MadeStudy study_{protocol()};
 };
 
 TEST_F(ScoreScripts, ComputeItsTestsAgainInR) {
-  if (!isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
+  if (!tests::isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
   expectToComputeAgain("Rscript", "analysis.R");
 }
 
 TEST_F(ScoreScripts, ComputeItsTestsAgainInPython) {
   const std::string python = "/usr/bin/python3";
-  if (!isInstalled({python, "-c", "import scipy"})) GTEST_SKIP() << "needs SciPy: ./setup --check";
+  if (!tests::isInstalled({python, "-c", "import scipy"}))
+    GTEST_SKIP() << "needs SciPy: ./setup --check";
   expectToComputeAgain(python, "analysis.py");
 }
 

@@ -8,7 +8,9 @@
 #include "analysis/data/csv_table.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/export/export.h"
+#include "study/export/export_parts.h"
 #include "tests/study/made_study.h"
+#include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study {
@@ -42,28 +44,75 @@ class ExportedSites : public testing::Test {
     return counts;
   }
 
-  tests::ScratchFolder folder_;
   /// Two trials a session: simulating them takes most of the time of these tests.
-  static protocols::LoadedProtocol protocol() {
+  static protocols::LoadedProtocol protocol(bool hasPreference) {
     return tests::protocolFrom(tests::shortProtocol(
         {.conditions = {"interpolation", "finite-elements"},
          .form = "background-knee",
-         .hasPreference = false}));
+         .hasPreference = hasPreference}));
   }
 
-  tests::MadeStudy study_{protocol(), 1};
+  explicit ExportedSites(bool hasPreference = false) : study_(protocol(hasPreference), 1) {}
+
+  tests::ScratchFolder folder_;
+  tests::MadeStudy study_;
 };
 
-TEST_F(ExportedSites, AreAColumnOfEveryTableThatHasCohorts) {
+class VotesAtSites : public ExportedSites {
+ protected:
+  VotesAtSites() : ExportedSites(true) {}
+
+  /// Expects that @p script of the exported folder finds the exported numbers again.
+  void expectToComputeAgain(const std::string& program, const std::string& script) const {
+    const auto out = folder_ / "out";
+    const auto finished = tests::run({program, out + "/" + script, out});
+    EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
+    EXPECT_NE(finished.out.find("votes share "), std::string::npos) << finished.out;
+  }
+};
+
+TEST_F(VotesAtSites, AreCountedOfAllSitesAndOfEach) {
+  take(6, 3);
+  const auto votes = exported("votes.csv", {.isBlinded = false});
+  std::map<std::string, int> bySite;
+  std::map<std::string, int> total;
+  for (const auto& row : votes.rows) {
+    const auto cell = [&](const char* column) { return row.cells[votes.columnIndex(column)]; };
+    bySite[cell("site")] += std::stoi(cell("votes"));
+    if (cell("condition_code") == "C1") total[cell("site")] += std::stoi(cell("votes_total"));
+  }
+  const std::map<std::string, int> expected{{"", 6}, {"bergen", 2}, {"oslo", 4}};
+  EXPECT_EQ(bySite, expected);
+  EXPECT_EQ(total, expected);
+}
+
+TEST_F(VotesAtSites, AreComputedAgainInR) {
+  if (!tests::isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
+  take(6, 3);
+  exported("votes.csv", {.isBlinded = false});
+  expectToComputeAgain("Rscript", "analysis.R");
+}
+
+TEST_F(VotesAtSites, AreComputedAgainInPython) {
+  const std::string python = "/usr/bin/python3";
+  if (!tests::isInstalled({python, "-c", "import scipy"})) {
+    GTEST_SKIP() << "needs SciPy: ./setup --check";
+  }
+  take(6, 3);
+  exported("votes.csv", {.isBlinded = false});
+  expectToComputeAgain(python, "analysis.py");
+}
+
+TEST_F(ExportedSites, AreAColumnOfEveryTableOfWhatHappened) {
   take(4, 2);
   for (const bool isBlinded : {true, false}) {
-    for (const auto& table : exportTables(*study_, {.isBlinded = isBlinded})) {
-      const auto has = [&](const char* name) {
-        return std::any_of(table.columns.begin(), table.columns.end(), [&](const auto& column) {
-          return column.name == name;
-        });
-      };
-      EXPECT_EQ(has("site"), has("cohort")) << table.name;
+    const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = isBlinded};
+    for (const auto& table : tablesFor(*study_, options)) {
+      const auto has =
+          std::any_of(table.columns.begin(), table.columns.end(), [](const auto& column) {
+            return column.name == "site";
+          });
+      EXPECT_EQ(has, table.name != "items") << table.name;
     }
   }
   const auto sessions = exported("sessions.csv", {.format = ExportFormat::R});
@@ -74,8 +123,11 @@ TEST_F(ExportedSites, AreAColumnOfEveryTableThatHasCohorts) {
 
 TEST_F(ExportedSites, AreNoColumnWhereThereIsOne) {
   take(2, 100);
-  for (const auto& table : exportTables(*study_, {.isBlinded = false})) {
-    for (const auto& column : table.columns) EXPECT_NE(column.name, "site") << table.name;
+  const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
+  for (const auto& table : tablesFor(*study_, options)) {
+    for (const auto& column : table.columns) {
+      EXPECT_NE(column.name, "site") << table.name;
+    }
   }
 }
 
@@ -114,7 +166,7 @@ TEST_F(ExportedSites, OfFewPeopleAreNotToldStrangers) {
 TEST_F(ExportedSites, OfOneStationAreInTheNamesOfPsychDs) {
   Study::create(
       folder_ / "oslo",
-      protocol(),
+      protocol(false),
       study_.clock,
       1,
       std::nullopt,
