@@ -63,10 +63,10 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
      "Means of fewer answers scatter more, and who leaves out what is rarely chance."},
     {"n_below_minimum_for_alpha",
      "With {} people who judged both methods of a pair no exact paired test can give a p below "
-     "{:.2g}; the family of {} asks for {:.2g}."},
+     "{:.3g}; the family of {} asks for {:.3g}."},
     {"n_below_minimum_for_alpha.one",
      "With {} person who judged both methods of a pair no exact paired test can give a p below "
-     "{:.2g}; the family of {} asks for {:.2g}."},
+     "{:.3g}; the family of {} asks for {:.3g}."},
     {"n_below_minimum_for_alpha.remedy",
      "More participants (palpate plan says how many), fewer comparisons, or an overall test "
      "(Friedman) first."},

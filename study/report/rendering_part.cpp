@@ -46,6 +46,7 @@ class RenderingWriter : HtmlWriter {
     } else {
       put("<p>{}</p>", escaped(say("What was felt is not known: {}", s_.words(s_.curvesReason))));
     }
+    landmarks();
     quality();
     return std::move(html_);
   }
@@ -74,6 +75,34 @@ class RenderingWriter : HtmlWriter {
     return std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
       return rmsFromIntended(curve).has_value();
     });
+  }
+
+  void landmarks() {
+    if (s_.landmarks.empty()) return;
+    constexpr std::size_t kColumns = 6;
+    table(
+        say("Landmarks of the cuts, over all participants"),
+        {say("Landmark"), "n", say("Travel: mean"), say("SD"), say("Force [N]: mean"), say("SD")});
+    std::string condition;
+    for (const auto& one : s_.landmarks) {
+      if (one.condition != condition) {
+        const auto& device = s_.protocol.condition(one.condition)->device;
+        const auto unit = s_.protocol.device(device)->kind->travel.unitName;
+        rowOver(
+            this->condition(one.condition) + " (" + say("travel in {}", s_.words(unit)) + ")",
+            kColumns);
+      }
+      condition = one.condition;
+      row(
+          {say(one.landmark),
+           std::to_string(one.force.n),
+           cellOf(one.travel.mean, 2),
+           cellOf(one.travel.standardDeviation, 2),
+           cellOf(one.force.mean, 2),
+           cellOf(one.force.standardDeviation, 2)});
+    }
+    endTable();
+    note("Each cut counts once; n is the number of cuts in which the landmark was found.");
   }
 
   void againstMaterial() {

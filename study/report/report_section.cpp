@@ -1,7 +1,10 @@
 #include "study/report/report_section.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "protocols/load_protocol.h"
@@ -25,21 +28,23 @@ void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reaso
   }
 }
 
-TrialQuality qualityOf(Study& study, RunMode mode) {
-  const storage::Records records(study.database());
-  std::vector<SessionId> wanted;
+/// The trials of completed sessions that were finished and not repeated.
+std::vector<storage::TrialRow> countedTrials(const storage::Records& records, RunMode mode) {
+  std::set<SessionId> wanted;
   for (const auto& session : records.sessions()) {
-    if (session.runMode == mode && session.isCompleted()) {
-      wanted.push_back(session.id);
-    }
+    if (session.runMode == mode && session.isCompleted()) wanted.insert(session.id);
   }
+  auto trials = records.trials();
+  std::erase_if(trials, [&](const auto& trial) {
+    return !trial.step.isFinished() || !wanted.contains(trial.step.visit.session);
+  });
+  return trials;
+}
+
+TrialQuality qualityOf(Study& study, RunMode mode) {
   TrialQuality quality;
   std::map<std::string, CutOffTrials> cutOff;
-  for (const auto& trial : records.trials()) {
-    const bool counts =
-        trial.step.isFinished() &&
-        std::find(wanted.begin(), wanted.end(), trial.step.visit.session) != wanted.end();
-    if (!counts) continue;
+  for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
     if (trial.step.isOfferedAgain()) {
       ++quality.feltAgain;
       continue;
@@ -73,6 +78,62 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     quality.cutOff.push_back(std::move(found));
   }
   return quality;
+}
+
+using Coordinate = std::optional<double> storage::CutRecord::*;
+
+/// A landmark of a cut, as the column names call it.
+struct Landmark {
+  std::string_view name;
+  Coordinate travel;
+  Coordinate force;
+};
+
+constexpr std::array kLandmarks{
+    Landmark{
+        "interception",
+        &storage::CutRecord::interceptionTravel,
+        &storage::CutRecord::interceptionForce},
+    Landmark{"yield", &storage::CutRecord::yieldTravel, &storage::CutRecord::yieldForce},
+    Landmark{
+        "bottom-out", &storage::CutRecord::bottomOutTravel, &storage::CutRecord::bottomOutForce},
+    Landmark{"opening", &storage::CutRecord::openingTravel, &storage::CutRecord::openingForce}};
+
+std::vector<double> valuesOf(const std::vector<storage::CutRecord>& cuts, Coordinate coordinate) {
+  std::vector<double> values;
+  for (const auto& cut : cuts) {
+    if (const auto& value = cut.*coordinate) values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<LandmarkSummary> landmarksOf(Study& study, RunMode mode) {
+  const storage::Records records(study.database());
+  std::map<VisitKey, storage::TrialRow> trials;
+  for (auto& trial : countedTrials(records, mode)) {
+    if (!trial.step.isOfferedAgain()) trials.emplace(trial.step.visit, std::move(trial));
+  }
+  std::map<std::string, std::vector<storage::CutRecord>> cuts;
+  for (const auto& cut : records.cuts()) {
+    const auto trial = trials.find(cut.visit);
+    if (trial == trials.end()) continue;
+    cuts[trial->second.step.condition].push_back(cut);
+  }
+  std::vector<LandmarkSummary> all;
+  for (const auto& condition : study.protocol().protocol.conditions) {
+    const auto& own = cuts[condition.id];
+    const auto add = [&](std::string_view name, const auto& travel, const auto& force) {
+      if (force.empty()) return;
+      all.push_back({condition.id, name, analysis::summarise(travel), analysis::summarise(force)});
+    };
+    for (const auto& one : kLandmarks) {
+      add(one.name, valuesOf(own, one.travel), valuesOf(own, one.force));
+    }
+    std::vector<double> peaks;
+    for (const auto& cut : own) peaks.push_back(cut.peakForce);
+    add("largest force", std::vector<double>(), peaks);
+  }
+  return all;
 }
 
 /// The warnings of `palpate protocol check` about the stored protocol.
@@ -159,6 +220,7 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .curves = std::move(felt.curves),
       .curvesReason = std::move(felt.reason),
       .quality = qualityOf(study, mode),
+      .landmarks = landmarksOf(study, mode),
       .warnings = warningsOf(study),
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/data/moments.h"
 #include "study/results/apa_text.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
@@ -78,6 +79,14 @@ struct TrialQuality {
   std::vector<TrialTiming> timings;   ///< in the order of the trials; empty in simulated time
 };
 
+/// Where the cuts of a condition have a landmark, over all that count; each cut counts once.
+struct LandmarkSummary {
+  std::string condition;
+  std::string_view landmark;  ///< in English
+  analysis::Summary travel;   ///< [device's travel unit]; n = 0: it has no place
+  analysis::Summary force;    ///< [N]
+};
+
 /// One study in a report: everything that is printed, computed once.
 struct ReportSection {
   protocols::Protocol protocol;
@@ -95,6 +104,7 @@ struct ReportSection {
   std::vector<FeltCurve> curves;
   base::Message curvesReason;  ///< why there are no curves, if the traces could not be read
   TrialQuality quality;
+  std::vector<LandmarkSummary> landmarks;         ///< condition by condition, of those with cuts
   std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
   bool hasQuotes = true;                          ///< what participants wrote is shown
   Wording wording = Wording::Apa;                 ///< of the sentences

@@ -309,6 +309,16 @@ TEST(HtmlReport, SaysWhichConditionsAskedForTooMuchForce) {
   EXPECT_TRUE(has(rendering, "2 trials, the first one: ")) << rendering;
 }
 
+TEST(HtmlReport, HasTheLandmarksOfEachConditionsCuts) {
+  const auto page = renderingAsHtml(tests::madeUpSection());
+  EXPECT_TRUE(
+      has(page, "<td>yield</td><td>2</td><td>7.20</td><td>0.28</td><td>4.50</td><td>0.71</td>"))
+      << page;
+  EXPECT_TRUE(
+      has(page, "<td>largest force</td><td>3</td><td></td><td></td><td>5.50</td><td>0.50</td>"))
+      << page;
+}
+
 TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();

@@ -75,6 +75,19 @@ TEST(ReportSection, CountsTrialsWhoseForceWasCutOffByCondition) {
       << flag->inEnglish();
 }
 
+TEST(ReportSection, SummarisesTheLandmarksOfTheCutsThatCount) {
+  tests::MadeStudy study;
+  simulateCohorts(*study, study.clock, 4, 3, [](const auto&) {});
+  const auto section = gather(*study, RunMode::Simulated);
+  std::uint64_t cuts = 0;
+  for (const auto& one : section.landmarks) {
+    if (one.landmark == "largest force") cuts += one.force.n;
+    EXPECT_GT(one.force.n, 0U);
+  }
+  EXPECT_EQ(cuts, static_cast<std::uint64_t>(section.quality.cuts));
+  EXPECT_TRUE(gather(*study, RunMode::Live).landmarks.empty());
+}
+
 TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {
   tests::MadeStudy study;
   simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});

@@ -183,6 +183,12 @@ study::report::ReportSection madeUpSection() {
   for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
   section.quality.reasons = {{{study::message("trial.late", 3, 4000)}, 2}};
   section.quality.cutOff = {{"interpolation", 12, {0.1, 0.125, 0.25}}};
+  section.landmarks = {
+      {"interpolation",
+       "yield",
+       analysis::summarise(std::vector{7.0, 7.4}),
+       analysis::summarise(std::vector{4.0, 5.0})},
+      {"interpolation", "largest force", {}, {3, 5.5, 0.25, 0.5}}};
   section.warnings = problems.all();
   return section;
 }
