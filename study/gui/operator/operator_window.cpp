@@ -337,12 +337,16 @@ void OperatorWindow::updateAll() {
   showInterview();
 }
 
+void OperatorWindow::removeInterview() {
+  if (interview_ == nullptr) return;
+  if (interview_->isAncestorOf(focusWidget())) setFocus();  // otherwise a button would take it
+  middle_->removeWidget(interview_);
+  interview_->deleteLater();
+  interview_ = nullptr;
+}
+
 void OperatorWindow::showInterview() {
-  if (interview_ != nullptr) {
-    middle_->removeWidget(interview_);
-    interview_->deleteLater();
-    interview_ = nullptr;
-  }
+  removeInterview();
   const auto& session = controller_->session();
   if (session.isOver() || session.state() == SessionState::Paused) return;
   if (session.step().kind != StepKind::Interview) return;
@@ -375,11 +379,7 @@ void OperatorWindow::endSession() {
   participant_->allowClosing();
   participant_->close();
   participant_.reset();
-  if (interview_ != nullptr) {
-    middle_->removeWidget(interview_);
-    interview_->deleteLater();
-    interview_ = nullptr;
-  }
+  removeInterview();
   controller_.reset();
   languages_->menuAction()->setEnabled(true);
   sessions_->refresh();

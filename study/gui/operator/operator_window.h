@@ -79,6 +79,7 @@ class OperatorWindow final : public QMainWindow {
   void showWaitingErrors();
   void stop();
   void showInterview();
+  void removeInterview();
   void endSession();
   /// Asks whether to close although something could not be saved. Enter means No.
   bool confirmLoss();

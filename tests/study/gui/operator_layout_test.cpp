@@ -48,6 +48,10 @@ protocols::LoadedProtocol shipped(const std::string& name) {
 
 class OperatorLayout : public testing::Test {
  protected:
+  explicit OperatorLayout(const std::string& protocol = "punch-face-validity")
+      : study_(
+            Study::create(folder_ / "study", shipped(protocol), clock_, 7, tests::knownSecret())) {}
+
   void SetUp() override {
     window_.setWindowState(
         Qt::WindowNoState);  // otherwise it is maximised on the test's small screen
@@ -100,10 +104,14 @@ class OperatorLayout : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(
-      folder_ / "study", shipped("punch-counterbalanced"), clock_, 7, tests::knownSecret())};
+  Study study_;
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
+};
+
+class OperatorLayoutWithInterview : public OperatorLayout {
+ protected:
+  OperatorLayoutWithInterview() : OperatorLayout("punch-counterbalanced") {}
 };
 
 TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
@@ -236,7 +244,7 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   expectAllInSight(QStringLiteral("broken-off"));
 }
 
-TEST_F(OperatorLayout, HasAllOfItsRightColumnBesideAParticipantsWindow) {
+TEST_F(OperatorLayoutWithInterview, HasAllOfItsRightColumnBesideAParticipantsWindow) {
   const auto places = placesOn({0, 0, 1920, 1080});
   ASSERT_TRUE(places);
   enrol();
@@ -271,6 +279,12 @@ TEST_F(OperatorLayout, HasAllOfItsRightColumnBesideAParticipantsWindow) {
   ASSERT_NE(area, nullptr);
   EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "the questions scroll by themselves";
   tests::photograph(window_, QStringLiteral("beside-participant-interview"));
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  ASSERT_TRUE(area->isAncestorOf(window_.focusWidget())) << "what is asked next";
+  window_.controller()->finishStep();
+  EXPECT_FALSE(window_.findChild<ControlPanel*>()->isAncestorOf(window_.focusWidget()))
+      << "Enter would press one of its buttons";
 }
 
 TEST(WindowPlaces, AreSideBySideOnAScreenWithRoomForTwo) {
