@@ -99,7 +99,8 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
     }
     auto* label = bodyLabel(title, this);
     label->setBuddy(field);
-    form.addRow(label, field);
+    form.addRow(label);  // a row of its own, which is as wide as the window
+    form.addRow(field);
     fields_[blank.key] = field;
     connect(field, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
   }

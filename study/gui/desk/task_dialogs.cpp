@@ -127,6 +127,7 @@ SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
 void SimulateDialog::work() {
   std::vector<SimulatedEnding> endings;
   const int wanted = participants_->value();
+  const int more = wanted - participants_->minimum() + 1;
   const bool isDone = BackgroundTask::run(this, tr("Simulating"), [&](const Progress& progress) {
     SimulatedClock clock;
     auto study = Study::open(folder_, clock);
@@ -134,7 +135,7 @@ void SimulateDialog::work() {
     const auto seed = simulationSeed(study);
     endings = simulateCohorts(study, clock, wanted, seed, [&](const Acknowledged& done) {
       if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
-      tell(progress, kUnknownShare, done.what);
+      tell(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
     });
   });
   emit simulated();

@@ -1,6 +1,7 @@
 #include "study/gui/widgets/written_file.h"
 
 #include <QDesktopServices>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -31,7 +32,11 @@ void announceWrittenFile(QWidget* parent, const QString& path) {
   auto* written = new WrittenFile(box);
   written->show(path);
   auto* grid = qobject_cast<QGridLayout*>(box->layout());
-  grid->addWidget(written, grid->rowCount(), 0, 1, grid->columnCount());
+  auto* close = box->findChild<QDialogButtonBox*>();  // below what was written
+  grid->removeWidget(close);
+  for (QWidget* part : {static_cast<QWidget*>(written), static_cast<QWidget*>(close)}) {
+    grid->addWidget(part, grid->rowCount(), 0, 1, grid->columnCount());
+  }
   box->open();
 }
 
