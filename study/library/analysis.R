@@ -1,19 +1,37 @@
 # Computes the numbers of the statistics and votes tables again, from the responses, with base R:
-#   Rscript analysis.R [folder of the export]
-# It prints how far each number is from the exported one, and ends with 1 where one is further than
-# 1e-9. It needs R alone. Mixed models are computed as well where lme4, lmerTest and ordinal are there
+#   Rscript analysis.R [folder of the export; without it, the one that this script is in]
+# For each kind of number it prints the largest distance from an exported one, relative to it, and how much is
+# allowed. The last line is the verdict; the exit status is 0 if all agree, 1 if not, 2 if a table is missing.
+# Allowed is 1e-9. It needs R alone. Mixed models are computed as well where lme4, lmerTest and ordinal are there
 # (Debian: sudo apt install r-cran-lmertest r-cran-ordinal; elsewhere: install.packages(c("lmerTest",
-# "ordinal"))); being searched for, the linear one agrees to 1e-4 only. Of the ordinal one, whose search
-# in R ends early, estimates agree to 5e-4 (of a standard error where they are smaller than that), odds
-# ratios to 2e-3, standard errors and z to 3e-3, and p, which multiplies what z is off, to a twentieth.
-# Where the packages are missing it says so and goes on. Not computed are omega, Friedman's permutations, means of scores and what
-# was felt. The scores that a family compares are taken from the wide table; the codebook says how they are computed.
+# "ordinal"))); both programs search for the best fit, so that the linear one agrees to 1e-4 only. Of the ordinal
+# one, whose search in R ends early, estimates agree to 5e-4 (of a standard error where they are smaller than that),
+# odds ratios to 2e-3, standard errors and z to 3e-3, and p, which multiplies what z is off, to a twentieth.
+# Where the packages are missing it says so and goes on. Not computed are omega, Friedman's permutations, means of
+# scores and what was felt. The scores that a family compares are taken from the wide table; the codebook says how
+# they are computed.
 
+# The folder of this script, wherever it is started from.
+own_folder <- function() {
+  started <- sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE))
+  sourced <- unlist(lapply(sys.frames(), function(frame) frame$ofile))
+  file <- c(sourced, gsub("~+~", " ", started, fixed = TRUE))  # Rscript writes spaces as ~+~
+  if (length(file) == 0) return(".")
+  folder <- normalizePath(dirname(file[1]))
+  # Psych-DS has scripts in a folder of their own, beside that of the tables.
+  beside <- basename(folder) == "analysis" && length(list.files(folder, "[.]csv$")) == 0
+  if (beside) dirname(folder) else folder
+}
 arguments <- commandArgs(trailingOnly = TRUE)
-folder <- if (length(arguments) > 0) arguments[1] else "."
+folder <- if (length(arguments) > 0) arguments[1] else own_folder()
 table_of <- function(name) {
-  path <- list.files(folder, paste0(name, "(_data)?[.]csv$"), recursive = TRUE, full.names = TRUE)[1]
-  read.csv(path, na.strings = "", stringsAsFactors = FALSE, encoding = "UTF-8")
+  path <- list.files(folder, paste0("^(.*-)?", name, "(_data)?[.]csv$"), recursive = TRUE, full.names = TRUE)
+  if (length(path) == 0) {
+    message("analysis.R: the table '", name, "' is not in ", folder, ". It needs the folder of an unblinded export ",
+            "as it was written:\n  Rscript analysis.R FOLDER")
+    quit(status = 2)
+  }
+  read.csv(path[1], na.strings = "", stringsAsFactors = FALSE, encoding = "UTF-8")
 }
 responses <- table_of("responses")
 statistics <- table_of("statistics")
@@ -391,17 +409,30 @@ most_votes <- function(rows) {
 }
 for (rows in split(votes, paste(votes$run_mode, votes$cohort, sites_of(votes), votes$preference))) most_votes(rows)
 
-for (name in sort(names(worst))) cat(sprintf("%-28s %.1e\n", name, worst[[name]]))
-cat(length(worst), "kinds of numbers; the worst is", format(max(worst, 0), digits = 2), "off\n")
+# How far a number may be off.
+searched <- list(
+  mixed_model = function(column) 1e-4,
+  ordinal_model = function(column) c(estimate = 5e-4, effect = 2e-3, se = 3e-3, statistic = 3e-3, p = 5e-2,
+                                     p_adj = 5e-2)[[column]])
+parts <- strsplit(names(worst), " ")
+is_searched <- sapply(parts, function(part) part[1] %in% names(searched)) == TRUE
+allowed <- sapply(parts, function(part)
+  if (part[1] %in% names(searched)) searched[[part[1]]](part[2]) else 1e-9)
+for (i in order(names(worst))) cat(sprintf("%-28s %.1e, allowed %.0e\n", names(worst)[i], worst[i], allowed[i]))
 if (length(absent) > 0) {
   cat("Not computed again: ", paste(names(absent), collapse = ", "), ", without ", paste(absent, collapse = " and "),
       ".\nGet it with 'sudo apt install r-cran-lmertest r-cran-ordinal' (Debian, Ubuntu) or\n",
       "install.packages(c(\"lmerTest\", \"ordinal\")) in R.\n", sep = "")
 }
-ordinal <- c(estimate = 5e-4, effect = 2e-3, se = 3e-3, statistic = 3e-3, p = 5e-2, p_adj = 5e-2)
-allowed <- sapply(names(worst), function(name) {
-  if (startsWith(name, "mixed_model")) return(1e-4)
-  if (startsWith(name, "ordinal_model")) return(ordinal[[sub("ordinal_model ", "", name)]])
-  1e-9
-})
-quit(status = if (length(worst) == 0 || any(worst > allowed)) 1 else 0)
+is_off <- worst > allowed
+if (length(worst) == 0) {
+  cat("NOTHING was computed again: the tables have no number that this script knows\n")
+} else if (any(is_off)) {
+  cat("DIFFER:", sum(is_off), "of", length(worst), "kinds of numbers:", paste(names(worst)[is_off], collapse = ", "),
+      "\n")
+} else {
+  cat("AGREE: all", length(worst), "kinds of numbers;", sum(!is_searched), "of them to 1e-09")
+  if (any(is_searched)) cat(",", sum(is_searched), "of fitted models to the tolerances above")
+  cat("\n")
+}
+quit(status = if (length(worst) == 0 || any(is_off)) 1 else 0)

@@ -1,14 +1,15 @@
 """Computes the numbers of the statistics and votes tables again, from the responses.
 
-    python3 analysis.py [folder of the export]
+    python3 analysis.py [folder of the export; without it, the one that this script is in]
 
 It needs Python 3.8 or later with NumPy and SciPy, and no pandas. To get them:
 
     Debian, Ubuntu    sudo apt install python3-scipy      (brings NumPy; then call /usr/bin/python3)
     elsewhere         python3 -m pip install scipy        (brings NumPy)
 
-It prints how far each number is from the exported one, and ends with 1 where one is further than
-1e-9, or with 2 where SciPy is missing. Mixed models are not computed here, nor Shapiro-Wilk tests,
+For each kind of number it prints the largest distance from an exported one, relative to it. The last
+line is the verdict; the exit status is 0 if all agree to 1e-9, 1 if not, 2 if SciPy or a table is
+missing. Mixed models are not computed here, nor Shapiro-Wilk tests,
 which SciPy computes to six digits, nor omega, Friedman's permutations, means of scores and what was
 felt. The scores that a family compares are taken from the wide table; the codebook says how they are computed."""
 import csv
@@ -28,12 +29,23 @@ Get them with 'sudo apt install python3-scipy' (Debian, Ubuntu; then call /usr/b
 '{sys.executable} -m pip install scipy'. To read the tables alone needs neither: every CSV file is plain text.""", file=sys.stderr)
     sys.exit(2)
 
-folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+def own_folder():
+    """The folder of this script, wherever it is started from."""
+    own = pathlib.Path(__file__).resolve().parent
+    # Psych-DS has scripts in a folder of their own, beside that of the tables.
+    return own.parent if own.name == "analysis" and not list(own.glob("*.csv")) else own
+
+
+folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else own_folder()
 
 
 def table_of(name):
-    path = sorted(p for p in folder.rglob("*.csv") if p.name in (f"{name}.csv",) or p.name.endswith(f"-{name}_data.csv"))[0]
-    with open(path, encoding="utf-8", newline="") as file:
+    paths = sorted(p for p in folder.rglob("*.csv") if p.name == f"{name}.csv" or p.name.endswith(f"-{name}_data.csv"))
+    if not paths:
+        print(f"analysis.py: the table '{name}' is not in {folder}. It needs the folder of an unblinded export "
+              "as it was written:\n  python3 analysis.py FOLDER", file=sys.stderr)
+        sys.exit(2)
+    with open(paths[0], encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -45,6 +57,7 @@ wide = table_of("wide") if list(folder.rglob("wide.csv")) else []
 if not wide:
     statistics = [r for r in statistics if not (r["family_id"] and r["score"])]
 worst = {}
+ALLOWED = 1e-9
 
 
 def check(row, column, value):
@@ -431,5 +444,11 @@ for rows in votes.values():
 
 for name in sorted(worst):
     print(f"{name:28s} {worst[name]:.1e}")
-print(len(worst), "kinds of numbers; the worst is", f"{max(worst.values(), default=0.0):.1e}", "off")
-sys.exit(1 if not worst or max(worst.values()) > 1e-9 else 0)
+off = [name for name in sorted(worst) if worst[name] > ALLOWED]
+if not worst:
+    print("NOTHING was computed again: the tables have no number that this script knows")
+elif off:
+    print(f"DIFFER: {len(off)} of {len(worst)} kinds of numbers by more than {ALLOWED:.0e}: {', '.join(off)}")
+else:
+    print(f"AGREE: all {len(worst)} kinds of numbers to {ALLOWED:.0e}")
+sys.exit(1 if off or not worst else 0)

@@ -1,7 +1,7 @@
 # Reads the tables of this folder with their types: whole and other numbers, times in UTC, true and
 # false, closed lists as factors in the order of columns.csv. With base R.
 #   source("read_tables.R"); data <- read_tables("."); summary(data$responses)
-#   Rscript read_tables.R [folder]      says what is there, and the means by condition code
+#   Rscript read_tables.R [folder; without it, its own]      says what is there, and the means by condition code
 
 read_tables <- function(folder = ".") {
   read <- function(name) {
@@ -39,7 +39,8 @@ read_tables <- function(folder = ".") {
 
 if (sys.nframe() == 0) {
   arguments <- commandArgs(trailingOnly = TRUE)
-  data <- read_tables(if (length(arguments) > 0) arguments[1] else ".")
+  own <- gsub("~+~", " ", sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)), fixed = TRUE)
+  data <- read_tables(if (length(arguments) > 0) arguments[1] else dirname(own))
   for (name in names(data)) cat(name, ":", nrow(data[[name]]), "rows,", ncol(data[[name]]), "columns\n")
   r <- data$responses
   if (!is.null(r$included)) r <- r[r$included, ]

@@ -2,7 +2,7 @@
 false; closed lists stay words, and levels() has them in the order of columns.csv.
 
     from read_tables import read_tables; data = read_tables("."); data["responses"][0]
-    python3 read_tables.py [folder]      says what is there, and the means by condition code
+    python3 read_tables.py [folder; without it, its own]      says what is there, and the means by condition code
 
 With the standard library alone; pandas.DataFrame(data["responses"]) makes a data frame."""
 import csv
@@ -51,7 +51,7 @@ def read_tables(folder="."):
 
 
 if __name__ == "__main__":
-    data = read_tables(sys.argv[1] if len(sys.argv) > 1 else ".")
+    data = read_tables(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     for name, rows in data.items():
         print(name, ":", len(rows), "rows,", len(rows[0]) if rows else 0, "columns")
     groups = defaultdict(list)
