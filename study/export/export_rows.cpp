@@ -1,6 +1,7 @@
 #include "study/export/export_rows.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -100,7 +101,7 @@ bool isText(const ExportedAnswer& row) {
 }  // namespace
 
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
-    : study_(study), isExact_(options.isExact) {
+    : study_(study), isExact_(options.isExact), isBlinded_(options.isBlinded) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
     // Codes of other modes may need a key that is not here.
     if (options.runMode && *options.runMode != mode) continue;
@@ -114,6 +115,15 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
   answers_ = records.answers();
   trials_ = records.trials();
   cuts_ = records.cuts();
+  // Of a vote's alternative a folder says no more than its own rows do: where nothing was asked
+  // about an alternative, a blinded one has no row with its code.
+  const auto add = [&](const StepRecord& step) {
+    if (!step.condition.empty())
+      felt_.try_emplace({step.visit.session, step.phase, step.label}, step.condition);
+  };
+  for (const auto& answer : answers_) add(answer.step);
+  if (isBlinded_) return;
+  for (const auto& trial : trials_) add(trial.step);
 }
 
 ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& step) const {
@@ -128,6 +138,23 @@ ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& s
       .alternative = isFelt ? std::optional(step.label) : std::nullopt,
       .conditionCode = code == codes.end() ? std::string_view() : code->second,
       .condition = step.condition};
+}
+
+std::string_view StudyRows::chosenIn(const ExportedAnswer& row) const {
+  const auto* label = std::get_if<std::string>(&row.record->answer.response);
+  const bool isVote = row.item != nullptr && label != nullptr &&
+                      row.item->optionSource == questionnaires::OptionSource::Alternatives;
+  const auto session = sessions_.at(row.owner.session);
+  const auto* phase = study_.protocol(session.protocol).protocol.phase(row.block);
+  if (!isVote || phase == nullptr) return {};
+  int number = 0;
+  std::from_chars(label->data(), label->data() + label->size(), number);
+  const auto felt = felt_.find({row.owner.session, phase->block, number});
+  if (felt == felt_.end()) return {};
+  if (!isBlinded_) return felt->second;
+  const auto& codes = codes_.at(row.owner.runMode);
+  const auto code = codes.find(felt->second);
+  return code == codes.end() ? std::string_view() : code->second;
 }
 
 std::vector<ExportedSession> StudyRows::sessions() const {
@@ -167,6 +194,7 @@ std::vector<ExportedAnswer> StudyRows::answers(bool areTexts) const {
     row.response = responseOf(record.answer.response);
     if (row.item != nullptr && !isExact_) row.band = bands.of(record, *row.item);
     row.labelLanguage = record.answer.language;
+    row.chosen = chosenIn(row);
     if (!session->second.isCompleted()) {
       row.excluded = statusOf(session->second.state);
     } else if (!record.step.isFinished()) {

@@ -46,6 +46,7 @@ struct ExportedAnswer : ExportedStep {
   Cell response = {};
   std::string band = {};  ///< in place of a number about the person; empty: it is given as it is
   std::string_view labelLanguage = {};
+  std::string_view chosen = {};  ///< the condition, or its code, of the alternative in the response
   std::string_view excluded = {};  ///< why the statistics leave it out; empty: they count it
 };
 
@@ -82,14 +83,17 @@ class StudyRows {
  private:
   std::vector<ExportedAnswer> answers(bool areTexts) const;
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
+  std::string_view chosenIn(const ExportedAnswer& row) const;
 
   Study& study_;
   bool isExact_;
+  bool isBlinded_;
   std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< by condition
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;
   std::vector<storage::CutRecord> cuts_;
+  std::map<storage::Records::Alternative, std::string> felt_;  ///< conditions, of exported rows
 };
 
 }  // namespace study

@@ -36,6 +36,7 @@ Cell givenResponse(const ExportedAnswer& row) {
 
 std::string labelOfResponse(const ExportedAnswer& row) {
   if (row.item == nullptr) return {};
+  if (!row.chosen.empty()) return std::string(row.chosen);
   return questionnaires::labelOf(*row.item, row.record->answer.response, row.labelLanguage);
 }
 
@@ -102,15 +103,16 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       C("key", Integer{}, "1: a high answer is good; -1: a low one is", keyOf).inPublic(),
       C("response",
         FreeText{},
-        "As given: a point, a number, the id of an option. A number about the person is a band "
-        "(\"25 to 29\") if the export is not exact",
+        "As given: a point, a number, the id of an option; in a vote, the alternative. A number "
+        "about the person is a band (\"25 to 29\") if the export is not exact",
         givenResponse)
           .inPublic("A point, a number, the id of an option; of alternatives, the condition code"),
       C("response_keyed", Integer{}, "Points only: reversed where the key is -1", keyedResponseOf)
           .inPublic(),
       C("response_label",
         FreeText{},
-        "What the response is called in the language it was given in",
+        "What the response is called in the language it was given in; in a vote, the condition (if "
+        "blinded, its code) that the participant had felt as that alternative",
         labelOfResponse)
           .inPublic("What the response is called, in one language for everybody"),
       {"first_touch_s",

@@ -55,7 +55,9 @@ Table<ExportedVote> voteTable() {
             [](const Vote& row) { return row.result->site; }},
            {"preference",
             Text{},
-            "Phase of the protocol in which was voted",
+            "Phase of the protocol in which was voted: block of the votes in the responses; block "
+            "here "
+            "is the phase that had the alternatives",
             [](const Vote& row) { return row.result->phase; }},
            {"block",
             OneOf{ValueList::Blocks},

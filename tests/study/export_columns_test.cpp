@@ -15,6 +15,7 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
+#include "study/export/export_parts.h"
 #include "study/storage/records.h"
 #include "tests/study/exported_rows.h"
 #include "tests/study/made_study.h"
@@ -212,6 +213,49 @@ TEST(Export, LabelsAnAnswerInTheLanguageInWhichItWasGiven) {
   ASSERT_EQ(english.size(), 1U);
   ASSERT_FALSE(german.empty());
   EXPECT_FALSE(german.contains(*english.begin())) << *english.begin();
+}
+
+/// How often each condition, or code, was voted for, by the labels of answers.
+std::map<std::string, int> votesByLabel(Study& study, bool isBlinded) {
+  std::map<std::string, int> votes;
+  const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = isBlinded};
+  for (const auto& row : tests::rowsOf(study, "responses", options)) {
+    if (row.at("block") == "choice") ++votes[row.at("response_label")];
+  }
+  return votes;
+}
+
+/// … by the votes table.
+std::map<std::string, int> votesByTable(Study& study) {
+  std::map<std::string, int> votes;
+  const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
+  for (const auto& table : tablesFor(study, options)) {
+    if (table.name != "votes") continue;
+    for (const auto& row : tests::rowsOf(table)) {
+      const auto count = std::stoi(row.at("votes"));
+      if (count > 0) votes[row.at("condition_code")] += count;
+    }
+  }
+  return votes;
+}
+
+TEST(Export, LabelsAVoteWithTheConditionThatTheVotesTableCounts) {
+  tests::MadeStudy study;
+  simulateCohorts(*study, study.clock, 4, 3, [](const auto&) {});
+  const auto byCode = votesByLabel(*study, true);
+  EXPECT_EQ(byCode, votesByTable(*study));
+  std::map<std::string, int> byCondition;
+  for (const auto& [condition, code] : conditionCodes(*study, RunMode::Simulated)) {
+    if (byCode.contains(code)) byCondition[condition] = byCode.at(code);
+  }
+  EXPECT_EQ(votesByLabel(*study, false), byCondition);
+}
+
+TEST(Export, GivesNoCodeOfAVoteIfBlindedWhereNoOtherAnswerHasIt) {
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.questionnaire = ""})));
+  simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});
+  EXPECT_EQ(votesByLabel(*study, true), (std::map<std::string, int>{{"", 2}}));
+  EXPECT_FALSE(votesByLabel(*study, false).contains(""));
 }
 
 /// Conditions in the order of their codes: C1, C2, …
