@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -116,18 +117,25 @@ int init(const ServerArguments& given) {
   return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
 }
 
+/// The role of who looks after studies on the server.
+constexpr std::string_view kOwner = "palpate_owner";
+
 int revoke(const ServerArguments& given) {
   Connection server(given.server);
-  requireSchema(server);
-  revokeStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  withRole(server, kOwner, [&] {
+    requireSchema(server);
+    revokeStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  });
   fmt::print("Nothing is taken from '{}' any more. What arrived stays.\n", given.station);
   return 0;
 }
 
 int setAside(const ServerArguments& given) {
   Connection server(given.server);
-  requireSchema(server);
-  setAsideStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  withRole(server, kOwner, [&] {
+    requireSchema(server);
+    setAsideStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  });
   fmt::print(
       "What was here of '{}' is set aside, and pulled no more. On the station: palpate collect "
       "push "
@@ -138,8 +146,10 @@ int setAside(const ServerArguments& given) {
 
 int takeIn(const ServerArguments& given) {
   Connection server(given.server);
-  requireSchema(server);
-  const auto taken = takeBundle(server, given.file);
+  const auto taken = withRole(server, kOwner, [&] {
+    requireSchema(server);
+    return takeBundle(server, given.file);
+  });
   fmt::print("The server has all events of '{}' up to {}.\n", taken.station, taken.have);
   for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));
   return 0;

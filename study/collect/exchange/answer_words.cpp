@@ -33,9 +33,8 @@ constexpr std::array kRefusals{
         "foreign", "The server's role that was used here belongs to another station of the study."},
     Refusal{
         "revoked",
-        "This station was shut out by the study's administrator. Everything stays on this "
-        "computer; "
-        "ask there."},
+        "The study's administrator has shut this station out: the server takes nothing more from "
+        "it. What has not arrived stays at the station."},
     Refusal{"expired", "The enrolment of this station was not used in time. Ask for another one."},
     Refusal{
         "newer",

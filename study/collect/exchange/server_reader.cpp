@@ -46,20 +46,26 @@ storage::StoredEvent eventIn(const Rows& rows, int row) {
 
 ServerReader::ServerReader(Connection& server, const std::string& name, const std::string& reason)
     : server_(server) {
-  requireSchema(server);
   if (reason.empty()) {
     throw UserError(
         "What is pulled has the map of conditions in it. Say why it is needed: --reason \"…\".");
   }
-  const auto rows = server.query(
-      "SELECT DISTINCT study, study_name FROM palpate.stations WHERE $1 IN ('', study_name)",
-      {name});
-  if (rows.count() != 1) {
-    throw UserError(
-        rows.isEmpty() ? "The server has no study of that name that has a station."
-                       : "There are several studies on this server. Say which one: --study NAME.");
-  }
-  ticket_ = server.query("SELECT palpate.unblind($1, $2)", {rows.text(0, 0), reason}).text(0, 0);
+  ticket_ = withRole(server, "palpate_unblinder", [&] {
+    requireSchema(server);
+    const auto rows = server.query(
+        "SELECT DISTINCT study, study_name FROM palpate.stations WHERE $1 IN ('', study_name)",
+        {name});
+    if (rows.isEmpty()) {
+      throw UserError(
+          (name.empty() ? "The server has no study that has a station."
+                        : "The server has no study '" + name + "' that has a station.") +
+          std::string(" 'palpate collect status' lists what it has."));
+    }
+    if (rows.count() > 1) {
+      throw UserError("There are several studies on this server. Say which one: --study NAME.");
+    }
+    return server.query("SELECT palpate.unblind($1, $2)", {rows.text(0, 0), reason}).text(0, 0);
+  });
 }
 
 Snapshot::Snapshot(Connection& server) : server_(server) {

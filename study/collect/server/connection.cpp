@@ -43,6 +43,9 @@ std::string sentence(const char* message) {
     text.pop_back();
   }
   for (auto& c : text) c = c == '\n' || c == '\t' ? ' ' : c;
+  // libpq goes on to advise an operator to switch the check of the server's certificate off.
+  if (const auto advice = text.find(" Either provide the file"); advice != std::string::npos)
+    text.erase(advice);
   return text;
 }
 
@@ -88,7 +91,10 @@ constexpr std::array kCauses{
         "does not match host name",
         "The certificate of the server is for another name: it may be another server in its "
         "place."},
-    Cause{"root certificate file", "This computer has not the certificate root.crt of the server."},
+    Cause{
+        "root certificate file",
+        "This computer has not the certificate root.crt of the server: ask the server's "
+        "administrator for it."},
     Cause{
         "certificate authentication failed",
         "The certificate of this computer is for another role than that of its station: each "
@@ -414,6 +420,22 @@ std::string Connection::description() const {
   const auto part = [](const char* value) { return std::string(value == nullptr ? "" : value); };
   return part(PQuser(connection_.get())) + "@" + part(PQdb(connection_.get())) + " on " +
          part(PQhost(connection_.get()));
+}
+
+std::string Connection::user() const {
+  const char* user = PQuser(connection_.get());
+  return user == nullptr ? "" : user;
+}
+
+ServerError lacksRole(const Connection& server, std::string_view role) {
+  return {
+      Kind::Denied,
+      fmt::format(
+          "The account '{0}' may not do that on the server ({1}): it needs the role {2}. The "
+          "server's administrator gives it: GRANT {2} TO \"{0}\";",
+          server.user(),
+          server.description(),
+          role)};
 }
 
 }  // namespace study::collect

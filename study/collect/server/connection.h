@@ -117,6 +117,8 @@ class Connection {
 
   /// "postgres@study on /run/postgresql", for messages.
   std::string description() const;
+  /// The account on the server.
+  std::string user() const;
 
  private:
   struct Finish {
@@ -134,5 +136,20 @@ class Connection {
 /// @throws UserError  if @p server cannot be read as libpq does, or holds a password: that belongs
 ///     where no other account can read it.
 void requireAddress(const std::string& server);
+
+/// That @p server's account needs @p role, and how it is given.
+ServerError lacksRole(const Connection& server, std::string_view role);
+
+/// Performs @p action, which needs @p role.
+/// @throws ServerError  by lacksRole(), if the server denies it.
+template <typename Action>
+auto withRole(const Connection& server, std::string_view role, Action action) {
+  try {
+    return action();
+  } catch (const ServerError& error) {
+    if (error.kind() != ServerError::Kind::Denied) throw;
+    throw lacksRole(server, role);
+  }
+}
 
 }  // namespace study::collect

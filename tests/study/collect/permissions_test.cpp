@@ -313,6 +313,19 @@ TEST_F(Permissions, AnOperatorSeesTheOwnSiteAlone) {
   EXPECT_EQ(stations.front().sessions, 1);
 }
 
+TEST_F(Permissions, AnAnalystWhoPullsIsToldWhichRoleThatNeeds) {
+  addStation("oslo");
+  auto server = as(person("eva", "palpate_analyst"));
+  try {
+    study::collect::pull(server, {.folder = scratch_ / "none", .reason = "look"}, clock_);
+    ADD_FAILURE() << "an analyst pulled";
+  } catch (const ServerError& error) {
+    EXPECT_EQ(error.kind(), kDenied);
+    const std::string said = error.what();
+    EXPECT_NE(said.find("GRANT palpate_unblinder TO \"eva\";"), said.npos) << said;
+  }
+}
+
 TEST_F(Permissions, WhoeverPullsGivesAReasonThatIsKept) {
   addStation("oslo");
   runSession("oslo");
