@@ -158,8 +158,9 @@ Columns<StatisticsRow> statisticsColumns() {
       {"sd2", Number{}, "Standard deviation of group 2, with n - 1", deviationOf(1)},
       {"estimate",
        Number{},
-       "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; logit of a "
-       "probability; slope over positions; of felt_difference the mean over participants [N]; of "
+       "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; of "
+       "answer_probability the logit, whose probability is the effect; slope over positions; of "
+       "felt_difference the mean over participants [N]; of "
        "item the median",
        [](const Row& row) { return row.test.estimate.value; }},
       {"se", Number{}, "Its standard error", ofTest(&TestRow::standardError)},

@@ -39,6 +39,10 @@ Table<ExportedTrial> trialTable() {
            conditionCodeColumn<Row>(),
            conditionColumn<Row>(),
            {"device", Text{}, "Which device", of(&Trial::device)},
+           {"travel_unit",
+            Text{},
+            "Unit of the tool's travel, in cuts and traces",
+            of(&Trial::travelUnit)},
            {"ending",
             Text{},
             "How it ended: finished, stopped, aborted_hardware, trace_lost, timed_out, "

@@ -106,6 +106,7 @@ TEST_F(ExportedTrial, HasEachNumberInTheColumnThatIsNamedAfterIt) {
       {"condition_code", code()},
       {"condition", step_.condition},
       {"device", "a punch"},
+      {"travel_unit", "travel_unit"},
       {"ending", "finished"},
       {"qc_status", "FAIL"},
       {"qc_reason", base::describe(judgement.reasons)},
