@@ -29,14 +29,20 @@ void paintAxes(QCustomPlot& plot, const Theme& colours, std::initializer_list<QC
   }
 }
 
+QString sourceOfForce(const RecordingLook& look) {
+  if (look.recording.readingUnit == "N") return RecordingPicture::tr("force in newtons");
+  return RecordingPicture::tr("force from %1 by calibration %2")
+      .arg(
+          QString::fromStdString(look.recording.readingUnit),
+          QString::fromStdString(look.trace.calibration.name));
+}
+
 QString describe(const RecordingLook& look) {
   const auto& [recording, trace, survey] = look;
-  QString words = RecordingPicture::tr("%1 rows at %2 Hz; force from %3 by calibration %4; %5 cuts")
+  QString words = RecordingPicture::tr("%1 rows at %2 Hz; %3; %4 cuts")
                       .arg(survey.rows)
                       .arg(survey.sampling.rate, 0, 'f', 0)
-                      .arg(
-                          QString::fromStdString(recording.readingUnit),
-                          QString::fromStdString(trace.calibration.name))
+                      .arg(sourceOfForce(look))
                       .arg(survey.closures.size());
   words += RecordingPicture::tr("; largest force %1 N").arg(survey.maxForce, 0, 'f', 2);
   if (survey.saturatedRows > 0) {

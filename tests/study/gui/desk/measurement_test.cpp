@@ -102,6 +102,8 @@ TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
         "travel": {"column": 4, "open": 0, "closed": 10},
         "force": {"column": 1, "unit": "N", "factor": 0.005}})"));
   set(dialog, "target", folder_ / "cut.json");
+  const auto words = dialog.findChild<RecordingPicture*>()->words();
+  EXPECT_TRUE(words.contains(QStringLiteral("force in newtons"))) << words.toStdString();
   EXPECT_TRUE(press(dialog).starts_with("✓"));
   const auto cut = tests::contentOf(folder_ / "cut.json");
   EXPECT_NE(cut.find(R"("calibration": "newtons")"), std::string::npos) << cut;
