@@ -88,9 +88,7 @@ class RenderingWriter : HtmlWriter {
       if (one.condition != condition) {
         const auto& device = s_.protocol.condition(one.condition)->device;
         const auto unit = s_.protocol.device(device)->kind->travel.unitName;
-        rowOver(
-            this->condition(one.condition) + " (" + say("travel in {}", s_.words(unit)) + ")",
-            kColumns);
+        rowOver(this->condition(one.condition) + " (" + say(unit) + ")", kColumns);
       }
       condition = one.condition;
       row(
