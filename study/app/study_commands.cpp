@@ -204,20 +204,25 @@ int status(const StudyArguments& options) {
           ? "blinding: open, conditions are not hidden from anyone\n"
           : "",
       rights.empty() ? rights : "rights: " + rights + "\n");
+  const auto sessions = storage::Records(study.database()).sessions();
+  std::size_t width = 12;  // codes are seldom longer
+  for (const auto& s : sessions) width = std::max(width, s.participant.size());
   fmt::print(
-      "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
+      "{:>4}  {:<{}} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",
       "participant",
+      width,
       "cohort",
       "run mode",
       "place",
       "status",
       "began");
-  for (const auto& s : storage::Records(study.database()).sessions()) {
+  for (const auto& s : sessions) {
     fmt::print(
-        "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
+        "{:>4}  {:<{}} {:<20} {:<10} {:>5}  {:<17} {}\n",
         static_cast<std::int64_t>(s.id),
         s.participant,
+        width,
         s.cohort,
         nameOf(s.runMode),
         s.slot + 1,

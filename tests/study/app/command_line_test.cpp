@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "study/session/session.h"
+#include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
@@ -252,6 +254,21 @@ TEST_F(CommandLineTest, NeverOverwrites) {
       kTheWorldSaidNo,
       {"is there already"});
   EXPECT_TRUE(std::filesystem::is_empty(tables));
+}
+
+TEST_F(CommandLineTest, KeepsTheColumnsOfStatusApartWhereACodeIsLong) {
+  tests::MadeStudy study;
+  const std::string code = "a-code-that-is-longer-than-its-column";
+  study::Session::enrol(*study, {.cohort = "surgeons", .code = code});
+  study.close();
+  const auto said = palpate({"study", "status", study.folder()}).out;
+  const auto row = said.find(code);
+  const auto head = said.find("participant ");
+  ASSERT_NE(row, said.npos) << said;
+  const auto columnOf = [&](std::size_t from, const std::string& word) {
+    return said.find(word, from) - from;
+  };
+  EXPECT_EQ(columnOf(head, "cohort"), columnOf(row, "surgeons")) << said;
 }
 
 TEST_F(CommandLineTest, BacksUpAStudyThatVerifiesAfterwards) {
