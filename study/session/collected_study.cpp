@@ -46,7 +46,7 @@ struct CollectedStudy::Files {
 
   void begin() {
     ofStudy = std::make_unique<Transaction>(study);
-    ofTraces = std::make_unique<Transaction>(traces);
+    ofTraces = std::make_unique<Transaction>(traces.database());
     ofIdentities = std::make_unique<Transaction>(identities.database());
   }
   void commit() {
@@ -59,7 +59,7 @@ struct CollectedStudy::Files {
   }
 
   Database study;
-  Database traces;
+  storage::TraceStore traces;
   storage::IdentityStore identities;
   std::unique_ptr<Transaction> ofStudy;
   std::unique_ptr<Transaction> ofTraces;
@@ -70,7 +70,7 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
     : target_(std::move(folder)),
       folder_(newFolderBeside(target_)),
       clock_(clock),
-      commitment_(origin.secret.commitment()),
+      secret_(origin.secret),
       protocolName_(origin.protocols.at(0).protocol.study.id) {
   fs::create_directory(folder_ / "exports");
   files_ = std::make_unique<Files>(StudyFiles{folder_});
@@ -133,7 +133,12 @@ void CollectedStudy::noteErasure(const storage::SessionRow& row) {
 }
 
 void CollectedStudy::add(std::int64_t number, const storage::TraceChunk& chunk) {
-  storage::addChunk(files_->traces, sessions_.at(number), chunk);
+  const auto id = sessions_.at(number);
+  const auto* key = files_->study.key();
+  const auto mode = storage::SessionRepository(files_->study).load(id).runMode;
+  const bool isSealed = key != nullptr && mode != RunMode::Simulated;
+  storage::addChunk(
+      files_->traces.database(), id, isSealed ? storage::sealed(chunk, id, *key) : chunk);
 }
 
 void CollectedStudy::addKey(const std::string& participant, const storage::SealingKey& key) {
@@ -171,7 +176,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
   log.append(
       {.when = now,
        .kind = EventKind::MadeStudy,
-       .values = {{"study", protocolName_}, {"secret", commitment_}}});
+       .values = {{"study", protocolName_}, {"secret", secret_.commitment()}}});
   std::size_t place = 0;
   std::optional<std::int64_t> session;  // whose key is known: its events come together
   std::optional<storage::SealingKey> key;
@@ -180,8 +185,31 @@ void CollectedStudy::appendTrail(const std::string& reason) {
       session = event.session;
       key = session ? log.keyOf(SessionId{*session}) : std::nullopt;
     }
-    log.appendFrom(event, key ? &*key : nullptr, lastOf_.at(event.session) == place++);
+    log.appendFrom(
+        key ? opened(event, *key) : event,
+        key ? &*key : nullptr,
+        lastOf_.at(event.session) == place++);
   });
+}
+
+/// An event of a session that is in the study.
+storage::StoredEvent CollectedStudy::opened(
+    const storage::StoredEvent& event, const storage::SealingKey& own) const {
+  // Its place in the trail of its station is what it was sealed for.
+  const SessionId session{*event.session};
+  const auto station = storage::SessionRepository(files_->study).load(session).station;
+  const storage::SealingKey study(secret_.of(station).bytes());
+  auto open = event;
+  auto detail = event.sealed.empty() ? std::nullopt : storage::openedDetail(event, own, &study);
+  if (!detail) return open;
+  open.detail = std::move(*detail);
+  open.sealed.clear();
+  // What is stored here has another digest: it is sealed with another key.
+  if (open.kind == nameOf(EventKind::KeptTrace)) {
+    open.detail = files_->traces.digest(
+        {session, static_cast<int>(event.step.value()), static_cast<int>(event.attempt.value())});
+  }
+  return open;
 }
 
 void CollectedStudy::finish(const std::string& reason) {

@@ -11,8 +11,10 @@
 #include "study/model/clock.h"
 #include "study/model/ids.h"
 #include "study/session/study.h"
+#include "study/storage/blinding_secret.h"
 #include "study/storage/event_log.h"
 #include "study/storage/keys/sealing_key.h"
+#include "study/storage/trace_store.h"
 #include "study/storage/transfer/event_spool.h"
 #include "study/storage/transfer/session_facts.h"
 
@@ -21,9 +23,10 @@ namespace study {
 /// One study put together of what its stations recorded: an ordinary folder, which can be verified,
 /// evaluated and exported. Its sessions cannot go on.
 ///
-/// Sessions get new numbers, and the audit trails of the stations follow one another in a trail of
-/// its own, whose first event says so. What each station's trail says was checked before against
-/// its hashes and signatures; the last hash of each is in that event.
+/// What tells conditions is sealed with the study's own key. Sessions get new numbers, and the
+/// audit trails of the stations follow one another in a trail of its own, whose first event says
+/// so. What each station's trail says was checked before against its hashes and signatures; the
+/// last hash of each is in that event.
 class CollectedStudy {
  public:
   struct Origin {
@@ -50,6 +53,7 @@ class CollectedStudy {
 
   /// Adds one session of the station. @param number  that it has there
   void add(std::int64_t number, const storage::SessionFacts& facts);
+  /// @param chunk  in the open (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);
   void addKey(const std::string& participant, const storage::SealingKey& key);
   /// Ends a station: its trail, after its sessions.
@@ -63,11 +67,13 @@ class CollectedStudy {
   struct Files;
   void noteErasure(const storage::SessionRow& row);
   void appendTrail(const std::string& reason);
+  storage::StoredEvent opened(
+      const storage::StoredEvent& event, const storage::SealingKey& own) const;
 
   std::filesystem::path target_;
   std::filesystem::path folder_;
   Clock& clock_;
-  std::string commitment_;
+  storage::BlindingSecret secret_;
   std::string protocolName_;
   std::unique_ptr<Files> files_;
   std::map<std::int64_t, SessionId> sessions_;  ///< of the present station, by their number there

@@ -161,11 +161,7 @@ void Study::useKey(const storage::BlindingSecret& key) {
 void Study::giveKey() {
   const storage::SealingKey key(secret_->bytes());
   database_.giveKey(key);
-  if (isCollected_ || !station_.isNone()) {
-    database_.leaveMeasurementsOpen();
-  } else {
-    traces_.database().giveKey(key);
-  }
+  traces_.database().giveKey(key);
 }
 
 bool Study::unlock(const std::string& passphrase) {
@@ -269,7 +265,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
 storage::TraceStore Study::openTraces() const {
   auto database = Database::open(
       StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite);
-  if (const auto* key = database_.measurementKey()) database.giveKey(*key);
+  if (const auto* key = database_.key()) database.giveKey(*key);
   return storage::TraceStore(std::move(database));
 }
 

@@ -79,19 +79,11 @@ class Database {
   /// @throws StorageError
   void copyTo(const std::string& path, const std::function<void(double share)>& progress) const;
 
-  /// Gives this connection the key of the study, with which conditions are sealed and opened
-  /// (docs/decisions/0049). Studies whose conditions are open have none.
+  /// Gives this connection the key of the study, with which conditions and measurements are
+  /// sealed and opened (docs/decisions/0049). Studies in which nothing is sealed have none.
   void giveKey(const SealingKey& key) { key_ = key; }
   /// nullptr: this connection has none.
   const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
-
-  /// From now on what is measured is stored in the open: sessions of stations travel as they are
-  /// stored (docs/decisions/0054).
-  void leaveMeasurementsOpen() noexcept { areMeasurementsSealed_ = false; }
-  /// With which measurements are sealed; nullptr: they are not.
-  const SealingKey* measurementKey() const noexcept {
-    return areMeasurementsSealed_ ? key() : nullptr;
-  }
 
   std::int64_t lastInsertedId() const noexcept;
   const std::string& path() const noexcept { return path_; }
@@ -117,7 +109,6 @@ class Database {
   sqlite3* handle_ = nullptr;
   bool isRollbackScheduled_ = false;
   std::optional<SealingKey> key_;
-  bool areMeasurementsSealed_ = true;
 };
 
 }  // namespace study::storage

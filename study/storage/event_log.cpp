@@ -18,6 +18,11 @@
 namespace study::storage {
 namespace {
 
+/// Where what is sealed belongs.
+std::string placeOf(std::int64_t number, const std::string& kind) {
+  return std::to_string(number) + "/" + kind;
+}
+
 /// An event as it stands in a row. The number is given by those who write it.
 struct Row : StoredEvent {
   Hash hashAfter(std::int64_t number, const std::vector<std::byte>& previous) const {
@@ -41,11 +46,8 @@ struct Row : StoredEvent {
     return hasher.finish();
   }
 
-  /// Where what is sealed belongs.
-  std::string place(std::int64_t number) const { return std::to_string(number) + "/" + kind; }
-
   void seal(std::int64_t number, const SealingKey& key) {
-    sealed = key.seal(detail, place(number));
+    sealed = key.seal(detail, placeOf(number, kind));
     detail.clear();
   }
 };
@@ -177,12 +179,9 @@ class Keys {
   }
 
   /// Puts the detail back into its place. False if it cannot be opened.
-  bool open(std::int64_t seq, Row& row) {
+  bool open(Row& row) {
     const auto* key = find(row.session.value_or(0));
-    auto detail = key != nullptr ? key->open(row.sealed, row.place(seq)) : std::nullopt;
-    if (!detail && key != nullptr && log_.studyKey() != nullptr) {
-      detail = log_.studyKey()->joinedWith(*key).open(row.sealed, row.place(seq));
-    }
+    auto detail = key != nullptr ? openedDetail(row, *key, log_.studyKey()) : std::nullopt;
     if (detail) row.detail = std::move(*detail);
     return detail.has_value();
   }
@@ -270,6 +269,13 @@ std::string describe(const Event& event) {
   }
 }
 
+std::optional<std::string> openedDetail(
+    const StoredEvent& event, const SealingKey& own, const SealingKey* study) {
+  const auto place = placeOf(event.seq, event.kind);
+  auto detail = own.open(event.sealed, place);
+  return detail || study == nullptr ? detail : study->joinedWith(own).open(event.sealed, place);
+}
+
 void EventLog::append(const Event& event) {
   requireText(event);
   Row row = rowOf(event);
@@ -294,7 +300,7 @@ void EventLog::sealAgain(const Event& event) {
     while (select.step()) {
       Row row = rowIn(select);
       // What cannot be opened stays as it is: its participant was erased.
-      if (!row.sealed.empty() && keys.open(select.number(0), row)) row.sealed.clear();
+      if (!row.sealed.empty() && keys.open(row)) row.sealed.clear();
       if (row.session) lastOf[*row.session] = rows.size();
       rows.push_back(std::move(row));
     }
@@ -339,12 +345,6 @@ void EventLog::putStored(const StoredEvent& event) {
 
 void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches) {
   Row row{event};
-  if (key != nullptr && !row.sealed.empty()) {
-    if (auto detail = key->open(row.sealed, row.place(event.seq))) {
-      row.detail = std::move(*detail);
-      row.sealed.clear();
-    }
-  }
   const bool isToBeSealed =
       key != nullptr && row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
   row.content.clear();
@@ -354,7 +354,7 @@ void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool 
                     : contentHash(database_));
   }
   const auto [seq, previous] = end(database_);
-  if (isToBeSealed) row.seal(seq, *key);
+  if (isToBeSealed) row.seal(seq, sealedWith(*key, eventKindNamed(row.kind)));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
@@ -443,9 +443,13 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
 }
 
 std::optional<SealingKey> EventLog::keyOf(SessionId session, EventKind kind) const {
-  auto own = keyOf(session);
-  const auto* key = revealsCondition(kind) ? database_.measurementKey() : nullptr;
-  return own && key != nullptr ? key->joinedWith(*own) : own;
+  const auto own = keyOf(session);
+  return own ? std::optional(sealedWith(*own, kind)) : std::nullopt;
+}
+
+SealingKey EventLog::sealedWith(const SealingKey& own, EventKind kind) const {
+  const auto* key = revealsCondition(kind) ? database_.key() : nullptr;
+  return key != nullptr ? key->joinedWith(own) : own;
 }
 
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
@@ -458,7 +462,7 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   Keys keys(*this);
   while (select.step()) {
     Row row = rowIn(select);
-    const bool isOpen = row.sealed.empty() || keys.open(select.number(0), row);
+    const bool isOpen = row.sealed.empty() || keys.open(row);
     Event event{.actor = actorNamed(row.actor), .kind = eventKindNamed(row.kind)};
     if (event.kind == EventKind::Unknown) event.unknownName = row.kind;
     const bool isHidden = !isOpen && studyKey() == nullptr && revealsCondition(event.kind) &&

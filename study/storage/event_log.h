@@ -139,9 +139,8 @@ class EventLog {
 
   /// Appends what an event of another trail says, as the next event of this one, inside the
   /// caller's transaction. Time, actor, kind and text stay; number and hash are of this trail.
-  /// @param event  with the session's number in this study
-  /// @param key  with which it is sealed there, and here again; nullptr: it is open, or stays
-  /// closed
+  /// @param event  with the session's number in this study; opened, unless it stays closed
+  /// @param key  the content key of its participant; nullptr: there is none, and it is not sealed
   /// @param vouches  whether it carries a hash of the tables: the last event of a session
   void appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches);
 
@@ -153,9 +152,17 @@ class EventLog {
   std::optional<std::string> firstBreak() const;
 
  private:
+  SealingKey sealedWith(const SealingKey& own, EventKind kind) const;
+
   Database& database_;
   const IdentityStore* identities_;
 };
+
+/// What a sealed event says; std::nullopt if it was sealed with other keys.
+/// @param own  the content key of its participant
+/// @param study  the key of the study in which it was written; nullptr: it is not known
+std::optional<std::string> openedDetail(
+    const StoredEvent& event, const SealingKey& own, const SealingKey* study);
 
 std::string_view nameOf(Actor actor) noexcept;
 

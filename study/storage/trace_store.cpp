@@ -216,4 +216,69 @@ std::vector<VisitKey> TraceStore::visits() const {
   return visits;
 }
 
+std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit) {
+  Statement select(
+      traces,
+      "SELECT number, samples, layout, data, hash FROM chunk "
+      "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
+  select.bind(1, visit);
+  std::vector<TraceChunk> chunks;
+  while (select.step()) {
+    chunks.push_back(
+        {.step = visit.step,
+         .attempt = visit.attempt,
+         .number = select.number(0),
+         .samples = select.number(1),
+         .layout = select.number(2),
+         .data = select.blob(3),
+         .hash = select.blob(4)});
+  }
+  return chunks;
+}
+
+void addChunk(Database& traces, SessionId session, const TraceChunk& chunk) {
+  if (asBytes(hashOf(chunk.data)) != chunk.hash) {
+    throw StorageError(
+        "A trace that was collected is not what was recorded. 'palpate collect check' says of "
+        "which session.",
+        StorageError::Kind::Damaged);
+  }
+  Statement insert(
+      traces,
+      "INSERT INTO chunk (session_id, step, attempt, number, samples, layout, data, hash) "
+      "VALUES (?,?,?,?,?,?,?,?)");
+  insert.bind(1, VisitKey{session, chunk.step, chunk.attempt});
+  insert.bind(4, chunk.number)
+      .bind(5, chunk.samples)
+      .bind(6, chunk.layout)
+      .bind(7, std::span<const std::byte>(chunk.data))
+      .bind(8, std::span<const std::byte>(chunk.hash));
+  insert.run();
+}
+
+TraceChunk opened(const TraceChunk& chunk, SessionId session, const SealingKey& key) {
+  if (!isSealed(chunk.layout)) return chunk;
+  const auto text =
+      key.open(chunk.data, placeOf({session, chunk.step, chunk.attempt}, chunk.number));
+  if (!text) {
+    throw StorageError(
+        "samples cannot be opened with the station's key", StorageError::Kind::Damaged);
+  }
+  auto open = chunk;
+  const auto bytes = std::as_bytes(std::span(*text));
+  open.data.assign(bytes.begin(), bytes.end());
+  open.layout -= kSealed;
+  open.hash = asBytes(hashOf(open.data));
+  return open;
+}
+
+TraceChunk sealed(const TraceChunk& chunk, SessionId session, const SealingKey& key) {
+  auto sealed = chunk;
+  sealed.data = key.sealRepeatably(
+      textOf(chunk.data), placeOf({session, chunk.step, chunk.attempt}, chunk.number));
+  sealed.layout += kSealed;
+  sealed.hash = asBytes(hashOf(sealed.data));
+  return sealed;
+}
+
 }  // namespace study::storage

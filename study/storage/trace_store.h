@@ -75,4 +75,29 @@ class TraceStore {
   Database database_;
 };
 
+/// A chunk as it is stored, to be written to another file.
+struct TraceChunk {
+  int step = 0;
+  int attempt = 1;
+  std::int64_t number = 0;
+  std::int64_t samples = 0;
+  std::int64_t layout = 0;
+  std::vector<std::byte> data;
+  std::vector<std::byte> hash;
+};
+
+/// The chunks of a visit, in order. @param traces  traces.db
+std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit);
+
+/// Inside the caller's transaction. @throws StorageError  if the bytes are not those of the hash.
+void addChunk(Database& traces, SessionId session, const TraceChunk& chunk);
+
+/// A chunk of a session without its seal; one that is not sealed as it is.
+/// @param key  with which it is sealed
+/// @throws StorageError  (Damaged) if it is sealed with another key, or for another place.
+TraceChunk opened(const TraceChunk& chunk, SessionId session, const SealingKey& key);
+
+/// An open chunk as a session of that number has it, sealed with @p key.
+TraceChunk sealed(const TraceChunk& chunk, SessionId session, const SealingKey& key);
+
 }  // namespace study::storage

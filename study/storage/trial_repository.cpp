@@ -1,7 +1,11 @@
 #include "study/storage/trial_repository.h"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "study/storage/keys/sealed_condition.h"
@@ -12,70 +16,181 @@ namespace study::storage {
 
 namespace {
 
-/// What was measured, by columns of trial and of cut; what has no value is left out.
-base::NamedArguments measured(const TrialRecord& record) {
-  base::NamedArguments values;
-  const auto add = [&](std::string name, const auto& value) {
-    values.emplace_back(std::move(name), value);
-  };
-  const auto addIfKnown = [&](std::string name, const auto& value) {
-    if (value) values.emplace_back(std::move(name), *value);
-  };
+// What is sealed, in the order in which it is written there.
+constexpr std::string_view kMeasured =
+    "verdict, verdict_reason, duration_s, ticks, nominal_rate_hz, achieved_rate_hz, "
+    "lateness_p50_us, lateness_p99_us, lateness_max_us, late_ticks, lost_samples, invalid_ticks, "
+    "saturated_s, slewed_s, undefined_s, contact_s, largest_force_n, cuts";
+constexpr std::string_view kMeasuredOfCut =
+    "interception_travel, interception_n, yield_travel, yield_n, bottom_out_travel, bottom_out_n, "
+    "opening_travel, opening_n, peak_n";
+
+template <typename Value>
+FactValue valueOf(const std::optional<Value>& value) {
+  return value ? FactValue(*value) : FactValue();
+}
+
+FactRow rowOf(const VisitKey& visit, const TrialRecord& record) {
   const auto judgement = record.judgement();
-  add("verdict", std::string(nameOf(judgement.verdict)));
-  add("verdict_reason", asJson(judgement.reasons));
-  add("duration_s", record.duration);
-  add("ticks", record.ticks);
-  add("nominal_rate_hz", record.nominalRate);
-  addIfKnown("achieved_rate_hz", record.achievedRate);
-  addIfKnown("lateness_p50_us", record.latenessMedian);
-  addIfKnown("lateness_p99_us", record.latenessP99);
-  addIfKnown("lateness_max_us", record.latenessLargest);
-  addIfKnown("late_ticks", record.lateTicks);
-  add("lost_samples", record.lostSamples);
-  add("invalid_ticks", record.invalidTicks);
-  add("saturated_s", record.saturated);
-  add("slewed_s", record.slewed);
-  add("undefined_s", record.undefined);
-  add("contact_s", record.contact);
-  add("largest_force_n", record.largestForce);
-  add("cuts", static_cast<std::int64_t>(record.cuts.size()));
-  int number = 0;
-  for (const auto& cut : record.cuts) {
-    const std::string prefix = "cut_" + std::to_string(++number) + "_";
-    const auto addPoint = [&](const std::string& name, const auto& point) {
-      if (!point.found) return;
-      add(prefix + name + "_travel", static_cast<double>(point.travel));
-      add(prefix + name + "_n", static_cast<double>(point.force));
-    };
-    addPoint("interception", cut.interception);
-    addPoint("yield", cut.yield);
-    addPoint("bottom_out", cut.bottomOut);
-    addPoint("opening", cut.opening);
-    add(prefix + "peak_n", static_cast<double>(cut.peakForce));
+  return {
+      {"step", std::int64_t{visit.step}},
+      {"attempt", std::int64_t{visit.attempt}},
+      {"device", record.device},
+      {"ending", std::string(nameOf(record.ending))},
+      {"verdict", std::string(nameOf(judgement.verdict))},
+      {"verdict_reason", asJson(judgement.reasons)},
+      {"force_unit", std::string("N")},
+      {"travel_unit", record.travelUnit},
+      {"duration_s", record.duration},
+      {"ticks", record.ticks},
+      {"nominal_rate_hz", record.nominalRate},
+      {"achieved_rate_hz", valueOf(record.achievedRate)},
+      {"lateness_p50_us", valueOf(record.latenessMedian)},
+      {"lateness_p99_us", valueOf(record.latenessP99)},
+      {"lateness_max_us", valueOf(record.latenessLargest)},
+      {"late_ticks", valueOf(record.lateTicks)},
+      {"lost_samples", record.lostSamples},
+      {"invalid_ticks", record.invalidTicks},
+      {"saturated_s", record.saturated},
+      {"slewed_s", record.slewed},
+      {"undefined_s", record.undefined},
+      {"contact_s", record.contact},
+      {"largest_force_n", record.largestForce},
+      {"cuts", static_cast<std::int64_t>(record.cuts.size())},
+      {"trace_samples", record.traceSamples}};
+}
+
+FactRow rowOf(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut) {
+  FactRow row{
+      {"step", std::int64_t{visit.step}},
+      {"attempt", std::int64_t{visit.attempt}},
+      {"number", number},
+      {"peak_n", static_cast<double>(cut.peakForce)}};
+  const auto add = [&](const std::string& name, const auto& point) {
+    row[name + "_travel"] =
+        point.found ? FactValue(static_cast<double>(point.travel)) : FactValue();
+    row[name + "_n"] = point.found ? FactValue(static_cast<double>(point.force)) : FactValue();
+  };
+  add("interception", cut.interception);
+  add("yield", cut.yield);
+  add("bottom_out", cut.bottomOut);
+  add("opening", cut.opening);
+  return row;
+}
+
+std::int64_t numberIn(const FactRow& row, const std::string& column) {
+  const auto* number = std::get_if<std::int64_t>(&row.at(column));
+  if (number == nullptr) refuseFacts("a row of a trial has no " + column);
+  return *number;
+}
+
+VisitKey visitOf(SessionId session, const FactRow& row) {
+  return {
+      session, static_cast<int>(numberIn(row, "step")), static_cast<int>(numberIn(row, "attempt"))};
+}
+
+std::string prefixOf(std::int64_t cut) {
+  return "cut_" + std::to_string(cut) + "_";
+}
+
+/// What was measured, by columns of trial and of cut; what has no value is left out.
+std::string measured(const FactRow& trial, const std::vector<FactRow>& cuts) {
+  base::NamedArguments values;
+  const auto addAll = [&](const FactRow& row, std::string_view columns, const std::string& prefix) {
+    for (const auto& column : namesIn(columns)) {
+      std::visit(
+          [&](const auto& held) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+              values.emplace_back(prefix + column, held);
+            }
+          },
+          row.at(column));
+    }
+  };
+  addAll(trial, kMeasured, "");
+  for (const auto& cut : cuts) addAll(cut, kMeasuredOfCut, prefixOf(numberIn(cut, "number")));
+  return asJson(values);
+}
+
+/// The opposite of measured().
+void fillIn(FactRow& trial, std::vector<FactRow>& cuts, const base::NamedArguments& values) {
+  const auto fill = [&](FactRow& row, std::string_view columns, const std::string& prefix) {
+    for (const auto& column : namesIn(columns)) {
+      auto& cell = row[column] = std::monostate();
+      for (const auto& [name, value] : values) {
+        if (name == prefix + column) std::visit([&](const auto& held) { cell = held; }, value);
+      }
+    }
+  };
+  fill(trial, kMeasured, "");
+  for (std::int64_t number = 1; number <= numberIn(trial, "cuts"); ++number) {
+    FactRow cut{{"step", trial.at("step")}, {"attempt", trial.at("attempt")}, {"number", number}};
+    fill(cut, kMeasuredOfCut, prefixOf(number));
+    cuts.push_back(std::move(cut));
   }
-  return values;
+}
+
+/// The cuts of one trial.
+std::vector<FactRow> cutsIn(const std::vector<FactRow>& cuts, const VisitKey& visit) {
+  std::vector<FactRow> found;
+  std::ranges::copy_if(cuts, std::back_inserter(found), [&](const FactRow& cut) {
+    return visitOf(visit.session, cut) == visit;
+  });
+  return found;
 }
 
 }  // namespace
 
 void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
-  const auto* key = isSimulated(visit.session) ? nullptr : database_.measurementKey();
-  if (key == nullptr) return addOpen(visit, record);
+  TrialRows rows{.trials = {rowOf(visit, record)}, .cuts = {}};
+  std::int64_t number = 0;
+  for (const auto& cut : record.cuts) rows.cuts.push_back(rowOf(visit, ++number, cut));
+  add(visit.session, rows, isSimulated(visit.session) ? nullptr : database_.key());
+}
+
+void TrialRepository::add(
+    SessionId session,
+    const TrialRows& rows,
+    const SealingKey* key,
+    const std::set<VisitKey>& open) {
+  for (const auto& trial : rows.trials) requireColumns("trial", kTrialColumns, trial);
+  for (const auto& cut : rows.cuts) requireColumns("cut", kCutColumns, cut);
+  const std::vector<std::pair<std::string, std::int64_t>> keys{
+      {"session_id", static_cast<std::int64_t>(session)}};
+  std::size_t cuts = 0;
+  for (const auto& trial : rows.trials) {
+    const auto visit = visitOf(session, trial);
+    const auto own = cutsIn(rows.cuts, visit);
+    cuts += own.size();
+    if (key != nullptr && !open.contains(visit)) {
+      addSealed(visit, trial, own, *key);
+    } else {
+      insertRows(database_, "trial", kTrialColumns, {trial}, keys);
+      insertRows(database_, "cut", kCutColumns, own, keys);
+    }
+  }
+  if (cuts != rows.cuts.size()) refuseFacts("a cut has no trial");
+}
+
+void TrialRepository::addSealed(
+    const VisitKey& visit,
+    const FactRow& trial,
+    const std::vector<FactRow>& cuts,
+    const SealingKey& key) {
+  const auto sealed = sealedMeasurements(key, visit, measured(trial, cuts));
   Statement insert(
       database_,
       "INSERT INTO trial (session_id, step, attempt, device, ending, verdict, verdict_reason, "
       "force_unit, travel_unit, duration_s, ticks, nominal_rate_hz, lost_samples, invalid_ticks, "
       "saturated_s, slewed_s, undefined_s, contact_s, largest_force_n, cuts, trace_samples, "
       "sealed) "
-      "VALUES (?,?,?,?,?,'PASS','','N',?,0,0,0,0,0,0,0,0,0,0,0,?,?)");
-  const auto sealed = sealedMeasurements(*key, visit, asJson(measured(record)));
+      "VALUES (?,?,?,?,?,'PASS','',?,?,0,0,0,0,0,0,0,0,0,0,0,?,?)");
   insert.bind(1, visit);
-  insert.bind(4, record.device)
-      .bind(5, nameOf(record.ending))
-      .bind(6, record.travelUnit)
-      .bind(7, record.traceSamples)
-      .bind(8, std::span<const std::byte>(sealed));
+  int index = 4;
+  for (const auto* column : {"device", "ending", "force_unit", "travel_unit", "trace_samples"}) {
+    bind(insert, index++, trial.at(column));
+  }
+  insert.bind(index, std::span<const std::byte>(sealed));
   insert.run();
 }
 
@@ -84,61 +199,33 @@ bool TrialRepository::isSimulated(SessionId session) const {
   return select.bind(1, static_cast<std::int64_t>(session)).step();
 }
 
-void TrialRepository::addOpen(const VisitKey& visit, const TrialRecord& record) {
-  Statement insert(
-      database_,
-      "INSERT INTO trial (session_id, step, attempt, device, ending, verdict, verdict_reason, "
-      "force_unit, travel_unit, duration_s, ticks, nominal_rate_hz, achieved_rate_hz, "
-      "lateness_p50_us, "
-      "lateness_p99_us, lateness_max_us, late_ticks, lost_samples, invalid_ticks, saturated_s, "
-      "slewed_s, "
-      "undefined_s, contact_s, largest_force_n, cuts, trace_samples) "
-      "VALUES (?,?,?,?,?,?,?,'N',?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, visit);
-  const auto judgement = record.judgement();
-  insert.bind(4, record.device)
-      .bind(5, nameOf(record.ending))
-      .bind(6, nameOf(judgement.verdict))
-      .bind(7, asJson(judgement.reasons))
-      .bind(8, record.travelUnit)
-      .bind(9, record.duration)
-      .bind(10, record.ticks)
-      .bind(11, record.nominalRate)
-      .bind(12, record.achievedRate)
-      .bind(13, record.latenessMedian)
-      .bind(14, record.latenessP99)
-      .bind(15, record.latenessLargest)
-      .bind(16, record.lateTicks)
-      .bind(17, record.lostSamples)
-      .bind(18, record.invalidTicks)
-      .bind(19, record.saturated)
-      .bind(20, record.slewed)
-      .bind(21, record.undefined)
-      .bind(22, record.contact)
-      .bind(23, record.largestForce)
-      .bind(24, static_cast<std::int64_t>(record.cuts.size()))
-      .bind(25, record.traceSamples);
-  insert.run();
-  std::int64_t number = 0;
-  for (const auto& cut : record.cuts) addCut(visit, ++number, cut);
-}
-
-void TrialRepository::addCut(
-    const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut) {
-  Statement insert(
-      database_,
-      "INSERT INTO cut (session_id, step, attempt, number, interception_travel, interception_n, "
-      "yield_travel, yield_n, bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n) "
-      "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, visit);
-  insert.bind(4, number);
-  int column = 5;
-  for (const auto* point : {&cut.interception, &cut.yield, &cut.bottomOut, &cut.opening}) {
-    insert.bind(column++, point->found ? std::optional(point->travel) : std::nullopt);
-    insert.bind(column++, point->found ? std::optional(point->force) : std::nullopt);
+TrialRows trialsOf(const Database& study, SessionId session) {
+  const auto select = [&](std::string_view columns, const std::string& table, const char* order) {
+    return rowsOf(
+        study,
+        "SELECT " + std::string(columns) + " FROM " + table + " WHERE session_id = ? ORDER BY " +
+            order,
+        columns,
+        session);
+  };
+  TrialRows rows{.trials = select(kTrialColumns, "trial", "step, attempt"), .cuts = {}};
+  const auto open = select(kCutColumns, "cut", "step, attempt, number");
+  Statement blob(
+      study, "SELECT sealed FROM trial WHERE session_id = ? AND step = ? AND attempt = ?");
+  for (auto& trial : rows.trials) {
+    const auto visit = visitOf(session, trial);
+    blob.bind(1, visit);
+    const auto sealed = blob.step() ? blob.blob(0) : std::vector<std::byte>();
+    blob.reset();
+    if (sealed.empty()) {
+      std::ranges::copy(cutsIn(open, visit), std::back_inserter(rows.cuts));
+      continue;
+    }
+    const auto values = valuesIn(openedMeasurements(study.key(), visit, sealed));
+    if (!values) refuseFacts("a trial of it cannot be read");
+    fillIn(trial, rows.cuts, *values);
   }
-  insert.bind(column, cut.peakForce);
-  insert.run();
+  return rows;
 }
 
 }  // namespace study::storage

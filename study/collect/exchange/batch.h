@@ -8,6 +8,7 @@
 #include "study/session/arrivals.h"
 #include "study/storage/event_log.h"
 #include "study/storage/keys/sealing_key.h"
+#include "study/storage/trace_store.h"
 #include "study/storage/transfer/session_facts.h"
 
 // What travels between a station and the server, in JSON (docs/decisions/0054). A program that

@@ -95,6 +95,9 @@ class StationPull {
       for (auto& problem : trail_.problemsOf(session.number, session.asOf, facts, chunks)) {
         problems.push_back(std::move(problem));
       }
+      for (auto& chunk : chunks) {
+        chunk = storage::opened(chunk, SessionId{session.number}, trail_.key());
+      }
     } catch (const StorageError& error) {
       problems.emplace_back(error.what());
     }

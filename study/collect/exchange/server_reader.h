@@ -9,6 +9,7 @@
 #include "study/collect/server/connection.h"
 #include "study/session/collected_study.h"
 #include "study/storage/event_log.h"
+#include "study/storage/trace_store.h"
 #include "study/storage/transfer/session_facts.h"
 
 namespace study::collect {

@@ -61,6 +61,12 @@ std::string nameOf(const VisitKey& visit) {
 
 }  // namespace
 
+/// What the trail says of trials.
+struct StationTrail::Trials {
+  std::map<VisitKey, std::string> traces;  ///< digests
+  std::set<VisitKey> open;  ///< whose measurements are not sealed with the station's key
+};
+
 StationTrail::StationTrail(
     const CollectedStudy::Origin& study,
     const StationRow& station,
@@ -68,7 +74,7 @@ StationTrail::StationTrail(
     const std::vector<SentKey>& keys,
     std::int64_t vouchedUpTo)
     : station_(station.station),
-      conditionKey_(study.secret.of(station.station.label).bytes()),
+      key_(study.secret.of(station.station.label).bytes()),
       events_(std::move(events)),
       identities_(storeOf(keys)),
       traces_(storage::Database::inMemory(storage::traceSchema())) {
@@ -157,19 +163,25 @@ std::vector<std::string> StationTrail::problemsOf(
       storage::textIn(facts, "session", "station") == station_.label &&
       storage::textIn(facts, "participant", "code").starts_with(station_.label + "_");
   if (!isHere) problems.emplace_back("its rows are of another site, station or code");
-  // Its conditions are sealed at the station, unless it was simulated or the protocol blinds no
-  // one.
+  Trials said;
+  std::optional<std::string> ofTraces;
+  if (!chunks.empty() || !storage::rowsIn(facts, "trial").empty()) {
+    const storage::Transaction rolledBack(*database_);
+    storage::addFactsAs(*database_, facts, SessionId{session}, nullptr, {});
+    said = trialsOf(session);
+    ofTraces = firstProblemOfTraces(session, chunks, said);
+  }
+  // What tells its conditions is sealed at the station, unless it was simulated or the protocol
+  // blinds no one.
   std::vector<const storage::SealingKey*> ways{nullptr};
   if (storage::textIn(facts, "session", "run_mode") != study::nameOf(RunMode::Simulated)) {
-    ways.insert(ways.begin(), &conditionKey_);
+    ways.insert(ways.begin(), &key_);
   }
-  const auto& said = events_.at(static_cast<std::size_t>(asOf - 1));
-  std::optional<std::string> ofTraces;
+  const auto& last = events_.at(static_cast<std::size_t>(asOf - 1));
   const bool isSame = std::any_of(ways.begin(), ways.end(), [&](const auto* key) {
     const storage::Transaction rolledBack(*database_);
-    storage::addFactsAs(*database_, facts, SessionId{session}, key);
-    if (key == ways.front()) ofTraces = firstProblemOfTraces(session, chunks);
-    return agrees(session, said);
+    storage::addFactsAs(*database_, facts, SessionId{session}, key, said.open);
+    return agrees(session, last);
   });
   if (!isSame) problems.emplace_back("its rows do not agree with the audit trail");
   if (ofTraces) problems.push_back(*ofTraces);
@@ -230,36 +242,41 @@ bool StationTrail::agreesWithNumbers(std::int64_t session, const storage::Stored
              *database_, SessionId{session}, key ? &*key : nullptr)) == said.content;
 }
 
-/// What the trail says of the samples of each trial.
-std::map<VisitKey, std::string> StationTrail::keptTraces(std::int64_t session) {
-  std::map<VisitKey, std::string> kept;
+StationTrail::Trials StationTrail::trialsOf(std::int64_t session) const {
+  Trials trials;
   for (const auto& event : storage::EventLog(*database_, &identities_).read(SessionId{session})) {
-    if (event.kind == EventKind::KeptTrace && event.visit && !event.isErased) {
-      kept[*event.visit] = event.detail;
-    }
+    if (!event.visit || event.isErased || event.isSealed) continue;
+    if (event.kind == EventKind::KeptTrace) trials.traces[*event.visit] = event.detail;
+    // Each trial has one, which is sealed as the trial itself: the trail is read without the key.
+    if (event.kind == EventKind::Passivity) trials.open.insert(*event.visit);
   }
-  return kept;
+  return trials;
 }
 
 /// Samples against their trials, and against the digests in the trail.
 std::optional<std::string> StationTrail::firstProblemOfTraces(
-    std::int64_t session, const std::vector<storage::TraceChunk>& chunks) {
+    std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& said) {
   std::set<VisitKey> visits;
   for (const auto& chunk : chunks) {
     const VisitKey visit{SessionId{session}, chunk.step, chunk.attempt};
     if (storage::asBytes(storage::hashOf(chunk.data)) != chunk.hash) {
       return nameOf(visit) + ": samples differ from their hash";
     }
+    try {
+      storage::opened(chunk, SessionId{session}, key_);
+    } catch (const storage::StorageError& error) {
+      return nameOf(visit) + ": " + error.what();
+    }
     visits.insert(visit);
   }
   const storage::Transaction rolledBack(traces_.database());
   for (const auto& chunk : chunks) storage::addChunk(traces_.database(), SessionId{session}, chunk);
-  // Most events are sealed: they are not opened for nothing.
-  const auto kept = visits.empty() ? std::map<VisitKey, std::string>() : keptTraces(session);
   for (const auto& visit : visits) {
-    const auto said = kept.find(visit);
-    if (said == kept.end()) return nameOf(visit) + ": samples that the audit trail does not know";
-    if (traces_.digest(visit) != said->second) {
+    const auto kept = said.traces.find(visit);
+    if (kept == said.traces.end()) {
+      return nameOf(visit) + ": samples that the audit trail does not know";
+    }
+    if (traces_.digest(visit) != kept->second) {
       return nameOf(visit) + ": the samples are not those that were recorded";
     }
   }

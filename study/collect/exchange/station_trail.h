@@ -54,6 +54,9 @@ class StationTrail {
       const storage::SessionFacts& facts,
       const std::vector<storage::TraceChunk>& chunks);
 
+  /// With which the station seals what tells which condition was felt.
+  const storage::SealingKey& key() const noexcept { return key_; }
+
   /// The hash of event signedUpTo(), hexadecimal.
   std::string head() const;
   /// Ends this: the events up to signedUpTo().
@@ -64,12 +67,13 @@ class StationTrail {
       const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo);
   bool agrees(std::int64_t session, const storage::StoredEvent& said);
   bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said);
-  std::map<VisitKey, std::string> keptTraces(std::int64_t session);
+  struct Trials;
+  Trials trialsOf(std::int64_t session) const;
   std::optional<std::string> firstProblemOfTraces(
-      std::int64_t session, const std::vector<storage::TraceChunk>& chunks);
+      std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& said);
 
   Station station_;
-  storage::SealingKey conditionKey_;
+  storage::SealingKey key_;
   std::vector<storage::StoredEvent> events_;
   /// A study without sessions, which has the trail up to signedUpTo(). Sessions are put into it one
   /// at a time.

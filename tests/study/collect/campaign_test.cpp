@@ -353,7 +353,7 @@ class Campaign : public tests::CollectTest {
       for (const auto& visit : study.traces().visits()) {
         if (visit.session != session.id) continue;
         for (const auto& chunk : study::storage::chunksOf(study.traces().database(), visit)) {
-          all.add(number, chunk);
+          all.add(number, study::storage::opened(chunk, session.id, *study.database().key()));
         }
       }
     }

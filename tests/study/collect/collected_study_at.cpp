@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -36,6 +37,19 @@ std::unique_ptr<PrivateServer>& server() {
 std::string nameOf(const study::storage::SessionFacts& facts) {
   return std::get<std::string>(facts.at("participant").front().at("code")) + "/" +
          std::to_string(std::get<std::int64_t>(facts.at("session").front().at("number")));
+}
+
+/// Chunks of a trial without their seal, by the digest of the store.
+std::string digestOf(
+    const std::vector<study::storage::TraceChunk>& chunks,
+    study::SessionId session,
+    const study::storage::SealingKey& key) {
+  auto traces = study::storage::Database::inMemory(study::storage::traceSchema());
+  for (const auto& chunk : chunks) {
+    study::storage::addChunk(traces, session, study::storage::opened(chunk, session, key));
+  }
+  const auto& first = chunks.front();
+  return study::storage::TraceStore(std::move(traces)).digest({session, first.step, first.attempt});
 }
 
 }  // namespace
@@ -83,11 +97,34 @@ void CollectTest::simulate(const std::string& label, int participants, std::uint
   study.transact([&] { study.signTrail("simulated"); });
 }
 
+void CollectTest::feelAll(study::Study& study, study::Session& session, int trials) {
+  for (; trials > 0; --trials) {
+    walkTo(session, study::StepKind::Trial);
+    if (session.isOver()) return;
+    auto record = feltTrial(std::max(2, session.step().minimumCuts));
+    record.duration = 4.125;
+    record.ticks = 4125;
+    record.latenessP99 = 3.0;  // a whole number, and no integer
+    record.slewed = 1.0 / 3.0;
+    record.largestForce = 6.02;
+    record.traceSamples = 500;
+    record.safety.push_back({study::SafetyKind::Slewed, 2, 1.0 / 3.0});
+    auto& cut = record.cuts.back();
+    cut.interception = {.travel = 4.0, .force = -0.0, .found = true};
+    cut.yield = {.travel = 9.5, .force = 5.75, .found = true};
+    cut.peakForce = 6.02;
+    session.beginTrial();
+    const std::vector<study::storage::TraceSample> samples(500, {.tick = 7, .force = 5.0F});
+    study.traces().add(session.visit(), 0, samples);
+    session.finishTrial(record);
+  }
+}
+
 std::string CollectTest::runSession(const std::string& label, const std::string& code) {
   const auto account = accountOf(label);
   auto study = study::Study::open(folderOf(label), clock_);
   auto session = consenting(study, {.cohort = "surgeons", .code = code});
-  walkToTheEnd(session);
+  feelAll(study, session);
   clock_.advance(60.0);
   return session.participant();
 }
@@ -144,7 +181,10 @@ std::map<std::string, std::string> CollectTest::contentOf(
     for (const auto& visit : study.traces().visits()) {
       const auto place = names.at(visit.session) + "/" + std::to_string(visit.step) + "/" +
                          std::to_string(visit.attempt);
-      content[place] = study.traces().digest(visit);
+      content[place] = digestOf(
+          study::storage::chunksOf(study.traces().database(), visit),
+          visit.session,
+          *study.database().key());
     }
   }
   return content;
@@ -160,32 +200,41 @@ std::map<std::string, std::string> CollectTest::contentOfServer() const {
     content[sessions.text(i, 0) + "/" + sessions.text(i, 1)] = sessions.text(i, 2);
     EXPECT_EQ(study::storage::sha256(sessions.text(i, 3)), sessions.text(i, 2));
   }
-  // A trace by the same digest as TraceStore::digest().
-  auto traces = study::storage::Database::inMemory(study::storage::traceSchema());
-  const auto chunks = owner.query(
+  const auto rows = owner.query(
       "SELECT s.participant, s.facts::json->'session'->>'number', c.step, c.attempt, c.number, "
-      "c.samples, c.layout, c.data, c.hash, dense_rank() OVER (ORDER BY c.station, c.session) "
+      "c.samples, c.layout, c.data, c.hash, c.session, x.label "
       "FROM palpate.chunk AS c JOIN palpate.session AS s ON s.station = c.station AND s.number = "
-      "c.session");
-  std::map<study::VisitKey, std::string> places;
-  for (int i = 0; i < chunks.count(); ++i) {
-    const study::storage::TraceChunk chunk{
-        .step = static_cast<int>(chunks.number(i, 2)),
-        .attempt = static_cast<int>(chunks.number(i, 3)),
-        .number = chunks.number(i, 4),
-        .samples = chunks.number(i, 5),
-        .layout = chunks.number(i, 6),
-        .data = chunks.bytes(i, 7),
-        .hash = chunks.bytes(i, 8)};
-    const study::SessionId session{chunks.number(i, 9)};
-    study::storage::addChunk(traces, session, chunk);
-    places[{session, chunk.step, chunk.attempt}] = chunks.text(i, 0) + "/" + chunks.text(i, 1) +
-                                                   "/" + std::to_string(chunk.step) + "/" +
-                                                   std::to_string(chunk.attempt);
+      "c.session JOIN palpate.station AS x ON x.id = c.station ORDER BY c.number");
+  std::map<std::string, std::vector<study::storage::TraceChunk>> chunks;
+  std::map<std::string, std::pair<std::string, study::SessionId>> origins;
+  for (int i = 0; i < rows.count(); ++i) {
+    const auto place =
+        rows.text(i, 0) + "/" + rows.text(i, 1) + "/" + rows.text(i, 2) + "/" + rows.text(i, 3);
+    origins[place] = {rows.text(i, 10), study::SessionId{rows.number(i, 9)}};
+    chunks[place].push_back(
+        {.step = static_cast<int>(rows.number(i, 2)),
+         .attempt = static_cast<int>(rows.number(i, 3)),
+         .number = rows.number(i, 4),
+         .samples = rows.number(i, 5),
+         .layout = rows.number(i, 6),
+         .data = rows.bytes(i, 7),
+         .hash = rows.bytes(i, 8)});
   }
-  const study::storage::TraceStore store(std::move(traces));
-  for (const auto& [visit, place] : places) content[place] = store.digest(visit);
+  for (const auto& [place, origin] : origins) {
+    content[place] = digestOf(chunks.at(place), origin.second, keyOf(origin.first));
+  }
   return content;
+}
+
+/// With which a station seals what tells conditions.
+study::storage::SealingKey CollectTest::keyOf(const std::string& label) const {
+  auto owner = admin();
+  const auto row = study::collect::findStudy(owner, kStudy);
+  study::storage::BlindingSecret::Bytes secret{};
+  std::transform(row.secret.begin(), row.secret.end(), secret.begin(), [](std::byte b) {
+    return std::to_integer<unsigned char>(b);
+  });
+  return study::storage::SealingKey(study::storage::BlindingSecret(secret).of(label).bytes());
 }
 
 std::vector<std::string> CollectTest::incidents() const {

@@ -11,6 +11,7 @@
 #include "study/collect/exchange/push.h"
 #include "study/collect/server/connection.h"
 #include "study/collect/server/private_server.h"
+#include "study/session/session.h"
 #include "study/session/study.h"
 #include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
@@ -44,7 +45,10 @@ class CollectTest : public testing::Test {
 
   /// Sessions of simulated participants, with traces.
   void simulate(const std::string& label, int participants, std::uint64_t seed = 7);
-  /// A live session in which everything is answered. @return  the participant's code
+  /// Feels one trial after another, with cuts and samples, and answers everything.
+  /// @param trials  as many at most; then it stops before the next
+  static void feelAll(study::Study& study, study::Session& session, int trials = 100);
+  /// A live session in which feelAll() was done. @return  the participant's code
   std::string runSession(const std::string& label, const std::string& code = {});
 
   study::collect::Pushed push(const std::string& label) const;
@@ -56,8 +60,8 @@ class CollectTest : public testing::Test {
   /// … from another folder of the station.
   study::collect::Pushed pushFrom(const std::string& folder, const std::string& label) const;
 
-  /// The SHA-256 of every session's facts and of every trace, by participant and session number: of
-  /// studies together.
+  /// The SHA-256 of every session's facts, and the samples of every trace without their seal, by
+  /// participant and session number: of studies together.
   std::map<std::string, std::string> contentOf(const std::vector<std::string>& folders) const;
   /// The same of what the server has.
   std::map<std::string, std::string> contentOfServer() const;
@@ -67,6 +71,8 @@ class CollectTest : public testing::Test {
   mutable study::SimulatedClock clock_;
 
  private:
+  study::storage::SealingKey keyOf(const std::string& label) const;
+
   std::string database_;
 };
 

@@ -1,0 +1,104 @@
+#include "study/storage/fact_rows.h"
+
+namespace study::storage {
+namespace {
+
+FactValue valueIn(const Statement& row, int column) {
+  // The first byte says the type (Statement::exactBytes).
+  switch (row.exactBytes(column).front()) {
+    case 'i':
+      return row.number(column);
+    case 'r':
+      return row.real(column);
+    case 't':
+      return row.text(column);
+    default:
+      return std::monostate();
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> namesIn(std::string_view columns) {
+  std::vector<std::string> names(1);
+  for (const char c : columns) {
+    if (c == ',') {
+      names.emplace_back();
+    } else if (c != ' ') {
+      names.back() += c;
+    }
+  }
+  return names;
+}
+
+std::vector<FactRow> rowsOf(
+    const Database& database, const std::string& sql, std::string_view columns, SessionId session) {
+  Statement select(database, sql);
+  select.bind(1, static_cast<std::int64_t>(session));
+  const auto names = namesIn(columns);
+  std::vector<FactRow> rows;
+  while (select.step()) {
+    FactRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      row[names[i]] = valueIn(select, static_cast<int>(i));
+  }
+  return rows;
+}
+
+void bind(Statement& statement, int index, const FactValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) {
+    statement.bind(index, *number);
+  } else if (const auto* real = std::get_if<double>(&value)) {
+    statement.bind(index, *real);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    statement.bind(index, std::string_view(*text));
+  } else {
+    statement.bindNull(index);
+  }
+}
+
+void requireColumns(std::string_view table, std::string_view columns, const FactRow& row) {
+  const auto names = namesIn(columns);
+  if (row.size() != names.size()) {
+    refuseFacts("a row of " + std::string(table) + " has other columns");
+  }
+  for (const auto& name : names) {
+    if (!row.contains(name)) refuseFacts("a row of " + std::string(table) + " has no " + name);
+  }
+}
+
+void insertRows(
+    Database& database,
+    std::string_view table,
+    std::string_view columns,
+    const std::vector<FactRow>& rows,
+    const std::vector<std::pair<std::string, std::int64_t>>& keys) {
+  const auto names = namesIn(columns);
+  std::string all;
+  std::string marks;
+  for (const auto& [name, value] : keys) {
+    all += name + ", ";
+    marks += "?,";
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) marks += i == 0 ? "?" : ",?";
+  Statement statement(
+      database,
+      "INSERT INTO " + std::string(table) + " (" + all + std::string(columns) + ") VALUES (" +
+          marks + ")");
+  for (const auto& row : rows) {
+    requireColumns(table, columns, row);
+    int index = 1;
+    for (const auto& [name, value] : keys) statement.bind(index++, value);
+    for (const auto& name : names) bind(statement, index++, row.at(name));
+    statement.run();
+  }
+}
+
+void refuseFacts(const std::string& what) {
+  throw StorageError(
+      "A session that was collected cannot be kept: " + what +
+          ". It was written by a later release, or it is damaged.",
+      StorageError::Kind::Damaged);
+}
+
+}  // namespace study::storage
