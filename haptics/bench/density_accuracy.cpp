@@ -1,4 +1,4 @@
-// Densities of spheres: error against run time of the ways to fit them.
+// Fits of densities: error against run time of several methods.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Problem {
   std::vector<double> uniform;
 };
 
-/// The paper's count of spheres against a synthetic dynamic curve.
+/// A packing of @p count spheres and the forces of a synthetic dynamic series.
 Problem problemOf(std::size_t count) {
   const auto packing = *reaming::pack(reaming::Acetabulum(), {.count = count});
   const std::vector<double> ones(packing.spheres.size(), 1.0);
@@ -72,7 +72,7 @@ void timeFit(
        .time = Timing{time, time}});
 }
 
-/// Eigen's conjugate gradients for least squares: densities below 0 are cut off afterwards.
+/// Eigen's conjugate gradients for least squares; negative densities are set to 0 afterwards.
 DensityFit leastSquares(const Problem& problem, int iterations) {
   const auto& m = problem.matrix;
   Eigen::SparseMatrix<double> a(
@@ -95,7 +95,7 @@ DensityFit leastSquares(const Problem& problem, int iterations) {
   return fit;
 }
 
-/// The median error and time of several seeds, and the slowest.
+/// Reports the median error and time of the swarm over several seeds, and the largest time.
 void timeSwarms(
     const std::string& setting,
     const ContactMatrix& matrix,
@@ -124,7 +124,7 @@ void timeSwarms(
        .time = Timing{times[times.size() / 2], times.back()}});
 }
 
-/// One density for each depth at which spheres are first touched.
+/// Fits one density per layer, by bounded least squares and by the swarm.
 void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& run) {
   const auto few =
       reaming::layered(problem.matrix, reaming::layersOf(problem.matrix, layers), layers);

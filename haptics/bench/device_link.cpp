@@ -15,7 +15,7 @@ engine::SafetyLimits limitsFor(const devices::Capabilities& device) {
   return {.maxForce = device.maxForce, .maxRate = isBone ? 5000.0 : 300.0};
 }
 
-/// Of this process, all threads [s].
+/// Processor time of this process, all threads [s].
 double processorTime() noexcept {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -94,7 +94,8 @@ LinkRun LinkLoop::finish() {
   run_.isRealtime = loop_->isRealtime();
   loop_.reset();
   run_.processor = processorTime() - processorBefore_;
-  run_.link = device_.link();  // before disarming: its keeper counts on
+  // Before disarming, since the device's own thread would count further.
+  run_.link = device_.link();
   run_.fault = device_.fault();
   device_.disarm();
   return run_;

@@ -12,44 +12,43 @@
 
 namespace haptics::bench {
 
-/// What a hand feels while a link is measured: five springs in a row; of bone a
-/// parametric material, as hard as can be, at 15 % of its force.
+/// The scene that is rendered while a connection is measured: for meniscus five finite elements;
+/// for bone the hardest parametric material, at 15 % of its force.
 engine::SceneSpec sceneForLink(devices::Tissue tissue);
 
-/// What came of ticking at a device, from arming it to its end.
+/// Results of a run with a device, from arming it to the end.
 struct LinkRun {
   devices::LinkReport link;
-  engine::RealtimeLoop::Report loop;  ///< also of ticks after a fault, until the end
-  bool isRealtime = false;            ///< what was asked for was granted
-  std::uint64_t ticks = 0;            ///< while it was there
-  std::uint64_t missedPeriods = 0;    ///< while it was there
-  double seconds = 0.0;               ///< while it was there
-  double begunAfter = 0.0;            ///< from arming to the first tick [s]
-  double processor = 0.0;             ///< time that this process, all of it, had meanwhile [s]
-  std::string fault;                  ///< what ended it before its time; empty: nothing did
+  engine::RealtimeLoop::Report loop;  ///< includes ticks after a fault
+  bool isRealtime = false;            ///< real-time priority was granted
+  std::uint64_t ticks = 0;            ///< until the device failed or the run ended
+  std::uint64_t missedPeriods = 0;    ///< until the device failed or the run ended
+  double seconds = 0.0;               ///< until the device failed or the run ended
+  double begunAfter = 0.0;            ///< time from arming to the first tick [s]
+  double processor = 0.0;             ///< processor time of this process, all threads [s]
+  std::string fault;                  ///< the fault that ended the run early; empty: none
 };
 
-/// A loop at the pace of a device, with a force engine and something to feel.
+/// A real-time loop at the pace of a device, with a force engine and a scene.
 class LinkLoop {
  public:
-  /// Arms @p device, which is open, and outlives this.
-  /// @throws devices::DeviceError  if it takes no forces.
+  /// Arms @p device, which must be open and outlive this object, and starts the loop.
+  /// @throws devices::DeviceError  if the device cannot be armed.
   explicit LinkLoop(devices::Device& device);
   ~LinkLoop();
   LinkLoop(const LinkLoop&) = delete;
   LinkLoop& operator=(const LinkLoop&) = delete;
 
-  /// Any thread: the device has failed, or is gone.
+  /// Whether the device has failed or is gone. Any thread.
   bool isOver() const noexcept { return isOver_.load(std::memory_order_acquire); }
 
-  /// Any thread: a tick is to take @p duration [ns] longer, as soon as a force of 5 % of the
-  /// largest begins to fall; after three seconds without one, any tick.
+  /// Orders that a tick takes @p duration [ns] longer: the first in which a force above 5 % of the
+  /// maximum begins to fall, or after three seconds without one any tick. Any thread.
   void stallTick(std::int64_t duration) noexcept;
-  /// Any thread: when it began to stand still as it was told last [ns on CLOCK_MONOTONIC]; 0: it
-  /// has not yet.
+  /// When the last ordered stall began [ns on CLOCK_MONOTONIC]; 0: not yet. Any thread.
   std::int64_t stalledAt() const noexcept { return stoodAt_.load(std::memory_order_acquire); }
 
-  /// Stops, and disarms the device. Once.
+  /// Stops the loop, disarms the device and returns the results. To be called once.
   LinkRun finish();
 
  private:
@@ -63,10 +62,10 @@ class LinkLoop {
   engine::ForceEngine engine_;
   std::atomic<bool> isOver_{false};
   std::atomic<std::int64_t> orderedAt_{0};  ///< [ns]
-  std::atomic<std::int64_t> ordered_{0};    ///< requested standstill [ns]
+  std::atomic<std::int64_t> ordered_{0};    ///< duration of the ordered stall [ns]
   std::atomic<std::int64_t> stoodAt_{0};    ///< [ns]
   LinkRun run_;
-  std::int64_t begin_ = 0;  ///< armed [ns]
+  std::int64_t begin_ = 0;  ///< time of arming [ns]
   double processorBefore_ = 0.0;
   std::optional<engine::RealtimeLoop> loop_;  ///< last, so that it is destroyed first
 };

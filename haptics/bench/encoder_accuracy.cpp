@@ -7,11 +7,11 @@
 namespace haptics::bench {
 namespace {
 
-/// A scene that is felt along an even closing from 2 to 10.5 travel units.
+/// A closing at constant speed from 2 to 10.5 travel units, seen through an encoder.
 struct Closing {
   double speed = 10.0;   ///< [travel units/s]
   double rate = 1000.0;  ///< [Hz]
-  double quantum = 0.0;  ///< of the encoder [travel units]
+  double quantum = 0.0;  ///< resolution of the encoder [travel units]
 
   std::vector<double> forcesOf(const engine::SceneSpec& spec) const {
     engine::CompiledScene scene(spec);
@@ -32,12 +32,13 @@ double rmsDifference(const std::vector<double>& a, const std::vector<double>& b)
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// From tick to tick, after the first contact: what a hand feels as a buzz.
+/// RMS of the second difference of the force, scaled to the amplitude of a square wave [N]: what a
+/// hand feels as a buzz.
 double rmsChatter(const std::vector<double>& forces) {
   double sum = 0.0;
   for (std::size_t i = 2; i < forces.size(); ++i) {
     const double bend = forces[i] - 2.0 * forces[i - 1] + forces[i - 2];
-    sum += bend * bend / 16.0;  // of a square wave of amplitude 1 exactly 1
+    sum += bend * bend / 16.0;  // gives 1 for a square wave of amplitude 1
   }
   return std::sqrt(sum / static_cast<double>(forces.size() - 2));
 }

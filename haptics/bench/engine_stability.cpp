@@ -1,4 +1,4 @@
-// What the engine does at odd rates, with clock jitter, and with NaN.
+// The engine at unusual rates, with clock jitter, and with NaN.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,8 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kPublishedChatter = 4.0;  // [N], of paper-text with quantised travel
+// Bound for the scheme paper-text with quantised travel [N].
+constexpr double kPublishedChatter = 4.0;
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
 
@@ -57,8 +58,8 @@ class ScriptedDevice final : public devices::Device {
   devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());
 };
 
-/// How far a force that is held over each tick is off on average while the tool closes evenly
-/// through elastic tissue, against K v T / 2 of eq. (25): relative.
+/// Relative deviation of the mean error of a force that is held over each tick from K v T / 2 of
+/// eq. (25), while the tool closes at constant speed through elastic tissue.
 double forceErrorAgainstEquation(double rate) {
   constexpr double kSpeed = 57.0;
   constexpr int kInside = 200;
@@ -79,7 +80,7 @@ double forceErrorAgainstEquation(double rate) {
   return std::abs(sum / (ticks * kInside) / passivity.forceErrorAt(kSpeed) - 1.0);
 }
 
-/// What the space-domain filter has come to at 6 travel units, closing at 10 a second.
+/// Force of the space-domain filter at 6 travel units, after closing at 10 travel units/s [N].
 double forceAtSixAfterSettling(double rate) {
   engine::CompiledScene scene(
       {.model = engine::publishedFilter(models::KalmanScheme::SpaceDomain, 5)});
@@ -92,8 +93,8 @@ double forceAtSixAfterSettling(double rate) {
   return force;
 }
 
-/// The largest step of the force from tick to tick while the tool creeps through a cut, seen
-/// through an encoder.
+/// Largest change of the force between ticks while the tool moves slowly through a cut, seen
+/// through an encoder of resolution @p quantum.
 double largestStep(const engine::SceneSpec& spec, double quantum, double speed) {
   engine::CompiledScene scene(spec);
   double last = 0.0;
@@ -108,8 +109,8 @@ double largestStep(const engine::SceneSpec& spec, double quantum, double speed) 
   return largest;
 }
 
-/// A hand that rests feels a force that rests; but for paper-text, whose limit cycle has to be
-/// found.
+/// With a resting hand the force must be constant; except with paper-text, whose limit cycle must
+/// be found.
 void sweepRestingHand(StabilityResult& result) {
   SweepChecks checks(result, "rest");
   for (const auto& [name, spec] : allScenes()) {
@@ -133,8 +134,8 @@ void sweepRestingHand(StabilityResult& result) {
   }
 }
 
-/// One encoder step makes a step of K times itself, and nothing makes a larger one; but for
-/// paper-text, whose two forces take turns with any encoder.
+/// A step of the encoder must change the force by at most K times its size; except with paper-text,
+/// whose two forces alternate with any encoder.
 void sweepEncoders(StabilityResult& result) {
   SweepChecks checks(result, "encoder");
   for (const auto& [name, spec] : allScenes()) {
@@ -247,9 +248,9 @@ void sweepBadInput(double effort, StabilityResult& result) {
           std::isfinite(device.commanded) && std::abs(device.commanded) <= kLimits.maxForce;
       wrong += isSound ? 0 : 1;
     }
-    // Afterwards the force has to be as before: open, then five units into the cut. The mean of two
-    // ticks, because in paper-text two forces alternate, and which one it is depends on the number
-    // of valid ticks before.
+    // After invalid input the force must be as before: open, then close to five units into the cut.
+    // Compare means of two ticks, because with paper-text two forces alternate, and which comes
+    // first depends on the number of valid ticks before.
     const auto feelAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};

@@ -1,4 +1,4 @@
-// From a measured series to nodes: what each way costs and how far it is from the noiseless curve.
+// Filtering of series and choice of nodes: error and run time of several methods.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,12 +18,12 @@ using filters::CutoffRule;
 using reaming::NodeRule;
 
 constexpr const char* kFilterFamily = "filter";
-// Bounds: a cut-off that has not seen the noiseless curve, against the best one; nodes chosen from
-// left to right, against the fewest.
+// Bounds of the ratio of the automatic cut-off's error to the best cut-off's, and of the number of
+// greedy nodes to the fewest possible.
 constexpr double kMostTimesTheBestCutoff = 4.0;
 constexpr double kMostTimesTheFewestNodes = 2.0;
 
-/// The median time of some repetitions.
+/// The median time of several repetitions [ns].
 template <typename Work>
 double nanoseconds(Work work, int repetitions = 7) {
   std::vector<double> times;
@@ -43,7 +43,7 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// The smallest error of any cut-off, by trying many: it knows the noiseless curve.
+/// The smallest error of many cut-offs, compared with the noiseless curve.
 double bestOfAllCutoffs(const reaming::Series& series, const reaming::Series& truth) {
   double best = rms(series.force, truth.force);
   for (double cutoff = 0.005; cutoff < 20.0; cutoff *= 1.15) {
@@ -84,7 +84,8 @@ void measureCutoffs(const AccuracyRun& run) {
   add("the best of all cut-offs", best, std::nullopt, 0.0);
 }
 
-/// 2000 s at 100 Hz. The count is a prime number, the worst case of a fast Fourier transform.
+/// A series of 2000 s at 100 Hz. The number of samples is prime, the worst case of a fast Fourier
+/// transform.
 reaming::Series longSeries() {
   auto series = reaming::syntheticSeries({.hardness = 0.5, .feed = 0.01e-3, .seed = 3});
   constexpr std::size_t kSamples = 199'999;
@@ -114,8 +115,8 @@ void measurePreparation(const AccuracyRun& run) {
        .time = Timing{prepare, prepare}});
 }
 
-/// An analytic curve of 200,000 samples: nodes for an error, beside the fewest possible, which
-/// dynamic programming finds for 1000 samples.
+/// Choice of nodes for an analytic curve of 200,000 samples, compared with the fewest possible,
+/// which dynamic programming finds for 1000 samples.
 void measureNodes(const AccuracyRun& run) {
   const auto curveOf = [](std::size_t count) {
     reaming::SampledCurve curve;

@@ -63,7 +63,7 @@ std::vector<StringSolver> allStrings(const std::vector<double>& k, double tool) 
   return all;
 }
 
-/// Of the relative error. Long chains lose more digits, and are not bounded.
+/// Bound of the relative error; none for long chains, which lose more digits.
 std::optional<double> boundOf(const std::string& method, int elements) {
   if (elements > 1000) return std::nullopt;
   if (method == kOurDouble) return 4e-15;
@@ -71,7 +71,7 @@ std::optional<double> boundOf(const std::string& method, int elements) {
   return std::nullopt;
 }
 
-/// Of the force for a unit of travel, relative to @p reference.
+/// Relative error of the force for one unit of travel.
 double errorOf(const StringSolver& solver, const StringReference& reference) {
   const double force = solver.solve(1.0);
   if (!std::isfinite(force)) return INFINITY;
@@ -106,7 +106,7 @@ void measureAlike(int elements, const AccuracyRun& run) {
   }
 }
 
-/// The largest error over random chains whose stiffnesses span 10^±decades.
+/// Reports the largest error over random chains whose stiffnesses span 10^±decades.
 void measureContrast(int elements, int decades, const AccuracyRun& run) {
   constexpr int kChains = 20;
   std::mt19937_64 random(static_cast<std::uint64_t>(elements * 100 + decades));

@@ -26,7 +26,7 @@ models::KalmanNoise<Scalar> noiseOf(const KalmanNumbers& n) {
       .wandering = Scalar(n.q22)};
 }
 
-/// Our filter in a scheme, with the interface of its peers.
+/// Palpate's filter, with the interface of the other filters.
 template <typename Scalar>
 struct OurFilter {
   models::KalmanFilter<Scalar> filter;
@@ -38,7 +38,8 @@ struct OurFilter {
   }
 };
 
-/// Its covariance alone, from the same start as its peers.
+/// Palpate's covariance class in the textbook's steps, from the same initial P as the other
+/// filters.
 template <typename Scalar>
 struct OurCovariance {
   models::FactoredCovariance<Scalar> p;
@@ -121,7 +122,7 @@ void timeSteps(const AccuracyRun& run) {
   }
 }
 
-/// Draws numbers over 10^±decades.
+/// Draws random noise and steps of magnitudes over 10^±decades.
 struct Adversary {
   std::mt19937_64 random;
   double decades;
@@ -130,7 +131,7 @@ struct Adversary {
     return std::pow(10.0, std::uniform_real_distribution<double>(-decades, decades)(random));
   }
   KalmanNumbers numbers() {
-    // No process noise is where forms differ.
+    // The forms differ without process noise.
     return {0.0, 0.0, 0.0, magnitude(), magnitude(), magnitude(), magnitude()};
   }
   double travelled() { return magnitude() * (random() % 2 == 0 ? 1.0 : -1.0); }
@@ -159,7 +160,8 @@ void tallyErrors(
   }
 }
 
-/// p99 of the relative error of the force, and how often a variance was negative.
+/// Reports the 99 % quantile of the relative error of the force, and how often a variance was
+/// negative.
 void attack(double decades, const AccuracyRun& run) {
   constexpr int kFilters = 60;
   constexpr int kSteps = 40;
@@ -171,13 +173,13 @@ void attack(double decades, const AccuracyRun& run) {
       "Joseph, scalar",
       "standard, scalar, float",
       "Joseph, scalar, float"};
-  constexpr std::size_t kOurs = 2;  // the first of them
+  constexpr std::size_t kOurs = 2;  // index of the first of Palpate's filters
   std::vector<Tally> tallies(names.size());
   for (int i = 0; i < kFilters; ++i) {
     const auto n = adversary.numbers();
     std::vector<double> travelled(kSteps);
     for (auto& d : travelled) d = static_cast<double>(static_cast<float>(adversary.travelled()));
-    // In the standard form, with 100 digits.
+    // The reference is the standard form with 100 digits.
     peers::StandardFilter<HundredDigits> reference(n);
     std::vector<double> expected;
     for (const double d : travelled) {

@@ -1,4 +1,4 @@
-// Numbers over many decades: the models in both ways of compiling.
+// The models with numbers over many decades, in both builds (with and without fused multiply-add).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,13 +48,14 @@ double relativeError(double value, const HundredDigits& expected) {
   return static_cast<double>(abs(HundredDigits(value) / expected - 1));
 }
 
-/// The worst of several chains at one contrast, in double and single precision.
+/// Largest errors over several chains with the same range of stiffnesses, in double and single
+/// precision.
 struct ChainErrors {
   double inDouble = 0.0;
   double inFloat = 0.0;
 };
 
-/// For each way of compiling.
+/// The largest errors, one entry per build.
 std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
   std::mt19937_64 random(static_cast<std::uint64_t>(elements) * 101 + decades);
   std::uniform_real_distribution<double> exponent(-decades, decades);
@@ -65,7 +66,7 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
     for (auto& k : k32) k = static_cast<float>(std::pow(10.0, exponent(random)));
     const std::vector<double> k(k32.begin(), k32.end());
     const int element = std::uniform_int_distribution<int>(0, elements - 1)(random);
-    // Within half an element of an end the reference has one weight only: stay in the middle.
+    // Keep the tool at least half an element from the ends, as StringReference requires.
     const double tool = std::clamp(element + 0.625, 0.5, elements - 0.5);
     const StringReference reference(k, tool);
     for (std::size_t way = 0; way < ways.size(); ++way) {
@@ -84,7 +85,7 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
 }
 
 void sweepEnds(SweepChecks& checks) {
-  // One element that is nothing, or without end: the tool feels nothing, or the other side alone.
+  // One element of stiffness 0 or infinity: the force must be 0, or that of the other side.
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (const auto* way : bothWays()) {
     int wrong = 0;
@@ -143,7 +144,8 @@ struct StateTally {
   long notFinite = 0;
 };
 
-/// Random noise and steps over 10^±decades, correlated up to 0.999, in all four schemes.
+/// Runs filters with random noise and steps over 10^±decades, with correlations up to 0.999, in all
+/// four schemes.
 StateTally attackAll(
     const StabilityKernels& way, double decades, bool hasProcess, bool isFloat, int filters) {
   std::mt19937_64 random(20261121);
@@ -169,7 +171,7 @@ StateTally attackAll(
   return tally;
 }
 
-/// How far the force of a hand at rest drifts from its first value, e.g. in an hour at 1 kHz.
+/// Drift of the force with a resting hand over @p steps steps, e.g. an hour at 1 kHz [N].
 double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
   FilterAttack a{
       .q11 = 6.1024,
@@ -225,8 +227,7 @@ void sweepFilter(double effort, StabilityResult& result) {
           scheme == 0 ? 1.0 : 1e-3,
           way->name);
     }
-    // Noise that is no covariance is refused at load: an indefinite Q, R < 0, Q = R = 0, no
-    // numbers.
+    // Invalid noise must be refused: an indefinite Q, R < 0, Q = R = 0, values that are not finite.
     int accepted = 0;
     const FilterAttack unsound[]{
         {.q11 = 1.0, .q12 = 2.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
@@ -237,7 +238,7 @@ void sweepFilter(double effort, StabilityResult& result) {
         {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
     for (const auto& attack : unsound) accepted += way->attack(attack).isRefused ? 0 : 1;
     checks.add("noise that is none, accepted", 0.0, accepted, 0.0, way->name);
-    // 1e155 squared is beyond every number: it may fail, but never silently with a sane face.
+    // 1e155 squared overflows: the filter may fail, but must not return a finite, plausible force.
     const double leap = 1e155;
     FilterAttack far{
         .q11 = 1.0,
@@ -268,7 +269,7 @@ void sweepSplines(double effort, StabilityResult& result) {
         const double b[3]{x, a[1] + std::pow(10.0, exponent(random)), 0.0};
         double force = 0.0;
         const double at = x * std::uniform_real_distribution<double>(0.0, 1.0)(random);
-        if (!way->cubic(a, b, at, force)) continue;  // refused at load
+        if (!way->cubic(a, b, at, force)) continue;  // refused
         const double slack = 1e-12 * std::max(std::abs(a[1]), std::abs(b[1]));
         const bool isBetween = force >= a[1] - slack && force <= b[1] + slack;
         wrong += isBetween ? 0 : 1;
@@ -280,7 +281,7 @@ void sweepSplines(double effort, StabilityResult& result) {
           0.0,
           way->name);
     }
-    // Nodes in one place have no slope between them.
+    // Two nodes at the same position have no slope between them.
     const double a[3]{1.0, 2.0, 0.0};
     const double b[3]{1.0, 3.0, 0.0};
     double force = 0.0;
@@ -291,7 +292,7 @@ void sweepSplines(double effort, StabilityResult& result) {
         0.0,
         way->name);
   }
-  // Two, three and crowded nodes through the slopes that keep a curve monotone.
+  // Monotone slopes for two, three and more nodes, some very close to each other.
   double worst = 0.0;
   for (int i = 0; i < share(effort, 2000); ++i) {
     const int count = 2 + i % 11;

@@ -1,4 +1,4 @@
-// Bone of spheres: what a step of contact and of removal takes, beside others who find spheres.
+// Bone of spheres: run time of a step of contact and of removal, compared with other searches.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr const char* kPackingFamily = "packing";
 constexpr double kReachOfReamer = 0.026;  // its radius [m]
 constexpr double kDensity = 2e5;          // [N/m²]
 
-/// Where a step is: to and fro between 6 and 12 mm, a little further each time.
+/// Depth of the reamer in a step: it oscillates between 6 and 12 mm.
 double depthOf(std::size_t step) {
   return 0.009 - 0.003 * std::cos(0.01 * static_cast<double>(step));
 }
@@ -40,7 +40,7 @@ double overAll(const SphereField& field, const reaming::Reamer& reamer) {
   return std::numbers::pi * reamer.radius * sums.of[reaming::KernelSums::Pressing];
 }
 
-/// The largest departure of the area from its mean while the reamer goes through [%].
+/// Largest deviation of the contact area from its mean while the reamer advances [%].
 double ripple(const SphereField& field, const StrokeRange& plunge) {
   std::vector<double> areas;
   double mean = 0.0;
@@ -69,7 +69,7 @@ Packing boneOf(std::size_t spheres) {
   return *reaming::pack(reaming::Acetabulum(), {.count = spheres});
 }
 
-/// The largest difference of the pressure from that of a loop over all spheres, relative.
+/// Largest relative difference of the force Σ a ρ from that of a loop over all spheres.
 double largestDifference(const SphereField& field, const StrokeRange& plunge) {
   double largest = 0.0;
   for (std::size_t step = 0; step < 300; ++step) {
@@ -119,7 +119,7 @@ void compareContacts(const Packing& packing, const AccuracyRun& run) {
   }
 }
 
-/// Single steps of a bone that is reamed at 2 mm/s, each timed separately.
+/// Times single steps of a bone that is reamed at 2 mm/s.
 void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr double kFeed = 0.002;  // [m/s]
@@ -128,11 +128,13 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   reaming::Bone bone(packing, densities, {.coverage = packing.coverage(), .cuttingDamping = 100.0});
   const StrokeRange plunge = reaming::strokeInto(bone.field(), kReachOfReamer);
   double depth = -0.0005;
-  while (bone.tool().centre.z < plunge.start + 0.006) {  // in, as fast as it goes
+  while (bone.tool().centre.z <
+         plunge.start + 0.006) {  // advance into the bone as fast as possible
     bone.step(plunge.at(depth), kTick);
     depth = std::min(depth + 2e-5, 0.016);
   }
-  // Then at the feed: the coupling is under tension already, so the tool follows the device.
+  // Then advance at the feed: the coupling is already under tension, so the tool follows the
+  // device.
   std::vector<std::uint64_t> other(isCold ? std::size_t{10} << 20U : 0, 1);
   std::uint64_t sum = 0;
   std::vector<double> times;

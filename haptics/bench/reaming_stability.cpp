@@ -1,4 +1,5 @@
-// A bone of spheres under extreme conditions: stiff, damaged, empty, invalid input.
+// A bone of spheres under extreme conditions: stiff coupling, uneven or missing spheres, invalid
+// input.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,9 +20,9 @@ using reaming::StrokeRange;
 using reaming::Vec3;
 
 constexpr double kTick = 0.001;
-constexpr double kReamerRadius = 0.026;  // of the reamer [m]
+constexpr double kReamerRadius = 0.026;  // [m]
 
-/// A bone and the device in front of it, and the worst that came of it.
+/// A simulation of a bone and a device, with the largest errors so far.
 struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
       : bone(packing, densities, withCoverage(options, packing)),
@@ -37,7 +38,7 @@ struct Run {
     largestForce = std::max(largestForce, std::isfinite(force) ? force : largestForce);
     isFinite &= std::isfinite(force) && std::isfinite(felt.rubbing);
     const double gap = length(device.centre - bone.tool().centre);
-    if (std::isfinite(gap)) {  // a billionth more is rounding
+    if (std::isfinite(gap)) {  // the factor allows for rounding
       aboveCoupling = std::max(aboveCoupling, force - coupling * gap * (1.0 + 1e-9));
     }
   }
@@ -48,7 +49,7 @@ struct Run {
     const double now = bone.remainingMass() + bone.removedMass();
     return whole > 0.0 ? std::abs(now / whole - 1.0) : std::abs(now);
   }
-  /// Groups of spheres that a step reads with the tool at @p depth: its cost.
+  /// Number of groups that a step reads with the tool at @p depth, a measure of its cost.
   double groupsRead(double depth) const {
     double groups = 0.0;
     bone.field().forEachRange(
@@ -95,7 +96,7 @@ void stiff(const Packing& packing, SweepChecks& sweep) {
   }
 }
 
-/// Spheres of a hundredth of the size between the others.
+/// A packing with spheres of 1/100 of the usual size among the others.
 void uneven(const Packing& packing, SweepChecks& sweep) {
   auto mixed = packing;
   const std::size_t own = mixed.spheres.size();
@@ -140,7 +141,7 @@ void misused(const Packing& packing, SweepChecks& sweep) {
         "spun backwards: mass removed, relative", 0.0, run.bone.removedMass() / run.whole, 0.0);
   }
   {
-    // What lies before the teeth, straight through, and on where nothing is left.
+    // Ream a core of the bone completely, and advance beyond it.
     auto core = packing;
     std::erase_if(core.spheres, [](const auto& s) { return std::hypot(s.x, s.y) > 0.018F; });
     Run run(core, alike(core, 1e4), {.mostAdvance = 5e-4});
@@ -154,7 +155,7 @@ void misused(const Packing& packing, SweepChecks& sweep) {
   }
 }
 
-/// To and fro and round about for ten minutes.
+/// Moves the reamer to and fro and around for ten minutes.
 void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
   Run run(packing, alike(packing, 1e5), {});
   const double before = run.groupsRead(0.008);
@@ -172,7 +173,7 @@ void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
       "ten minutes: groups a step looks at, times as many",
       10.0,
       run.groupsRead(0.008) / before,
-      1.5);  // remainders lie out of their cells by a radius at most
+      1.5);  // remainders are at most a radius outside their cells
   sweep.add(
       "ten minutes: bytes grown by",
       10.0,

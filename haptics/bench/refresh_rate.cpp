@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMiddle = 6.0;  // [travel units]
 
-/// A condition felt along a cut, and its mesh worked out in every step, as the paper's loop does.
+/// Renders a scene along a cut, and computes its mesh in every step, as in the paper's loop.
 class Felt {
  public:
   Felt(const char* name, engine::SceneSpec spec, int elements)

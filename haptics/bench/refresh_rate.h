@@ -5,13 +5,13 @@
 
 namespace haptics::bench {
 
-/// A rendering of the punch with its mesh, as Fig. 12 of the punch paper compares three.
+/// A rendering of the punch with its mesh, as compared in Fig. 12 of the punch paper.
 struct RefreshRate {
   std::string_view method;  ///< as measureRefresh() names it
   int elements = 0;         ///< N of the mesh
-  double published = 0.0;   ///< updates a second of the paper's Arduino Due, III-D [Hz]
-  /// Of an update of ours on a Cortex-M3, the most in three cuts, counted by QEMU in single
-  /// precision (tests/haptics/firmware/firmware_test.cpp holds them).
+  double published = 0.0;   ///< update rate of the paper's Arduino Due, section III-D [Hz]
+  /// Largest number of instructions of an update of Palpate on a Cortex-M3 in three cuts, in single
+  /// precision, counted by QEMU (checked by tests/haptics/firmware/firmware_test.cpp).
   int instructions = 0;
 };
 
@@ -27,7 +27,7 @@ inline constexpr std::array kRefreshRates{
     RefreshRate{"Kalman filter, with mesh", 15, 147.0, 5785},
 };
 
-/// Of the Arduino Due that the paper used [Hz].
+/// Clock rate of the paper's Arduino Due [Hz].
 inline constexpr double kDueClock = 84e6;
 
 }  // namespace haptics::bench

@@ -19,8 +19,8 @@ constexpr const char* kMonotone = "palpate PCHIP";
 constexpr const char* kFloor = "floor: one Horner";
 constexpr double kEnd = 20.0;  // [mm]
 
-/// A curve of reaming's shape with continuous derivatives: no force, a lamella that breaks, a rise.
-/// Depth [mm], force [N].
+/// Force [N] over depth [mm] of a smooth curve that resembles reaming: no force, the peak of the
+/// lamella, a rise.
 double forceAt(double x) {
   const double step = 1.0 / (1.0 + std::exp(-(x - 4.0) / 0.35));
   const double peak = std::exp(-(x - 5.0) * (x - 5.0) / 0.5);
@@ -33,7 +33,7 @@ double slopeAt(double x) {
   return 260.0 * step * (1.0 - step) / 0.35 - 4.0 * (x - 5.0) * 70.0 * peak + 2.4 * x;
 }
 
-/// As measured data lie: nearly, but not quite, evenly.
+/// Nearly evenly spaced nodes, as in measured data.
 std::vector<double> jitteredNodes(int count) {
   std::mt19937_64 random(static_cast<std::uint64_t>(count));
   std::uniform_real_distribution<double> jitter(-0.3, 0.3);
@@ -47,7 +47,7 @@ std::vector<double> jitteredNodes(int count) {
 
 using peers::Spline;
 
-/// Our cubics between nodes with given slopes.
+/// Palpate's cubics between nodes with given slopes.
 Spline cubics(
     const std::string& name,
     const std::vector<double>& xs,
@@ -85,7 +85,8 @@ Spline straightLines(const std::vector<double>& xs, const std::vector<double>& y
       [nodes, curve, hint = std::size_t{0}](double x) mutable { return curve.at(x, hint).force; });
 }
 
-/// Ours, the other libraries', and one cubic without any search: nothing can be faster than that.
+/// Palpate's splines, those of other libraries, and a single cubic without a search as the lower
+/// bound of the time.
 std::vector<Spline> allSplines(int count) {
   const auto xs = jitteredNodes(count);
   std::vector<double> ys;
@@ -106,7 +107,7 @@ std::vector<Spline> allSplines(int count) {
 double largestError(const Spline& spline) {
   constexpr int kPoints = 20'000;
   double largest = 0.0;
-  for (int i = 0; i < kPoints; ++i) {  // never quite the end, where some libraries refuse
+  for (int i = 0; i < kPoints; ++i) {  // never exactly an end, which some libraries refuse
     const double x = kEnd * (i + 0.5) / kPoints;
     largest = std::max(largest, std::abs(spline.at(x) - forceAt(x)));
   }
@@ -121,7 +122,7 @@ std::vector<double> randomQueries() {
   return xs;
 }
 
-/// Queries of a hand that moves back and forth: each close to the one before.
+/// Positions of a hand that moves back and forth, each close to the last.
 std::vector<double> coherentQueries() {
   std::vector<double> xs(1 << 14);
   for (std::size_t i = 0; i < xs.size(); ++i) {
@@ -130,10 +131,10 @@ std::vector<double> coherentQueries() {
   return xs;
 }
 
-/// Steps through @p xs again and again.
+/// A contestant that evaluates at @p xs cyclically.
 Contestant contestant(const Spline& spline, const std::vector<double>& xs) {
   return {spline.name, [&spline, &xs, next = std::size_t{0}](int steps) mutable {
-            double last = xs[next];  // also where no step is made
+            double last = xs[next];  // the result for 0 steps
             auto left = static_cast<std::size_t>(steps);
             while (left > 0) {
               const std::size_t count = std::min(left, xs.size() - next);
@@ -165,8 +166,8 @@ void compareSplines(
         .parameter = static_cast<double>(nodes),
         .time = times[i]};
     if (m.method != kFloor) m.error = largestError(all[i]);
-    // The same curve as Boost's, but for rounding. Boost takes other slopes at the ends, which is
-    // felt where there are no more than four nodes.
+    // Palpate's curve equals Boost's up to rounding. Boost uses other slopes at the ends, which
+    // matters with four nodes.
     if (m.method == kMonotone && nodes > 4) m.bound = ofBoost * (1.0 + 1e-9);
     run.report(m);
   }

@@ -8,12 +8,12 @@ namespace haptics::bench {
 
 using HundredDigits = boost::multiprecision::cpp_bin_float_100;
 
-/// The paper's string in 100 digits, by the matrix that our model never forms: elements of length 1
-/// with the given stiffnesses, both ends fixed half an element from their midpoints (boundary A),
-/// the tool shared by the two midpoints beside it; eliminated by Thomas' algorithm.
+/// Reference solution of the paper's string in 100 digits, with the explicit matrix and Thomas'
+/// algorithm: elements of length 1 with the given stiffnesses, both ends half an element from their
+/// midpoints (boundary A), the tool interpolated between the two midpoints beside it.
 struct StringReference {
   HundredDigits stiffness;           ///< at the tool: 1 / (cᵀ K⁻¹ c) [N per travel unit]
-  std::vector<HundredDigits> shape;  ///< K⁻¹ c
+  std::vector<HundredDigits> shape;  ///< K⁻¹ c, one entry per midpoint
 
   /// @param toolPosition  at least half an element from both ends.
   StringReference(const std::vector<double>& elementStiffnesses, double toolPosition);

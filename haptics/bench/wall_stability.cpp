@@ -1,4 +1,5 @@
-// A hand on a virtual wall: which stiffness and damping stay quiet (Z-width; Colgate & Brown 1994).
+// A hand on a virtual wall: for which stiffness and damping it is stable (Z-width; Colgate & Brown
+// 1994).
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,14 +10,14 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kMass = 0.004;  // of the simulated punch [N·s²/travel unit]
+constexpr double kMass = 0.004;  // mass of the simulated punch [N·s²/travel unit]
 constexpr double kWall = 5.0;    // [travel units]
 constexpr double kHand = 3.0;    // stiffness of a hand [N/travel unit]
 constexpr double kGoal = 5.4;    // position that the hand aims at
 constexpr double kSeconds = 2.0;
-constexpr double kWindow = 0.4;          // over which the amplitude is taken [s]
-constexpr double kWindowDistance = 1.0;  // of two such windows [s]
-constexpr double kInside = 1e-5;         // step of the mechanism's own motion [s]
+constexpr double kWindow = 0.4;          // duration over which the amplitude is measured [s]
+constexpr double kWindowDistance = 1.0;  // time between two such windows [s]
+constexpr double kInside = 1e-5;         // time step of the simulated mechanism [s]
 
 struct Range {
   double low = INFINITY;
@@ -29,8 +30,8 @@ struct Range {
   double width() const { return high - low; }
 };
 
-/// The mechanism moves continuously. The force is computed once per tick from the encoder, and
-/// held.
+/// Simulates a wall: the mechanism moves quasi-continuously; the force is computed from the encoder
+/// once per tick, and held.
 class Wall {
  public:
   explicit Wall(VirtualWall& point)
@@ -60,13 +61,13 @@ class Wall {
   }
 
   void judge() {
-    // What dies away is stable however slowly; a few steps of the encoder are a limit cycle that
-    // no linear theory forbids.
+    // An oscillation that decays, however slowly, is stable. One of a few encoder steps counts as
+    // stable, too, since linear theory does not exclude such a limit cycle.
     const bool diesAway = point_.amplitude < 0.7 * early_.width();
     point_.isStable = diesAway || point_.amplitude < std::max(1e-3, 4.0 * point_.quantum);
     const engine::Passivity passivity{
         .stiffness = point_.stiffness, .period = period_, .filterDelay = point_.delay * period_};
-    constexpr double kRounding = 1e-9;  // the inequality of the equation is strict
+    constexpr double kRounding = 1e-9;  // tolerance, because the inequality of eq. (25) is strict
     point_.isForeseen = passivity.neededDamping() * (1.0 + kRounding) >= point_.damping;
     point_.isNoticed = observer_.least() < -1e-3;
   }
@@ -124,7 +125,7 @@ void sweepWalls(double effort, StabilityResult& result) {
     for (const double damping : {0.01, 0.02, 0.05, 0.1, 0.2}) {
       const double limit = engine::Passivity{.period = 1.0 / rate}.allowedStiffness(damping);
       for (int i = 0; i < stiffnesses; ++i) {
-        // From a tenth of the passive limit to a hundred times as much.
+        // From 0.1 to 100 times the passive limit.
         const double ratio = std::pow(10.0, -1.0 + 3.0 * i / (stiffnesses - 1));
         VirtualWall point{.rate = rate, .stiffness = ratio * limit, .damping = damping};
         result.walls.push_back(judged(point));
@@ -155,7 +156,7 @@ void sweepWalls(double effort, StabilityResult& result) {
   checks.add(
       "walls that vibrate although eq. (25) says that they are passive", 0.0, unexpected, 0.0);
   checks.add("walls that vibrate and the energy observer does not notice", 0.0, unnoticed, 0.0);
-  // A sweep in which nothing ever vibrates would show nothing.
+  // A sweep without any vibrating wall would prove nothing.
   checks.add(
       "walls that vibrate: at least 20, hence 20 minus their number", 0.0, 20.0 - unstable, 0.0);
 }

@@ -5,7 +5,7 @@
 namespace haptics::bench::peers {
 namespace {
 
-/// Eq. (14)–(21) as they stand: S = H P Hᵀ + R is a matrix, and is inverted.
+/// Eq. (14)–(21) literally: S = H P Hᵀ + R is a matrix that is inverted.
 template <typename Matrix, typename Column, typename Row, typename One>
 double filterWith(const KalmanNumbers& n, int steps, double travelled) {
   Column x = Column::Zero(2, 1);

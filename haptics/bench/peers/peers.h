@@ -10,20 +10,22 @@
 
 namespace haptics::bench::peers {
 
-/// A curve through given nodes, by one library.
+/// A spline through given nodes, from one library.
 struct Spline {
   std::string name;
   std::function<double(double x)> at;
-  /// Evaluates at all of xs, each only after the one before: the sum is a latency.
+  /// Evaluates at all xs in sequence, each only after the last is complete, to measure latency.
+  /// Returns the last value.
   std::function<double(std::span<const double> xs)> sweep;
 };
 
-/// @param evaluate  the value at x. It is called directly, so that it is part of the loop.
+/// @param evaluate  returns the value at x. A template parameter, so that the compiler can inline
+///                  it into the loop.
 template <typename Evaluate>
 Spline splineOf(std::string name, Evaluate evaluate) {
   const auto sweep = [evaluate](std::span<const double> xs) mutable {
     double last = 0.0;
-    for (const double x : xs) last = evaluate(x + last * 0.0);  // waits for the one before
+    for (const double x : xs) last = evaluate(x + last * 0.0);  // depends on the last result
     return last;
   };
   return {std::move(name), evaluate, sweep};
@@ -33,22 +35,21 @@ Spline splineOf(std::string name, Evaluate evaluate) {
 /// for up to 100 nodes Eigen's cubic spline, whose fit takes O(n³).
 std::vector<Spline> splinePeers(const std::vector<double>& xs, const std::vector<double>& ys);
 
-/// The paper's string of finite elements, solved in one way.
+/// A solver of the paper's string of finite elements.
 struct StringSolver {
   std::string name;
-  /// The force at the tool [N] after a displacement y [travel units]; computes the displacements of
-  /// all midpoints as well, except where its name says otherwise.
+  /// Returns the force at the tool [N] for a displacement y [travel units]; also computes the
+  /// displacements of all midpoints, unless the name says otherwise.
   std::function<double(double y)> solve;
 };
 
 /// Solvers that form the matrix, for elements of length 1 and boundary A as in StringReference:
-/// dense LU at each step (as the paper's program) and once, both up to 1000 unknowns; sparse LDLᵀ
-/// once; Thomas' algorithm at each step.
+/// dense LU per step (as in the paper's program), dense LU once (both up to 1000 unknowns), sparse
+/// LDLᵀ once, Thomas' algorithm per step.
 std::vector<StringSolver> stringPeers(
     const std::vector<double>& elementStiffnesses, double toolPosition);
 
-/// Another way to find the spheres that a reamer's surface cuts; it adds up the same areas one by
-/// one.
+/// Another search for the spheres that a reamer's surface cuts; sums the same areas one by one.
 class SpherePeer {
  public:
   virtual ~SpherePeer() = default;
@@ -58,7 +59,7 @@ class SpherePeer {
   virtual double pressing(const reaming::Reamer& reamer) = 0;
 };
 
-/// nanoflann, a k-d tree of centres, where it was installed when this was built.
+/// nanoflann, a k-d tree of centres, if it was installed at build time; otherwise none.
 std::vector<std::unique_ptr<SpherePeer>> spherePeers(
     const reaming::Packing& packing, const std::vector<double>& densities);
 
@@ -66,13 +67,13 @@ std::vector<std::unique_ptr<SpherePeer>> spherePeers(
 struct KalmanNumbers {
   double q11 = 6.1024, q12 = 0.2772, q22 = 7.0275;
   double rElastic = 0.001, rRecorded = 7.742;
-  double start11 = 6.1024, start22 = 7.0275;  ///< P at the beginning, without a covariance
+  double start11 = 6.1024, start22 = 7.0275;  ///< initial variances; the initial covariance is 0
 };
 
-/// How a textbook filter corrects P: P − K H P, or Joseph's (I − K H) P (I − K H)ᵀ + K R Kᵀ.
+/// How a textbook filter updates P: P − K H P, or Joseph's form (I − K H) P (I − K H)ᵀ + K R Kᵀ.
 enum class Correction { Standard, Joseph };
 
-/// The `sequential` filter as textbooks write it; P has its three different entries.
+/// The `sequential` filter in textbook form, with the three distinct entries of P.
 template <typename Scalar, Correction kForm>
 struct TextbookFilter {
   Scalar f{}, z{}, p11{}, p12{}, p22{};
@@ -121,12 +122,12 @@ using StandardFilter = TextbookFilter<Scalar, Correction::Standard>;
 template <typename Scalar>
 using JosephFilter = TextbookFilter<Scalar, Correction::Joseph>;
 
-/// Eigen's matrices of a fixed size, and of a size that is known at run time only: many @p steps of
-/// @p travelled between 3 N and 2 N; the last force.
+/// The filter with Eigen's matrices, of fixed and of dynamic size: @p steps steps of @p travelled
+/// that fuse 3 N and 2 N. Returns the last force [N].
 double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled);
 double eigenDynamic(const KalmanNumbers& numbers, int steps, double travelled);
 
-/// The libraries that we are compared with.
+/// Names and versions of the compared libraries.
 std::string versions();
 
 }  // namespace haptics::bench::peers

@@ -16,7 +16,7 @@ using reaming::Reamer;
 using reaming::Vec3;
 
 #ifdef PALPATE_HAS_NANOFLANN
-/// What a sphere adds to Σ a ρ.
+/// The term a ρ of sphere @p i.
 double partOf(const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
   const auto& s = packing.spheres[i];
   const Vec3 away = s.centre() - r.centre;
@@ -33,7 +33,8 @@ double largestRadius(const Packing& packing) {
   return largest;
 }
 
-/// All centres within the reamer's reach; those in its hollow are found as well, and sorted out.
+/// Searches all centres within the outer radius; those too far inside the reamer are discarded
+/// afterwards.
 class Nanoflann final : public SpherePeer {
  public:
   Nanoflann(const Packing& packing, const std::vector<double>& densities)

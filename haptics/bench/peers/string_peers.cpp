@@ -9,7 +9,7 @@
 namespace haptics::bench::peers {
 namespace {
 
-/// K and c of eq. (5)–(9), as three diagonals.
+/// K and c of eq. (5)–(9); K is tridiagonal.
 struct System {
   Eigen::VectorXd diagonal;
   Eigen::VectorXd beside;
@@ -56,8 +56,8 @@ struct System {
   }
 };
 
-/// Force and mesh from a solution of K u = c.
-/// @param solve  writes u for c, without allocating where it can.
+/// A solver that computes force and mesh from the solution of K u = c.
+/// @param solve  writes u for a given c; does not allocate if possible.
 template <typename Solve>
 StringSolver solverOf(std::string name, const Eigen::VectorXd& tool, Solve solve) {
   return {std::move(name), [tool, solve, mesh = Eigen::VectorXd()](double y) mutable {
@@ -68,7 +68,7 @@ StringSolver solverOf(std::string name, const Eigen::VectorXd& tool, Solve solve
           }};
 }
 
-/// Thomas' algorithm for a matrix of three diagonals.
+/// Thomas' algorithm for a tridiagonal matrix.
 struct Thomas {
   System system;
   Eigen::VectorXd reduced{system.size()};
