@@ -28,7 +28,7 @@ Endpoint endpointOf(const sockaddr_in& native) noexcept {
   return {.address = ntohl(native.sin_addr.s_addr), .port = ntohs(native.sin_port)};
 }
 
-/// The socket's functions take addresses of all families.
+/// Casts to the generic address type that the socket functions expect.
 const sockaddr* anyFamily(const sockaddr_in& address) noexcept {
   return reinterpret_cast<const sockaddr*>(&address);
 }

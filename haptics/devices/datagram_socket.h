@@ -10,46 +10,47 @@
 
 namespace haptics::devices {
 
-/// An address and port of IPv4, in the order of this machine.
+/// An IPv4 address and port, both in host byte order.
 struct Endpoint {
   std::uint32_t address = 0x7F000001;  ///< 127.0.0.1
-  std::uint16_t port = 0;              ///< 0: any that is free
+  std::uint16_t port = 0;              ///< 0: any free port
 
   bool isLoopback() const noexcept { return address >> 24U == 127; }
   std::string text() const;  ///< "127.0.0.1:30200"
   friend bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-/// Reads "127.0.0.1:30200" or "127.0.0.1", which leaves @p port as it is.
+/// Parses "127.0.0.1:30200", or "127.0.0.1" for the default @p port; std::nullopt if @p text is
+/// neither.
 std::optional<Endpoint> endpointFrom(std::string_view text, std::uint16_t port = 0);
 
-/// The network does not do what was asked of it, in words.
+/// A socket cannot be opened; what() is a message for the operator.
 class NetworkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// One UDP socket, not connected: it receives from any sender and returns the sender. After
-/// construction nothing throws, allocates, or waits but receive().
+/// construction no function throws or allocates, and only receive() waits.
 class DatagramSocket {
  public:
-  /// @throws NetworkError  if @p local cannot be had.
+  /// @throws NetworkError  if the socket cannot be bound to @p local.
   explicit DatagramSocket(const Endpoint& local);
   ~DatagramSocket();
   DatagramSocket(const DatagramSocket&) = delete;
   DatagramSocket& operator=(const DatagramSocket&) = delete;
 
-  /// False if the system did not take it.
+  /// Returns false if the system did not accept the datagram.
   bool send(std::span<const std::uint8_t> datagram, const Endpoint& to) noexcept;
 
   struct Received {
-    std::size_t size = 0;  ///< [bytes]; never more than there was room
+    std::size_t size = 0;  ///< [bytes]; at most the size of the buffer
     Endpoint from;
   };
-  /// The next datagram; waits at most @p wait [ns] for it. What has no room is cut off: give it a
-  /// byte more than may come.
+  /// Receives the next datagram; waits at most @p wait [ns] for it. A datagram that is longer than
+  /// @p room is truncated: make @p room a byte larger than the longest valid one to notice.
   std::optional<Received> receive(std::span<std::uint8_t> room, std::int64_t wait = 0) noexcept;
 
-  /// Where it is, with the port that it was given.
+  /// The address that the socket is bound to, with the port that the system assigned.
   const Endpoint& local() const noexcept { return local_; }
 
  private:

@@ -19,8 +19,8 @@ class Pacer {
   Pacer(const Pacer&) = delete;
   Pacer& operator=(const Pacer&) = delete;
 
-  /// Waits for the next period, no longer than until @p deadline [ns on CLOCK_MONOTONIC]. False
-  /// where none came.
+  /// Waits for the next period, at most until @p deadline [ns on CLOCK_MONOTONIC]. Returns false if
+  /// none began.
   virtual bool wait(std::int64_t deadline) noexcept = 0;
 };
 
@@ -31,46 +31,49 @@ const char* nameOf(Finding finding) noexcept;
 /// One result of the check of a device.
 struct CheckResult {
   Finding finding = Finding::Pass;
-  std::string what;      ///< what was looked at: "telemetry rate"
-  std::string measured;  ///< what was seen, with its unit
-  std::string fix;       ///< what to do about it; empty where all is well
+  std::string what;      ///< what was checked: "telemetry rate"
+  std::string measured;  ///< the result, with its unit
+  std::string fix;       ///< how to correct it; empty for Pass
 };
 
-/// A device that cannot be used: which, why, and what to do about it, in words.
+/// A device cannot be used; what() says which one, why, and what the operator can do.
 class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What has come over a wire, what has not, and how long it took.
+/// Statistics of a connection: messages received, lost and sent, and their timing.
 struct LinkReport {
-  bool isThere = false;                 ///< there is a wire
-  std::uint64_t received = 0;           ///< that were acted upon
-  std::uint64_t lost = 0;               ///< never came
-  std::uint64_t doubled = 0;            ///< came twice; the second was not acted upon
-  std::uint64_t late = 0;               ///< overtaken; not acted upon
-  std::uint64_t damaged = 0;            ///< not as they had been sent
-  std::uint64_t foreign = 0;            ///< from another sender
-  std::uint64_t restarts = 0;           ///< the device restarted its counter
-  std::uint64_t skipped = 0;            ///< came together with a newer one, after we had been late
-  std::uint64_t stale = 0;              ///< ticks without a new sample
-  std::uint64_t unsent = 0;             ///< answers that found no room on the wire
-  std::uint64_t poor = 0;               ///< samples while the connection was too bad for a force
-  std::uint64_t clipped = 0;            ///< forces beyond what the device gives
-  std::uint64_t expired = 0;            ///< the device switched its force off because we were late
-  timing::LatenessHistogram roundTrip;  ///< from our answer to the sample that has seen it [µs]
-  std::optional<double> drift;          ///< our clock against the device's [parts per million]
-  std::int64_t clockOffset = 0;         ///< our clock at the device's 0 [ns]
+  bool isThere = false;        ///< false for a simulated device: the other members are then unused
+  std::uint64_t received = 0;  ///< messages that were used
+  std::uint64_t lost = 0;      ///< messages that never arrived
+  std::uint64_t doubled = 0;   ///< messages that arrived twice; the second was ignored
+  std::uint64_t late = 0;      ///< messages that arrived after a newer one; ignored
+  std::uint64_t damaged = 0;   ///< messages with a wrong checksum or format
+  std::uint64_t foreign = 0;   ///< messages from another sender
+  std::uint64_t restarts = 0;  ///< the device restarted its counter
+  /// Messages that were read together with a newer one, because the host was late.
+  std::uint64_t skipped = 0;
+  std::uint64_t stale = 0;    ///< ticks without a new sample
+  std::uint64_t unsent = 0;   ///< answers that could not be written: the send buffer was full
+  std::uint64_t poor = 0;     ///< samples during which the connection was too bad for a force
+  std::uint64_t clipped = 0;  ///< forces above the maximum of the device
+  /// Times that the device switched its force off because the host was late.
+  std::uint64_t expired = 0;
+  /// From an answer of the host to the first sample that acknowledges it [µs].
+  timing::LatenessHistogram roundTrip;
+  std::optional<double> drift;   ///< of the host's clock against the device's [parts per million]
+  std::int64_t clockOffset = 0;  ///< host time at device time 0 [ns]
 };
 
-/// What a device can do, in its kind's unit of travel.
+/// The limits and properties of a device, in its kind's unit of travel.
 struct Capabilities {
-  const DeviceKind* kind;  ///< what is the same for all of its kind; lives as long as the program
-  std::string name;        ///< for people: "simulated punch"
+  const DeviceKind* kind;  ///< common to all devices of the kind; lives as long as the program
+  std::string name;        ///< as shown to users: "simulated punch"
   double leastTravel = 0.0;
   double mostTravel = 10.0;
   double maxForce = 10.0;  ///< [N]
-  double maxTorque = 0.0;  ///< about the tool's axis [N·m]; 0: it renders none
+  double maxTorque = 0.0;  ///< about the tool's axis [N·m]; 0: the device renders no torque
   double damping = 0.0;    ///< of the mechanism itself [N·s / travel unit]
   double rate = 1000.0;    ///< [Hz]
   bool isSimulated = true;
@@ -80,13 +83,13 @@ struct Capabilities {
 
 enum class DeviceStatus : std::uint8_t {
   Ok,
-  Stale,    ///< answers, but this sample is not new
-  Faulted,  ///< says that something is wrong with it
-  Gone,     ///< does not answer
+  Stale,    ///< the device answers, but this sample is not new
+  Faulted,  ///< the device reports a fault
+  Gone,     ///< the device does not answer
 };
 
-/// What a device says about itself. Only a sample that is Ok is a measurement: an invalid one is
-/// never a plausible zero.
+/// One reading of a device. It is a measurement only if its status is Ok; otherwise the numbers
+/// must not be used.
 struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
@@ -97,25 +100,26 @@ struct DeviceSample {
   bool isHeld = true;      ///< the dead-man switch is held, or the device has no such switch
   bool isReamerOn = true;  ///< the reamer's switch or pedal is pressed, or the device has none
   std::int64_t deviceTime =
-      0;                      ///< when it was measured, on the device's clock [ns]; 0: it has none
-  std::int64_t hostTime = 0;  ///< when it arrived, on CLOCK_MONOTONIC [ns]; 0: at once
+      0;  ///< time of measurement on the device's clock [ns]; 0: the device has no clock
+  /// Time of arrival on CLOCK_MONOTONIC [ns]; 0: not transmitted (simulated)
+  std::int64_t hostTime = 0;
 };
 
-/// What a device is ready for. A fault leads out of every state, and back only through open().
+/// The state of a device. A fault can follow every state; only open() leaves Faulted.
 enum class Lifecycle : std::uint8_t {
   Closed,
   Open,     ///< connected: the protocol and the identity of the device are as expected
-  Checked,  ///< and is fit for use
-  Armed,    ///< takes forces
-  Running,  ///< and gives some
-  Faulted,  ///< no force until the operator has decided
+  Checked,  ///< open, and its check found no failure
+  Armed,    ///< accepts forces
+  Running,  ///< armed, and forces have been commanded
+  Faulted,  ///< renders no force until it is opened again
 };
 
 const char* nameOf(Lifecycle state) noexcept;
 
-/// An instrument that a hand holds. read() and command() are called in turn from one thread, the
-/// engine's; they neither allocate, wait nor throw. The others are called while the engine does not
-/// tick.
+/// A haptic device. The thread of the engine calls read() and command() in turn; they neither
+/// allocate, wait nor throw. The other functions are called while the engine does not tick, unless
+/// their comment says otherwise.
 class Device {
  public:
   virtual ~Device() = default;
@@ -125,8 +129,8 @@ class Device {
 
   virtual const Capabilities& capabilities() const noexcept = 0;
 
-  /// Makes a connection, where there is something to connect; again after a fault.
-  /// @throws DeviceError  in words for the person at the desk.
+  /// Connects to the device, if it has a connection; also reconnects after a fault.
+  /// @throws DeviceError  with a message for the operator.
   virtual void open() {}
   virtual void close() noexcept {}
 
@@ -134,29 +138,30 @@ class Device {
   /// that cannot be opened is a finding.
   virtual std::vector<CheckResult> check(double seconds);
 
-  /// Before and after a trial: from here on it takes forces; from here on it takes none.
-  /// @throws DeviceError  if it does not.
+  /// Called before and after a trial: after arm() the device accepts forces, after disarm() it does
+  /// not.
+  /// @throws DeviceError  if the device cannot be armed.
   virtual void arm() {}
   virtual void disarm() noexcept {}
 
-  /// Any thread.
+  /// May be called from any thread.
   virtual Lifecycle lifecycle() const noexcept { return Lifecycle::Running; }
-  /// May be called by any thread: the fault in words; empty if there is none.
+  /// A message about the present fault; empty if there is none. May be called from any thread.
   virtual std::string fault() const { return {}; }
 
-  /// What has been received and sent since it was armed. Called from the thread that ticks.
+  /// Statistics of the connection since arm(). Called from the thread that ticks.
   virtual LinkReport link() { return {}; }
 
-  /// What sets the pace of the loop, if this device does; it lives as long as the device.
+  /// The device's pacer if it sets the pace of the loop, else nullptr; lives as long as the device.
   virtual Pacer* pacer() noexcept { return nullptr; }
 
-  /// The present state of the tool, @p dt [s] after the last call.
+  /// Returns the present state of the tool, @p dt [s] after the last call.
   virtual DeviceSample read(double dt) noexcept = 0;
 
-  /// Acts on the hand until the next command.
-  /// @param force   against closing or advancing is positive [N].
-  /// @param torque  about the tool's axis, right-handed about the way of advancing [N·m]; a device
-  ///                that renders none ignores it.
+  /// Sets the force and torque on the hand until the next command.
+  /// @param force   [N]; positive against closing or advancing.
+  /// @param torque  about the tool's axis, right-handed about the direction of advance [N·m];
+  ///                ignored by a device that renders no torque.
   virtual void command(double force, double torque) noexcept = 0;
 };
 

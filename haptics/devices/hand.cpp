@@ -7,7 +7,7 @@
 namespace haptics::devices {
 namespace {
 
-/// Minimum jerk from 0 to 1 over 1, and its speed.
+/// Minimum-jerk path from 0 to 1 in unit time; speed() is its derivative.
 double path(double tau) {
   return tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau));
 }
@@ -27,7 +27,7 @@ SimulatedHand::SimulatedHand(const Person& person) : person_(person), random_(pe
 }
 
 void SimulatedHand::beginCycle() noexcept {
-  // The reach varies less than the time: the handle has an end.
+  // The reach varies less than the time, because the handle has an end stop.
   constexpr double kReach = 0.3;
   closed_ = person_.open +
             (person_.closed - person_.open) * (1.0 + kReach * person_.variation * deviation());

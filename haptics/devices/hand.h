@@ -8,7 +8,7 @@
 
 namespace haptics::devices {
 
-/// A hand on a simulated tool.
+/// A model of the hand that moves a simulated tool.
 class Hand {
  public:
   virtual ~Hand() = default;
@@ -16,20 +16,21 @@ class Hand {
   Hand(const Hand&) = delete;
   Hand& operator=(const Hand&) = delete;
 
-  /// How hard it pushes [N] on a tool at @p travel with @p velocity, @p dt [s] after the last time.
+  /// Returns the force [N] of the hand on a tool at @p travel with @p velocity, @p dt [s] after the
+  /// last call. Positive closes or advances.
   virtual double push(double travel, double velocity, double dt) noexcept = 0;
 };
 
-/// A hand that closes and opens (advances and withdraws), again and again: an impedance around a
-/// point of equilibrium that moves as people move,
+/// A hand that repeatedly closes and opens (advances and withdraws): an impedance around an
+/// equilibrium point that moves as a human hand does,
 ///
 ///     F = k (x₀(t) − x) + b (ẋ₀(t) − ẋ),
 ///
 /// with x₀ on a minimum-jerk path x₀ = a + (b − a)(10 τ³ − 15 τ⁴ + 6 τ⁵) (Flash & Hogan 1985). The
-/// resistance therefore changes the movement: the hand goes less far into a stiffer tissue.
+/// resistance therefore changes the movement: in a stiffer tissue the hand moves less far.
 class SimulatedHand final : public Hand {
  public:
-  /// One person's hand. Travel in the device's unit.
+  /// The parameters of one person's hand; travel in the device's unit.
   struct Person {
     double open = 0.0;       ///< where it starts and returns to
     double closed = 13.5;    ///< travel that it aims at; resistance stops it earlier
@@ -40,8 +41,8 @@ class SimulatedHand final : public Hand {
     double stiffness = 3.0;  ///< k [N / travel unit], > 0
     double damping = 0.12;   ///< b [N·s / travel unit], >= 0
     double variation =
-        0.0;  ///< how much one closing differs from the next in reach and time, [0, 0.5]
-    std::uint64_t seed = 0;  ///< of these differences
+        0.0;  ///< relative random variation of reach and closing time from cycle to cycle, [0, 0.5]
+    std::uint64_t seed = 0;  ///< of the random variation
   };
 
   /// @throws std::invalid_argument  if a time or the stiffness is out of range.
@@ -56,7 +57,7 @@ class SimulatedHand final : public Hand {
   };
   Target target() const noexcept;
   void beginCycle() noexcept;
-  /// In [−1, 1).
+  /// A random number in [−1, 1).
   double deviation() noexcept { return 2.0 * random_.uniform() - 1.0; }
 
   Person person_;
@@ -73,13 +74,15 @@ class PointerHand final : public Hand {
   struct Grip {
     double stiffness = 3.0;  ///< [N / travel unit]
     double damping = 0.12;   ///< [N·s / travel unit]
-    double speed = 40.0;     ///< how fast the grip follows at most [travel units / s]
-    double strength = std::numeric_limits<double>::infinity();  ///< pushes and pulls no harder [N]
+    /// Largest speed at which the grip follows the pointer [travel units / s].
+    double speed = 40.0;
+    double strength = std::numeric_limits<double>::infinity();  ///< largest force of the hand in
+                                                                ///< either direction [N]
   };
 
   explicit PointerHand(const Grip& grip) noexcept : grip_(grip) {}
 
-  /// Any thread: where the hand means to be [travel unit].
+  /// Sets the travel that the hand moves to [travel unit]. May be called from any thread.
   void moveTo(double travel) noexcept { wanted_.store(travel, std::memory_order_relaxed); }
 
   double push(double travel, double velocity, double dt) noexcept override;

@@ -63,7 +63,8 @@ void makeRaw(int descriptor, const std::string& path, int baud) {
   }
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
-  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);  // closing does not reset the board
+  // So that closing the port does not reset the board.
+  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
   settings.c_cc[VMIN] = 0;
   settings.c_cc[VTIME] = 0;
   if (baud != 0) {
@@ -99,7 +100,8 @@ void SerialPort::open(const std::string& path, int baud) {
   if (descriptor < 0) throw DeviceError(whyNotOpened(path, errno));
   descriptor_ = descriptor;
   try {
-    // TIOCEXCL keeps others out unless they are root; the lock keeps those out who ask.
+    // TIOCEXCL refuses other processes unless they are root; flock refuses those that also use
+    // flock.
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) throw DeviceError(whyNotOpened(path, EBUSY));
     makeRaw(descriptor, path, baud);
     ioctl(descriptor, TIOCEXCL);
@@ -136,7 +138,7 @@ std::size_t SerialPort::read(std::span<std::uint8_t> into) noexcept {
     close();
     return 0;
   }
-  // Nothing was read: nothing there (VMIN 0), or the other end is gone.
+  // Zero bytes mean that none are available (VMIN 0), or that the other end has hung up.
   pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
   if (poll(&watched, 1, 0) > 0 && (watched.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) close();
   return 0;
@@ -144,7 +146,8 @@ std::size_t SerialPort::read(std::span<std::uint8_t> into) noexcept {
 
 bool SerialPort::write(std::span<const std::uint8_t> bytes) noexcept {
   std::size_t written = 0;
-  // A line that has room for some has room for the rest in a moment: a frame is short.
+  // If part of a frame was written, retry: frames are short, so the buffer has space for the rest
+  // soon.
   constexpr int kTries = 4;
   for (int i = 0; i < kTries && descriptor_ >= 0 && written < bytes.size(); ++i) {
     const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);

@@ -8,8 +8,8 @@
 
 namespace haptics::devices {
 
-/// A serial line, raw, without an event loop: for a thread that ticks. Closed at the first error;
-/// only its owner opens it again.
+/// A serial port in raw mode, without an event loop, for a real-time thread. Closes itself at the
+/// first error and is reopened only by open().
 class SerialPort {
  public:
   SerialPort() = default;
@@ -17,13 +17,14 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// Whether this computer has a line at @p baud; 0, for USB, always.
+  /// Whether this system supports @p baud; always true for 0 (USB).
   static bool canGoAt(int baud) noexcept;
-  /// The others, in words: "115200, … or 2000000".
+  /// The supported speeds as a text: "115200, … or 2000000".
   static std::string supportedSpeeds();
 
-  /// @param baud  0: as it is (USB and pseudo-terminals have none).
-  /// @throws DeviceError  if it is not there, not allowed, in use, or no serial line.
+  /// @param baud  0: leave the speed (USB and pseudo-terminals have none).
+  /// @throws DeviceError  if the port does not exist, is not permitted, is in use, or is no serial
+  ///                      port.
   void open(const std::string& path, int baud);
   void close() noexcept;
   bool isOpen() const noexcept { return descriptor_ >= 0; }
@@ -31,20 +32,22 @@ class SerialPort {
   /// Waits until there is something to read, or @p deadline [ns on CLOCK_MONOTONIC].
   void waitReadable(std::int64_t deadline) noexcept;
 
-  /// What has come, up to the size of @p into; 0 for nothing. Closes where the line is gone.
+  /// Reads the available bytes, at most the size of @p into, and returns their number. Closes the
+  /// port if the line has failed.
   std::size_t read(std::span<std::uint8_t> into) noexcept;
 
   /// Writes all bytes or none: false if the buffer is full. Closes the port if the line has failed.
   bool write(std::span<const std::uint8_t> bytes) noexcept;
 
-  /// Throws away what has come.
+  /// Discards all received bytes.
   void discardInput() noexcept;
 
  private:
   int descriptor_ = -1;
 };
 
-/// The serial lines of this computer, by names that stay (/dev/serial/by-id) where there are any.
+/// Paths of the serial ports of this computer, by stable names (/dev/serial/by-id) where they
+/// exist.
 std::vector<std::string> serialPorts();
 
 }  // namespace haptics::devices

@@ -26,7 +26,7 @@ double SimulatedDevice::stopForce() const noexcept {
                                                               : 0.0;
   if (beyond == 0.0) return 0.0;
   const double force = mechanism_.stopStiffness * beyond + mechanism_.stopDamping * velocity_;
-  return force * beyond > 0.0 ? force : 0.0;  // a stop pushes, it does not hold
+  return force * beyond > 0.0 ? force : 0.0;  // a stop pushes, but never pulls
 }
 
 void SimulatedDevice::turn(double dt) noexcept {

@@ -8,20 +8,22 @@
 namespace haptics::devices {
 
 /// A simulated instrument: a mass on one axis between the hand that pushes it and the force that
-/// the engine commands, with the friction of the mechanism and a spring at either end of travel,
+/// the engine commands, with the friction of the mechanism and an elastic stop at either end of
+/// travel,
 ///
 ///     m ẍ = F_hand − F − b ẋ − F_stop.
 ///
-/// A kind with an inertia turns about its axis, too, by the torque τ in the wrist that holds it,
+/// A kind with an inertia also rotates about its axis, by the commanded torque τ against the wrist
+/// that holds it,
 ///
 ///     I φ̈ = τ − b φ̇ − k φ.
 ///
-/// It moves when it is read: dt is its only clock. The hand must outlive it.
+/// read() advances the simulation by dt. The hand must outlive the device.
 class SimulatedDevice final : public Device {
  public:
   /// @throws std::invalid_argument  if the mechanism is not valid.
   SimulatedDevice(Capabilities capabilities, const Mechanism& mechanism, Hand& hand);
-  /// One of @p kind as it is registered.
+  /// A device with the registered properties of @p kind.
   SimulatedDevice(const DeviceKind& kind, Hand& hand);
 
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -31,19 +33,19 @@ class SimulatedDevice final : public Device {
     torque_ = torque;
   }
 
-  /// Any thread: pulls the plug; the device answers no more. plugIn() puts it back.
+  /// Simulates an unplugged device, which no longer answers, until plugIn(). Any thread.
   void unplug() noexcept { isGone_.store(true, std::memory_order_relaxed); }
   void plugIn() noexcept { isGone_.store(false, std::memory_order_relaxed); }
 
-  /// Any thread: takes the hand off the dead-man switch, or puts it back.
+  /// Presses or releases the dead-man switch. Any thread.
   void hold(bool isHeld) noexcept { isHeld_.store(isHeld, std::memory_order_relaxed); }
 
-  /// Any thread: presses or releases the reamer's switch.
+  /// Presses or releases the reamer's switch. Any thread.
   void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
 
-  /// What it pushes back with at present [N].
+  /// The last commanded force [N].
   double commandedForce() const noexcept { return force_; }
-  /// About its axis [N·m].
+  /// The last commanded torque about the tool's axis [N·m].
   double commandedTorque() const noexcept { return torque_; }
 
  private:
@@ -64,7 +66,7 @@ class SimulatedDevice final : public Device {
   double turnRate_ = 0.0;  ///< [rad/s]
 };
 
-/// What a simulated device of @p kind can do.
+/// The capabilities of a simulated device of @p kind.
 Capabilities simulated(const DeviceKind& kind);
 
 }  // namespace haptics::devices

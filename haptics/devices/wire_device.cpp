@@ -52,7 +52,7 @@ void WireDevice::resumeKeeper() noexcept {
 }
 
 void WireDevice::arm() {
-  stopKeeper();  // its findings until then count
+  stopKeeper();  // a fault that the keeper found counts below
   if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
     const std::string why = fault();
     throw DeviceError(
@@ -68,7 +68,7 @@ void WireDevice::arm() {
   resetCounts();
   beginForces();
   setLifecycle(Lifecycle::Armed);
-  startKeeper();  // until the first tick
+  startKeeper();  // runs until the first tick
 }
 
 void WireDevice::disarm() noexcept {
@@ -102,7 +102,7 @@ bool WireDevice::wait(std::int64_t deadline) noexcept {
     timing::sleepUntil(deadline);
     return false;
   }
-  stopKeeper();  // from the first tick on the wire is the loop's
+  stopKeeper();  // from the first tick on the loop's thread uses the connection
   return waitForMessage(deadline);
 }
 
@@ -112,7 +112,8 @@ void WireDevice::resetCounts() noexcept {
 }
 
 LinkReport WireDevice::link() {
-  const bool wasKept = isKept();  // before the first tick: it counts too
+  // The keeper runs before the first tick, and updates the counts, too.
+  const bool wasKept = isKept();
   stopKeeper();
   LinkReport report = report_;
   report.drift = drift_.partsPerMillion();

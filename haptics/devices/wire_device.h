@@ -11,13 +11,14 @@
 
 namespace haptics::devices {
 
-/// A device at the other end of a wire that sets the pace of the loop: it sends, and is answered.
+/// Base of devices with a connection: the device sends messages, the host answers each, and these
+/// messages set the pace of the loop.
 ///
-/// One thread talks to the wire at a time. Before the first tick after arm() that is a thread of
-/// the device, the keeper: it listens, answers without a force, and notices silence. From that tick
-/// on it is the thread of the loop. The connection is given up at the first fault, and only open()
-/// makes it again. A device that derives from this calls close() in its destructor: the keeper uses
-/// it.
+/// One thread at a time uses the connection. Until the first tick after arm() that is a thread of
+/// this class, the keeper: it receives, answers with no force, and detects silence. From that tick
+/// on it is the thread of the loop. The first fault closes the connection, and only open() makes a
+/// new one. A derived class calls close() in its destructor, because the keeper calls its virtual
+/// functions.
 class WireDevice : public Device, private Pacer {
  public:
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -33,35 +34,36 @@ class WireDevice : public Device, private Pacer {
   LinkReport link() override;
 
  protected:
-  /// How the keeper waits.
+  /// The keeper's time limits.
   struct KeepAliveState {
-    std::int64_t turn;     ///< for a message at most, before it looks again [ns]
-    std::int64_t silence;  ///< that is a fault [ns]
+    /// Longest wait for a message before the keeper checks whether to stop [ns].
+    std::int64_t turn;
+    std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
   WireDevice(Capabilities capabilities, KeepAliveState keeping);
 
-  /// "The punch on /dev/ttyACM0".
+  /// Begins error messages: "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
   virtual bool isConnected() const noexcept = 0;
   /// Closes the connection; @p isFault is sent as the reason where the protocol has one.
   virtual void disconnect(bool isFault) noexcept = 0;
-  /// Waits for a message until @p deadline [ns]; isNew_ is set if one has come.
+  /// Waits for a message until @p deadline [ns]; sets isNew_ if one has arrived.
   virtual bool waitForMessage(std::int64_t deadline) noexcept = 0;
-  /// The keeper's answer to a message: no force.
+  /// Answers a message with no force; called by the keeper.
   virtual void keepAlive() noexcept = 0;
 
-  /// Waits until the device accepts forces. @throws DeviceError  if it does not; its connection is
-  /// kept alive.
+  /// Waits until the device accepts forces. @throws DeviceError if it does not; the connection
+  /// stays open.
   virtual void awaitReadiness() {}
-  /// It is to take forces from here on; nothing has been counted yet.
+  /// Tells the device to accept forces; called after resetCounts().
   virtual void beginForces() noexcept = 0;
-  /// It is to take none any more.
+  /// Tells the device to accept no more forces.
   virtual void endForces() noexcept {}
 
   bool wait(std::int64_t deadline) noexcept override;
 
-  /// The last step of open(): the connection is made.
+  /// The last step of open(), once the device is connected.
   void beginKeeping();
   void startKeeper();
   void resumeKeeper() noexcept;
@@ -69,20 +71,21 @@ class WireDevice : public Device, private Pacer {
   bool isKept() const noexcept { return keeper_.joinable(); }
 
   void setLifecycle(Lifecycle state) noexcept { lifecycle_.store(state); }
-  /// From Open to Checked, unless it has failed meanwhile.
+  /// Changes the state from Open to Checked, unless the device has failed in the meantime.
   void setChecked() noexcept;
-  /// @param why  in words that last as long as the program.
+  /// @param why  a message; the string must live as long as the program.
   void fail(const char* why) noexcept;
   void resetCounts() noexcept;
 
   Capabilities capabilities_;
   LinkReport report_;
   timing::ClockDrift drift_;
-  bool isNew_ = false;                     ///< a message has come and is not used yet
-  bool isUnanswered_ = false;              ///< and one that has not been answered
-  std::int64_t deviceTime_ = 0;            ///< of the last message, in the device's own unit
-  std::int64_t hostTime_ = 0;              ///< when that came [ns]
-  std::array<std::int64_t, 64> sentAt_{};  ///< answers, by their number [ns]
+  bool isNew_ = false;           ///< a message has arrived that read() has not used
+  bool isUnanswered_ = false;    ///< a message has arrived that has not been answered
+  std::int64_t deviceTime_ = 0;  ///< device time of the last message, in the device's own unit
+  std::int64_t hostTime_ = 0;    ///< host time of its arrival [ns]
+  /// When answers were sent, at index sequence number modulo 64 [ns].
+  std::array<std::int64_t, 64> sentAt_{};
 
  private:
   KeepAliveState keeping_;

@@ -1,4 +1,4 @@
-// Whether an arm is fit for use.
+// The check of an arm: IiwaDevice::check().
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +48,8 @@ const char* wordFor(ClientCommandMode mode) noexcept {
   return kWords.at(static_cast<std::size_t>(mode));
 }
 
-/// A robot that names another command mode than the device file's never takes a force.
+/// Reports that the robot's command mode differs from the device file's: it would never accept a
+/// force.
 CheckResult commandModeMismatch(ClientCommandMode mode, ClientCommandMode wanted) {
   const std::string theirs = wordFor(mode);
   const std::string ours = wordFor(wanted);
@@ -90,7 +91,8 @@ CheckResult commandingFound(
                      : "")};
 }
 
-/// A trial ends where nothing comes for @p limit; a busy computer may look like that for a moment.
+/// Reports the longest time [ns] without a message. A trial ends after @p limit [ns]; a short
+/// excess may come from a busy computer and is only a warning.
 CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limit) {
   constexpr std::int64_t kBroken = timing::kSecond / 2;
   const double seconds = 1e-9 * static_cast<double>(longest);
@@ -165,8 +167,8 @@ IiwaDevice::Listening IiwaDevice::listen(double seconds) {
   const std::int64_t begin = timing::now();
   const std::int64_t until =
       begin + static_cast<std::int64_t>(seconds * static_cast<double>(timing::kSecond));
-  // A session takes its time to become good; listening is extended for one that is not there yet,
-  // and for a silence until it has ended, or lasts.
+  // A session needs time to reach COMMANDING_ACTIVE, so listening is extended by kLonger until it
+  // does. It is also extended during a silence, until that ends or has lasted kLastingSilence.
   constexpr std::int64_t kLonger = 6 * timing::kSecond;
   const auto isWithinTime = [&](std::int64_t now) {
     const bool isSilent = now - hostTime_ > timeSinceLastMessage();
@@ -244,7 +246,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   const bool isFit = std::none_of(
       found.begin(), found.end(), [](const auto& f) { return f.finding == Finding::Fail; });
   if (isFit) setChecked();
-  startKeeper();  // from here on what was heard is the keeper's
+  startKeeper();  // from here on the keeper updates what was received
   return found;
 }
 

@@ -18,9 +18,9 @@ using timing::kMillisecond;
 constexpr std::int64_t kMostSilence = 50 * kMillisecond;
 constexpr std::int64_t kMissedCycles = 20;
 constexpr std::int64_t kFirstMessage = 2000 * kMillisecond;
-constexpr std::uint32_t kSlowest = 20;  // between answers [ms]
+constexpr std::uint32_t kSlowest = 20;  // longest accepted period of answers [ms]
 constexpr std::int64_t kCommanding =
-    10'000 * kMillisecond;  // as long as robot programs wait for us
+    10'000 * kMillisecond;  // as long as robot programs wait for a client
 
 JointVector asVector(const Joints& joints) {
   return Eigen::Map<const JointVector>(joints.data());
@@ -78,7 +78,8 @@ SessionState IiwaDevice::state() const noexcept {
 void IiwaDevice::open() {
   close();
   try {
-    // All of loopback is ours; on a robot's network, the address that leads to it is the system's.
+    // For a robot on the loopback interface, bind to loopback only; otherwise to any address, since
+    // the system chooses the interface.
     socket_.emplace(
         Endpoint{.address = robot_.isLoopback() ? 0x7F000001U : 0U, .port = settings_.port});
   } catch (const NetworkError& error) {
@@ -171,13 +172,13 @@ void IiwaDevice::awaitReadiness() {
       "its motion with the FRI overlay, and look there for what it waits for.");
 }
 
-/// Receives until there is a valid message, or the deadline has passed. If there are several, the
-/// newest is used.
+/// Receives until a valid message has arrived or the deadline has passed. If there are several
+/// messages, the newest is used.
 bool IiwaDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
     auto received = socket_->receive(room_, std::max<std::int64_t>(left, 0));
-    constexpr int kBacklog = 256;  // datagrams in one call, so that a flood cannot keep it here
+    constexpr int kBacklog = 256;  // most datagrams per call, so that a flood cannot block the loop
     for (int i = 0; received; ++i) {
       const bool hadNew = isNew_;
       if (take(*received, timing::now()) && hadNew) ++report_.skipped;
@@ -210,13 +211,13 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
   report_.late = sequence_.late();
   report_.restarts = sequence_.restarts();
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;
-  robot_.port = received.from.port;  // the first to send from the robot's address is the robot
+  robot_.port = received.from.port;  // from now on only the port that sent first is the robot
   heard_ = message;
   updateMotion(at);
   return true;
 }
 
-/// Where the arm is, and how it moves, by the message that has just come.
+/// Updates position and velocity from the message in heard_, which arrived at @p at [ns].
 void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   const std::int64_t before = deviceTime_;
   hostTime_ = at;
@@ -241,10 +242,11 @@ void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   }
   if (!data || !data->measuredPosition) return;
   const JointVector joints = asVector(*data->measuredPosition);
-  // No two messages are closer than a period: such a time stamp is late.
+  // Messages are at least a period apart; time stamps that are closer are imprecise.
   const std::int64_t apart = deviceTime_ - before;
   const double dt = apart > 0 ? 1e-9 * static_cast<double>(std::max(apart, period_)) : 0.0;
-  constexpr double kShare = 0.3;  // of the newest in the velocity: a low-pass of some messages
+  // Weight of the newest message in the velocity (a low-pass over a few messages)
+  constexpr double kShare = 0.3;
   if (before != 0 && dt > 0.0)
     jointVelocity_ += kShare * ((joints - joints_) / dt - jointVelocity_);
   joints_ = joints;
@@ -255,10 +257,10 @@ void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   if (!start_) return;
   travel_ = displacementAlong(settings_.axis, *start_, tool_);
   const double turn = settings_.axis.dot(turnBetween(start_->rotation, tool_.rotation));
-  turn_ += std::remainder(turn - turn_, 2.0 * std::numbers::pi);  // more than half a turn, too
+  turn_ += std::remainder(turn - turn_, 2.0 * std::numbers::pi);  // also counts angles beyond ±π
 }
 
-/// What ends a trial, in words; nullptr for nothing.
+/// Returns the reason to end a trial; nullptr if there is none.
 const char* IiwaDevice::whatIsWrong() const noexcept {
   if (sequence_.restarts() > 0) return "its controller has begun a new session";
   if (state() != SessionState::CommandingActive) {
@@ -335,7 +337,7 @@ void IiwaDevice::command(double force, double torque) noexcept {
   if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }
 
-/// Answers the newest message once, if it is due an answer.
+/// Answers the newest message, at most once, if an answer is due.
 void IiwaDevice::answer(double force, double torque) noexcept {
   if (!isUnanswered_ || !socket_) return;
   isUnanswered_ = false;
@@ -348,7 +350,9 @@ void IiwaDevice::answer(double force, double torque) noexcept {
   const bool isFirstSeries = settings_.version < Version::V2_5;
   if (isCommanding) {
     message.data.emplace();
-    message.data->jointPosition = heard_.ipoData->jointPosition;  // decode() saw to it
+    message.data->jointPosition =
+        // decode() guarantees ipoData and its positions in these states.
+        heard_.ipoData->jointPosition;
     const bool isActive = session == SessionState::CommandingActive &&
                           lifecycle() != Lifecycle::Open &&
                           heard_.connection->quality >= ConnectionQuality::Good;
@@ -366,7 +370,8 @@ void IiwaDevice::answer(double force, double torque) noexcept {
   if (count == 0 || !socket_->send({bytes.data(), count}, robot_)) ++report_.unsent;
 }
 
-/// The force against advancing and the torque about the axis, as the robot expects them.
+/// Writes the force (positive against advancing) and the torque about the axis as the robot expects
+/// them.
 void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noexcept {
   bool isClipped = false;
   const auto within = [&](double asked, double most) {
@@ -389,7 +394,8 @@ void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noe
       isInTool ? Eigen::Matrix3d(tool_.rotation.transpose()) : Eigen::Matrix3d::Identity();
   const Eigen::Vector3d f = share * (toFrame * wrench.head<3>());
   const Eigen::Vector3d m = share * (toFrame * wrench.tail<3>());
-  // KUKA's angles A, B and C are about z, y and x, and so are τA, τB and τC.
+  // KUKA's angles A, B and C are rotations about z, y and x; the torques τA, τB and τC have the
+  // same order.
   data.wrench = Vector6{f.x(), f.y(), f.z(), m.z(), m.y(), m.x()};
 }
 

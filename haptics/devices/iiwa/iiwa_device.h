@@ -14,46 +14,48 @@
 
 namespace haptics::devices {
 
-/// What a force is sent as.
+/// The FRI command that carries a force.
 enum class IiwaOverlay : std::uint8_t {
   CartesianWrench,  ///< at the tool, under Cartesian impedance control
   JointTorque,      ///< in the joints, under joint impedance control
 };
 
-/// In whose axes the robot takes a wrench: of its motion centre, as its program has set that.
+/// The frame in which the robot expects a wrench, as the motion centre in the robot's program is
+/// set.
 enum class WrenchFrame : std::uint8_t { Tool, Base };
 
-/// The connection of an arm, and its tool.
+/// How an arm is connected, and its tool.
 struct IiwaSettings {
   std::string robot =
-      "127.0.0.1";             ///< the controller's address; datagrams from others are not taken
-  std::uint16_t port = 30200;  ///< ours; 30200 to 30209 on a robot
+      "127.0.0.1";  ///< the controller's address; datagrams from other addresses are ignored
+  std::uint16_t port = 30200;  ///< port of this computer; 30200 to 30209 for a robot
   wire::fri::Version version = wire::fri::Version::V1_15;
   IiwaModel model = IiwaModel::Iiwa14;
   IiwaOverlay overlay = IiwaOverlay::CartesianWrench;
   WrenchFrame wrenchFrame = WrenchFrame::Tool;
-  Pose tool;                              ///< of the reamer, as seen from the flange
-  Eigen::Vector3d axis{0.0, 0.0, -1.0};   ///< of reaming, in the base; positive advances
-  std::optional<wire::fri::Joints> zero;  ///< joints [rad] at which travel is 0; nothing:
-                                          ///< where it is armed
-  double mostTravel = 0.02;               ///< [m]
-  double maxForce = 140.0;                ///< [N]
-  double maxTorque = 10.0;                ///< about the axis [N·m]; 0: it renders none
-  double damping = 60.0;                  ///< of the arm along the axis [N·s/m]
-  /// A boolean input of the robot that the pedal of the reamer sets; empty: there is no pedal, and
+  Pose tool;  ///< of the reamer, as seen from the flange
+  Eigen::Vector3d axis{
+      0.0, 0.0, -1.0};  ///< direction of reaming in the base frame; travel is positive along it
+  /// Joint angles [rad] at which travel is 0; std::nullopt: the pose at arm()
+  std::optional<wire::fri::Joints> zero;
+  double mostTravel = 0.02;  ///< [m]
+  double maxForce = 140.0;   ///< [N]
+  double maxTorque = 10.0;   ///< about the axis [N·m]; 0: no torque is rendered
+  double damping = 60.0;     ///< of the arm along the axis [N·s/m]
+  /// Name of the robot's boolean input that the reamer's pedal sets; empty: there is no pedal, and
   /// the reamer is on. The reamer is off while a message lacks that input (FRI before 1.14).
   std::string pedal;
   IiwaGuard::Margins margins;
 };
 
-/// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends, we answer, at
-/// every message and every force that it asks for. Travel is the tool's displacement along the axis
-/// of reaming; a torque is about that axis, at the tool.
+/// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends a message per
+/// cycle, and this class answers every n-th, with n the session's receive multiplier. Travel is the
+/// tool's displacement along the axis of reaming; a torque is about that axis, at the tool.
 ///
-/// Messages are sent to the robot's address only. Messages from elsewhere, and damaged, doubled,
-/// overtaken or non-finite ones are ignored. Forces are sent in COMMANDING_ACTIVE only, and only
-/// while the connection is GOOD or better. A robot without answers switches its force off, so
-/// nothing is ever sent without a message to answer. After 20 missed cycles, or 50 ms if that is
+/// Messages are sent to the robot's address only. Messages from other addresses are ignored, also
+/// damaged, duplicate, late or non-finite ones. Forces are sent in COMMANDING_ACTIVE only, and only
+/// while the connection is GOOD or better. A robot that receives no answer switches its force off,
+/// so this class only ever sends answers to messages. After 20 missed cycles, or 50 ms if that is
 /// less, the device is faulted until open().
 class IiwaDevice final : public WireDevice {
  public:
@@ -66,7 +68,7 @@ class IiwaDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force, double torque) noexcept override;
 
-  /// The last message of the robot. Called from the thread that ticks.
+  /// The last message received from the robot. Called from the thread that ticks.
   const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
 
  private:
@@ -74,7 +76,7 @@ class IiwaDevice final : public WireDevice {
 
   std::string name() const override { return "The arm at " + settings_.robot; }
   bool isConnected() const noexcept override { return socket_.has_value(); }
-  /// A robot without answers switches its force off.
+  /// Sends nothing: a robot that receives no answer switches its force off.
   void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
   bool waitForMessage(std::int64_t deadline) noexcept override;
   void keepAlive() noexcept override { answer(0.0, 0.0); }
@@ -86,12 +88,12 @@ class IiwaDevice final : public WireDevice {
   void overlayInto(wire::fri::CommandData& data, double force, double torque) noexcept;
   const char* whatIsWrong() const noexcept;
   bool isReamerOn() const noexcept;
-  /// Measurements of a check that the report does not have.
+  /// Measurements during a check that LinkReport lacks.
   struct Listening {
-    double seconds = 0.0;                              ///< how long
+    double seconds = 0.0;                              ///< duration of the measurement
     std::int64_t longestGap = 0;                       ///< between messages [ns]
-    bool hasWaited = false;                            ///< the session was in COMMANDING_WAIT
-    std::optional<wire::fri::ClientCommandMode> mode;  ///< that the robot has named
+    bool hasWaited = false;                            ///< the session has been in COMMANDING_WAIT
+    std::optional<wire::fri::ClientCommandMode> mode;  ///< as the robot reported it
   };
   Listening listen(double seconds);
   std::string describeSilence() const;
@@ -111,7 +113,7 @@ class IiwaDevice final : public WireDevice {
   std::uint32_t ours_ = 0;
   std::uint32_t sinceAnswer_ = 0;
   std::int64_t period_ = 5'000'000;  // between messages [ns]
-  Endpoint foreigner_;               // who sent last, and is not the robot
+  Endpoint foreigner_;               // the last sender that was not the robot
   std::int64_t goodAt_ = 0;          // when the connection was last good enough [ns]
 
   JointVector joints_ = JointVector::Zero();         // [rad]

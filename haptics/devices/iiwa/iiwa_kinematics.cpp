@@ -8,7 +8,7 @@
 namespace haptics::devices {
 namespace {
 
-/// sin α of each link; where it is 0, cos α is 1.
+/// sin α of each link. cos α is 1 where this is 0, else 0.
 constexpr std::array<double, 7> kSinAlpha{0.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0};
 
 Pose link(std::size_t index, double angle, double length) noexcept {
@@ -25,7 +25,7 @@ Pose link(std::size_t index, double angle, double length) noexcept {
 }
 
 bool isRotation(const Eigen::Matrix3d& matrix) {
-  // A rotation may have been written with seven decimals.
+  // The tolerance allows for matrices that were written with seven decimals.
   return matrix.allFinite() && (matrix * matrix.transpose()).isIdentity(1e-6) &&
          matrix.determinant() > 0.0;
 }
@@ -40,7 +40,7 @@ Eigen::Vector3d turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& 
   const Eigen::Matrix3d between = to * from.transpose();
   Eigen::Quaterniond turn(between);
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-  const double sine = turn.vec().norm();  // of half the angle
+  const double sine = turn.vec().norm();  // sine of half the angle
   const double scale = sine < 1e-9 ? 2.0 : 2.0 * std::atan2(sine, turn.w()) / sine;
   return scale * turn.vec();
 }

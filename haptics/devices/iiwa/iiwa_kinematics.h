@@ -10,13 +10,14 @@ namespace haptics::devices {
 /// Which KUKA LBR iiwa: 7 kg and 800 mm of reach, or 14 kg and 820 mm.
 enum class IiwaModel : std::uint8_t { Iiwa7, Iiwa14 };
 
-/// What a data sheet says about an arm. Seven values are those of A1 to A7.
+/// The data sheet of an arm. Arrays hold the values of joints A1 to A7.
 struct IiwaProperties {
   double baseToShoulder = 0.0;   ///< from the floor of the base to A2, along z [m]
   double shoulderToElbow = 0.0;  ///< from A2 to A4 [m]
   double elbowToWrist = 0.0;     ///< from A4 to A6 [m]
-  double wristToFlange = 0.0;    ///< from A6 to the bare flange [m]; a media flange is a tool
-  std::array<double, 7> maxPosition{};  ///< either way of zero [rad]
+  /// From A6 to the bare flange [m]; a media flange counts as part of the tool.
+  double wristToFlange = 0.0;
+  std::array<double, 7> maxPosition{};  ///< range is [−maxPosition, maxPosition] [rad]
   std::array<double, 7> maxVelocity{};  ///< [rad/s]
   std::array<double, 7> maxTorque{};    ///< [N·m]
 };
@@ -51,8 +52,8 @@ inline constexpr IiwaProperties kIiwa14{
 
 /// The data sheet of @p model.
 ///
-/// Lengths agree in two public descriptions: the URDF of IFL-CAMP/iiwa_stack and the DH table of
-/// Modi1987/KST-Kuka-Sunrise-Toolbox. Limits of position and velocity are those of
+/// Two public descriptions agree on the lengths: the URDF of IFL-CAMP/iiwa_stack and the DH table
+/// of Modi1987/KST-Kuka-Sunrise-Toolbox. Limits of position and velocity are those of
 /// lbr-stack/lbr_fri_ros2_stack. The torques were not confirmed by a second source [unverified].
 constexpr const IiwaProperties& propertiesOf(IiwaModel model) noexcept {
   return model == IiwaModel::Iiwa7 ? detail::kIiwa7 : detail::kIiwa14;
@@ -63,65 +64,68 @@ using Twist = Eigen::Matrix<double, 6, 1>;         ///< linear [m/s], then angul
 using Wrench = Eigen::Matrix<double, 6, 1>;        ///< force [N], then moment [N·m]
 using IiwaJacobian = Eigen::Matrix<double, 6, 7>;  ///< linear [m/rad], then angular [1]
 
-/// Where a frame is, and how it is turned, as seen from another.
+/// Position and orientation of a frame relative to another.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< [m]
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< its columns are the frame's axes
 };
 
-/// Frame c as seen from a, of b as seen from a and c as seen from b.
+/// Composition: with a the pose of frame B in A, and b the pose of C in B, returns the pose of C in
+/// A.
 Pose operator*(const Pose& a, const Pose& b) noexcept;
 
-/// The turn from @p from to @p to as axis times angle, in the frame that both are seen from; its
-/// length is in [0, π] [rad].
+/// The rotation from @p from to @p to as a rotation vector (axis times angle) in their common
+/// reference frame; its length is in [0, π] [rad].
 Eigen::Vector3d turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept;
 
-/// How far a tool has come along an axis since a start, s = a·(p − p₀) [m]. @p axis has length 1.
+/// Displacement of a tool along @p axis since @p start, s = a·(p − p₀) [m]. @p axis has length 1.
 double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const Pose& now) noexcept;
 
-/// Where the tool of an LBR iiwa is, how it moves, and what it takes to hold it.
+/// Kinematics of an LBR iiwa with a tool: forward kinematics, Jacobian, twist, and joint torques of
+/// a wrench.
 ///
-/// The base frame stands on the floor of the base with z up; with all joints at zero the arm stands
-/// straight up and the flange is turned as the base is. The chain is Craig's (modified
-/// Denavit–Hartenberg): every link is a turn of α about x, a turn of q about z and a way d along z,
+/// The origin of the base frame is on the bottom of the base, z up; with all joints at zero the arm
+/// points straight up, and the flange has the orientation of the base. Links follow Craig's
+/// convention (modified Denavit–Hartenberg): a rotation by α about x, a rotation by q about z and a
+/// translation by d along z,
 ///
 ///     α = 0, −90°, 90°, 90°, −90°, −90°, 90°,    d = d₁, 0, d₃, 0, d₅, 0, d₇
 ///
-/// (as in Modi1987/KST-Kuka-Sunrise-Toolbox), so A2 and A6 turn about +y and A4 about −y. Twists
-/// and wrenches are at the tool's point, in the axes of the base.
+/// (as in Modi1987/KST-Kuka-Sunrise-Toolbox), so A2 and A6 rotate about +y and A4 about −y. Twists
+/// and wrenches refer to the origin of the tool frame, in the axes of the base.
 ///
-/// Nothing here allocates or throws but the constructor; a joint that is no number gives a pose
-/// that is none.
+/// No function allocates, and only the constructor throws; a joint angle that is NaN gives a pose
+/// of NaN.
 class IiwaKinematics {
  public:
-  /// A tool's pose, and the 6×7 geometric Jacobian J there.
+  /// The tool's pose, and the 6×7 geometric Jacobian J at the tool.
   struct State {
     Pose tool;
     IiwaJacobian jacobian = IiwaJacobian::Zero();
   };
 
-  /// @param tool  as seen from the flange, whose z points away from the arm; the default is the
+  /// @param tool  relative to the flange, whose z points away from the arm; the default is the
   ///              flange itself.
   /// @throws std::invalid_argument  if the tool is not finite, or its rotation is no rotation (to
   /// 1e-6).
   explicit IiwaKinematics(IiwaModel model, const Pose& tool = {});
 
-  /// The flange as seen from the base, joints @p q [rad].
+  /// Pose of the flange in the base frame at joint angles @p q [rad].
   Pose flange(const JointVector& q) const noexcept;
 
-  /// The tool as seen from the base, joints @p q [rad].
+  /// Pose of the tool in the base frame at joint angles @p q [rad].
   Pose tool(const JointVector& q) const noexcept { return flange(q) * tool_; }
 
-  /// Pose and Jacobian together, for less than both apart. @p q [rad].
+  /// Computes pose and Jacobian together, which costs less than two calls. @p q [rad].
   State at(const JointVector& q) const noexcept;
 
   IiwaJacobian jacobian(const JointVector& q) const noexcept { return at(q).jacobian; }
 
-  /// How the tool moves, J q̇. @p q [rad], @p velocity [rad/s].
+  /// Twist of the tool, J q̇. @p q [rad], @p velocity [rad/s].
   Twist twist(const JointVector& q, const JointVector& velocity) const noexcept;
 
-  /// What joints have to give to exert @p wrench on the world, or take where the world exerts it on
-  /// the tool: Jᵀ w [N·m]. @p q [rad].
+  /// The joint torques Jᵀ w [N·m] with which the tool exerts @p wrench on its environment. @p q
+  /// [rad].
   JointVector torque(const JointVector& q, const Wrench& wrench) const noexcept;
 
   IiwaModel model() const noexcept { return model_; }

@@ -42,8 +42,8 @@ const DeviceKind& reamerKind() {
            .axis = "depth [mm]"},
       .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0, .torque = 1.0},
       .stroke = stroke(),
-      .simulatedForce = 140.0,  // of a LBR iiwa 14
-      .simulatedTorque = 10.0,  // as an arm is given by default
+      .simulatedForce = 140.0,  // of an LBR iiwa 14
+      .simulatedTorque = 10.0,  // the default of IiwaSettings
       .mechanism =
           {.mass = 4.0,
            .damping = 60.0,

@@ -4,7 +4,8 @@
 
 namespace haptics::devices {
 
-/// An acetabular reamer on an arm (KUKA LBR iiwa), moved along one axis; travel in metres.
+/// The kind of an acetabular reamer on an arm (KUKA LBR iiwa) that moves along one axis; travel in
+/// metres.
 const DeviceKind& reamerKind();
 
 }  // namespace haptics::devices

@@ -4,9 +4,9 @@
 
 namespace haptics::devices {
 
-/// A paddle on a sector pulley with one degree of freedom, as the Hapkit has it: a finger presses
-/// it from 0 to 30 degrees. It uses the punch's protocol (docs/punch-protocol.md), and nothing is
-/// seen while it is felt.
+/// The kind of a paddle on a sector pulley with one degree of freedom, like the Hapkit's: a finger
+/// presses it from 0 to 30 degrees. It uses the punch's protocol (docs/punch-protocol.md) and has
+/// no picture.
 const DeviceKind& paddleKind();
 
 }  // namespace haptics::devices

@@ -1,4 +1,4 @@
-// Whether a punch is fit for use.
+// The check of a punch: PunchDevice::check().
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -52,7 +52,7 @@ CheckResult roundTripFound(const LinkReport& link) {
           : "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."};
 }
 
-/// What the bits of State::faults mean.
+/// Describes the bits of State::faults.
 std::string describeFaults(std::uint8_t faults) {
   using namespace wire::punch;
   constexpr std::array<std::pair<std::uint8_t, const char*>, 8> kWords{

@@ -16,7 +16,7 @@ using timing::kMicrosecond;
 using timing::kMillisecond;
 
 constexpr std::int64_t kSilence = 50 * kMillisecond;
-constexpr std::int64_t kHelloTime = 3000 * kMillisecond;  // QEMU looks for us once a second
+constexpr std::int64_t kHelloTime = 3000 * kMillisecond;  // QEMU checks for a client once a second
 constexpr std::int64_t kHelloAgain = 200 * kMillisecond;
 
 std::string inHex(std::uint64_t number) {
@@ -82,7 +82,7 @@ void PunchDevice::exchangeHello() {
       drain();
     }
   }
-  // Every Hello disarms: those that are still on their way are waited for.
+  // Every Hello disarms the board, so wait for the replies to those still in transit.
   const std::int64_t patience = timing::now() + 300 * kMillisecond;
   while (isGreeted_ && greetings_ < asked && port_.isOpen() && timing::now() < patience) {
     isNew_ = false;
@@ -128,7 +128,7 @@ void PunchDevice::disconnect(bool isFault) noexcept {
   port_.close();
 }
 
-/// Armed before the engine ticks: without messages the board would disarm itself.
+/// While armed, but before the engine ticks: without messages the board would disarm itself.
 void PunchDevice::keepAlive() noexcept {
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
   if (lifecycle() == Lifecycle::Armed) send(SetForce{.voltage = 0, .expiry = expiry});
@@ -149,7 +149,7 @@ void PunchDevice::endForces() noexcept {
   send(Arm{.isArmed = false, .expiry = 1});
 }
 
-/// Until there is a new state, or nothing before the deadline.
+/// Waits for a new State message, at most until @p deadline [ns]; returns whether there is one.
 bool PunchDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (port_.isOpen()) {
     if (drain()) return true;
@@ -159,7 +159,8 @@ bool PunchDevice::waitForMessage(std::int64_t deadline) noexcept {
   return false;
 }
 
-/// Reads all bytes that have arrived. True where there is a state that was not read yet.
+/// Processes all bytes that have arrived. Returns whether there is a State message that read() has
+/// not used.
 bool PunchDevice::drain() noexcept {
   std::array<std::uint8_t, 512> bytes{};
   for (;;) {
@@ -219,7 +220,8 @@ void PunchDevice::takeState(const Frame& frame, std::int64_t at) noexcept {
   ++report_.received;
 }
 
-/// A fault bit that a fresh Arm has not cleared yet is an old one.
+/// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have
+/// cleared old bits yet.
 std::uint8_t PunchDevice::faultsThatCount() const noexcept {
   const bool isSettled = hostTime_ - armedAt_ > kSilence;
   return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatched | kNotArmed) : 0));
@@ -260,7 +262,7 @@ DeviceSample PunchDevice::read(double) noexcept {
 
 void PunchDevice::command(double force, double /*torque*/) noexcept {
   if (!port_.isOpen() || isKept()) return;
-  // One force for each sample: a board that sends nothing gets none, and switches its force off.
+  // One force per sample: a board that sends no samples gets no force, and switches its force off.
   const bool isAnswer = std::exchange(isUnanswered_, false);
   if (!isAnswer && force != 0.0) return;
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
@@ -270,8 +272,8 @@ void PunchDevice::command(double force, double /*torque*/) noexcept {
   const double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
   const double millivolts = 1000.0 * bounded / settings_.newtonsPerVolt;
   if (sceneHash_) {
-    // The engine's force limits the board's force, with some tolerance for movement in between.
-    // Without a force of the engine the board has none either.
+    // The engine's force bounds the force that the board computes, with a tolerance for motion
+    // since the sample. If the engine's force is 0, so is the board's.
     constexpr double kRoom = 1.25;
     constexpr double kMore = 0.3;  // [N]
     const double ceiling =

@@ -15,27 +15,29 @@
 
 namespace haptics::devices {
 
-/// How a device on a serial line is connected, and what its numbers mean.
+/// Connection and calibration of a device on a serial line.
 struct PunchSettings {
   const DeviceKind* kind = &punchKind();
   std::string port;
-  int baud = 0;                         ///< 0: USB
-  std::optional<std::uint32_t> serial;  ///< of the board that is meant
-  std::optional<std::uint64_t> build;   ///< of the firmware; nothing: the one of this program
+  int baud = 0;  ///< 0: USB
+  /// Expected serial number of the board; std::nullopt: any board.
+  std::optional<std::uint32_t> serial;
+  /// Expected build of the firmware; std::nullopt: kFirmwareBuild.
+  std::optional<std::uint64_t> build;
   double travelPerCount =
-      kind->serial.travelPerCount;  ///< [travel units]; negative where closing counts down
-  double travelAtZero = 0.0;        ///< at count 0 [travel units]
-  double newtonsPerVolt = 0.667;    ///< at the handle, measured; the same for every condition
-  double maxVoltage = 12.0;         ///< on the motor [V]
+      kind->serial.travelPerCount;  ///< [travel units]; negative if the count falls while closing
+  double travelAtZero = 0.0;        ///< travel at count 0 [travel units]
+  double newtonsPerVolt = 0.667;    ///< measured at the handle; the same in every condition
+  double maxVoltage = 12.0;         ///< largest voltage on the motor [V]
   int expiry = 10;                  ///< time without a command until the device switches its force
                                     ///< off [ms], 1 to 20
   double damping = kind->mechanism.damping;  ///< of the mechanism [N·s/travel unit]
 };
 
-/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry; or another kind
-/// of device with the same protocol.
+/// The punch, or another kind of device with the same protocol, on a serial line
+/// (docs/punch-protocol.md). The device's telemetry paces the loop.
 ///
-/// More than 50 ms of silence are a fault.
+/// More than 50 ms without a message are a fault.
 class PunchDevice final : public WireDevice {
  public:
   explicit PunchDevice(PunchSettings settings);
@@ -46,10 +48,11 @@ class PunchDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force, double torque) noexcept override;
 
-  /// Lets the device render @p scene by itself from the next arm() on; commanded forces then only
-  /// keep it alive. Its parameters are sent, and the device confirms them by their hash.
-  /// @throws DeviceError  if it cannot: opening branches, smoothing, single stiffnesses and more
-  ///                      than 128 points stay with the host.
+  /// Makes the device compute the forces of @p scene itself from the next arm() on; command() then
+  /// only tells it that the host is alive. Sends the scene's parameters, which the device confirms
+  /// by their hash.
+  /// @throws DeviceError  if the device cannot render the scene: it supports no opening branches,
+  ///                      no smoothing, no stiffnesses per element and at most 128 points.
   void renderOnDevice(const engine::SceneSpec& scene, double largestForce);
 
  private:

@@ -8,7 +8,7 @@ const DeviceKind& punchKind() {
       .tissue = Tissue::Meniscus,
       .view = View::Knee,
       .wire = Wire::Serial,
-      // A hand closes a punch at 60 travel units a second when it hurries.
+      // A hurried hand closes a punch at 60 travel units/s.
       .travel =
           {.unit = "travel_unit",
            .unitName = "travel units",
@@ -26,7 +26,7 @@ const DeviceKind& punchKind() {
       .plot = {.force = 8.0, .travel = 12.0, .velocity = 50.0},
       .stroke = {},
       .simulatedForce = 8.0,
-      // An encoder of 0.0439° as 0.0439 travel units.
+      // The encoder's resolution of 0.0439° is taken as 0.0439 travel units.
       .mechanism =
           {.mass = 0.004,
            .damping = 0.05,

@@ -6,11 +6,12 @@
 
 namespace haptics::devices {
 
-/// The arthroscopic punch of the punch paper: one degree of freedom; travel in the units of its
-/// handle, 0 open, 10 closed, which no paper gives a length.
+/// The kind of the arthroscopic punch of the punch paper: one degree of freedom; travel in units of
+/// its handle, 0 open, 10 closed. No paper says how long a unit is.
 const DeviceKind& punchKind();
 
-/// Which firmware this program was built with: the first eight bytes of the SHA-256 of its sources.
+/// Identifies the firmware that belongs to this program: the first eight bytes of the SHA-256 of
+/// its sources.
 extern const std::uint64_t kFirmwareBuild;
 
 }  // namespace haptics::devices

@@ -1,4 +1,4 @@
-// A scene for the punch to render by itself.
+// Sends the device a scene that it renders itself: PunchDevice::renderOnDevice().
 #include <cmath>
 #include <vector>
 
@@ -15,7 +15,7 @@ float f32(double value) {
   return static_cast<float>(value);
 }
 
-/// Why the board cannot render this model, in words; nullptr if it can.
+/// Names the feature of the model that the board cannot render; nullptr if it can render the model.
 const char* whyNot(const engine::InterpolationSpec& spec) {
   if (spec.branches != engine::Branches::ClosingOnly) return "an opening branch";
   if (spec.curve.size() > kLargestTable) return "a curve of more than 128 points";
@@ -62,7 +62,8 @@ void put(Model& model, const engine::KalmanSpec& spec) {
   for (int i = 0; i < 6; ++i) model.noise[i] = f32(noise[i]);
 }
 
-/// The scene as messages: the model, and the points of its curve.
+/// Visitor of ModelSpec: builds the messages that describe a scene, the model and the points of its
+/// curve.
 struct ChipMessages {
   Model model;
   std::vector<ModelTable> tables;
