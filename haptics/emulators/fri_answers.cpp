@@ -6,7 +6,7 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // so that rounding at a limit does not decide
+constexpr double kTolerance = 1e-9;  // tolerance of rounding errors at a limit
 
 int numberOf(std::size_t joint) noexcept {
   return static_cast<int>(joint) + 1;
@@ -81,7 +81,8 @@ void FriAnswers::sent(std::int64_t now, bool isAnswerable) noexcept {
 }
 
 bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcept {
-  const std::uint32_t age = next_ - 1U - header.reflected;  // messages; huge if never sent
+  // In messages; huge if the message was never sent.
+  const std::uint32_t age = next_ - 1U - header.reflected;
   if (header.reflected >= next_) {
     ++counts_.neverSent;
     return false;
@@ -112,7 +113,7 @@ bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcep
 
 void FriAnswers::noteReceived(std::uint32_t sequence) noexcept {
   if (hasHeard_ && sequence <= heard_) {
-    if (counts_.lost > 0) --counts_.lost;  // it comes after others, and was not lost
+    if (counts_.lost > 0) --counts_.lost;  // it was overtaken, not lost
     return;
   }
   if (hasHeard_) counts_.lost += sequence - heard_ - 1U;

@@ -25,7 +25,7 @@ Joints jointsOf(const JointVector& vector) noexcept {
   return joints;
 }
 
-/// Fx Fy Fz τA τB τC.
+/// Converts from the wire's order Fx Fy Fz τA τB τC.
 Wrench fromWire(const wire::fri::Vector6& values) noexcept {
   Wrench wrench;
   wrench << values[0], values[1], values[2], values[5], values[4], values[3];
@@ -43,7 +43,7 @@ Wrench turned(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
   return result;
 }
 
-/// What @p wrench is in the axes of a frame that is turned so.
+/// @p wrench in the axes of a frame of orientation @p rotation.
 Wrench inAxesOf(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
   Wrench result;
   result.head<3>() = rotation.transpose() * wrench.head<3>();
@@ -51,9 +51,9 @@ Wrench inAxesOf(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept 
   return result;
 }
 
-/// The shortest rotation of the z axis to the unit vector @p axis (Rodrigues' formula, with
-/// sin θ and cos θ taken from the vectors). Eigen's FromTwoVectors would need a singular value
-/// decomposition for the opposite axis, where half a turn about x does.
+/// The shortest rotation of the z axis to the unit vector @p axis (Rodrigues' formula, with sin θ
+/// and cos θ from the vectors). For the opposite axis it is half a turn about x; Eigen's
+/// FromTwoVectors would need a singular value decomposition there.
 Eigen::Matrix3d rotationFromZ(const Eigen::Vector3d& axis) {
   const double cosine = axis.z();
   if (cosine < -1.0 + 1e-12) return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
@@ -92,7 +92,7 @@ devices::IiwaKinematics kinematicsOf(const FriArm::Options& options) {
   return devices::IiwaKinematics(options.model, tool);
 }
 
-/// As stiff as the controller allows, damped by 0.7.
+/// The largest stiffness that the controller allows, with a damping ratio of 0.7.
 JointImpedance stiffest() {
   JointImpedance law;
   law.stiffness.setConstant(5000.0);
@@ -117,7 +117,7 @@ FriArm::FriArm(const Options& options)
       hand_(options_.person),
       surgeon_(gripOf(options_.grip, start_.rotation * options_.reamingAxis, start_), hand_),
       held_(options_.start) {
-  // so that invalid options are refused now and not during a motion
+  // Refuse invalid options now, and not during a motion.
   arm_.setControl(options_.joint);
   arm_.setControl(options_.cartesian);
   hold();
@@ -165,12 +165,12 @@ Joints FriArm::commandedPosition() const noexcept {
   return jointsOf(arm_.commandedPosition());
 }
 
-/// The smallest wrench at the tool, in the base's axes, that joints which give @p torque exert;
-/// near a singular pose it is bounded.
+/// The smallest wrench at the tool, in the base's axes, that belongs to the joint torques @p
+/// torque; bounded near a singular pose.
 Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
   const devices::IiwaJacobian jacobian = arm_.kinematics().jacobian(arm_.position());
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
-  square.diagonal().array() += 1e-9;  // so that a singular pose has an inverse, too
+  square.diagonal().array() += 1e-9;  // keeps the matrix invertible in a singular pose
   return square.ldlt().solve(jacobian * torque);
 }
 

@@ -7,13 +7,13 @@
 
 namespace haptics::emulators {
 
-/// The simulated arm as a session over FRI moves it, and the surgeon who holds its tool.
+/// The simulated arm in an FRI session, with a surgeon who holds its tool.
 ///
-/// It is either held, stiff about the joints where it was, as by brakes; or it runs a motion: the
-/// impedance of its control mode about the commanded joints, and the overlay that the client
-/// commands. In wrench mode the overlay acts at the tool's point in the tool's axes, which is our
-/// reading of "the frame of the motion centre"; τA τB τC are about z, y and x, as KUKA's angles A B
-/// C are.
+/// The arm is either held stiffly at its position, as by brakes, or it runs a motion: the impedance
+/// of its control mode about the commanded joints, plus the overlay that the client commands. In
+/// wrench mode the overlay acts at the tool's origin in the tool's axes, which is our
+/// interpretation of "the frame of the motion centre"; τA τB τC are about z, y and x, like KUKA's
+/// angles A B C.
 class FriArm {
  public:
   struct Options {
@@ -25,51 +25,52 @@ class FriArm {
     Eigen::Vector3d reamingAxis = Eigen::Vector3d::UnitZ();  ///< in the tool's axes
     wire::fri::ControlMode control = wire::fri::ControlMode::CartesianImpedance;
     wire::fri::ClientCommandMode command = wire::fri::ClientCommandMode::Wrench;
-    /// The task frame's z is turned to the reaming axis. There is no spring along and about that
-    /// axis, so the hand feels only the overlay there.
+    /// The task frame's z is the reaming axis. There is no spring along and about that axis, so
+    /// that the hand feels only the overlay there.
     CartesianImpedance cartesian{
         .stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 0.0}, .damping{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}};
-    /// No spring and hardly any damping, so the hand feels only the overlay.
+    /// No spring and little damping, so that the hand feels only the overlay.
     JointImpedance joint{
         .stiffness = devices::JointVector::Zero(), .damping = devices::JointVector::Constant(1.0)};
     bool hasHand = true;
     /// Travel along the reaming axis [m].
     devices::SimulatedHand::Person person{
         .open = 0.0, .closed = 0.03, .closeTime = 1.5, .stiffness = 2000.0, .damping = 60.0};
-    SurgeonHand::Grip grip;  ///< axis and start are set by the arm's own
+    SurgeonHand::Grip grip;  ///< its axis and start are replaced by the arm's
   };
 
-  /// @throws std::invalid_argument  if an option is not valid, or a command mode lacks the
-  /// control mode that it needs: a wrench Cartesian impedance, a torque joint impedance.
+  /// @throws std::invalid_argument  if an option is not valid, or the control mode does not fit the
+  /// command mode: a wrench needs Cartesian impedance, a torque joint impedance.
   explicit FriArm(const Options& options);
   FriArm(const FriArm&) = delete;
   FriArm& operator=(const FriArm&) = delete;
 
-  /// No overlay, and stiff about the present position.
+  /// Removes the overlay, and holds the arm stiffly at its present position.
   void hold() noexcept;
-  /// The program's motion: its impedance about where the arm was held.
+  /// Begins the program's motion: impedance about the position at which the arm was held.
   void beginMotion() noexcept;
-  /// The surgeon takes the tool.
+  /// Lets the surgeon grip the tool.
   void attachHand() noexcept;
   void detachHand() noexcept { arm_.setHand(nullptr); }
 
-  /// Follows a command that FriCommandCheck has accepted.
+  /// Executes a command that FriCommandCheck has accepted.
   void apply(const wire::fri::CommandData& command) noexcept;
 
-  /// @p dt [s], in (0, 0.1].
+  /// Advances by @p dt [s], in (0, 0.1].
   void step(double dt) noexcept;
 
   /// The joints about which the program's motion holds the arm [rad].
   const wire::fri::Joints& heldPosition() const noexcept { return held_; }
   wire::fri::Joints commandedPosition() const noexcept;
-  /// What the client adds: a wrench or torque that is not zero, or joints that are not the held
-  /// ones.
+  /// Whether the client commands a wrench or torque other than 0, or joints other than
+  /// heldPosition().
   bool hasOverlay() const noexcept { return hasOverlay_; }
   double overlayForce() const noexcept;   ///< along the reaming axis, positive forward [N]
   double overlayTorque() const noexcept;  ///< about the reaming axis, right-handed [N·m]
-  double turn() const noexcept;           ///< about it from the start, right-handed [rad]
-  double travel() const noexcept;         ///< along the reaming axis from the start [m]
-  double tracking() const noexcept;       ///< 1: follows; 0: 0.1 rad away in a joint, or more
+  double turn() const noexcept;    ///< about the reaming axis from the start, right-handed [rad]
+  double travel() const noexcept;  ///< along the reaming axis from the start [m]
+  double tracking()
+      const noexcept;  ///< from 1 (no deviation) to 0 (a joint deviates by 0.1 rad or more)
   wire::fri::MonitorData measured() const noexcept;
 
   const Options& options() const noexcept { return options_; }

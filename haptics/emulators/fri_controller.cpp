@@ -18,7 +18,7 @@ using wire::fri::Version;
 constexpr std::int64_t kSecond = 1'000'000'000;   // [ns]
 constexpr std::int64_t kMillisecond = 1'000'000;  // [ns]
 constexpr int kLongestPeriod = 100;               // [ms]
-constexpr int kBacklog = 64;                      // datagrams that are read at once
+constexpr int kBacklog = 64;                      // most datagrams that are read in one go
 
 bool isTorque(const FriController::Options& options) noexcept {
   return options.arm.command == wire::fri::ClientCommandMode::Torque;
@@ -61,7 +61,7 @@ FriSession::Options sessionOf(const FriController::Options& options) noexcept {
       .queuesAgain = options.queuesAgain};
 }
 
-/// A version with framing if @p version has none, and the other way round.
+/// A version whose datagrams are framed if those of @p version are not, and vice versa.
 Version otherThan(Version version) noexcept {
   return version == Version::V2_7 ? Version::V1_15 : Version::V2_7;
 }
@@ -105,7 +105,7 @@ void FriController::step() noexcept {
 void FriController::closePeriod() noexcept {
   ++sinceAnswered_;
   ++sinceCommand_;
-  if (session_.state() == State::Idle) {  // nothing was due
+  if (session_.state() == State::Idle) {  // no answer was due
     inBlock_ = 0;
     missed_ = 0;
     sinceAnswered_ = 1;
@@ -218,7 +218,7 @@ void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noex
   }
 }
 
-/// One fault at most, here too.
+/// Applies at most one of the faults that change the content of a message.
 bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) noexcept {
   if (isWrongVersion_) {
     ++report_.wrongVersion;
@@ -235,7 +235,7 @@ bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) n
   return false;
 }
 
-/// What the controller will say next, as far as anybody could guess.
+/// Sends a forged copy of the next message from another port, as an attacker could.
 void FriController::sendImpostor(const wire::fri::MonitoringMessage& message) noexcept {
   wire::fri::MonitoringMessage forged = message;
   ++forged.header.sequence;
@@ -300,7 +300,7 @@ void FriController::act(const wire::fri::CommandMessage& answer) noexcept {
 
 void FriController::publish() noexcept {
   const std::unique_lock lock(gate_, std::try_to_lock);
-  if (!lock.owns_lock()) return;  // the next period will do
+  if (!lock.owns_lock()) return;  // publish in the next period
   report_.state = session_.state();
   report_.quality = quality();
   report_.connection = connection_.measures();
@@ -338,12 +338,13 @@ void FriController::run(const std::stop_token& stop) noexcept {
   while (!stop.stop_requested()) {
     step();
     due += period;
-    if (options_.clock() > due + period) {  // do not chase lost time
+    if (options_.clock() > due + period) {  // do not make up for lost time
       ++report_.latePeriods;
       due = options_.clock();
     }
     while (options_.clock() < due) receive(due);
-    // Answers that arrived while this thread could not run are not counted against the client.
+    // Process answers that arrived while this thread was not running, so that they do not count as
+    // missing.
     for (int i = 0; i < kBacklog && receive(0); ++i) {
     }
   }

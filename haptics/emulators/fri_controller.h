@@ -19,84 +19,86 @@
 
 namespace haptics::emulators {
 
-/// CLOCK_MONOTONIC of this machine [ns].
+/// The time of CLOCK_MONOTONIC [ns].
 std::int64_t monotonicTime() noexcept;
 
 /// Emulates the robot controller's side of KUKA's Fast Robot Interface, with a simulated arm and
-/// surgeon, without code of KUKA's. It is not a model of KUKA's timing, nor a safety device.
+/// surgeon and without KUKA's code. It does not model KUKA's timing, and is not a safety device.
 ///
-/// Each period one message goes out, and the arm moves for a period with the last command; answers
-/// are judged as they come. A forbidden command ends the motion at once, and missing commands end
-/// it at the next period: the overlay becomes zero, and the arm is held at its position. Thresholds
-/// are with ConnectionQuality, states and their rules with FriSession, limits with FriLimits.
+/// Each period it sends one message and moves the arm with the last command; answers are checked
+/// when they arrive. A forbidden command ends the motion at once, and missing commands end it at
+/// the next period: the overlay becomes zero, and the arm is held at its position. See
+/// ConnectionQuality for thresholds, FriSession for the states and FriLimits for limits.
 ///
-/// One thread steps and receives, or runs; any thread commands and asks for the report. After
-/// construction step() and receive() neither allocate, throw nor wait for another thread.
+/// One thread calls step() and receive(), or run(); any thread may call command() and report().
+/// After construction step() and receive() neither allocate, throw nor wait for another thread.
 class FriController {
  public:
   struct Options {
     wire::fri::Version version = wire::fri::Version::V1_15;
     devices::Endpoint client{.port = 30200};
-    devices::Endpoint local;  ///< port 0: any that is free
-    /// Without it client and local address must be in 127.0.0.0/8.
+    devices::Endpoint local;  ///< port 0: any free port
+    /// If false, client and local address must be in 127.0.0.0/8.
     bool allowsOtherHosts = false;
-    int sendPeriod = 5;         ///< [ms], 1 to 100
-    int receiveMultiplier = 1;  ///< the receive period, that many send periods, is 100 ms at most
+    int sendPeriod = 5;  ///< [ms], 1 to 100
+    /// Receive period / send period; the receive period is at most 100 ms.
+    int receiveMultiplier = 1;
     FriArm::Options arm;
     FriLimits limits;
     FriSession::Stay stay;
-    bool queuesAgain = false;        ///< the program tries again after a motion that failed
-    Impairment::Options impairment;  ///< random faults, and their seed
+    bool queuesAgain = false;        ///< the robot's program restarts a motion that failed
+    Impairment::Options impairment;  ///< random faults of messages
     std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and zeroAt
   };
 
   /// @throws std::invalid_argument  if the options are not valid.
-  /// @throws devices::NetworkError  if the local address cannot be had.
+  /// @throws devices::NetworkError  if the socket cannot be bound to the local address.
   explicit FriController(const Options& options);
 
-  /// One period: takes orders, advances the state, sends a message, moves the arm.
+  /// Performs one period: executes orders, advances the state, sends a message, moves the arm.
   void step() noexcept;
 
-  /// Takes one datagram, if one comes before @p deadline [ns of the clock]; false if none does.
+  /// Processes one datagram, if one arrives before @p deadline [ns of the clock]; returns whether
+  /// one did.
   bool receive(std::int64_t deadline) noexcept;
 
-  /// Steps every send period, and receives in between, until @p stop asks to end.
+  /// Calls step() every send period, and receive() in between, until @p stop is requested.
   void run(const std::stop_token& stop) noexcept;
 
-  /// Any thread. Takes one line, effective from the next period:
+  /// Executes a command, effective from the next period. Any thread.
   ///
-  /// | line                  | what happens                                                     |
-  /// |-----------------------|------------------------------------------------------------------|
-  /// | drop N                | N messages are not sent                                          |
-  /// | double N              | N are sent twice                                                 |
-  /// | reorder N             | N change places with their successors                            |
-  /// | delay N MS            | N are sent MS later (rounded up to periods)                      |
-  /// | garbage N             | before N messages comes a datagram of chance                     |
-  /// | damage N              | in N messages a byte is another; before 2.7 it may go unnoticed  |
-  /// | stall MS              | nothing is sent; the time counts as unanswered                   |
-  /// | wrong-version         | frames as another version from now on; once more: no longer      |
-  /// | six-joints N          | N messages have six measured joints                              |
-  /// | nan N                 | in N messages a measured joint is no number                      |
-  /// | quality poor, good    | Poor is sent and acted upon in place of the measured; no longer  |
-  /// | safety-stop           | stops; drives off, until safety-reset                            |
-  /// | impostor N            | with N messages comes another from another port                  |
-  /// | motion                | the program queues its motion again                              |
-  /// | idle                  | the session ends                                                 |
-  /// | restart               | the controller starts again, counters from 0                     |
-  /// | status                | nothing; the reply is status()                                   |
+  /// | line              | effect                                                       |
+  /// |-------------------|--------------------------------------------------------------|
+  /// | drop N            | the next N messages are not sent                             |
+  /// | double N          | N messages are sent twice                                    |
+  /// | reorder N         | N messages change places with their successors               |
+  /// | delay N MS        | N messages are sent MS later (rounded up to periods)         |
+  /// | garbage N         | a datagram of random bytes is sent before each of N messages |
+  /// | damage N          | a byte is changed in N messages; undetectable before 2.7     |
+  /// | stall MS          | no messages for MS; the time counts as unanswered            |
+  /// | wrong-version     | toggles: messages are framed as another version              |
+  /// | six-joints N      | N messages have six measured joints                          |
+  /// | nan N             | a measured joint is NaN in N messages                        |
+  /// | quality poor|good | poor: the quality is Poor; good: it is measured again        |
+  /// | safety-stop       | ends the motion, drives are off until safety-reset           |
+  /// | impostor N        | N messages are accompanied by a forged one from another port |
+  /// | motion            | the program queues its motion again                          |
+  /// | idle              | ends the session                                             |
+  /// | restart           | restarts the controller, with counters from 0                |
+  /// | status            | none; the reply is status()                                  |
   struct Reply {
     bool isTaken = false;
-    std::string text;  ///< the status, or in a sentence why the line was not taken
+    std::string text;  ///< the status, or the reason why the command was not accepted
   };
   Reply command(std::string_view line);
 
-  /// Any thread: as of the last step or datagram.
+  /// The report after the last step or datagram. Any thread.
   FriReport report() const;
-  /// The report in one line of key=value.
+  /// The report as one line of key=value pairs.
   std::string status() const;
 
   const devices::Endpoint& local() const noexcept { return socket_.local(); }
-  /// Where impostor datagrams come from.
+  /// The address from which impostor datagrams are sent.
   const devices::Endpoint& impostor() const noexcept { return impostor_.local(); }
   const Options& options() const noexcept { return options_; }
 
@@ -131,20 +133,20 @@ class FriController {
   FriAnswers answers_;
   ConnectionQuality connection_;
   wire::fri::CommandMessage answer_;
-  wire::fri::Joints lastPosition_{};  ///< that was commanded [rad]
+  wire::fri::Joints lastPosition_{};  ///< joint position of the last command [rad]
   int sinceCommand_ = 1;              ///< periods since lastPosition_
-  int sinceAnswered_ = 0;             ///< periods since the message that was last answered
-  int inBlock_ = 0;                   ///< periods of the present receive period
+  int sinceAnswered_ = 0;             ///< periods since the last message that was answered
+  int inBlock_ = 0;                   ///< number of periods in the present receive period so far
   bool isBlockAnswered_ = false;
-  int missed_ = 0;  ///< answers in a row
+  int missed_ = 0;  ///< number of consecutive missing answers
   bool isWrongVersion_ = false;
   bool hadOverlay_ = false;
   Buffer out_{};
   Buffer in_{};
   Buffer impostorOut_{};
-  FriReport report_;  ///< the stepping thread's
+  FriReport report_;  ///< used by the stepping thread only
   mutable std::mutex gate_;
-  FriReport published_;  ///< shared between threads, behind the mutex
+  FriReport published_;  ///< copy for other threads, protected by gate_
 };
 
 }  // namespace haptics::emulators

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 5> kStates{
     "idle", "monitoring-wait", "monitoring-ready", "commanding-wait", "commanding-active"};
 constexpr std::array<std::string_view, 4> kLevels{"poor", "fair", "good", "excellent"};
 
-/// Words in a row.
+/// Builds a line of key=value pairs.
 class Line {
  public:
   void add(std::string_view key, std::string_view value) {
@@ -138,12 +138,13 @@ wire::fri::IpoData ipoData(
 constexpr std::size_t kJointSize = 9;  // a tag and a double
 constexpr std::size_t kJointsSize = 7 * kJointSize;
 
-/// Reads an encoded message a little way.
+/// Steps through the first fields of an encoded message.
 class Walker {
  public:
   explicit Walker(std::span<std::uint8_t> bytes) noexcept : left_(bytes) {}
 
-  /// The field that comes next, if it is number @p number and made of bytes; empty otherwise.
+  /// The content of the next field, if it has number @p number and is length-delimited; otherwise
+  /// empty.
   std::span<std::uint8_t> next(std::uint8_t number) noexcept {
     constexpr unsigned kLengthDelimited = 2;
     if (left_.empty() ||
@@ -184,7 +185,7 @@ void renewCrc(std::span<std::uint8_t> datagram, Version version) noexcept {
   }
 }
 
-/// The measured joint positions, tags and values, in a message that our codec has encoded.
+/// The measured joint positions, tags and values, in a message that encode() has written.
 std::span<std::uint8_t> measuredJoints(std::span<std::uint8_t> payload) noexcept {
   Walker message(payload);
   message.next(1);  // header

@@ -22,7 +22,7 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
   }
 }
 
-/// From 1 to kMost.
+/// Parses a number from 1 to kMost.
 std::optional<int> numberFrom(std::string_view text) {
   int number = 0;
   const char* end = text.data() + text.size();
@@ -31,7 +31,7 @@ std::optional<int> numberFrom(std::string_view text) {
   return isNumber ? std::optional(number) : std::nullopt;
 }
 
-constexpr std::string_view kQualityLevels = "poor|good";  // 1 and 2, as arguments
+constexpr std::string_view kQualityLevels = "poor|good";  // as arguments, these are 1 and 2
 
 std::optional<int> argumentFrom(std::string_view text, std::string_view usage) {
   if (usage != kQualityLevels) return numberFrom(text);
@@ -128,7 +128,7 @@ void FriOrders::add(OneTime order, int howMany) noexcept {
 bool FriOrders::take(OneTime order) noexcept {
   auto& left = once_[static_cast<std::size_t>(order)];
   if (left.load(std::memory_order_relaxed) <= 0) return false;
-  left.fetch_sub(1, std::memory_order_relaxed);  // the only thread that takes
+  left.fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
   return true;
 }
 

@@ -13,9 +13,9 @@
 
 namespace haptics::emulators {
 
-/// A fault of the controller that a test, or the user at the keyboard, requests.
+/// Orders of faults of the emulated controller, from a test or from the keyboard.
 ///
-/// Any thread gives orders; the one that steps the controller takes them, once each.
+/// Any thread may give orders; the thread that steps the controller takes each once.
 class FriOrders {
  public:
   enum class OneTime : std::uint8_t {
@@ -28,19 +28,19 @@ class FriOrders {
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
-  /// @param impairment  must outlive it; gets the orders of its own faults.
-  /// @param period      of sending [ms]; times are rounded up to it.
+  /// @param impairment  gets the orders of its faults; must outlive this object.
+  /// @param period      send period [ms]; times are rounded up to it.
   FriOrders(Impairment& impairment, int period) noexcept
       : impairment_(impairment), period_(period) {}
 
-  /// Takes a line such as "drop 3"; see docs of FriController::command().
-  /// @return std::nullopt, or what is wrong with the line, in a sentence.
+  /// Executes a line such as "drop 3"; see FriController::command().
+  /// @return std::nullopt, or a message about what is wrong with the line.
   std::optional<std::string> give(std::string_view line);
 
-  /// All commands of the arm's stand-in, with their arguments, in one line.
+  /// All commands of the emulated arm with their arguments, in one line.
   static std::string help();
 
-  /// One fewer; false if none was ordered.
+  /// Takes one of the ordered faults; false if none is left.
   bool take(OneTime order) noexcept;
   bool take(Event event) noexcept;
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }

@@ -9,16 +9,16 @@
 
 namespace haptics::emulators {
 
-/// How good the connection to a client is, as a controller tells it.
+/// Rates the quality of the connection to a client, which the controller sends in every message.
 ///
-/// KUKA does not publish what its levels mean. **These thresholds are our own.** Of the last 100
-/// answers that were due we look at
+/// KUKA does not publish how its levels are defined. **These thresholds are our own.** They use
+/// three measures of the last 100 answers that were due:
 ///
-/// - the share that came in time: before the next was due;
-/// - the latency, the mean time from a message to its answer;
-/// - the jitter, the mean difference between the latencies of two answers that follow each other;
+/// - share: the fraction that arrived in time, before the next was due;
+/// - latency: the mean time from a message to its answer;
+/// - jitter: the mean difference between the latencies of two successive answers;
 ///
-/// the latter two as parts of the receive period. All three must be good enough:
+/// the latter two in receive periods. A level requires all three:
 ///
 /// | level     | share  | latency | jitter |
 /// |-----------|--------|---------|--------|
@@ -27,9 +27,9 @@ namespace haptics::emulators {
 /// | Fair      | ≥ 0.70 | ≤ 1.00  | ≤ 0.60 |
 /// | Poor      | less   | more    | more   |
 ///
-/// What has not yet been is as if unanswered. So every connection starts Poor, and one where
-/// everything comes in time is Fair with the 70th answer, Good with the 90th and Excellent with the
-/// 98th.
+/// Before 100 answers were due, the others count as missing. So every connection starts as Poor; if
+/// all answers arrive in time, it is Fair from the 70th answer, Good from the 90th and Excellent
+/// from the 98th.
 class ConnectionQuality {
  public:
   using Level = wire::fri::ConnectionQuality;
@@ -54,11 +54,11 @@ class ConnectionQuality {
   /// The level of @p measures; NaN counts as Poor.
   static Level levelOf(const Measures& measures) noexcept;
 
-  /// An answer came in time, @p latency [receive periods] after its message.
+  /// Adds an answer that arrived in time, @p latency [receive periods] after its message.
   void answered(double latency) noexcept;
-  /// An answer that was due did not come in time.
+  /// Adds an answer that was due, but did not arrive in time.
   void missed() noexcept;
-  /// As new.
+  /// Returns to the initial state.
   void forget() noexcept { *this = ConnectionQuality(); }
 
   Measures measures() const noexcept;
@@ -75,16 +75,15 @@ class ConnectionQuality {
   void add(double latency) noexcept;
 
   std::array<double, kWindow> latencies_ = unanswered();
-  std::size_t next_ = 0;  ///< the oldest, which is replaced next
+  std::size_t next_ = 0;  ///< index of the oldest, which is replaced next
 };
 
-/// Why a motion with overlay ended: what KUKA's controller would put into CK_COMPOUND_RETURN_ERROR,
-/// in our own words. Numbers on the limits are with FriLimits.
+/// Why a motion with overlay ended. The limits are in FriLimits.
 enum class FriEndReason : std::uint8_t {
   None,
-  Completed,  ///< the motion's time was over
+  Completed,  ///< the motion reached its end
   AnswersMissing,
-  CommandsTooRare,  ///< torque: none for 5 ms
+  CommandsTooRare,  ///< torque mode: no command for 5 ms
   QualityLost,
   NotMirrored,
   PositionMissing,
@@ -99,26 +98,27 @@ enum class FriEndReason : std::uint8_t {
   Restart
 };
 
-/// A sentence for the person at the desk.
+/// A sentence for the operator.
 std::string_view nameOf(FriEndReason end) noexcept;
 
-/// The states of a session as the controller goes through them, one period at a time.
+/// The state machine of a controller's session; advances once per period.
 ///
 ///     Idle → MonitoringWait → MonitoringReady → CommandingWait → CommandingActive
 ///
-/// Idle ends with the time to stay; MonitoringWait when the quality is Good; MonitoringReady when
-/// the program queues its motion; CommandingWait when the client mirrors the joints and has sent
-/// what its command mode needs, kMirrored answers in a row. The commanding states end, with a
-/// reason, in MonitoringWait and with a connection that counts as Poor until it has shown itself
-/// good again; a motion whose time is over ends in Idle.
+/// Idle ends after its time in Stay; MonitoringWait when the quality is Good; MonitoringReady when
+/// the program queues its motion; CommandingWait when kMirrored consecutive answers mirror the
+/// joints and have the fields of the command mode. A motion that ends with a reason leads to
+/// MonitoringWait, and the connection counts as Poor until it is Good again; a completed motion
+/// leads to Idle.
 class FriSession {
  public:
   using State = wire::fri::SessionState;
 
-  static constexpr int kMostMissed = 8;           ///< answers in a row; one more is too many
-  static constexpr double kCommandTimeout = 5.0;  ///< [ms], in torque mode
-  static constexpr int kMirrored = 10;            ///< answers in a row
-  static constexpr double kMirrorTime = 10'000;   ///< the program's patience [ms]
+  static constexpr int kMostMissed = 8;  ///< consecutive missing answers; one more ends the motion
+  /// Longest time without a command in torque mode [ms].
+  static constexpr double kCommandTimeout = 5.0;
+  static constexpr int kMirrored = 10;  ///< consecutive answers that must mirror the joints
+  static constexpr double kMirrorTime = 10'000;  ///< longest time in CommandingWait [ms]
 
   /// The least time in each state [periods of sending].
   struct Stay {
@@ -126,37 +126,36 @@ class FriSession {
     int monitoringWait = 0;
     int monitoringReady = 100;
     int commandingWait = 20;
-    int commandingActive = 0;  ///< all of it, not the least; 0: until something ends it
+    int commandingActive = 0;  ///< exact, not the least time; 0: without an end
   };
 
   struct Options {
     Stay stay;
-    int period = 1;            ///< of sending [ms], 1 to 100
-    bool isTorque = false;     ///< answers must come every 5 ms
-    bool queuesAgain = false;  ///< the program tries again after a motion that failed
+    int period = 1;            ///< send period [ms], 1 to 100
+    bool isTorque = false;     ///< commands must arrive every kCommandTimeout
+    bool queuesAgain = false;  ///< the robot's program restarts a motion that failed
   };
 
-  /// What has been since the last period.
+  /// What happened since the last period.
   struct Input {
     wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;
-    int missed = 0;         ///< due answers in a row that did not come
-    int sinceAnswered = 0;  ///< periods since the message that was last answered
+    int missed = 0;         ///< consecutive answers that were due and did not arrive
+    int sinceAnswered = 0;  ///< periods since the last message that was answered
   };
 
   explicit FriSession(const Options& options) noexcept : options_(options) {}
 
-  /// One period goes by. True if this ended a motion.
+  /// Advances by one period. Returns whether this ended a motion.
   bool advance(const Input& input) noexcept;
 
   /// Records whether an answer in CommandingWait mirrored the joints.
   void mirror(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
 
-  /// Ends a motion, if there is one, for @p end; not in any state but the commanding ones. True if
-  /// there was one.
+  /// Ends the motion with reason @p end, if the state is a commanding one. Returns whether it was.
   bool end(FriEndReason end) noexcept;
-  void toIdle() noexcept;   ///< and stays there
-  void restart() noexcept;  ///< from Idle, and on
-  /// The program queues its motion (again), also after Idle.
+  void toIdle() noexcept;   ///< ends the session; the state stays Idle
+  void restart() noexcept;  ///< begins a new session from Idle
+  /// The program queues its motion (again), also after toIdle().
   void queue() noexcept {
     isQueued_ = true;
     isClosed_ = false;
@@ -176,10 +175,10 @@ class FriSession {
 
   Options options_;
   State state_ = State::Idle;
-  int periods_ = 0;  ///< in this state
+  int periods_ = 0;  ///< number of periods in this state
   int mirrored_ = 0;
   bool isQueued_ = true;
-  bool isClosed_ = false;  ///< no session begins any more
+  bool isClosed_ = false;  ///< after toIdle(): no new session begins
   bool isStopped_ = false;
   FriEndReason lastEnd_ = FriEndReason::None;
 };

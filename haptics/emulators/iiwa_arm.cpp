@@ -55,7 +55,7 @@ void require(bool isSound, const char* what) {
   if (!isSound) throw std::invalid_argument(what);
 }
 
-/// Every value is in [0, @p most]; NaN is not.
+/// Whether every value is in [0, @p most]; false for NaN.
 template <typename Values, typename Bounds>
 bool isWithin(const Values& values, const Bounds& most) {
   return (values.array() >= 0.0).all() && (values.array() <= most.array()).all();
@@ -77,7 +77,7 @@ bool keep(Values& target, const Values& value) noexcept {
   return isFinite;
 }
 
-/// Both halves of @p values as seen from another frame.
+/// Rotates both halves of @p values.
 Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
   Vector6 result;
   result.head<3>() = rotation * values.head<3>();
@@ -89,7 +89,8 @@ Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept 
 /// right Jacobian J_r of SO(3) at the rotation vector @p turn. Its work is the springs' energy.
 Eigen::Vector3d momentOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& pull) noexcept {
   const double angle = turn.norm();
-  // For small turns the limit: of the difference of two large numbers few digits would be left.
+  // For small angles use the limit, since the difference of two large numbers would lose its
+  // digits.
   const double share =
       angle < 1e-3 ? 1.0 / 12.0 : 1.0 / (angle * angle) - 0.5 / (angle * std::tan(0.5 * angle));
   const Eigen::Vector3d across = turn.cross(pull);
@@ -159,7 +160,7 @@ bool IiwaArm::setExternalWrench(const Wrench& wrench) noexcept {
 bool IiwaArm::step(double dt) noexcept {
   bool isSound = dt > 0.0 && dt <= kLongestStep;
   if (isSound) {
-    // Slightly less, so that rounding does not add a step.
+    // The subtraction prevents an additional step by rounding.
     const int count = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-9)));
     for (int i = 0; i < count && isSound; ++i) isSound = advance(dt / count);
   }
@@ -177,7 +178,7 @@ bool IiwaArm::advance(double dt) noexcept {
 
   externalTorque_ = push;
   torque_ = limited(drive);
-  // The joints' own damping is implicit: however much there is, it only slows.
+  // The joints' own damping is integrated implicitly, so any amount is stable.
   const JointVector momentum =
       mechanics_.inertia.cwiseProduct(velocity_) + dt * (torque_ + externalTorque_);
   const JointVector velocity = momentum.cwiseQuotient(mechanics_.inertia + dt * mechanics_.damping);
@@ -224,7 +225,7 @@ Wrench IiwaArm::cartesianWrench(const CartesianImpedance& law) const noexcept {
   jacobian.bottomRows<3>() = task.transpose() * state_.jacobian.bottomRows<3>();
   const Twist twist = jacobian * velocity_;
   for (Eigen::Index i = 0; i < 6; ++i) {
-    // Towards a singular pose an axis has no end of inertia; there it is bounded.
+    // Near a singular pose the inertia along an axis tends to infinity, so it is bounded.
     const auto row = jacobian.row(i).transpose();
     const double mobility = std::max(1e-3, row.cwiseAbs2().cwiseQuotient(mechanics_.inertia).sum());
     const double ratio = 2.0 * law.dampingRatio[i] * std::sqrt(law.stiffness[i] / mobility);

@@ -7,39 +7,39 @@
 
 namespace haptics::emulators {
 
-/// A simulated surgeon who holds the tool of an arm: pushes it along an axis as a Hand does, and
-/// keeps it on the axis and upright by springs and dampers,
+/// A simulated surgeon who holds the tool of an arm: a Hand pushes it along an axis, and springs
+/// and dampers keep it on the axis and in its orientation,
 ///
 ///     f = F_hand a − (I − a aᵀ)(k (p − p₀) + b ṗ),    m = k_r θ − b_r ω,
 ///
-/// with θ the turn from the tool's present orientation back to where it started. Everything is in
-/// the axes of the arm's base; the wrench is at the tool's point.
+/// with θ the rotation vector from the tool's present orientation to its initial one. All
+/// quantities are in the axes of the arm's base; the wrench acts at the tool's origin.
 class SurgeonHand {
  public:
   struct Grip {
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< a: positive is advancing; any length > 0
-    devices::Pose start;              ///< p₀ and the orientation that is kept; travel is 0 here
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< a: direction of advance; any length > 0
+    devices::Pose start;              ///< p₀ and the orientation to keep; travel is 0 here
     double lateralStiffness = 500.0;  ///< k [N/m], >= 0
     double lateralDamping = 20.0;     ///< b [N·s/m], in [0, 1000]
     double turnStiffness = 10.0;      ///< k_r [N·m/rad], >= 0
     double turnDamping = 0.3;         ///< b_r [N·m·s/rad], in [0, 20]
   };
 
-  /// @param hand  must outlive it; its travel is in metres.
+  /// @param hand  its travel is in metres; must outlive this object.
   /// @throws std::invalid_argument  if the grip is not finite or out of range.
   SurgeonHand(const Grip& grip, devices::Hand& hand);
 
-  /// The wrench of the hand on a tool at pose @p tool that moves with @p twist, @p dt [s] after the
-  /// last call. Does not allocate.
+  /// Returns the wrench of the hand on a tool at pose @p tool that moves with @p twist, @p dt [s]
+  /// after the last call. Does not allocate.
   devices::Wrench wrench(
       const devices::Pose& tool, const devices::Twist& twist, double dt) noexcept;
 
-  /// How far the tool is along the axis from where the grip began [m].
+  /// Displacement of the tool along the axis from Grip::start [m].
   double travel(const devices::Pose& tool) const noexcept {
     return devices::displacementAlong(grip_.axis, grip_.start, tool);
   }
 
-  /// The length of its axis is 1.
+  /// The grip; its axis is normalised.
   const Grip& grip() const noexcept { return grip_; }
 
  private:
@@ -49,40 +49,41 @@ class SurgeonHand {
 
 class SurgeonHand;
 
-/// Three components along the axes of a frame, then three about them.
+/// Translational components along x y z of a frame, then rotational ones about x y z.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// What moves in a simulated arm.
+/// Inertia and damping of a simulated arm's joints.
 struct IiwaMechanics {
-  /// M, with the motors behind their gears [kg·m²], >= 0.05. Our own guess.
+  /// M, including the motors behind their gears [kg·m²], >= 0.05. Our own estimate.
   devices::JointVector inertia{2.0, 2.0, 1.0, 1.0, 0.4, 0.2, 0.1};
   /// D [N·m·s/rad], >= 0.
   devices::JointVector damping = devices::JointVector::Constant(0.5);
 };
 
-/// Springs and dampers at the tool, about the pose of the commanded joints. Their axes are those
-/// of a task frame, which is fixed to that commanded pose; z is meant to be the axis of reaming,
-/// and by default springs hold across it and leave it free.
+/// Springs and dampers between the tool and its pose at the commanded joints, in the axes of a task
+/// frame that is fixed to the commanded pose. z is meant to be the reaming axis: by default there
+/// are springs across it, but none along it.
 ///
-/// A ratio of damping ζ is 2ζ√(k m), with m the arm's own inertia along that axis at present.
+/// A damping ratio ζ gives the damping 2ζ√(k m), with m the arm's present inertia along the axis.
 struct CartesianImpedance {
   /// Orientation of the task frame in the frame of the commanded tool.
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-  /// Along x y z [N/m], in [0, 5000]; about x y z [N·m/rad], in [0, 300]: the range
-  /// that an example for iiwa_msgs states [unverified].
+  /// Along x y z [N/m], in [0, 5000]; about x y z [N·m/rad], in [0, 300]: the ranges in an example
+  /// for iiwa_msgs [unverified].
   Vector6 stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 200.0};
   /// ζ, in [0, 1].
   Vector6 dampingRatio = Vector6::Constant(0.7);
-  /// Additional damping, also without a spring: along [N·s/m], in [0, 1000]; about [N·m·s/rad], in
-  /// [0, 50].
+  /// Additional damping, also without a spring: along x y z [N·s/m], in [0, 1000]; about x y z
+  /// [N·m·s/rad], in [0, 50].
   Vector6 damping = Vector6::Zero();
 };
 
-/// Springs and dampers in the joints, about the commanded joints. With zero in both there is only
-/// the overlay.
+/// Springs and dampers in the joints, about the commanded joints. If both are 0, only the overlay
+/// acts.
 struct JointImpedance {
   devices::JointVector stiffness = devices::JointVector::Constant(1000.0);  ///< [0, 5000] [N·m/rad]
-  /// [N·m·s/rad], from 0 to a joint's inertia over 0.25 ms: 400 for A7 by default.
+  /// [N·m·s/rad], from 0 to a joint's inertia divided by 0.25 ms: with the default inertia 400 for
+  /// A7.
   devices::JointVector damping = devices::JointVector::Constant(20.0);
 };
 
@@ -90,59 +91,60 @@ struct JointImpedance {
 ///
 ///     M q̈ = τ + Jᵀ F_ext − D q̇,    τ = law(q, q̇) + overlay, each within the arm's torque limit.
 ///
-/// Ours, and simpler than an arm: gravity is compensated and does not appear; M is diagonal and the
-/// same everywhere, so nothing is coupled by inertia; joints are stiff, without friction but D;
-/// nothing keeps the elbow of a Cartesian law in its place but D, so it settles in about M/D. A
-/// joint that meets its limit of position stops there and is free to come back. Limits of velocity
-/// are not watched here. A law that is limited by a torque limit is not a spring any more, and its
-/// energy() may grow.
+/// A simplified model: gravity is compensated and omitted; M is diagonal and constant, so joints
+/// are not coupled by inertia; joints are rigid, with no friction except D; under a Cartesian law
+/// only D keeps the elbow in its place, so it settles in about M/D. A joint stops at its position
+/// limit and can move back. Velocity limits are not checked. A law whose torque is saturated is no
+/// longer a spring, so energy() may grow.
 ///
-/// Wrenches are in the axes of the arm's base, at the tool's point. Its only clock is step(). After
-/// construction only setControl() throws, and nothing allocates.
+/// Wrenches are in the axes of the arm's base, at the tool's origin. Time advances in step() only.
+/// After construction only setControl() throws, and no function allocates.
 class IiwaArm {
  public:
-  /// At rest at @p start [rad], and commanded to be there; by default it stands on a joint
-  /// impedance.
+  /// The arm rests at @p start [rad], which is also the commanded position, under the default
+  /// JointImpedance.
   /// @throws std::invalid_argument  if the start is out of limits or the mechanics are not valid.
   IiwaArm(
       const devices::IiwaKinematics& kinematics,
       const devices::JointVector& start,
       const IiwaMechanics& mechanics = {});
 
-  /// Sets the control law. Overlays stay.
+  /// Sets the control law. Overlays are kept.
   /// @throws std::invalid_argument  if a value is out of its range; the law is not changed.
   void setControl(const CartesianImpedance& law);
   void setControl(const JointImpedance& law);
 
-  /// The centre of the law in joint space [rad]. Returns false without a change if one is NaN.
+  /// Sets the joint position about which the law acts [rad]. Returns false, without a change, if a
+  /// value is not finite.
   bool commandPosition(const devices::JointVector& position) noexcept;
 
-  /// Added to the torques of the control law until the next call. NaN sets it to zero and returns
-  /// false.
+  /// Sets a wrench that is added to the control law until the next call. Values that are not finite
+  /// set it to zero and return false.
   bool setOverlayWrench(const devices::Wrench& wrench) noexcept;
   bool setOverlayTorque(const devices::JointVector& torque) noexcept;  ///< [N·m]
 
-  /// External force and moment on the tool in addition to the hand's, held until the next call. NaN
-  /// sets them to zero and returns false.
+  /// Sets an external wrench on the tool, in addition to the hand's, until the next call. Values
+  /// that are not finite set it to zero and return false.
   bool setExternalWrench(const devices::Wrench& wrench) noexcept;
 
-  /// The hand on the tool; nullptr: none. It must outlive the arm or be removed with
+  /// Sets the hand on the tool; nullptr: none. It must outlive the arm or be removed with
   /// setHand(nullptr).
   void setHand(SurgeonHand* hand) noexcept { hand_ = hand; }
 
-  /// Advances by @p dt [s], in (0, 0.1], in internal steps of at most 0.25 ms; the hand gives its
-  /// force in each. False, and it stays where it is with no velocity, if dt is out of range or a
-  /// force is NaN.
+  /// Advances by @p dt [s], in (0, 0.1], in internal steps of at most 0.25 ms, in each of which the
+  /// hand computes its force. Returns false, and stops the arm, if dt is out of range or a force is
+  /// not finite.
   bool step(double dt) noexcept;
 
   const devices::JointVector& position() const noexcept { return position_; }  ///< [rad]
   const devices::JointVector& velocity() const noexcept { return velocity_; }  ///< [rad/s]
   const devices::JointVector& commandedPosition() const noexcept { return commanded_; }
-  /// What the joints gave in the last step of its own: law and overlay, as limited [N·m].
+  /// Torques of the joints in the last internal step: law plus overlay, saturated [N·m].
   const devices::JointVector& measuredTorque() const noexcept { return torque_; }
-  /// What hand and world did then, Jᵀ F_ext [N·m]; positive turns the joint forward.
+  /// Torques of hand and external wrench in that step, Jᵀ F_ext [N·m]; positive turns the joint
+  /// forward.
   const devices::JointVector& externalTorque() const noexcept { return externalTorque_; }
-  /// The torque that was asked for then was more than the arm has.
+  /// Whether a joint torque was saturated in that step.
   bool isSaturated() const noexcept { return isSaturated_; }
 
   const devices::Pose& tool() const noexcept { return state_.tool; }

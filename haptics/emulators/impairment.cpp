@@ -6,7 +6,7 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr int kSoon = 1;  // a frame that changes places waits for one other
+constexpr int kSoon = 1;  // a reordered frame waits for one other frame
 
 bool makesSense(const Impairment::Options& options) {
   double sum = 0.0;
@@ -14,7 +14,7 @@ bool makesSense(const Impairment::Options& options) {
     if (!(share >= 0.0)) return false;
     sum += share;
   }
-  // Shares that are written as decimals may add up to one but for rounding.
+  // The sum of decimal fractions may exceed 1 by rounding.
   return sum <= 1.0 + 1e-12 && options.delay >= 1 && options.garbage >= 1 &&
          options.garbage <= Impairment::kLongestFrame;
 }
@@ -67,7 +67,7 @@ std::optional<Fault> Impairment::orderedFault() noexcept {
   for (std::size_t i = 0; i < orders_.size(); ++i) {
     const auto fault = static_cast<Fault>(i);
     if (orders_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
-    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // the only thread that takes
+    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
     return fault;
   }
   return std::nullopt;
@@ -154,7 +154,7 @@ void Impairment::releaseAll() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     if (places_[i].isOvertaken) note(places_[i].fault);
     places_[i].left = 0;
-    places_[i].isOvertaken = false;  // has been counted, where it counts
+    places_[i].isOvertaken = false;  // already counted above
   }
   isHurrying_ = true;
   isSwapping_ = false;

@@ -13,54 +13,56 @@
 
 namespace haptics::emulators {
 
-/// What can go wrong with a frame on its way, be it a datagram or a frame on a serial line.
+/// Faults in the transmission of a frame (a datagram, or a frame on a serial line).
 enum class Fault : std::uint8_t {
-  Drop,     ///< it never arrives
-  Double,   ///< it arrives twice, one right after the other
+  Drop,     ///< the frame never arrives
+  Double,   ///< it arrives twice in succession
   Reorder,  ///< it arrives after its successor
   Delay,    ///< it arrives some frames later
   Garbage,  ///< garbage is sent before it
-  Damage    ///< one of its bytes is another
+  Damage    ///< one of its bytes is changed
 };
 
 inline constexpr std::array<std::string_view, 6> kFaultNames{
     "drop", "double", "reorder", "delay", "garbage", "damage"};
 
-/// What has happened to frames.
+/// Numbers of frames and of injected faults.
 struct Injected {
   std::uint64_t passed = 0;                            ///< frames that were given to pass()
-  std::array<std::uint64_t, kFaultNames.size()> of{};  ///< frames that met each fault
+  std::array<std::uint64_t, kFaultNames.size()> of{};  ///< frames with each fault
 
   std::uint64_t operator[](Fault fault) const noexcept {
     return of[static_cast<std::size_t>(fault)];
   }
 };
 
-/// Lets frames pass and does to some of them what an order or a seeded chance says, so that a test
-/// knows exactly how many anomalies the other side must have seen.
+/// Passes frames on, and injects faults into some of them, on order or at random (seeded), so that
+/// a test knows exactly how many anomalies the receiver must have counted.
 ///
-/// - A frame meets one fault at most. Of several orders the first in the list of faults is served
-///   first; chance is asked only where no order waits.
-/// - The frame after one that is to be reordered meets none, so that two change places.
+/// - A frame gets at most one fault. Ordered faults come first, in the order of Fault; random
+///   faults only if no order is pending.
+/// - The frame after a reordered one gets no fault, so that exactly two change places.
 /// - A frame that is held back (Reorder, Delay) is sent only after a later frame has passed
-///   undamaged: it is always seen to be out of order. It counts when it is sent.
-/// - Without room to hold a frame the order waits; so it does for a frame that is empty or longer
-///   than kLongestFrame, which passes as it is.
+///   undamaged, so that the receiver always sees it out of order. It is counted when it is sent.
+/// - If there is no space to hold a frame, the order stays pending. Frames that are empty or longer
+///   than kLongestFrame pass without a fault.
 ///
-/// One thread passes; any thread orders and asks for counts. Nothing allocates after construction.
+/// One thread calls pass(); any thread may order faults and read counts. No function allocates
+/// after construction.
 class Impairment {
  public:
   static constexpr std::size_t kLongestFrame = 1500;  ///< [bytes]
-  static constexpr std::size_t kMostHeld = 64;        ///< frames at a time
+  static constexpr std::size_t kMostHeld = 64;        ///< most frames held at a time
 
   struct Options {
-    /// Of all frames that meet each fault by chance, in the order of Fault; together at most 1.
+    /// Probability of each random fault, in the order of Fault; their sum is at most 1.
     std::array<double, kFaultNames.size()> shares{};
     std::uint64_t seed = 1;
-    int delay = 5;             ///< by how many frames Delay holds back, >= 1
-    std::size_t garbage = 24;  ///< how much of it comes at once [bytes], 1 to kLongestFrame
-    /// The byte that ends a frame, if there is one. Garbage then ends with it and contains no
-    /// other, and damage neither hits nor makes one: either spoils one frame, not its neighbours.
+    int delay = 5;             ///< number of frames by which Delay holds a frame back, >= 1
+    std::size_t garbage = 24;  ///< size of a block of garbage [bytes], 1 to kLongestFrame
+    /// The byte that ends a frame, if there is one. Garbage then ends with it and does not contain
+    /// it otherwise, and damage neither changes nor creates one, so that each affects only one
+    /// frame.
     std::optional<std::uint8_t> delimiter;
   };
 
@@ -68,15 +70,15 @@ class Impairment {
   /// @throws std::invalid_argument  if the options are not valid.
   explicit Impairment(const Options& options);
 
-  /// Any thread: the next @p howMany frames that can meet @p fault do, after those of earlier
-  /// orders.
+  /// Orders @p fault for the next @p howMany frames that can have it, after those of earlier
+  /// orders. Any thread.
   void order(Fault fault, int howMany) noexcept;
-  /// Any thread: how far Delay holds back from now on [frames], at least 1.
+  /// Sets the number of frames by which Delay holds a frame back, >= 1. Any thread.
   void setDelay(int frames) noexcept;
 
-  /// Passes on @p frame, as it is or impaired, and the frames that have been delayed long enough.
-  /// @param send  is called with a std::span<const std::uint8_t> for each frame that goes out; the
-  ///              bytes are gone when it returns.
+  /// Passes on @p frame, intact or with a fault, and the held frames that are due.
+  /// @param send  called with a std::span<const std::uint8_t> for each frame to send; the bytes are
+  ///              valid only during the call.
   template <typename Send>
   void pass(std::span<const std::uint8_t> frame, Send&& send) {
     const Delivery delivery = decide(frame);
@@ -85,8 +87,8 @@ class Impairment {
     sendDue(send);
   }
 
-  /// Hands on @p frame as it is: something else is wrong with it already, so it meets no fault, and
-  /// overtaking it would not be seen.
+  /// Passes on @p frame without a fault, because it is already invalid; it does not count as
+  /// overtaking held frames.
   template <typename Send>
   void passUnimpaired(std::span<const std::uint8_t> frame, Send&& send) {
     spare();
@@ -94,19 +96,19 @@ class Impairment {
     sendDue(send);
   }
 
-  /// Passes on the frames that are held back, at the end of a line. Frames that no later one has
-  /// overtaken do not count.
+  /// Passes on all held frames, for the end of a connection. Frames that no later one has overtaken
+  /// are not counted as faults.
   template <typename Send>
   void flush(Send&& send) {
     releaseAll();
     sendDue(send);
   }
 
-  /// Any thread: exactly how many frames met each fault.
+  /// The exact numbers of injected faults. Any thread.
   Injected counts() const noexcept;
-  /// Any thread: how many orders of @p fault are not yet taken up.
+  /// The number of ordered @p fault that are still pending. Any thread.
   int waiting(Fault fault) const noexcept;
-  /// Frames that are held back at present; the passing thread's.
+  /// Number of frames held back at present. Only for the thread that calls pass().
   std::size_t held() const noexcept { return held_; }
 
  private:
@@ -120,7 +122,7 @@ class Impairment {
   struct Held {
     Bytes bytes{};
     std::size_t size = 0;
-    int left = 0;  ///< frames still to pass
+    int left = 0;  ///< number of frames still to pass
     bool isOvertaken = false;
     Fault fault = Fault::Reorder;
   };
@@ -135,9 +137,8 @@ class Impairment {
   void hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept;
   void age(bool overtakes) noexcept;
   void releaseAll() noexcept;
-  std::span<const std::uint8_t> nextDue() noexcept;  ///< The next frame that is due; empty if there
-                                                     ///< is none. Valid until the next frame is
-                                                     ///< passed.
+  /// The next held frame that is due; empty if there is none. Valid until the next frame is passed.
+  std::span<const std::uint8_t> nextDue() noexcept;
   std::span<const std::uint8_t> makeGarbage() noexcept;
   std::span<const std::uint8_t> damage(std::span<const std::uint8_t> frame) noexcept;
   std::uint8_t anyByte() noexcept;
@@ -150,10 +151,10 @@ class Impairment {
 
   Options options_;
   base::SplitMix64 random_;
-  std::vector<Held> places_;  ///< those held come first, the oldest before the others
+  std::vector<Held> places_;  ///< the held frames come first, by age
   std::size_t held_ = 0;
-  bool isSwapping_ = false;  ///< a frame waits to change places with its successor
-  bool isHurrying_ = false;  ///< all that is held is due
+  bool isSwapping_ = false;  ///< a reordered frame waits for its successor
+  bool isHurrying_ = false;  ///< all held frames are due
   Bytes scratch_{};
   std::atomic<int> delay_;
   std::array<std::atomic<std::int64_t>, kFaultNames.size()> orders_{};

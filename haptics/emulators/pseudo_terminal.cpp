@@ -61,8 +61,8 @@ void PseudoTerminal::unplug() noexcept {
   removeLink();
 }
 
-/// Refuses a link whose port exists: another program uses it. A link to a missing port, or to our
-/// own, was left behind.
+/// Refuses a link to a port that exists, because another program uses it. A link to a missing port,
+/// or to this one, is left over and may be replaced.
 void PseudoTerminal::requireFreeName() {
   std::array<char, 256> target{};
   const ssize_t size = readlink(link_.c_str(), target.data(), target.size() - 1);
@@ -74,7 +74,7 @@ void PseudoTerminal::requireFreeName() {
       "): another emulator has it. End that one, choose another name, or remove the link.");
 }
 
-/// Only a link is removed, never a file.
+/// Removes link_ only if it is a symbolic link, never a file.
 void PseudoTerminal::removeLink() noexcept {
   std::array<char, 256> target{};
   if (!link_.empty() && readlink(link_.c_str(), target.data(), target.size()) > 0) {
@@ -90,9 +90,9 @@ std::size_t PseudoTerminal::read(std::span<std::uint8_t> into) noexcept {
 
 void PseudoTerminal::write(std::span<const std::uint8_t> bytes) noexcept {
   if (!isPlugged()) return;
-  // All or nothing: half a frame would count as damage that was not asked for.
+  // All or nothing: a partial frame would count as damage that was not ordered.
   int waiting = 0;
-  constexpr int kRoom = 3000;  // of the 4096 bytes that a terminal keeps
+  constexpr int kRoom = 3000;  // of the terminal's buffer of 4096 bytes
   if (ioctl(master_, TIOCOUTQ, &waiting) == 0 && waiting > kRoom) return;
   [[maybe_unused]] const ssize_t written = ::write(master_, bytes.data(), bytes.size());
 }

@@ -7,28 +7,30 @@
 
 namespace haptics::emulators {
 
-/// A pseudo-terminal: what is written here is read by the program that opens port().
+/// A pseudo-terminal: the program that opens port() reads what is written here, and vice versa.
 class PseudoTerminal {
  public:
-  /// @param link  a link to the port that stays when it is plugged in again; empty: none.
-  /// @throws std::runtime_error  where the system gives none, or the link cannot be made.
+  /// @param link  path of a symbolic link to the port, which stays the same after plugIn(); empty:
+  ///              no link.
+  /// @throws std::runtime_error  if no pseudo-terminal is available, or the link cannot be created.
   explicit PseudoTerminal(std::string link = {});
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
-  /// What to open: the link if there is one.
+  /// The path to open: the link if there is one.
   const std::string& port() const noexcept { return link_.empty() ? name_ : link_; }
 
-  /// Simulates that the cable is pulled out and plugged in again; the system then gives the port
-  /// another name.
+  /// unplug() simulates that the cable is pulled out, plugIn() that it is plugged in again; the
+  /// system then gives the port another name.
   void unplug() noexcept;
   void plugIn();
   bool isPlugged() const noexcept { return master_ >= 0; }
 
-  /// What has come; 0 for nothing.
+  /// Reads the available bytes and returns their number.
   std::size_t read(std::span<std::uint8_t> into) noexcept;
-  /// As much as there is room for; the rest is lost, as on a line.
+  /// Writes all bytes, or none if the terminal's buffer is almost full; they are then lost, as on a
+  /// serial line.
   void write(std::span<const std::uint8_t> bytes) noexcept;
 
  private:

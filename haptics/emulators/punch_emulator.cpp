@@ -17,7 +17,7 @@ constexpr std::int64_t kWatchdog = 40 * kMillisecond;
 
 devices::Mechanism withoutEncoder(const devices::DeviceKind& kind) {
   auto mechanism = kind.mechanism;
-  mechanism.resolution = 0.0;  // the encoder counts by itself
+  mechanism.resolution = 0.0;  // counts() simulates the encoder
   return mechanism;
 }
 
@@ -25,7 +25,7 @@ Impairment::Options serialFaults(std::uint64_t seed) {
   return {.seed = seed, .delimiter = std::uint8_t{0}};
 }
 
-/// "drop 3" as "drop" and 3.
+/// A parsed command: "drop 3" as "drop" and 3.
 struct Order {
   std::string_view word;
   std::optional<int> number;
@@ -42,7 +42,7 @@ Order orderIn(std::string_view line) {
   return order;
 }
 
-/// What is wrong with the number of a command, in words; empty if it is valid.
+/// A message about what is wrong with the number of a command; empty if it is valid.
 std::string whatIsWrong(const Order& order, std::string_view line) {
   constexpr int kMost = 1'000'000;
   const bool isCount =

@@ -16,48 +16,48 @@
 namespace haptics::emulators {
 
 /// An emulated punch, or another device with the same protocol, on a pseudo-terminal: the
-/// firmware's own program, compiled for this computer, with a simulated handle, motor, encoder and
-/// hand, and faults on command.
+/// firmware's program, compiled for this computer, with a simulated handle, motor, encoder and
+/// hand, and with faults on command.
 ///
-/// The motor follows its voltage at once and gives newtonsPerVolt; a loop that hangs for 40 ms is
-/// reset, as the board's hardware watchdog does.
+/// The motor's force is newtonsPerVolt times its voltage, without delay. A loop that hangs for 40
+/// ms is reset, as by the board's hardware watchdog.
 class PunchEmulator {
  public:
   struct Options {
     const devices::DeviceKind* kind = &devices::punchKind();
-    std::string link;  ///< name for the port; empty: the one that the system chooses
+    std::string link;  ///< path of a link to the port; empty: the system's name
     devices::SimulatedHand::Person person;
     firmware::PunchLimits limits;
     double newtonsPerVolt = 0.667;
     double travelPerCount = kind->serial.travelPerCount;  ///< [travel units]
-    double clockDrift = 0.0;  ///< of the device's clock [parts per million]
-    std::uint64_t seed = 1;   ///< of faults
+    double clockDrift = 0.0;  ///< error of the device's clock [parts per million]
+    std::uint64_t seed = 1;   ///< seed of random faults
   };
 
   explicit PunchEmulator(const Options& options);
 
   const std::string& port() const noexcept { return line_.port(); }
 
-  /// One turn of the device's loop, at 1/limits.rate.
+  /// Performs one iteration of the device's loop; to be called at limits.rate.
   void step() noexcept;
 
-  /// Executes a command ("drop 3", "unplug"). Returns an empty text, or what is wrong with the
-  /// command.
+  /// Executes a command ("drop 3", "unplug"). Returns an empty text, or a message about what is
+  /// wrong with the command.
   std::string command(std::string_view line);
   static std::string_view help() noexcept;
 
-  /// How it stands, in one line of key=value.
+  /// The state as one line of key=value pairs.
   std::string status() const;
 
-  /// What was done to frames so far.
+  /// The faults of frames injected so far.
   Injected injected() const noexcept { return impairment_.counts(); }
-  /// How long after the last command that broke something the motor was first without voltage [ms];
-  /// nothing while it has not been, or if it had none before.
+  /// Time from the last command that caused a fault until the motor was without voltage [ms];
+  /// std::nullopt before that, or if it had no voltage.
   std::optional<double> motorOffAfter() const noexcept;
   double force() const noexcept { return 1e-3 * voltage_ * options_.newtonsPerVolt; }  ///< [N]
   double travel() const noexcept { return travel_; }  ///< [travel units]
 
-  // What the program sees of its hardware.
+  // The hardware interface of PunchProgram.
   std::uint32_t micros() const noexcept;
   std::int32_t counts() const noexcept;
   void drive(std::int16_t millivolts) noexcept;
