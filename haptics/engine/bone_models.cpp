@@ -9,7 +9,8 @@
 namespace haptics::engine {
 namespace {
 
-/// The two measured curves at a hardness, with slopes that keep them from overshooting.
+/// Nodes of the lower and the upper curve, blended for the hardness of @p spec, with slopes that
+/// avoid overshoot between nodes.
 reaming::CurveNodes blendedNodes(
     const MaterialSpec& spec, double MaterialNode::*low, double MaterialNode::*high) {
   std::vector<double> depths;
@@ -99,7 +100,7 @@ double MaterialModel::largestStiffness() const noexcept {
   double largest = 0.0;
   for (const auto& segment : force_.segments()) {
     const double apex = segment.begin - segment.square / (3.0 * segment.cube);
-    const bool isInside = apex > segment.begin && apex < segment.end;  // not where cube is 0
+    const bool isInside = apex > segment.begin && apex < segment.end;  // false if cube is 0
     for (const double x : {segment.begin, segment.end, isInside ? apex : segment.begin}) {
       largest = std::max(largest, std::abs(segment.at(x).stiffness));
     }
@@ -109,7 +110,7 @@ double MaterialModel::largestStiffness() const noexcept {
 
 namespace {
 
-/// How deep a reamer goes until it is through the bone [m].
+/// The depth at which a reamer leaves the bone on the far side [m].
 double depthOf(const reaming::SphereField& field, const reaming::StrokeRange& plunge) {
   double last = plunge.start;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
@@ -150,7 +151,7 @@ models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
   torque_ = 0.0;
   if (!std::isfinite(tool.travel)) return {};
   const auto contact = field_.touch(plunge_.at(tool.travel), false);
-  // Where the reamer is pressed on, every patch a ρ rubs with its distance from the axis.
+  // Friction of each contact patch acts at its distance from the axis (the lever).
   torque_ = tool.isReamerOn ? friction_ * contact.lever / coverage_ : 0.0;
   return {forceOf(contact), 0.0, true};
 }

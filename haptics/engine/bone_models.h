@@ -21,17 +21,17 @@
 
 namespace haptics::engine {
 
-/// A sphere that has changed, for a picture of the bone. A radius of 0: it was removed.
+/// A change of one sphere, for drawing the bone. A radius of 0 means that the sphere was removed.
 struct SphereChange {
-  /// Stands for no slot: the bone is whole again, all spheres are as at the beginning.
+  /// Value of slot that means: the bone was reset, all spheres have their initial radius again.
   static constexpr std::uint32_t kAllAnew = 0xffffffffU;
 
   std::uint32_t slot = 0;
   reaming::Sphere sphere;
 };
 
-/// The changes of a bone while it is reamed, and the depth of the reamer, for drawing. One writer,
-/// the tick; one reader in another thread, which keeps its own copy of all spheres.
+/// Passes the changes of a bone while it is reamed, and the depth of the reamer, to the thread that
+/// draws. The tick is the only writer; the one reader keeps its own copy of all spheres.
 class BoneView {
  public:
   /// For the reader: the next change; false if there is none.
@@ -40,12 +40,13 @@ class BoneView {
   /// Depth of the reamer along its path [m].
   double depth() const noexcept { return depth_.load(std::memory_order_relaxed); }
 
-  /// Changes that were lost because the ring was full: the picture has spheres that are gone.
+  /// Number of changes that were lost, because a buffer was full: the picture still shows removed
+  /// spheres.
   std::uint64_t lost() const noexcept {
     return changes_.lost() + unreported_.load(std::memory_order_relaxed);
   }
 
-  /// For the writer.
+  /// The functions below are for the writer.
   void add(const SphereChange& change) noexcept { changes_.push(change); }
   void setDepth(double depth) noexcept { depth_.store(depth, std::memory_order_relaxed); }
   void setUnreported(std::uint64_t changes) noexcept {
@@ -58,18 +59,19 @@ class BoneView {
   std::atomic<std::uint64_t> unreported_{0};
 };
 
-/// The jitter of a measured force as noise in time: a new normal number at every sample of the
-/// measurement, straight from one to the next. It depends on time alone, so it adds no stiffness.
+/// The jitter of a measured force as noise over time: one normally distributed number per sample of
+/// the measurement, linearly interpolated in between. It depends on time only, so it adds no
+/// stiffness.
 class JitterNoise {
  public:
-  /// @param scale  of all forces of the scene.
+  /// @param scale  scale factor of all forces of the scene.
   JitterNoise(const reaming::Jitter& jitter, double scale, std::uint64_t seed) noexcept
       : rms_(scale * jitter.rms), rate_(jitter.rate), seed_(seed), random_(seed) {
     reset();
   }
 
-  /// What is added to @p force [N] after @p dt [s]. Comes in with the force and never turns its
-  /// sign.
+  /// Advances by @p dt [s] and returns the noise to add to @p force [N]. It is proportional to
+  /// small forces and never reverses their sign.
   double step(double force, double dt) noexcept {
     if (!(rms_ > 0.0)) return 0.0;
     phase_ += std::min(rate_ * dt, 1.0);
@@ -91,18 +93,21 @@ class JitterNoise {
   }
 
  private:
-  static constexpr double kFull = 5.0;  ///< of its RMS: from this force on all of it is felt
+  /// Forces of at least kFull · RMS get the noise undiminished.
+  static constexpr double kFull = 5.0;
 
   double rms_;   ///< [N]
   double rate_;  ///< [Hz]
   std::uint64_t seed_;
   base::SplitMix64 random_;
-  double phase_ = 0.0;  ///< between two samples, from 0 to 1
+  /// Time since the last sample, as a fraction of the sampling interval, 0 to 1.
+  double phase_ = 0.0;
   double last_ = 0.0;
   double next_ = 0.0;
 };
 
-/// A cubic Hermite spline with the memory that it needs: the tick evaluates a single cubic.
+/// A cubic Hermite spline that owns its segments and their search index: the tick evaluates a
+/// single cubic.
 class BlendedCurve {
  public:
   using Segments = std::vector<models::CubicSegment<double>>;
@@ -124,10 +129,10 @@ class BlendedCurve {
   std::size_t hint_ = 0;
 };
 
-/// Bone of a hardness: the curves of force and torque, blended once, when it is built.
+/// Force and torque of bone over depth, from curves that the constructor blends for one hardness.
 class MaterialModel final : public ForceModel {
  public:
-  /// @param spec  valid, see problemsOf(); so the reamer.
+  /// @param spec  valid, see problemsOf(); so must be @p reamer.
   explicit MaterialModel(const MaterialSpec& spec, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override {
@@ -155,23 +160,23 @@ class MaterialModel final : public ForceModel {
   void respondWithTorque(const ToolState& tool) noexcept;
 
   BlendedCurve force_;
-  std::optional<BlendedCurve> torqueCurve_;  ///< nothing where none is rendered
+  std::optional<BlendedCurve> torqueCurve_;  ///< std::nullopt if no torque is rendered
   int sign_;
   double torque_ = 0.0;  ///< [N·m]
   JitterNoise jitter_;
 };
 
-/// Both measured curves at the material's hardness, scaled: the segments of a material whose nodes
-/// are in order.
+/// The force curve of @p spec at its hardness, times its force scale. The nodes must have
+/// increasing depth.
 std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec);
 
-/// The same of the torque [N·m]; none where the material has no torque.
+/// The torque curve of @p spec [N·m], likewise; empty if the material has no torque.
 std::vector<models::CubicSegment<double>> blendedTorque(const MaterialSpec& spec);
 
-/// A bone of spheres that stays as it is: a force for every depth of the plunge.
+/// Force of a bone of spheres that is not removed: a function of the reamer's depth.
 class PackingModel final : public ForceModel {
  public:
-  /// @param spec  valid, see problemsOf(); so the reamer.
+  /// @param spec  valid, see problemsOf(); so must be @p reamer.
   explicit PackingModel(const PackingSpec& spec, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -189,16 +194,16 @@ class PackingModel final : public ForceModel {
   reaming::SphereField field_;
   reaming::StrokeRange plunge_;
   double coverage_;
-  double friction_;  ///< with the sign of the torque
+  double friction_;  ///< coefficient of friction, with the sign of the torque
   double torque_ = 0.0;
   double largestStiffness_ = 0.0;
 };
 
-/// A bone of spheres with removal by the reamer.
+/// Force of a bone of spheres that the reamer removes.
 class RemovalModel final : public ForceModel {
  public:
   /// @param spec  valid, see problemsOf().
-  /// @param isSeen  whether it is drawn: only then is there a view of it.
+  /// @param isSeen  whether the bone is drawn; otherwise view() is nullptr.
   /// @param reamer  valid, see problemsOf().
   explicit RemovalModel(const PackingSpec& spec, bool isSeen = false, const Reamer& reamer = {});
 
@@ -223,11 +228,11 @@ class RemovalModel final : public ForceModel {
   reaming::Bone bone_;
   reaming::StrokeRange plunge_;
   double stiffness_;
-  bool isForwards_;  ///< the reamer turns as its teeth cut
+  bool isForwards_;  ///< the reamer turns in the direction in which its teeth cut
   int torqueSign_;
   double torque_ = 0.0;  ///< [N·m]
   std::unique_ptr<BoneView> view_;
-  std::uint64_t restorations_ = 0;  ///< of the bone, that the reader has been told of
+  std::uint64_t restorations_ = 0;  ///< number of the bone's resets that were passed to the view
 };
 
 }  // namespace haptics::engine

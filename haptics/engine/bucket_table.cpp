@@ -8,7 +8,7 @@ namespace haptics::engine {
 namespace {
 
 constexpr std::uint32_t kMostBuckets = 1U << 18;
-constexpr std::uint32_t kPerPiece = 2;  // more would leave the cache sooner
+constexpr std::uint32_t kPerPiece = 2;  // more buckets would need more cache
 constexpr std::uint32_t kCrowd = 4;
 
 }  // namespace
@@ -21,7 +21,8 @@ BucketTable::BucketTable(std::span<const double> knots) {
   while (!fill(knots, buckets) && buckets < kMostBuckets) buckets *= 2;
 }
 
-/// False where more than a few nodes share a bucket, or the span defies a table.
+/// Fills the table with @p buckets buckets; leaves it empty if the knots' range is too small to
+/// divide. Returns false if more than kCrowd nodes share a bucket.
 bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
   const double perUnit = buckets / (knots.back() - knots.front());  // subnormal spans overflow
   if (!std::isfinite(perUnit) || !(perUnit > 0.0)) {

@@ -8,17 +8,17 @@
 
 namespace haptics::engine {
 
-/// The memory behind a models::SegmentIndex: built once, before the hand is on the tool.
+/// Builds and owns the table of a models::SegmentIndex. Not to be built in the tick.
 ///
-/// It takes two buckets a piece, and goes on doubling them while more than four nodes share one,
-/// up to 2^18 (1 MiB): crowded nodes beyond that are bisected, in at most log2 of their number.
+/// The table starts with two buckets per piece and doubles their number, up to 2^18 (1 MiB), while
+/// more than four nodes share a bucket. Within a bucket the search bisects.
 class BucketTable {
  public:
-  /// No table: every search is a bisection.
+  /// An empty table: every search bisects all pieces.
   BucketTable() = default;
 
-  /// @param knots  where the pieces begin and the last one ends, strictly increasing and finite;
-  ///               one more than there are pieces. Two pieces or fewer need no table.
+  /// @param knots  the begin of every piece and the end of the last one, strictly increasing and
+  ///               finite. For two pieces or fewer the table stays empty.
   explicit BucketTable(std::span<const double> knots);
 
   models::SegmentIndex<double> index() const noexcept;

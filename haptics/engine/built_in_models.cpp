@@ -9,8 +9,9 @@ namespace haptics::engine {
 
 namespace {
 
-/// Torque over force of the parametric material, as of our synthetic series: friction at about a
-/// reamer's radius, since the two "look similar" (reaming paper, Fig. 5) [m].
+/// Ratio of torque to force of the parametric material and of the synthetic series [m]: friction at
+/// about the reamer's radius, since the curves of force and torque "look similar" (reaming paper,
+/// Fig. 5).
 constexpr double kParametricLever = 0.028;
 
 }  // namespace
@@ -97,8 +98,8 @@ std::shared_ptr<const reaming::PackedBone> parametricBone() {
     made->title = "A cup of our own making";
     made->isSynthetic = true;
     made->packing = *reaming::pack(reaming::Acetabulum(), {.count = kSpheres});
-    // `packing fit` finds this friction in seconds, and with 400 depths a fit that is hardly
-    // better: at any depth these have 0.08 % of the force and 1.4 % of the torque.
+    // `packing fit` takes seconds to find this friction, and 400 depths improve the fit hardly:
+    // with these values the error at any depth is 0.08 % of the force and 1.4 % of the torque.
     reaming::fitTo(*made, parametricCurves(), parametricTorque(), {.depths = 150, .friction = 0.2});
     return made;
   }();

@@ -8,26 +8,26 @@
 
 namespace haptics::engine {
 
-/// The punch's three renderings as the published study had them, with N elements.
+/// The three renderings of the published punch study.
 InterpolationSpec publishedInterpolation();
 FiniteElementsSpec publishedElements(int elements);
 KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements);
 
-/// A parametric reaming material, for a study that has no measured one: not a measurement.
+/// A parametric (not measured) reaming material, for a study without a measured one.
 ///
-/// It has only the features that the reaming paper reports of its 62 series: almost no force over
-/// the first millimetres while the reamer keeps up with the feed, one local peak, then a rise; the
-/// upper curve ends at the 800 N at which the static tests stopped, the lower one at 60 N. Depth in
-/// [m], forces in [N], torques in [N·m].
+/// It reproduces what the reaming paper reports about its 62 series: almost no force over the first
+/// millimetres, where the reamer keeps up with the feed, then one local peak, then a rise. The
+/// upper curve ends at 800 N, where the static tests stopped, the lower one at 60 N. Depth in [m],
+/// forces in [N], torques in [N·m].
 std::vector<MaterialNode> parametricMaterial();
 
-/// A parametric cup, 20,000 spheres that feel like parametricMaterial(). Built when it is
-/// first asked for, in about a second; any thread.
+/// A parametric cup of 20,000 spheres, fitted to the curves of parametricMaterial(). The first call
+/// builds it, in about a second. May be called from any thread.
 std::shared_ptr<const reaming::PackedBone> parametricBone();
 
 /// The curves of parametricMaterial(): lower, halfway, upper.
 reaming::HardnessCurves parametricCurves();
-/// The same of its torque [N·m].
+/// The torque curves of parametricMaterial() [N·m]: lower, halfway, upper.
 reaming::HardnessCurves parametricTorque();
 
 }  // namespace haptics::engine

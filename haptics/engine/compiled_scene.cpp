@@ -25,7 +25,7 @@ constexpr const char* kRemoval = "removal of bone";
 constexpr const char* kTorque = "torque about the tool's axis";
 constexpr const char* kBoneView = "bone: what changes in it";
 
-/// The interpretation of the paper that is rendered, by its name in protocols.
+/// The interpretations of the paper that are used, by their names in protocols.
 std::string describe(const models::FiniteElements<double>::Parameters& p) {
   std::string words = "boundary ";
   words.append(nameIn(kBoundaryNames, p.boundary));
@@ -47,7 +47,7 @@ std::string describe(const KalmanSpec& spec) {
   return words + ", the interpolation weighs " + inHundredths(interpolationWeight(spec));
 }
 
-/// How fast a reamer goes through bone, in words; nothing for one without a limit.
+/// Describes how fast a reamer advances through bone; empty for a reamer without a limit.
 std::string paceOf(const Reamer& reamer) {
   constexpr double kInMillimetres = 1000.0;
   const double feed = kInMillimetres * reamer.mostFeed();
@@ -66,7 +66,7 @@ std::string paceOf(const Reamer& reamer) {
   return text;
 }
 
-/// Builds everything that a model needs. Only this class does so.
+/// Visitor of ModelSpec: builds the force model and lists its passes.
 struct Builder {
   bool isSeen = false;
   Reamer reamer;
@@ -138,8 +138,8 @@ struct Builder {
     noBone();
   }
 
-  /// @param of  what it is made of. @param lack  the reason if there is no torque although the
-  /// reamer turns.
+  /// @param of  what the torque is computed from. @param lack the reason if there is no torque
+  /// although the reamer turns.
   void torque(const std::string& of, const char* lack) {
     if (!reamer.hasTorque) {
       out(kTorque, "release 0.1, under which this study began, rendered forces alone");
@@ -198,8 +198,8 @@ struct Builder {
   }
 };
 
-/// The tissue that is drawn while a punch is felt: the model's own elements, or like its cut; of a
-/// model with neither, the usual elements.
+/// The finite elements that are drawn for a punch: the model's own, else elements like its recorded
+/// cut, else the default elements.
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
   if (parts.elements != nullptr) return *parts.elements;

@@ -14,8 +14,8 @@ const SafetyLimits& checked(const SafetyLimits& limits) {
   return limits;
 }
 
-/// Energy counts as generated, and not as rounding, from a ten-thousandth of the work that the
-/// device can do; the controller adds no more than four times the damping that the mechanism has.
+/// The tolerance, which covers rounding, is 1e-4 of the largest force times the range of travel.
+/// The controller adds at most four times the mechanism's damping.
 EnergyObserver::Settings energySettings(
     const devices::Capabilities& device, const SafetyLimits& limits) {
   const double range = device.mostTravel - device.leastTravel;
@@ -23,11 +23,11 @@ EnergyObserver::Settings energySettings(
       .deviceDamping = device.damping,
       .tolerance = 1e-4 * limits.maxForce * range,
       .mostDamping = limits.isPassivityControlled ? 4.0 * device.damping : 0.0,
-      .leastVelocity = 1e-6 * range};  // below it a quotient by the velocity is rounding
+      .leastVelocity = 1e-6 * range};  // below, dividing by the velocity gives only rounding errors
 }
 
-/// A reamer that is driven gives a hand energy that yields to its torque: this is observed, and not
-/// damped. The tolerance is of rounding, over a turn of one radian.
+/// A driven reamer does work on a hand that yields to its torque: the energy is observed, but not
+/// damped. The tolerance covers rounding, over a rotation of one radian.
 EnergyObserver::Settings turnEnergySettings(const SafetyLimits& limits) {
   return {.tolerance = 1e-4 * limits.maxTorque};
 }
@@ -79,7 +79,7 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
     sample.marks |= TickSample::Invalid;
     const bool isFault =
         seen.status == devices::DeviceStatus::Gone || seen.status == devices::DeviceStatus::Faulted;
-    if (isFault) stop();  // until the operator has decided
+    if (isFault) stop();  // until the operator arms the engine again
   }
   sample.travel = tool_.travel;
   sample.velocity = tool_.velocity;
@@ -128,9 +128,9 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
 
 void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept {
   if (input.isMeasured) {
-    // The work of the last step: the force that was commanded then, times the way since.
+    // Work of the last step: the force commanded in the last tick times the motion since.
     energy_.observe(commanded_, moved_, tool_.velocity, dt);
-    // A torque on the hand does work on it: what the scene takes up is its negative.
+    // The torque does work on the hand; the scene takes up the negative of that work.
     turnEnergy_.observe(-commandedTorque_, turned_, turned_ / dt, dt);
     desired_ = felt_ != nullptr ? desiredForce(sample) : 0.0;
     const bool isDefined = (sample.marks & TickSample::Undefined) == 0;
@@ -143,7 +143,8 @@ void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, doub
   auto gateInput = input;
   gateInput.desired = desired_;
   const auto gate = gate_.step(gateInput, dt);
-  // The limiter comes last: what the passivity controller or the gate asks for is limited, too.
+  // The limiter comes last, so it also limits the output of the passivity controller and of the
+  // gate.
   const auto limited = limiter_.limit(passive * gate.gain, dt);
   sample.force = limited.force;
   sample.interventions = limited.interventions;

@@ -14,11 +14,12 @@ namespace haptics::engine {
 
 using CutDetector = models::CutDetector<double>;
 
-/// Feels for a hand: reads the tool, asks a scene for a force, limits it, commands it, counts cuts.
+/// Computes one step of haptic rendering: reads the device, gets a force from the scene, limits it,
+/// commands it, and counts cuts.
 ///
-/// The engine owns neither thread nor clock. The caller of tick() decides what a millisecond is:
-/// the real-time loop on a study day, a for-loop for a simulated cohort and in a test. One engine
-/// serves one device; two devices have two clocks, hence two engines.
+/// The engine owns neither thread nor clock. The caller of tick() provides the time: the real-time
+/// loop during a session, a for-loop for simulated participants and in tests. One engine serves one
+/// device; two devices have two clocks, hence two engines.
 class ForceEngine {
  public:
   /// The device must outlive the engine.
@@ -26,22 +27,23 @@ class ForceEngine {
   ForceEngine(devices::Device& device, const SafetyLimits& limits);
 
   /// Renders @p scene from the next tick on; nullptr for no scene. Any thread may call it. The
-  /// scene must outlive its last tick: remove it and wait for a tick, or stop the loop first.
+  /// scene must outlive the last tick that uses it: before deleting it, set another and wait for a
+  /// tick, or stop the loop.
   void setScene(CompiledScene* scene) noexcept;
 
-  /// Any thread: no force at once, and none until arm(), after which it starts softly. A device
-  /// that is gone, faulty or silent for too long stops the engine by itself, and it stays stopped
+  /// Sets the force to zero at once and until arm(), after which it starts softly. Any thread. A
+  /// device that is gone, faulty or silent for too long also stops the engine, which stays stopped
   /// when the device comes back.
   void stop() noexcept { isStopped_.store(true, std::memory_order_release); }
   void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
   bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }
 
-  /// Any thread: switches the reamer on or off from the next tick on, as a pedal does; on at first.
-  /// It turns while both this and the device's own switch are on.
+  /// Switches the reamer on or off from the next tick on, as a pedal does; it is on initially. The
+  /// reamer turns while both this and the device's own switch are on. Any thread.
   void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
 
-  /// One step of @p dt [s], after @p missedPeriods that the clock let pass. Never allocates, waits
-  /// or throws.
+  /// Computes one step of @p dt [s], after @p missedPeriods periods without a tick. Never
+  /// allocates, waits or throws.
   ///
   /// Read device → check sample → scene → passivity → gate → saturate → slew → check for finiteness
   /// → command, for force and torque alike. A device that renders no torque gets none. After a
@@ -65,19 +67,19 @@ class ForceEngine {
   EnergyObserver turnEnergy_;
   CutDetector cuts_;
   std::atomic<CompiledScene*> scene_{nullptr};
-  CompiledScene* felt_ = nullptr;  ///< by the last tick
+  CompiledScene* felt_ = nullptr;  ///< the scene of the last tick
   std::atomic<bool> isStopped_{false};
   std::atomic<bool> isReamerOn_{true};
   std::uint64_t ticks_ = 0;
   ToolState tool_;
-  bool hasTool_ = false;  ///< it has been measured
+  bool hasTool_ = false;  ///< tool_ holds a measurement
   bool isHeld_ = true;
-  double moved_ = 0.0;            ///< in the last tick [device's travel unit]
-  double desired_ = 0.0;          ///< by the last answer of the scene [N]
+  double moved_ = 0.0;            ///< change of travel in the last tick [device's travel unit]
+  double desired_ = 0.0;          ///< force of the scene's last response [N]
   double commanded_ = 0.0;        ///< [N]
   double turn_ = 0.0;             ///< about the tool's axis [rad]
-  double turned_ = 0.0;           ///< in the last tick [rad]
-  double desiredTorque_ = 0.0;    ///< by the last answer of the scene [N·m]
+  double turned_ = 0.0;           ///< change of turn in the last tick [rad]
+  double desiredTorque_ = 0.0;    ///< torque of the scene's last response [N·m]
   double commandedTorque_ = 0.0;  ///< [N·m]
 };
 

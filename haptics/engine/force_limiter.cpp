@@ -23,8 +23,7 @@ ForceLimiter ForceLimiter::ofTorque(const SafetyLimits& limits) {
 
 ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   Limited result;
-  // With an undefined force or no time step there is no safe change of the last force: no force at
-  // all.
+  // With an undefined force or time step no change of the last force is known to be safe: return 0.
   if (!std::isfinite(desired) || !(dt > 0.0)) {
     last_ = 0.0;
     result.interventions = NotFinite;
@@ -33,7 +32,8 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   double force = std::clamp(desired, -most_, most_);
   if (force != desired) result.interventions |= saturated_;
 
-  // After saturation, so that a force beyond the limit is approached no faster than one within.
+  // Slew-limit after saturation, so that a force above the maximum rises no faster than one below
+  // it.
   const double step = rate_ * dt;
   const double slewed = std::clamp(force, last_ - step, last_ + step);
   if (slewed != force) result.interventions |= slewed_;
@@ -64,10 +64,12 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
   const double step = dt / limits_.rampTime;
   if (input.missedPeriods > 1) {
     output.reasons |= MissedPeriods;
-    gain_ = std::max(0.0, gain_ - (input.missedPeriods - 1) * step);  // as if they had been ticked
+    gain_ = std::max(
+        0.0,
+        gain_ - (input.missedPeriods - 1) * step);  // as much as one fading tick per missed period
   }
 
-  // One missing sample is held, for slightly more than a tick so that rounding does not decide.
+  // Bridge one missing sample; 1.5 ticks instead of 1 makes the comparison safe against rounding.
   const bool isBridged = output.reasons == NoSample && silence_ < 1.5 * dt;
   constexpr std::uint8_t kClosing = TooFast | Released | NoSample;
   if ((output.reasons & kClosing) != 0) {

@@ -16,7 +16,7 @@ constexpr auto namesOf(std::type_identity<std::variant<Spec...>>) {
 /// The names of all models, in the order of ModelSpec.
 inline constexpr auto kModelNames = namesOf(std::type_identity<ModelSpec>{});
 
-/// A variant of a model, by the name that protocols give it.
+/// An enumerator of a model's option, with its name in protocols.
 template <typename Value>
 struct Named {
   std::string_view name;
@@ -79,7 +79,7 @@ constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names,
   return {};
 }
 
-/// @param name  of one of @p names; the first, if it is none.
+/// @param name  one of @p names; for another name the first value is returned.
 template <typename Value, std::size_t kCount>
 constexpr Value valueIn(const std::array<Named<Value>, kCount>& names, std::string_view name) {
   for (const auto& named : names) {

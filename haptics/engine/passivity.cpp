@@ -7,7 +7,7 @@ namespace haptics::engine {
 
 void EnergyObserver::observe(double held, double moved, double velocity, double dt) noexcept {
   const double taken = held * moved + settings_.deviceDamping * velocity * velocity * dt;
-  if (!std::isfinite(taken)) return;  // one bad sample must not void the sum
+  if (!std::isfinite(taken)) return;  // one bad sample must not spoil the sum
   if (std::abs(held) < settings_.noForce) {
     energy_ = 0.0;
     return;
@@ -19,7 +19,7 @@ void EnergyObserver::observe(double held, double moved, double velocity, double 
 double EnergyObserver::damped(double desired, double velocity, double dt) const noexcept {
   if (!isActive() || !(settings_.mostDamping > 0.0)) return desired;
   if (!(std::abs(velocity) > settings_.leastVelocity) || !(dt > 0.0)) return desired;
-  // Over the coming step damping b dissipates b v² dt: as much as was given too much.
+  // Damping b dissipates b v² dt in the coming step; choose b so that this equals −E.
   const double wanted = -energy_ / (velocity * velocity * dt);
   return desired + std::min(wanted, settings_.mostDamping) * velocity;
 }

@@ -13,20 +13,21 @@ std::vector<double> travelsOf(const std::vector<models::CurveNode<double>>& node
   return travels;
 }
 
-/// Of a slow change [ticks]: half a tick of the mean of two; one and a half of the authors' two old
-/// samples, and another half of their feedback.
+/// Delay of a slow change [ticks]: 0.5 for the mean of two samples; for the authors' filter 1.5
+/// from its two old samples plus 0.5 from its feedback.
 double delayOf(models::Smoothing smoothing) {
   if (smoothing == models::Smoothing::TwoPoint) return 0.5;
   return smoothing == models::Smoothing::AuthorsFirmware ? 2.0 : 0.0;
 }
 
-/// How steep the way from one branch to the other may get: the widest gap over the width.
+/// Largest slope added by the transition between the branches: their largest force difference over
+/// the width of the transition [N per travel unit].
 double steepestTurn(const InterpolationSpec& spec) {
   double widest = 0.0;
   const models::Interpolation<double> closing(spec.curve.data(), spec.curve.size(), spec.options);
   const models::Interpolation<double> opening(
       spec.opening.data(), spec.opening.size(), spec.options);
-  for (const auto* nodes : {&spec.curve, &spec.opening}) {  // both straight in between
+  for (const auto* nodes : {&spec.curve, &spec.opening}) {  // both are linear between nodes
     for (const auto& node : *nodes) {
       std::size_t hint = 0;
       std::size_t other = 0;
@@ -142,7 +143,7 @@ models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noe
   lastTravel_ = tool.travel;
   hasTravel_ = true;
   const double force = average_.feed(filter_.step(travelled, elastic.force, recorded.force, trust));
-  if (!std::isfinite(force)) {  // no hand leaps so: start again
+  if (!std::isfinite(force)) {  // only an impossible motion causes this: start again
     reset();
     return {};
   }
@@ -168,8 +169,8 @@ template class KalmanModel<models::KalmanFilter<double, models::TextbookCovarian
 
 namespace {
 
-/// Settles a filter between a force of nothing and one of 1 N, there and back, so that no slope
-/// builds up.
+/// Steady output of a filter that fuses 0 N and 1 N. The tool moves back and forth, so that the
+/// filter estimates no slope.
 template <typename Filter>
 double settled(Filter filter) noexcept {
   constexpr double kStep = 0.02;  // [travel units]: 20 a second at 1 kHz

@@ -13,14 +13,15 @@
 
 namespace haptics::engine {
 
-/// The nodes of a curve with the index for searching them.
+/// An interpolation curve that owns its nodes and their search index.
 class IndexedCurve {
  public:
   /// @param nodes  valid, see problemsOf().
   IndexedCurve(
       std::vector<models::CurveNode<double>> nodes,
       const models::Interpolation<double>::Options& options);
-  IndexedCurve(IndexedCurve&&) noexcept = default;  // the nodes stay where they are
+  // A moved vector keeps its buffer, to which curve_ points.
+  IndexedCurve(IndexedCurve&&) noexcept = default;
   IndexedCurve& operator=(IndexedCurve&&) = delete;
 
   const models::Interpolation<double>& curve() const noexcept { return curve_; }
@@ -35,7 +36,7 @@ class IndexedCurve {
   models::Interpolation<double> curve_;
 };
 
-/// The recorded cut over travel; the opening branch exists only with hysteresis.
+/// Force of a recorded cut over travel, with an opening branch if the spec has hysteresis.
 class InterpolationModel final : public ForceModel {
  public:
   /// @param spec  valid, see problemsOf().
@@ -46,7 +47,7 @@ class InterpolationModel final : public ForceModel {
   double largestStiffness() const noexcept override;
   /// std::nullopt if the curve ends in a jump.
   std::optional<double> slopeBound() const noexcept override;
-  /// How far the recording is a measurement at @p travel [travel units], in [0, 1].
+  /// The weight of the recording as a measurement at @p travel [travel units], in [0, 1].
   double trustAt(double travel) const noexcept;
   std::size_t bytes() const noexcept;
 
@@ -63,7 +64,7 @@ class InterpolationModel final : public ForceModel {
   models::Hysteresis<double>::State state_;
 };
 
-/// The elastic, ideally plastic reference.
+/// Force of the elastic, perfectly plastic finite elements.
 class FiniteElementModel final : public ForceModel {
  public:
   /// @param spec  valid, see problemsOf().
@@ -82,7 +83,7 @@ class FiniteElementModel final : public ForceModel {
   models::FiniteElements<double>::State state_;
 };
 
-/// Both, fused by a filter, and smoothed.
+/// Interpolation and finite elements, fused by a Kalman filter, and smoothed.
 template <typename Filter>
 class KalmanModel final : public ForceModel {
  public:
@@ -92,7 +93,7 @@ class KalmanModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
-  /// Its force depends on what it has felt: not bounded by the slopes of the two that it fuses.
+  /// The force depends on past motion, so the slopes of the two fused forces do not bound it.
   std::optional<double> slopeBound() const noexcept override { return std::nullopt; }
   double delay() const noexcept override { return delay_; }
 
@@ -107,14 +108,15 @@ class KalmanModel final : public ForceModel {
 };
 
 using FactoredKalmanModel = KalmanModel<models::KalmanFilter<double>>;
-/// With Q as eq. (22) prints it.
+/// With Q exactly as eq. (22) prints it.
 using PrintedKalmanModel = KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 extern template class KalmanModel<models::KalmanFilter<double>>;
 extern template class KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 
-/// How much the interpolated force weighs in what a filter settles to, from 0 (the finite elements
-/// alone) to 1 (the recording alone), for a hand that moves 0.02 travel units a step; the mean of
-/// two steps where both forces take turns. Smoothing changes nothing of it.
+/// The steady-state weight of the interpolated force in the filter's output, from 0 (only finite
+/// elements) to 1 (only the recording), for a hand that moves 0.02 travel units per step. It is the
+/// mean of two steps, since some schemes use the two forces alternately. Smoothing does not affect
+/// it.
 ///
 /// @param spec  valid, see problemsOf().
 double interpolationWeight(const KalmanSpec& spec) noexcept;

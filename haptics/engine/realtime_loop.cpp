@@ -27,8 +27,8 @@ HoleDetector::~HoleDetector() {
   if (file_ >= 0) close(file_);
 }
 
-/// How long the thread has waited for a processor in all [ns]: the file's second number. −1 where
-/// the kernel does not count: then the third, how often it had its turn, is 0 although it is
+/// Total time that the thread has waited for a processor [ns]: the file's second number. −1 if the
+/// kernel does not count: then the third number, of time slices, is 0 although the thread is
 /// running.
 std::int64_t HoleDetector::waited() const noexcept {
   char text[96];
@@ -66,14 +66,15 @@ double microseconds(std::int64_t nanoseconds) noexcept {
   return static_cast<double>(nanoseconds) / 1000.0;
 }
 
-/// So that no tick is the first to touch its stack.
+/// Touches the stack, so that no tick causes a page fault there.
 void touchStack() noexcept {
   constexpr std::size_t kEnough = std::size_t{64} * 1024;
   [[maybe_unused]] volatile char stack[kEnough];
   for (std::size_t i = 0; i < kEnough; i += 1024) stack[i] = 0;
 }
 
-/// Requests real-time scheduling. Timer slack needs no privilege; the rest may be refused.
+/// Requests real-time scheduling. Timer slack needs no privilege; the other requests may be
+/// refused.
 bool requestRealtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
   if (!timing::raisePriority(timing::kLoopPriority)) return false;
@@ -84,7 +85,7 @@ bool requestRealtime() noexcept {
 
 }  // namespace
 
-/// When the next tick is due, and waiting for it.
+/// Computes when the next tick is due, and waits for it.
 class RealtimeLoop::Pace {
  public:
   Pace(const Options& options, std::int64_t period) noexcept
@@ -93,10 +94,10 @@ class RealtimeLoop::Pace {
         pacer_(options.pacer),
         due_(now()) {}
 
-  /// Waits for the next tick; how late it is [ns]. What was lost is not made up for.
+  /// Waits for the next tick and returns its lateness [ns]. Missed ticks are not made up for.
   std::int64_t wait() noexcept {
     if (pacer_ != nullptr) {
-      pacer_->wait(due_ + period_);  // a device that is silent is noticed by the tick
+      pacer_->wait(due_ + period_);  // the tick detects a silent device
     } else {
       if (spin_ < due_ - now()) sleepUntil(due_ - spin_);
       while (now() < due_) {
@@ -155,14 +156,15 @@ void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period
 }
 
 void RealtimeLoop::run(const std::stop_token& stop) {
-  // Timer slack and priority are asked for together, so that a comparison can do without both.
+  // Timer slack and priority are requested together, so that asksForRealtime = false measures
+  // without both.
   isRealtime_ = options_.asksForRealtime && requestRealtime();
   HoleDetector holes;
   report_.knowsHoles = holes.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
-  // Waiting as long as this is worth asking why; less is the timer's slack and waking up. The
-  // kernel is asked for its count every so often.
+  // Lateness above this is attributed to its cause; less is timer slack and wake-up latency. The
+  // count restarts every few ticks.
   constexpr std::int64_t kLeastHole = 200'000;  // [ns]
   const std::int64_t suspicious = std::max(period / 4, kLeastHole);
   constexpr std::uint64_t kRestartEvery = 8;

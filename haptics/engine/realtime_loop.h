@@ -11,15 +11,15 @@
 
 namespace haptics::engine {
 
-/// Tells whose fault it is that a thread woke up late.
+/// Splits the lateness of a thread's wake-up by its cause: this machine, or a hole.
 ///
-/// A thread that waits for a processor although its time has come counts that in
-/// /proc/thread-self/schedstat: other work of this machine, ours to answer for. The rest of the
-/// lateness is a hole: the timer itself came late, because the host of this (virtual) machine had
-/// stopped it, or its firmware had. Where the kernel does not count, everything is ours.
+/// The kernel counts in /proc/thread-self/schedstat how long a runnable thread waits for a
+/// processor: this part is caused by other work on this machine. The rest of the lateness is a
+/// hole: the timer fired late, because the host of this (virtual) machine, or the firmware, had
+/// stopped it. If the kernel does not count, all lateness is attributed to this machine.
 class HoleDetector {
  public:
-  /// Belongs to the thread that makes it.
+  /// Measures the calling thread; only that thread may use the object.
   HoleDetector() noexcept;
   ~HoleDetector();
   HoleDetector(const HoleDetector&) = delete;
@@ -27,11 +27,12 @@ class HoleDetector {
 
   bool isAvailable() const noexcept { return file_ >= 0; }
 
-  /// Resets the count: call it now and then while nothing is late, so that the small change of
-  /// many wake-ups does not add up.
+  /// Restarts the count. Call it now and then while no tick is late, so that the short waits of
+  /// many wake-ups do not add up.
   void restart() noexcept;
 
-  /// Of @p late [ns], what this machine answers for [ns]; the rest is a hole. Restarts.
+  /// Returns the part of @p late [ns] that this machine caused [ns]; the rest is a hole. Restarts
+  /// the count.
   std::int64_t accountableLateness(std::int64_t late) noexcept;
 
  private:
@@ -41,48 +42,48 @@ class HoleDetector {
   std::int64_t before_ = 0;
 };
 
-/// The only clock of the engine: a thread that calls a tick at a fixed rate, as nearly as the
-/// machine lets it, or at the pace that a device sets.
+/// A thread that calls a function at a fixed rate, or at the pace of a device. It drives
+/// ForceEngine::tick() in real time.
 ///
-/// Sleeps to absolute times on CLOCK_MONOTONIC with a timer slack of 1 ns, and spins over the last
-/// small part of a period, which hides most of the time that waking up takes. It asks for real-time
-/// priority and locked memory, and works without them if they are not granted; see isRealtime(). It
-/// never catches up on lost time: a burst of ticks would feel like a knock.
+/// Sleeps until absolute times on CLOCK_MONOTONIC with a timer slack of 1 ns, and spins over the
+/// last small part of a period, which hides most of the wake-up latency. Requests real-time
+/// priority and locked memory, and works without them if they are refused; see isRealtime(). Missed
+/// ticks are not made up for: a burst of ticks would feel like a knock.
 class RealtimeLoop {
  public:
-  /// One step: @p dt is the nominal period [s], @p lateness how long after its due time [µs]. A
-  /// whole period of lateness is a period that was missed.
+  /// One step: @p dt is the nominal period [s], @p lateness the delay of the call after its due
+  /// time [µs]. Every whole period of lateness is a missed period.
   using Tick = std::function<void(double dt, double lateness)>;
 
-  /// Longer spinning would run into the kernel's brake on real-time threads (950 ms of a second).
+  /// More spinning could exceed the kernel's limit for real-time threads (950 ms per second).
   static constexpr double kMostSpinning = 0.1;
 
   struct Options {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
-    double spinning = 0.05;  ///< share of a period that is spun at its end, 0 to kMostSpinning
+    double spinning = 0.05;  ///< fraction of a period to spin at its end, 0 to kMostSpinning
     bool asksForRealtime = true;
     devices::Pacer* pacer = nullptr;  ///< sets the pace if given; must outlive the loop
   };
 
   struct Report {
     std::uint64_t ticks = 0;
-    std::uint64_t lateTicks = 0;  ///< later than a whole period: at least one period was missed
-    std::uint64_t lateTicksOfOurs = 0;  ///< … which this machine answers for, not a hole
+    std::uint64_t lateTicks = 0;        ///< ticks that were late by more than a period
+    std::uint64_t lateTicksOfOurs = 0;  ///< late ticks that this machine caused
     std::uint64_t missedPeriods = 0;
-    std::uint64_t holes = 0;                ///< late ticks that the host machine caused
-    double longestHole = 0.0;               ///< [µs]
-    bool knowsHoles = false;                ///< the kernel tells them apart
-    double seconds = 0.0;                   ///< from the first tick to the last
-    timing::LatenessHistogram lateness;     ///< of every tick
-    timing::LatenessHistogram ownLateness;  ///< without holes
-    timing::LatenessHistogram compute;      ///< how long the ticks took
+    std::uint64_t holes = 0;             ///< the other late ticks, see HoleDetector
+    double longestHole = 0.0;            ///< [µs]
+    bool knowsHoles = false;             ///< the kernel's count is available, so holes are detected
+    double seconds = 0.0;                ///< from the first tick to the last
+    timing::LatenessHistogram lateness;  ///< of every tick
+    timing::LatenessHistogram ownLateness;  ///< of every tick, without holes
+    timing::LatenessHistogram compute;      ///< duration of the ticks
   };
 
-  /// Starts ticking. @p tick neither allocates, waits nor throws.
+  /// Starts the thread. @p tick must not allocate, wait or throw.
   /// @throws std::invalid_argument  if the rate or the share of spinning is out of range.
   RealtimeLoop(const Options& options, Tick tick);
 
-  /// Stops, and waits until the last tick is over.
+  /// Stops the loop and waits for the last tick to end.
   ~RealtimeLoop();
   RealtimeLoop(const RealtimeLoop&) = delete;
   RealtimeLoop& operator=(const RealtimeLoop&) = delete;
@@ -90,7 +91,7 @@ class RealtimeLoop {
   /// Stops the loop and returns its measurements. A second call returns the same.
   const Report& finish();
 
-  /// Any thread, while it runs.
+  /// The functions below may be called from any thread while the loop runs.
   std::uint64_t ticks() const noexcept { return ticks_.load(std::memory_order_relaxed); }
   std::uint64_t lateTicks() const noexcept { return lateTicks_.load(std::memory_order_relaxed); }
   bool isRealtime() const noexcept { return isRealtime_.load(std::memory_order_relaxed); }

@@ -34,12 +34,12 @@ models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noe
   const double push = kCoupling * (tool.travel - depth_);
   torque_ = material_.torque() * (push < resistance ? push / resistance : 1.0);
   if (push > resistance) {
-    // Implicit in time, and so stable for every dt, as in reaming::Bone.
+    // Implicit integration, stable for every dt, as in reaming::Bone.
     const double advance = (push - resistance) / (kCoupling + damping_ / tool.dt);
     depth_ += std::min(advance, mostFeed * tool.dt);
   }
   const double force = kCoupling * (tool.travel - depth_);
-  // What shook in the measurement was the spin.
+  // The jitter of the measurement came from the spinning reamer.
   const double noise = mostFeed > 0.0 ? jitter_.step(force, tool.dt) : 0.0;
   return {force + noise, kCoupling, true};
 }

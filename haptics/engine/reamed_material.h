@@ -8,40 +8,40 @@
 
 namespace haptics::engine {
 
-/// Bone of a hardness through which the reamer goes no faster than its teeth can take, whatever the
-/// device pushes: a constrained tool, as of a bone of spheres (reaming::Bone), on a curve.
+/// Force of bone through which the reamer advances no faster than its teeth can cut, however hard
+/// the device pushes: a constrained tool like that of reaming::Bone, on a force curve.
 ///
-/// The tool is at the depth z, the device at x. The spring between them pushes with K (x − z), and
-/// with the curve F(z) and the cutting damping b
+/// The tool is at depth z, the device at x. The spring between them pushes with K (x − z). With the
+/// force curve F(z) and the cutting damping b,
 ///
 ///     ż = min((K (x − z) − F(z)) / b, speed · teeth · feedPerTooth),   0 where that is below 0;
 ///
-/// what is rendered is the spring's force. It never pulls: a device that goes back takes the tool
-/// with it, and the bone that it leaves is whole again, so that every stroke meets the same curve.
+/// The rendered force is the spring's. It never pulls: a device that moves back takes the tool
+/// along, and the bone there is whole again, so that every stroke meets the same curve.
 class ReamedMaterialModel final : public ForceModel {
  public:
   static constexpr double kCoupling =
-      MaterialSpec::kCoupling;                       ///< K, as of a bone of spheres [N/m]
-  static constexpr double kCuttingDamping = 2000.0;  ///< b of the default reamer [N·s/m]
+      MaterialSpec::kCoupling;                       ///< K, the same as for a bone of spheres [N/m]
+  static constexpr double kCuttingDamping = 2000.0;  ///< b for the default reamer [N·s/m]
 
-  /// @param spec  valid, like the reamer.
+  /// @param spec  valid, see problemsOf(); so must be @p reamer.
   ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override { return kCoupling; }
-  /// That of the curve at the tool's depth; a share of it where the tool is pushed less than bone
-  /// resists.
+  /// The torque curve at the tool's depth; proportionally less if the push is smaller than the
+  /// resistance of the bone.
   double torque() const noexcept override { return torque_; }
   bool hasTorque() const noexcept override { return material_.hasTorque(); }
 
-  double depth() const noexcept { return depth_; }  ///< of the tool [m]
+  double depth() const noexcept { return depth_; }  ///< depth of the tool [m]
   std::size_t bytes() const noexcept { return material_.bytes(); }
 
  private:
   MaterialModel material_;
   JitterNoise jitter_;
-  double surface_;  ///< where the curve begins [m]
+  double surface_;  ///< depth at which the force curve begins [m]
   double mostFeed_;
   double damping_;
   double depth_;

@@ -8,17 +8,18 @@
 namespace haptics::engine {
 namespace {
 
-// The sweep that the header describes; all speeds in shown units a second.
+// The sweep that the header describes; speeds in displayed units per second.
 constexpr int kPlaces = 40;
 constexpr double kStrokeSpeeds[]{10.0, 45.0};
 constexpr double kSlowSpeeds[]{0.1, 1.0};
-constexpr double kRest = 0.4;          // [s]
-constexpr double kSettled = 0.2;       // of it, after which the force should be still [s]
-constexpr double kStill = 1e-3;        // [N] peak to peak
-constexpr double kSlowStretch = 0.25;  // there, and as long back [s]
-constexpr double kLeastMove = 1e-9;    // of the range: below it the tool rests, but for rounding
+constexpr double kRest = 0.4;     // [s]
+constexpr double kSettled = 0.2;  // part of the rest after which the force should be constant [s]
+constexpr double kStill = 1e-3;   // [N] peak to peak
+constexpr double kSlowStretch = 0.25;  // duration of the way forth, and of the way back [s]
+// Fraction of the range; smaller motions are rounding errors of a resting tool.
+constexpr double kLeastMove = 1e-9;
 
-/// Feels a scene tick by tick, and keeps the steepest.
+/// Renders a scene tick by tick along the sweep, and keeps the largest slope.
 class Sweep {
  public:
   Sweep(const SceneSpec& spec, const devices::DeviceKind& kind, double rate)
@@ -116,7 +117,7 @@ class Sweep {
     const double amplitude = high - low;
     const double known = found_.limitCycle ? found_.limitCycle->amplitude : kStill;
     if (!(amplitude > known)) return;
-    // Two turns a period.
+    // A period has two reversals.
     const double frequency = 0.5 * turns * rate_ / static_cast<double>(ticks - settling - 1);
     if (turns > 1) found_.limitCycle = {amplitude, frequency, travel_};
   }
@@ -125,7 +126,7 @@ class Sweep {
   double rate_;
   double least_;
   double most_ = 0.0;
-  double unit_;  ///< the shown unit, in the device's [travel unit]
+  double unit_;  ///< one displayed unit [travel unit]
   double travel_ = 0.0;
   double lastTravel_ = 0.0;
   double force_ = 0.0;

@@ -11,15 +11,15 @@
 
 namespace haptics::engine {
 
-/// Samples on their way from the haptic thread to the recorder: one writer, one reader, no lock, no
-/// heap. A reader that is too slow loses samples; how many is counted, never hidden.
+/// A lock-free ring buffer from the haptic thread to the recorder: one writer, one reader, no heap.
+/// If the reader is too slow, samples are lost; lost() counts them.
 template <typename Sample, std::size_t kCapacity>
 class SampleRing {
   static_assert((kCapacity & (kCapacity - 1)) == 0, "a power of two");
   static_assert(std::is_trivially_destructible_v<Sample>, "what crosses threads owns no memory");
 
  public:
-  /// Writer only. False, and counted, where the ring is full.
+  /// Writer only. If the ring is full, counts the sample as lost and returns false.
   bool push(const Sample& sample) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     if (head - tail_.load(std::memory_order_acquire) == kCapacity) {
@@ -31,7 +31,7 @@ class SampleRing {
     return true;
   }
 
-  /// Reader only. False where there is nothing.
+  /// Reader only. Returns false if the ring is empty.
   bool pop(Sample& sample) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail == head_.load(std::memory_order_acquire)) return false;
@@ -49,18 +49,18 @@ class SampleRing {
   std::array<Sample, kCapacity> samples_{};
 };
 
-/// What happened in one tick: to be recorded, counted and drawn.
+/// The result of one tick, for recording, counting and drawing.
 struct TickSample {
-  /// What the engine itself noted, beside the limiter's interventions, as bits.
+  /// Conditions of a tick other than the limiter's interventions, as bits.
   enum Mark : std::uint8_t {
     None = 0,
     Invalid = 1,          ///< the device gave no measurement; travel and velocity are the last ones
     Undefined = 2,        ///< the scene has no force here
     Stopped = 4,          ///< stop was pressed
-    Bare = 8,             ///< no scene: the hand feels nothing
+    Bare = 8,             ///< there is no scene, hence no force
     TooFast = 16,         ///< the tool exceeds the limit of velocity; the force fades
     Released = 32,        ///< the dead-man switch is not held; the force fades
-    SoftStart = 64,       ///< the force waits for a small one, or comes on
+    SoftStart = 64,       ///< waits for a small desired force, or the force is rising
     MissedPeriods = 128,  ///< the clock missed more than one period; the force fades
   };
 
@@ -71,15 +71,15 @@ struct TickSample {
   double force = 0.0;          ///< sent to the device [N]
   double desiredTorque = 0.0;  ///< desired by the scene, about the tool's axis [N·m]
   double torque = 0.0;         ///< sent to the device [N·m]; 0 if it renders none
-  double energy = 0.0;         ///< that this contact has taken up [N·device's travel unit]
-  double turnEnergy = 0.0;     ///< the same for the turn about the tool's axis [J]
-  float lateness = 0.0F;       ///< of this tick against its due time [µs]; 0 without a clock
+  double energy = 0.0;  ///< taken up by the device during this contact [N·device's travel unit]
+  double turnEnergy = 0.0;  ///< likewise, for the rotation about the tool's axis [J]
+  float lateness = 0.0F;    ///< of this tick after its due time [µs]; 0 without a clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
   std::uint8_t marks = None;
-  /// A point of a cut that has just become clear.
+  /// The landmark of a cut that this tick detected.
   models::CutDetector<double>::Event landmark = models::CutDetector<double>::Event::Nothing;
-  std::uint32_t cuts = 0;  ///< completed since the scene was set
+  std::uint32_t cuts = 0;  ///< number of cuts completed since the scene was set
 };
 
 }  // namespace haptics::engine

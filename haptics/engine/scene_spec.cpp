@@ -161,13 +161,13 @@ FiniteElementsSpec elementsLike(const InterpolationSpec& cut) {
   for (const auto& node : curve) largest = std::max(largest, node.force);
   FiniteElementsSpec spec;
   if (!(largest > 0.0)) return spec;
-  // The yield: the first local maximum of at least half the largest force.
+  // Yield: the first local maximum of at least half the largest force.
   std::size_t yield = 0;
   while (yield + 1 < curve.size() &&
          (curve[yield].force < 0.5 * largest || curve[yield + 1].force >= curve[yield].force)) {
     ++yield;
   }
-  // The contact: the last point before it where there is hardly a force.
+  // Contact: the last point before the yield with at most 1 % of the largest force.
   std::size_t contact = yield;
   while (contact > 0 && curve[contact].force > 0.01 * largest) --contact;
   const double way = curve[yield].travel - curve[contact].travel;
@@ -185,7 +185,7 @@ std::optional<double> endOfData(const ModelSpec& model) {
   if (parts.cut != nullptr && !parts.cut->curve.empty()) {
     const auto& options = parts.cut->options;
     if (options.extrapolation == models::Extrapolation::Absent)
-      return std::nullopt;  // elements go on
+      return std::nullopt;  // the force of the finite elements continues
     const bool isRamp = options.extrapolation == models::Extrapolation::RampOut;
     const auto& last = parts.cut->curve.back();
     return last.travel + (isRamp && last.force != 0.0 ? options.rampLength : 0.0);
@@ -206,7 +206,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
   using Curve = models::Interpolation<double>;
   constexpr double kNoticeable = 0.05;  // [N]
   const auto* cut = partsOf(model).cut;
-  // Absent: there is no force beyond, and a filter takes the recording up little by little.
+  // Absent: beyond its ends the recording has no weight in the filter, which changes gradually.
   if (cut == nullptr || cut->options.extrapolation == models::Extrapolation::Absent) return {};
   std::vector<ForceJump> jumps;
   for (const auto* nodes : {&cut->curve, &cut->opening}) {
@@ -220,7 +220,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
     };
     const double first = nodes->front().travel;
     const double last = nodes->back().travel;
-    // Far above the rounding of a travel, and nearer than any ramp fades.
+    // Far above the rounding of travel, and far shorter than any ramp.
     const double beside = 1e-9 * (last - first);
     for (const ForceJump jump :
          {ForceJump{first, forceAt(first - beside), forceAt(first)},

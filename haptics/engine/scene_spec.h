@@ -23,45 +23,47 @@ struct PackedBone;
 
 namespace haptics::engine {
 
-/// The cutting tool of a scene: how fast it turns, and how much its teeth can take.
+/// The reamer of a scene: its speed, and how much its teeth can cut.
 ///
-/// In every turn each tooth takes a chip of at most feedPerTooth, so that the tool advances through
-/// bone no faster than
+/// In every revolution each tooth cuts a chip of at most feedPerTooth, so the tool advances through
+/// bone at most with
 ///
 ///     feed = speed · teeth · feedPerTooth,
 ///
-/// the kinematics of milling. docs/decisions/0030-reaming-takes-time.md argues the defaults.
+/// as in the kinematics of milling. docs/decisions/0030-reaming-takes-time.md explains the
+/// defaults.
 struct Reamer {
-  static constexpr double kMostSpeed = 100.0;  ///< either way [1/s]
+  static constexpr double kMostSpeed = 100.0;  ///< in either direction [1/s]
 
-  /// Turns in a second, in [−100, 100]; the sign is the spin: above 0 the teeth cut, below 0 their
-  /// backs rub.
+  /// Revolutions per second, in [−100, 100]. Above 0 the teeth cut; below 0 the reamer turns
+  /// backwards, and the teeth only rub.
   double speed = 5.0;
-  int teeth = 4;                 ///< that pass each place of the surface in one turn, >= 1
+  int teeth = 4;                 ///< teeth that pass each point of the surface per revolution, >= 1
   double feedPerTooth = 0.1e-3;  ///< [m], > 0; may be infinite
-  bool hasTorque = true;         ///< release 0.1 rendered forces alone
+  bool hasTorque = true;         ///< false for studies of release 0.1, which rendered no torque
 
-  /// How fast it can go through bone [m/s]; 0 where it stands still or turns backwards.
+  /// The largest speed of advance through bone [m/s]; 0 if the reamer stands still or turns
+  /// backwards.
   constexpr double mostFeed() const noexcept {
     return speed > 0.0 ? speed * teeth * feedPerTooth : 0.0;
   }
 
-  /// The direction of the torque on the hand about the way of advancing: bone holds the teeth, so
-  /// it is against the spin. 1, −1, or 0 where the reamer stands still.
+  /// Sign of the torque on the hand about the direction of advance: against the spin, since bone
+  /// resists the teeth. 1, −1, or 0 if the reamer stands still or has no torque.
   constexpr int torqueSign() const noexcept {
     if (!hasTorque || speed == 0.0) return 0;
     return speed > 0.0 ? -1 : 1;
   }
 
-  /// A force grows with the thickness of the chip, so that a cutting damping falls with the teeth
-  /// that pass in a second.
-  /// @param stated  that of the default reamer, whose teeth pass 20 times a second [N·s/m].
+  /// The cutting damping of this reamer [N·s/m]. The cutting force grows with the thickness of the
+  /// chip, so the damping is inversely proportional to the number of teeth that pass per second.
+  /// @param stated  damping of the default reamer, 20 teeth of which pass per second [N·s/m].
   constexpr double dampingOf(double stated) const noexcept {
     constexpr double kPassesOfTheDefault = 20.0;  // [1/s]
     return speed > 0.0 ? stated * (kPassesOfTheDefault / (speed * teeth)) : stated;
   }
 
-  /// That of release 0.1, which removed all that it was pushed through.
+  /// The reamer of release 0.1, without a limit of the feed and without torque.
   static constexpr Reamer withoutLimit() noexcept {
     return {.feedPerTooth = std::numeric_limits<double>::infinity(), .hasTorque = false};
   }
@@ -71,16 +73,16 @@ struct Reamer {
   }
 };
 
-/// What is registered about a force model.
+/// Facts about a force model.
 struct ModelFacts {
-  std::string_view name;  ///< in protocols
+  std::string_view name;  ///< its name in protocols
   devices::Tissue tissue;
-  std::string_view travelUnit;  ///< of the devices that it can be felt on; empty: any
+  std::string_view travelUnit;  ///< of the devices that can render it; empty: any device
 };
 
-/// Which branches of a recorded cut are felt.
+/// Which branches of a recorded cut are rendered.
 enum class Branches {
-  ClosingOnly,  ///< opening goes back along the closing branch, as in the punch paper
+  ClosingOnly,  ///< opening follows the closing branch backwards, as in the punch paper
   Hysteresis,   ///< opening follows the recorded opening branch
 };
 
@@ -92,8 +94,10 @@ struct InterpolationSpec {
   models::Interpolation<double>::Options options;
   Branches branches = Branches::ClosingOnly;
   std::vector<models::CurveNode<double>> opening;  ///< the opening branch, for Hysteresis
-  std::optional<double> slopeLimit;  ///< that the curves were made to keep [N per travel unit]
-  double turningWidth = 0.5;         ///< of travel from one branch to the other [travel units], > 0
+  /// Limit to which the slopes of the curves were reduced [N per travel unit].
+  std::optional<double> slopeLimit;
+  /// Travel over which the force changes between the branches [travel units], > 0.
+  double turningWidth = 0.5;
 };
 
 /// Force by one-dimensional finite elements: eq. (3)–(11) of the punch paper.
@@ -101,13 +105,13 @@ struct FiniteElementsSpec {
   static constexpr ModelFacts kFacts{"finite-elements", devices::Tissue::Meniscus, ""};
 
   models::FiniteElements<double>::Parameters parameters;
-  std::vector<double> elementStiffnesses;  ///< of each element, if they differ; or empty
+  std::vector<double> elementStiffnesses;  ///< one per element; empty: all are equal
 
-  /// For the model; this must outlive it.
+  /// The parameters for the model. They point into this object, which must outlive the model.
   models::FiniteElements<double>::Parameters asParameters() const noexcept;
 };
 
-/// Both fused by a Kalman filter: eq. (12)–(24) of the punch paper.
+/// Interpolation and finite elements fused by a Kalman filter: eq. (12)–(24) of the punch paper.
 struct KalmanSpec {
   static constexpr ModelFacts kFacts{"kalman", devices::Tissue::Meniscus, "travel_unit"};
 
@@ -115,11 +119,12 @@ struct KalmanSpec {
   FiniteElementsSpec finiteElements;
   models::KalmanNoise<double> noise;
   models::KalmanScheme scheme = models::KalmanScheme::AuthorsFirmware;
-  bool isProcessAsPrinted = false;  ///< Q of eq. (22) with its misprint, in place of the noise
+  bool isProcessAsPrinted = false;  ///< uses Q of eq. (22) with its misprint instead of noise
   models::Smoothing smoothing = models::Smoothing::None;
 };
 
-/// A node of a reaming material: the softest and the hardest bone that there is.
+/// A node of a reaming material: forces and torques of the softest (lower) and hardest (upper)
+/// bone.
 struct MaterialNode {
   double depth = 0.0;        ///< [m]
   double lower = 0.0;        ///< [N]
@@ -128,48 +133,50 @@ struct MaterialNode {
   double upperTorque = 0.0;  ///< [N·m]
 };
 
-/// Force over displacement of an acetabulum, between a lower and an upper curve:
-/// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes; or between
-/// the three curves of a fitted material; and so the torque.
+/// Force over depth of an acetabulum, blended between a lower and an upper curve: (1 − h) · lower +
+/// h · upper, both cubic Hermite splines with monotone-limited slopes; or between the three curves
+/// of a fitted material. The torque is blended likewise.
 struct MaterialSpec {
   static constexpr ModelFacts kFacts{"material", devices::Tissue::Bone, "m"};
-  static constexpr double kCoupling = 50'000.0;  ///< to the tool in bone that is removed [N/m]
+  /// Stiffness between device and tool if bone is removed [N/m].
+  static constexpr double kCoupling = 50'000.0;
 
   std::vector<MaterialNode> nodes;
-  reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
-  reaming::HardnessCurves torque;  ///< of a fitted material [N·m]; empty where none was measured
+  reaming::HardnessCurves curves;  ///< of a fitted material; if not empty, the nodes are not used
+  reaming::HardnessCurves torque;  ///< of a fitted material [N·m]; empty if no torque was measured
   bool isMeasured = false;         ///< the curves were measured
   double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
-  /// Bone asks for more than an arm gives: forces and torques times this, in (0, 1].
+  /// Factor of all forces and torques, in (0, 1], since an arm cannot render the full forces of
+  /// bone.
   double forceScale = 1.0;
-  /// The reamer goes on as it removes bone, at its own feed; otherwise the force is a function of
-  /// depth, however fast the tool is.
+  /// If true, the reamer advances only as fast as it removes bone. If false, the force depends on
+  /// depth only.
   bool isRemoved = false;
-  reaming::Jitter jitter;        ///< added as noise while there is a force; rms 0: none
-  std::uint64_t jitterSeed = 1;  ///< the same seed, the same noise
+  reaming::Jitter jitter;        ///< noise, added while there is a force; rms 0: none
+  std::uint64_t jitterSeed = 1;  ///< seed of the noise
 };
 
-/// A bone of spheres, felt along the axis of its plunge: as it is, or as the reamer leaves it.
+/// Force of a bone of spheres along the axis of the reamer, with or without removal of bone.
 struct PackingSpec {
   static constexpr ModelFacts kFacts{"packing", devices::Tissue::Bone, "m"};
 
   std::shared_ptr<const reaming::PackedBone> bone;
   double hardness = 0.5;    ///< h, from 0 (minimum curve) to 1 (maximum curve)
-  double forceScale = 1.0;  ///< forces and torques times this, in (0, 1]
+  double forceScale = 1.0;  ///< factor of all forces and torques, in (0, 1]
   bool isRemoved = true;    ///< the reamer removes the spheres that it passes through
-  double mostTravel = 0.0;  ///< how deep the device goes [m]; 0: through the bone
-  /// Of a bone that is cut, and the friction of any; the coverage is the bone's own.
+  double mostTravel = 0.0;  ///< largest depth of the device [m]; 0: through the bone
+  /// Options of removal, and the friction. The coverage is not used; it comes from the bone.
   reaming::BoneOptions options;
 };
 
-/// Every force model that there is. One that is added is registered here; the compiler then points
-/// to everything that has to be said about it.
+/// Every force model. A new model is added here; the compiler then reports every place that must
+/// handle it.
 using ModelSpec =
     std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec>;
 
 const ModelFacts& factsOf(const ModelSpec& model) noexcept;
 
-/// The parts of a model; nullptr for those that it does not have. They live as long as the model.
+/// The parts of a model; nullptr for parts that it lacks. Valid as long as the model.
 struct ModelParts {
   const InterpolationSpec* cut = nullptr;
   const FiniteElementsSpec* elements = nullptr;
@@ -179,56 +186,56 @@ struct ModelParts {
 };
 ModelParts partsOf(const ModelSpec& model) noexcept;
 
-/// Where the data of a model end: a cut's last point and its ramp, a material's last node [device's
-/// travel unit]. std::nullopt for a model that has no end of its own.
+/// The travel at which the data of a model end [device's travel unit]: the last point of a cut plus
+/// its ramp, or the last node of a material. std::nullopt for a model that has no such end.
 std::optional<double> endOfData(const ModelSpec& model);
 
-/// A place where the force of a recorded cut changes at once, because its curve ends there.
+/// A discontinuity of the force at an end of a recorded curve.
 struct ForceJump {
   double travel = 0.0;  ///< [device's travel unit]
-  double from = 0.0;    ///< before it, when the hand closes [N]
-  double to = 0.0;      ///< after it [N]
+  double from = 0.0;    ///< before the jump, in the direction of closing [N]
+  double to = 0.0;      ///< after the jump [N]
 };
 
-/// Where the recorded cut of a model, or the one that its filter uses, begins or ends with a force
-/// that its policy does not continue, by more than 0.05 N. Empty for a model without a cut.
+/// The force jumps of more than 0.05 N at the ends of a model's recorded cut (also of one that a
+/// filter uses). They depend on the extrapolation. Empty for a model without a cut.
 std::vector<ForceJump> jumpsOf(const ModelSpec& model);
 
-/// The model as a curve over travel, without noise and before removal. std::nullopt if its force
-/// depends on more than travel, or comes from a recording.
+/// A reaming model as a function of travel: without noise and without removal. std::nullopt for the
+/// models of the punch.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);
 
-/// What the meniscus that is seen follows: MeshView.
+/// What determines the shape of the drawn meniscus, see MeshView.
 enum class SeenTissue {
-  Penetration,  ///< the tool, as eq. (9) to (11) of the punch paper have it
-  Force,        ///< the force at the handle: tissue rises again where that falls
+  Penetration,  ///< the position of the tool, as in eq. (9) to (11) of the punch paper
+  Force,        ///< the force at the handle: the tissue rises when the force falls
 };
 
-/// The elements whose mesh shows a recorded cut: five alike, which begin to give way where the
-/// recorded force begins and are as stiff at the tool as the cut is on the way to its yield.
+/// The finite elements with which a recorded cut is drawn: five equal ones, whose contact is where
+/// the recorded force begins, and whose stiffness at the tool is the mean slope of the cut up to
+/// its yield.
 /// @param cut  valid, see problemsOf().
 FiniteElementsSpec elementsLike(const InterpolationSpec& cut);
 
-/// Everything that is rendered and shown in a condition.
+/// What a condition renders and draws.
 struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
   SeenTissue seenTissue = SeenTissue::Penetration;
-  Reamer reamer;  ///< of bone that is removed
+  Reamer reamer;  ///< used if bone is removed, and for the torque
 };
 
-/// Of the spring between the device and the tool in bone that is removed [N/m]; 0 for another
-/// model.
+/// Stiffness of the spring between device and tool if the model removes bone [N/m]; 0 for other
+/// models.
 double couplingOf(const ModelSpec& model);
 
-/// How fast the tool can move through the bone of @p spec [m/s]; infinite for a scene in which no
-/// bone is removed.
+/// The largest speed of the tool through the bone of @p spec [m/s]; infinite if no bone is removed.
 double feedLimitOf(const SceneSpec& spec);
 
-/// Whether the scene may have a torque about the tool's axis.
+/// Whether the scene has a torque about the tool's axis.
 bool hasTorque(const SceneSpec& spec);
 
-/// All problems of @p spec, in words; empty if it can be compiled.
+/// Messages about all problems of @p spec; empty if it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);
 
 }  // namespace haptics::engine
