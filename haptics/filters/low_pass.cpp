@@ -58,8 +58,8 @@ std::vector<double> KaiserLowPass::filtered(std::span<const double> signal) cons
 
 namespace {
 
-/// A straight line between where the first and the last @p window samples begin and end by their
-/// least-squares lines: the noise of two samples moves no end.
+/// The line between two end points, which least-squares lines through the first and the last @p
+/// window samples give, so that the noise of single samples hardly moves them.
 class Line {
  public:
   Line(std::span<const double> samples, std::size_t window)
@@ -89,11 +89,12 @@ class Line {
   double rise_;
 };
 
-/// Two poles and two zeros, transposed direct form II.
+/// A second-order section (biquad) in transposed direct form II.
 struct Section {
   double b0 = 0.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
 
-  /// Of a Butterworth filter with quality q, by the bilinear transform: K = tan(π fc / rate).
+  /// A section of a Butterworth filter with quality @p q, by the bilinear transform; @p k = tan(π
+  /// fc / rate).
   static Section lowPass(double k, double q) {
     const double norm = 1.0 / (1.0 + k / q + k * k);
     return {
@@ -104,7 +105,7 @@ struct Section {
         (1.0 - k / q + k * k) * norm};
   }
 
-  /// Filters @p samples as if the first value had been constant before.
+  /// Filters @p samples in place, as if the first value had been constant before.
   void run(std::vector<double>& samples) const {
     double z1 = samples.front() * (1.0 - b0);
     double z2 = samples.front() * (b2 - a2);
@@ -118,7 +119,7 @@ struct Section {
   }
 };
 
-/// Order 4: poles at 22.5 and 67.5 degrees.
+/// A Butterworth filter of order 4: poles at 22.5 and 67.5 degrees.
 std::array<Section, 2> butterworth(double rate, double cutoff) {
   const double k = std::tan(std::numbers::pi * cutoff / rate);
   return {
@@ -133,10 +134,12 @@ std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rat
     throw std::invalid_argument("a cut-off lies above 0 and below half of the sampling rate");
   }
   if (samples.size() < 2) return {samples.begin(), samples.end()};
-  // A straight line passes any such filter as it is: it is taken away, and put back afterwards.
-  const auto eighth = static_cast<std::size_t>(rate / (8.0 * cutoff));  // of a period
+  // A straight line passes the filter unchanged, so it is subtracted before and added afterwards.
+  // An eighth of a period [samples].
+  const auto eighth = static_cast<std::size_t>(rate / (8.0 * cutoff));
   const Line line(samples, std::clamp<std::size_t>(eighth, 1, samples.size() / 2));
-  // Two periods of the cut-off settle the filter; no longer than there is something to mirror.
+  // The filter settles over two periods of the cut-off; the reflection is at most as long as the
+  // signal.
   const std::size_t most = samples.size() - 1;
   const auto wanted = static_cast<std::size_t>(std::ceil(2.0 * rate / cutoff));
   const std::size_t pad = std::min(wanted, most);

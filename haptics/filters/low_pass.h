@@ -7,21 +7,20 @@ namespace haptics::filters {
 
 /// A zero-phase low-pass: a symmetric FIR filter, centred on each sample.
 ///
-/// The n = 2m + 1 taps are an ideal low-pass under a Kaiser window, scaled to a gain of one at
-/// rest:
+/// The n = 2m + 1 taps are an ideal low-pass under a Kaiser window, scaled to a gain of one at 0
+/// Hz:
 ///
 ///     h(j) ∝ sin(2π f j / Fs) / (π j) · I₀(β √(1 − (j/m)²)) / I₀(β),   j = −m … m,   Σ h = 1
 ///
 ///     y(i) = Σ h(j) x(i + j)
 ///
-/// At the cut-off f the gain is one half (−6 dB). Before the first sample and after the last one
-/// the signal is taken to go on as it began or ended; so a signal that rests at its ends is not
-/// pulled to zero there, and any constant stays what it is.
+/// At the cut-off f the gain is one half (−6 dB). Beyond its ends the signal is continued with its
+/// first and last value. So the ends are not pulled towards zero, and a constant passes unchanged.
 class KaiserLowPass {
  public:
   struct Design {
-    int taps = 49;                     ///< odd
-    double beta = 5.653;               ///< shape of the window; 5.653 is a stop-band of 60 dB
+    int taps = 49;        ///< odd
+    double beta = 5.653;  ///< shape of the window; 5.653 gives a stop-band attenuation of 60 dB
     double cutoff = 17.69075;          ///< f, where the gain is −6 dB [Hz]
     double sampleRate = 1000.0 / 3.0;  ///< Fs [Hz]
   };
@@ -32,20 +31,21 @@ class KaiserLowPass {
 
   std::span<const double> taps() const noexcept { return taps_; }
 
-  /// As many samples as went in.
+  /// Returns the filtered signal, of the same length as @p signal.
   std::vector<double> filtered(std::span<const double> signal) const;
 
  private:
   std::vector<double> taps_;
 };
 
-/// Zero-phase low-pass: a Butterworth filter of order 4 forwards and backwards, so that a frequency
-/// f is weighed by 1/(1 + (f/fc)⁸) (after the bilinear transform), and no edge rings: the ends are
-/// continued by their own mirror images through the end points, where straight lines through an
-/// eighth of a period put them.
+/// Zero-phase low-pass: a Butterworth filter of order 4, run forwards and backwards, with the gain
+/// 1/(1 + (f/fc)⁸) (after the bilinear transform). To avoid ringing at the ends, the signal is
+/// continued by point reflection at its end points; these come from least-squares lines through an
+/// eighth of a period.
 ///
-/// @param cutoff  where the amplitude is halved [Hz], above 0 and below half of @p rate.
-/// @throws std::invalid_argument  if it is not.
+/// @param cutoff  frequency at which the amplitude is halved [Hz], above 0 and below half of @p
+///                rate [Hz].
+/// @throws std::invalid_argument  if @p cutoff is out of range.
 std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rate, double cutoff);
 
 }  // namespace haptics::filters

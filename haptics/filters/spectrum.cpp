@@ -9,7 +9,7 @@
 namespace haptics::filters {
 namespace {
 
-/// The least length of factors 2, 3 and 5 that is not below @p n.
+/// The least number >= @p n that has only the prime factors 2, 3 and 5.
 std::size_t smoothLength(std::size_t n) {
   std::size_t best = 1;
   while (best < n) best *= 2;
@@ -27,7 +27,8 @@ std::vector<double> prepared(std::span<const double> samples, CutoffRule rule) {
   std::vector<double> result(samples.begin(), samples.end());
   if (rule == CutoffRule::Plain || samples.size() < 3) return result;
   const auto last = static_cast<double>(samples.size() - 1);
-  // The straight line from the first sample to the last, whose jump at the ends would leak.
+  // Subtract the line from the first sample to the last, since the jump between the ends would
+  // leak.
   const double rise = (samples.back() - samples.front()) / last;
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto at = static_cast<double>(i);
@@ -47,7 +48,8 @@ Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rul
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<std::complex<double>> transformed;
   fft.fwd(transformed, signal);
-  const double gain = (rule == CutoffRule::Plain ? 2.0 : 4.0) / count;  // the window halves
+  // The window halves amplitudes.
+  const double gain = (rule == CutoffRule::Plain ? 2.0 : 4.0) / count;
   Spectrum spectrum{.step = rate / static_cast<double>(signal.size())};
   for (const auto& value : transformed) spectrum.amplitude.push_back(gain * std::abs(value));
   return spectrum;

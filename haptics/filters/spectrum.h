@@ -5,25 +5,28 @@
 
 namespace haptics::filters {
 
-/// How a series' cut-off is found in its spectrum.
+/// How the cut-off frequency of a series is determined from its spectrum.
 enum class CutoffRule {
-  Floor,  ///< end-to-end detrended, Hann window: where the spectrum reaches the noise floor
-  Plain,  ///< the same on the spectrum as it is; the ramp leaks, and the cut-off is far too high
+  Floor,  ///< where the spectrum reaches the noise floor, after end-to-end detrending and a Hann
+          ///< window
+  Plain,  ///< the same without detrending and window; the ramp leaks, and the cut-off is far too
+          ///< high
 };
 
-/// A spectrum, one-sided.
+/// A one-sided amplitude spectrum.
 struct Spectrum {
-  double step = 0.0;              ///< between two frequencies [Hz]
-  std::vector<double> amplitude;  ///< of each, from 0 on [unit of the samples]
+  double step = 0.0;              ///< distance of two frequencies [Hz]
+  std::vector<double> amplitude;  ///< at frequencies 0, step, 2 step, … [unit of the samples]
 };
 
-/// Amplitudes of @p samples at @p rate [Hz]; for Floor detrended and windowed. Padded with zeros to
-/// a length of factors 2, 3 and 5: a prime one would take minutes.
+/// Spectrum of @p samples, sampled at @p rate [Hz]; for Floor they are detrended and windowed
+/// first. Zero-padded to a length with the factors 2, 3 and 5 only, since a prime length would take
+/// minutes.
 Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rule);
 
-/// Where a low-pass cuts off [Hz]: the first frequency from below at which the spectrum, averaged
-/// over its neighbours, has come down to twice the noise floor, the median of its upper half. Never
-/// below four periods of the whole series, never above 0.45 of the rate.
+/// A cut-off frequency for a low-pass [Hz]: the lowest frequency at which the spectrum, averaged
+/// over neighbours, has fallen to twice the noise floor (the median of the upper half of the
+/// spectrum). At least four periods per length of the series, and at most 0.45 of the rate.
 double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule);
 
 }  // namespace haptics::filters
