@@ -2,12 +2,13 @@
 
 namespace haptics::firmware {
 
-/// A handle with a hand on it, for a board that has neither: a mass between a hand that closes and
-/// opens again and again (a spring to a point on a minimum-jerk path) and the force of the motor.
-/// The numbers are those of the simulated punch of the engine; single precision, no library.
+/// A simulated handle and hand, for a board without hardware: a mass between a hand that repeatedly
+/// closes and opens (a spring to a point on a minimum-jerk path) and the force of the motor.
+/// Parameters are those of the simulated punch (devices::punchKind()); single precision, no
+/// library.
 class BenchHandle {
  public:
-  /// One step of @p dt [s] against @p force [N]; where the handle is then [travel units].
+  /// Advances by @p dt [s] against @p force [N]; returns the travel [travel units].
   float step(float force, float dt) noexcept {
     constexpr float kMass = 0.004F;        // [N·s²/travel unit]
     constexpr float kDamping = 0.05F;      // [N·s/travel unit]
@@ -15,7 +16,7 @@ class BenchHandle {
     constexpr float kGrip = 3.0F;          // [N/travel unit]
     constexpr float kGripDamping = 0.12F;  // [N·s/travel unit]
     constexpr float kEnd = 11.0F;          // [travel units]
-    constexpr int kParts = 8;              // a step is stiff for one millisecond
+    constexpr int kParts = 8;              // sub-steps; 1 ms would be unstable
     const float part = dt / kParts;
     for (int i = 0; i < kParts; ++i) {
       time_ += part;
@@ -28,8 +29,8 @@ class BenchHandle {
   }
 
  private:
-  /// The position that the hand aims at [travel units]: 0.4 s open, 0.6 s closing, 0.15 s closed,
-  /// 0.5 s opening.
+  /// The travel that the hand aims at [travel units]: 0.4 s open, 0.6 s closing, 0.15 s closed, 0.5
+  /// s opening.
   float target() noexcept {
     constexpr float kClosed = 13.8F;
     constexpr float kWhole = 1.65F;

@@ -9,7 +9,7 @@ int main();
 [[noreturn]] void reset();
 [[noreturn]] void fault();
 
-// Functions that the compiler may call although there is no C library.
+// Functions that the compiler may call, although there is no C library.
 void* memcpy(void* to, const void* from, size_t count) {
   auto* out = static_cast<volatile char*>(to);
   const auto* in = static_cast<const char*>(from);
@@ -38,7 +38,7 @@ constexpr uint32_t kTimerReload = 0xE000E014;
 constexpr uint32_t kTimerValue = 0xE000E018;
 constexpr uint32_t kWhole = 0xFFFFFF;
 
-/// ARM semihosting: calls a function of the machine that runs this board.
+/// ARM semihosting: calls a function of the emulator or debugger.
 uint32_t ask(uint32_t operation, const void* parameter) {
   register uint32_t r0 asm("r0") = operation;
   register const void* r1 asm("r1") = parameter;
@@ -76,7 +76,7 @@ void exit(int status) noexcept {
 void startCounting() noexcept {
   at(kTimerReload) = kWhole;
   at(kTimerValue) = 0;
-  at(kTimerControl) = 5;  // the processor's clock, no interrupt
+  at(kTimerControl) = 5;  // processor clock, no interrupt
 }
 
 uint32_t instructions() noexcept {
@@ -92,7 +92,7 @@ uint32_t stackUsed() noexcept {
 
 namespace {
 void paintStack() {
-  constexpr uintptr_t kInUse = 256;  // [bytes]: of this function and its caller
+  constexpr uintptr_t kInUse = 256;  // used by this function and its caller [bytes]
   const uintptr_t end = reinterpret_cast<uintptr_t>(stack_top) - kInUse;
   for (uint32_t* word = stack_bottom; reinterpret_cast<uintptr_t>(word) < end; ++word) {
     *word = kUnused;
@@ -112,7 +112,7 @@ void fault() {
   haptics::firmware::board::exit(1);
 }
 
-/// Where the processor looks when it starts: the stack, and who handles what.
+/// The vector table, which the processor reads at reset: stack pointer and exception handlers.
 [[gnu::section(".vectors"), gnu::used]] const void* const vectors[16] = {
     stack_top,
     reinterpret_cast<const void*>(&reset),

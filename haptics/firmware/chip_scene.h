@@ -8,11 +8,11 @@
 
 namespace haptics::firmware {
 
-/// A scene that the punch renders by itself: the models of the engine in single precision, with
-/// parameters that came over the wire. Nothing is rendered before all of it has come and is valid.
+/// A scene that the punch renders itself: the engine's models in single precision, with parameters
+/// received from the host. It is ready when all parameters have arrived and are valid.
 class ChipScene {
  public:
-  /// Starts a new scene with @p model, whose payload was @p bytes.
+  /// Begins a new scene with @p model, whose payload is @p bytes.
   wire::punch::ModelVerdict take(
       const wire::punch::Model& model, const uint8_t* bytes, size_t count) noexcept {
     model_ = model;
@@ -22,7 +22,7 @@ class ChipScene {
     return finish();
   }
 
-  /// More points of its curve, in order.
+  /// Adds the next points of the curve; their payload is @p bytes.
   wire::punch::ModelVerdict take(
       const wire::punch::ModelTable& table, const uint8_t* bytes, size_t count) noexcept {
     using wire::punch::ModelVerdict;
@@ -37,7 +37,7 @@ class ChipScene {
   bool isReady() const noexcept { return isReady_; }
   uint32_t hash() const noexcept { return hash_; }
 
-  /// Forgets what was felt.
+  /// Resets the state of the models.
   void reset() noexcept {
     elastic_ = {};
     hint_ = 0;
@@ -53,7 +53,8 @@ class ChipScene {
                           : force < -model_.largestForce ? -model_.largestForce
                                                          : force;
     if (!wire::punch::isFinite(bounded)) return 0;
-    constexpr float kMost = 1e6F;  // [mV], far beyond any motor: what is more is no whole number
+    // [mV], far beyond any motor; larger values could overflow an integer.
+    constexpr float kMost = 1e6F;
     const float millivolts = bounded * model_.millivoltsPerNewton;
     return static_cast<int32_t>(
         millivolts > kMost    ? kMost
@@ -61,12 +62,12 @@ class ChipScene {
                               : millivolts);
   }
 
-  /// [travel units]
+  /// Travel at @p counts of the encoder [travel units].
   float travelAt(int32_t counts) const noexcept {
     return model_.travelAtZero + model_.travelPerCount * static_cast<float>(counts);
   }
 
-  /// [N]
+  /// Force at @p travel [travel units] [N]; changes the models' state.
   float forceAt(float travel) noexcept {
     using wire::punch::ModelKind;
     switch (model_.kind) {
@@ -95,7 +96,7 @@ class ChipScene {
     hasTravel_ = true;
     const float force = filter_.step(travelled, elastic, recorded, curve_.trustAt(travel));
     if (wire::punch::isFinite(force)) return force;
-    reset();  // a leap that no hand makes
+    reset();  // only an impossible motion causes this
     return 0.0F;
   }
 
@@ -124,7 +125,7 @@ class ChipScene {
         model_.noise[5]};
   }
 
-  /// Makes the models, as soon as everything is there.
+  /// Creates the models if all parameters have arrived.
   wire::punch::ModelVerdict finish() noexcept {
     using wire::punch::ModelKind;
     using wire::punch::ModelVerdict;

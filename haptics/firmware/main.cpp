@@ -1,4 +1,4 @@
-// The punch's own program, on the desk: runs the models and says what came of it.
+// Runs the punch's models on the emulated board and prints their results: Report.
 #include "haptics/firmware/board.h"
 #include "haptics/firmware/report.h"
 

@@ -1,5 +1,5 @@
-// The punch's program on an ARM MPS2 board (AN385, Cortex-M3) as QEMU has it: its first serial line
-// to the host, the system timer as its clock, and a handle that is simulated on the board.
+// The punch's program on an ARM MPS2 board (AN385, Cortex-M3) emulated by QEMU, with the first UART
+// to the host, the system timer as the clock, and a handle that is simulated on the board.
 #include <stddef.h>
 #include <stdint.h>
 
@@ -18,7 +18,7 @@ int main();
 void tick();
 void receive();
 
-// Functions that the compiler may call although there is no C library.
+// Functions that the compiler may call, although there is no C library.
 void* memcpy(void* to, const void* from, size_t count) {
   auto* out = static_cast<volatile char*>(to);
   const auto* in = static_cast<const char*>(from);
@@ -41,9 +41,9 @@ volatile uint32_t& at(uint32_t address) {
 }
 
 constexpr uint32_t kUartData = 0x40004000;
-constexpr uint32_t kUartState = 0x40004004;  // bit 0: no room to send; bit 1: something has come
+constexpr uint32_t kUartState = 0x40004004;  // bit 0: transmit buffer full; bit 1: byte received
 constexpr uint32_t kUartControl = 0x40004008;
-constexpr uint32_t kUartInterrupt = 0x4000400C;  // 2: something has come
+constexpr uint32_t kUartInterrupt = 0x4000400C;  // 2: byte received
 constexpr uint32_t kUartDivider = 0x40004010;
 constexpr uint32_t kEnableInterrupts = 0xE000E100;
 constexpr uint32_t kTimerControl = 0xE000E010;
@@ -51,13 +51,13 @@ constexpr uint32_t kTimerReload = 0xE000E014;
 constexpr uint32_t kTimerValue = 0xE000E018;
 constexpr uint32_t kTicksAMillisecond = 25'000;  // 25 MHz
 
-// QEMU hands over one byte at a time: its serial line does not carry a thousand frames a second.
+// QEMU transfers single bytes, too slowly for a thousand frames per second.
 constexpr uint16_t kRate = 250;  // [Hz]
 constexpr int kStep = 4;         // [ms]
 
 volatile uint32_t milliseconds = 0;
 
-/// Bytes that have come, put in by the line's interrupt and taken out by the program.
+/// A ring buffer of received bytes, filled by the UART's interrupt and read by the program.
 constexpr uint32_t kRoom = 1024;
 volatile uint8_t received[kRoom];
 volatile uint32_t receivedTo = 0;
@@ -67,11 +67,11 @@ class Board {
  public:
   Board() noexcept {
     at(kUartDivider) = 16;
-    at(kUartControl) = 3 | 8;  // both ways, with the interrupt of what comes
+    at(kUartControl) = 3 | 8;  // transmit and receive, with the receive interrupt
     at(kEnableInterrupts) = 1;
     at(kTimerReload) = kTicksAMillisecond - 1;
     at(kTimerValue) = 0;
-    at(kTimerControl) = 7;  // the processor's clock, with its interrupt
+    at(kTimerControl) = 7;  // processor clock, with interrupt
   }
 
   uint32_t micros() const noexcept {
@@ -98,7 +98,7 @@ class Board {
     }
   }
 
-  /// The handle moves on by a millisecond.
+  /// Advances the handle by a millisecond.
   void move() noexcept {
     constexpr float kNewtonsPerVolt = 0.667F;
     constexpr float kTravelPerCount = 0.00439F;
@@ -157,7 +157,7 @@ void receive() {
   }
 }
 
-/// Where the processor looks when it starts: the stack, and who handles what.
+/// The vector table, which the processor reads at reset: stack pointer and exception handlers.
 [[gnu::section(".vectors"), gnu::used]] const void* const vectors[17] = {
     stack_top,
     reinterpret_cast<const void*>(&reset),

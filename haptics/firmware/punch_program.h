@@ -5,23 +5,23 @@
 
 namespace haptics::firmware {
 
-/// What a punch is and may do; the same for every board unless its maker says otherwise.
+/// Properties and limits of a punch; the defaults fit every board.
 struct PunchLimits {
   uint64_t build = 0;
   uint32_t serial = 0;
   uint16_t countsPerTurn = 8192;   ///< AMT 102, 2048 pulses, four counts each
-  uint16_t rate = 1000;            ///< of step() [Hz]
+  uint16_t rate = 1000;            ///< rate of step() [Hz]
   int16_t largestVoltage = 12000;  ///< [mV]
-  uint16_t largestSlew = 1200;     ///< [mV] in a millisecond: nothing is left after 10 ms
-  int32_t mostCountsAStep = 400;   ///< larger steps mean an encoder fault
+  uint16_t largestSlew = 1200;     ///< [mV/ms]: the voltage can fall from its maximum to 0 in 10 ms
+  int32_t mostCountsAStep = 400;   ///< larger changes per step mean an encoder fault
   int32_t mostVelocity = 150'000;  ///< [counts/s]
-  uint16_t silence = 40;           ///< after which a host that is armed is given up [ms]
+  uint16_t silence = 40;  ///< time without a valid frame after which the device disarms [ms]
 };
 
 /// The punch's firmware: reads the encoder, executes the host's commands, and switches the force
-/// off as soon as there are none. One step() per iteration; docs/punch-protocol.md.
+/// off when they stop. Call step() once per loop; see docs/punch-protocol.md.
 ///
-/// Hardware gives
+/// Hardware provides
 ///     uint32_t micros();                              a clock [µs], wraps
 ///     int32_t counts();                               of the encoder; closing counts up
 ///     void drive(int16_t millivolts);                 positive resists closing
@@ -41,7 +41,7 @@ class PunchProgram {
     report(wire::punch::EventCode::Reset, 0);
   }
 
-  /// One turn of the loop.
+  /// Performs one iteration of the loop.
   void step() noexcept {
     now_ = hardware_.micros();
     const uint32_t passed = now_ - lastTime_;
@@ -60,8 +60,8 @@ class PunchProgram {
   using Type = wire::punch::Type;
   using EventCode = wire::punch::EventCode;
 
-  static constexpr int kWindow = 8;            // steps, for the velocity
-  static constexpr int kMostBytesAStep = 512;  // a host that floods is not read without end
+  static constexpr int kWindow = 8;  // number of steps over which the velocity is measured
+  static constexpr int kMostBytesAStep = 512;  // limits the time spent on a host that floods
 
   void noteTime(uint32_t passed) noexcept {
     const uint32_t period = 1'000'000U / limits_.rate;
@@ -88,7 +88,7 @@ class PunchProgram {
     badFrames_ = static_cast<uint16_t>(all > 0xFFFF ? 0xFFFF : all);
   }
 
-  /// Only a frame that could be read shows that there is a host, and is echoed.
+  /// Reads a frame. Only a valid frame counts as a sign of life of the host, and is echoed.
   template <typename Message>
   bool readOr(const wire::punch::Frame& frame, Message& message) noexcept {
     if (!wire::punch::read(frame, message)) {
@@ -101,7 +101,7 @@ class PunchProgram {
   }
 
   void handle(const wire::punch::Frame& frame) noexcept {
-    // Nothing but Hello means anything before Hello.
+    // Before Hello all other frames are ignored.
     if (frame.type == Type::Hello) {
       answerHello(frame);
     } else if (!isGreeted_) {
@@ -117,7 +117,7 @@ class PunchProgram {
     } else if (frame.type == Type::Stop) {
       wire::punch::Stop order;
       readOr(frame, order);
-      disarm();  // for any reason
+      disarm();  // even if the frame is not valid
     } else {
       countDamaged(1);
     }
@@ -148,7 +148,7 @@ class PunchProgram {
     faults_ = wire::punch::kNoFault;
     longestExpiry_ = order.expiry;
     isArmed_ = true;
-    lastAs(order.expiry);  // the first force may take as long as any other
+    lastAs(order.expiry);  // the first force has the same time limit
     isRendering_ = false;
     wanted_ = 0;
     report(EventCode::Armed, order.expiry);
@@ -204,8 +204,8 @@ class PunchProgram {
     send(answer);
   }
 
-  /// Reads the encoder and estimates the velocity. A change of counts or a velocity that no
-  /// mechanism can reach is a fault, which ends all force.
+  /// Reads the encoder and estimates the velocity. An impossible change of counts or velocity is a
+  /// fault, which switches the force off.
   void observe() noexcept {
     const int32_t counts = hardware_.counts();
     const int32_t leap = way(lastCounts_, counts);
@@ -224,14 +224,15 @@ class PunchProgram {
     }
   }
 
-  /// An encoder that counts on beyond its largest number goes on at its least.
+  /// Difference of two counts of an encoder that wraps around.
   static int32_t way(int32_t from, int32_t to) noexcept {
     return static_cast<int32_t>(static_cast<uint32_t>(to) - static_cast<uint32_t>(from));
   }
 
-  /// A way in a window as a velocity, bounded far beyond what is allowed.
+  /// Converts a change of counts over the window to a velocity [counts/s], bounded far above
+  /// mostVelocity.
   int32_t perSecond(int32_t counts) const noexcept {
-    constexpr int32_t kMost = 200'000;  // times 10 kHz fits
+    constexpr int32_t kMost = 200'000;  // times 10 kHz still fits into 32 bits
     const int32_t bounded = counts > kMost ? kMost : counts < -kMost ? -kMost : counts;
     return bounded * limits_.rate / kWindow;
   }
@@ -244,7 +245,7 @@ class PunchProgram {
   int32_t target() noexcept {
     if (!isArmed_ || (faults_ & wire::punch::kLatched) != 0) return 0;
     const uint32_t age = now_ - orderedAt_;
-    if (hasExpired_ || age > 1000U * expiry_) {  // latched, because the clock wraps around
+    if (hasExpired_ || age > 1000U * expiry_) {  // latched, because the age wraps around
       if (!hasExpired_ && voltage_ != 0) report(EventCode::WatchdogFired, age);
       hasExpired_ = true;
       faults_ |= wire::punch::kExpired;
@@ -256,7 +257,7 @@ class PunchProgram {
     return rendered > most_ ? most_ : rendered < -most_ ? -most_ : rendered;
   }
 
-  /// Towards the target, no further than the slew allows, and never beyond the limit.
+  /// Moves the voltage towards the target, with limited slew rate and within the largest voltage.
   void drive(uint32_t passed) noexcept {
     int32_t goal = target();
     const int32_t most = limits_.largestVoltage;
@@ -322,7 +323,7 @@ class PunchProgram {
   uint32_t orderedAt_ = 0;
   uint32_t heardAt_ = 0;
   int32_t wanted_ = 0;
-  int32_t most_ = 0;  ///< of its own rendering [mV]
+  int32_t most_ = 0;  ///< largest voltage of its own rendering [mV]
   int32_t voltage_ = 0;
 
   int32_t lastCounts_ = 0;

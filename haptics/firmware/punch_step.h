@@ -7,8 +7,8 @@
 
 namespace haptics::firmware {
 
-/// The parametric cut, haptics::recordings::parametricCut(), at 33 points: travel in travel
-/// units, force in N. A test holds it to its source.
+/// The parametric cut, haptics::recordings::parametricCut(), at 33 points: travel in travel units,
+/// force in N. A test compares it with its source.
 inline constexpr int kCutPoints = 33;
 inline constexpr models::CurveNode<float> kCut[kCutPoints]{
     {2.000000f, 0.000000f},  {2.281250f, 0.000000f},  {2.562500f, 0.000000f},
@@ -24,8 +24,8 @@ inline constexpr models::CurveNode<float> kCut[kCutPoints]{
     {10.437500f, 3.307580f}, {10.718750f, 3.976676f}, {11.000000f, 5.000000f},
 };
 
-/// One full step of the punch in single precision, as the published program makes it: finite
-/// elements with their mesh, interpolation, and two updates of the Kalman filter.
+/// A full step of the punch in single precision, as in the published program: finite elements with
+/// their mesh, interpolation, and two updates of the Kalman filter.
 template <int kElements>
 class FloatPunch {
  public:
@@ -45,7 +45,7 @@ class FloatPunch {
     return filter_.step(travelled, elastic, recorded);
   }
 
-  /// How far the midpoints give way under the last force [travel units].
+  /// Displacements of the midpoints under the last force [travel units].
   const float* displacements() const noexcept { return displacements_; }
 
  private:
@@ -69,7 +69,7 @@ class FloatPunch {
   bool hasTravel_ = false;
 };
 
-/// A step of the finite elements alone, with their mesh, as the published study rendered it.
+/// A step of only the finite elements with their mesh, as in the published study.
 template <int kElements>
 class ElementsPunch {
  public:
@@ -119,7 +119,7 @@ class InterpolationPunch {
   size_t hint_ = 0;
 };
 
-/// The force of a full step in whole numbers: no mesh, and the gains that the filter settles to.
+/// A full step in fixed-point arithmetic, without a mesh and with the filter's steady-state gains.
 class FixedPunch {
  public:
   using Fixed = models::Fixed;
@@ -143,8 +143,8 @@ class FixedPunch {
   }
 
  private:
-  static constexpr int kPoints = 74;  // from 2 to 11.1 travel units
-  static constexpr int kShift = 13;   // an eighth of a travel unit apart
+  static constexpr int kPoints = 74;  // 2 to 11.1 travel units
+  static constexpr int kShift = 13;   // distance of 1/8 travel unit
 
   static constexpr models::KalmanFilter<double>::Noise noise() noexcept {
     return models::KalmanNoise<double>().factored();

@@ -6,7 +6,8 @@
 
 namespace haptics::firmware {
 
-/// Travels of three cuts, from 0 to 11 travel units and back, in steps that Q16.16 holds exactly.
+/// The travel of three cuts, from 0 to 11 travel units and back, in steps that Q16.16 represents
+/// exactly.
 inline constexpr int kSteps = 3 * 2 * 176;
 inline constexpr int32_t kTravelStep = 4096;  // 1/16 travel unit, in Q16.16
 
@@ -22,8 +23,9 @@ inline uint32_t bitsOf(float value) noexcept {
   return bits;
 }
 
-/// Runs the same steps wherever it is compiled. Say takes a name, a number of a step, and 32 bits;
-/// Start begins to count instructions, and Count says how many there have been since.
+/// Runs the same steps on every platform, to compare results and instructions. Say receives a name,
+/// the number of a step, and 32 bits; Start begins to count instructions, and Count returns their
+/// number.
 template <typename Say, typename Start, typename Count>
 class Report {
  public:
@@ -58,7 +60,7 @@ class Report {
     say_(cost, 0, most);
   }
 
-  /// The most instructions that a step takes.
+  /// Reports the largest number of instructions of a step.
   template <typename Punch>
   void cost(const char* name) {
     Punch punch;
@@ -88,7 +90,7 @@ class Report {
     say_("instructions-fixed", 0, most);
   }
 
-  volatile float force_ = 0.0F;  ///< written, so that the compiler leaves no step out
+  volatile float force_ = 0.0F;  ///< volatile, so that the compiler does not remove the computation
   volatile float mesh_ = 0.0F;
   Say say_;
   Start start_;

@@ -1,7 +1,7 @@
 // The punch's program on an Arduino Due: motor, encoder and USB around haptics/firmware/
 // punch_program.h. NEVER RUN ON HARDWARE. Begin with a low supply voltage and no hand on it.
 //
-// Made ready by ./prepare, which puts src/ and build.h beside this file; README.md says how.
+// ./prepare puts src/ and build.h beside this file; see README.md.
 #include <SimpleFOC.h>
 
 #include "build.h"
@@ -11,28 +11,29 @@ namespace {
 
 // ---- this board, and how it is wired ----
 
-constexpr uint32_t kBoard = 1;          // its number: "serial" in the device file; another for each
+constexpr uint32_t kBoard = 1;  // serial number ("serial" in the device file), different for each board
 constexpr int kPolePairs = 7;           // BGM2804
 constexpr float kSupply = 12.0F;        // [V]
-constexpr float kAlign = 3.3F;          // while the motor finds its phases [V]
-constexpr int kPulses = 2048;           // AMT 102, a turn
-constexpr int kCounts = 4 * kPulses;    // edges of both channels
-constexpr int kClosing = 1;             // -1 where closing counts down
-constexpr int kFaultPin = -1;           // of the driver, low is a fault; -1: it has none
+constexpr float kAlign = 3.3F;  // voltage while the motor is aligned [V]
+constexpr int kPulses = 2048;  // AMT 102, per revolution
+constexpr int kCounts = 4 * kPulses;  // edges of both channels per revolution
+constexpr int kClosing = 1;  // -1 if closing counts down
+constexpr int kFaultPin = -1;  // fault output of the driver, active low; -1: none
 constexpr uint32_t kWatchdog = 40;      // [ms]
-constexpr uint32_t kPeriod = 1000;      // of the loop [µs]
-constexpr size_t kPacket = 64;          // that USB is given at once [bytes]
-constexpr uint32_t kWatchdogReset = 2;  // as the reset controller tells it
+constexpr uint32_t kPeriod = 1000;  // period of the loop [µs]
+constexpr size_t kPacket = 64;  // size of a USB transfer [bytes]
+constexpr uint32_t kWatchdogReset = 2;  // reset type in the reset controller
 
 BLDCMotor motor(kPolePairs);
 BLDCDriver3PWM driver(9, 5, 6, 8);  // phases, enable
-Encoder encoder(3, 2, kPulses);  // its index (pin 4) is not used: a handle does not turn that far
+Encoder encoder(3, 2, kPulses);  // the index (pin 4) is not used, since a handle does not turn that far
 
-/// The board, as the program sees it.
+/// The hardware interface of PunchProgram.
 class Due {
  public:
-  /// The motor moves while it finds its phases. Not so after the watchdog: somebody may hold the
-  /// handle then, and it stays without voltage until it is switched off and on.
+  /// Aligns the motor, which moves it. After a reset by the watchdog this is skipped, because a
+  /// hand may be on the handle; the motor then has no voltage until the board is switched off and
+  /// on.
   void begin() {
     if (kFaultPin >= 0) pinMode(kFaultPin, INPUT_PULLUP);
     encoder.init();
@@ -53,19 +54,19 @@ class Due {
     if (!isReady_) motor.disable();
   }
 
-  /// As often as it goes: the field follows the rotor.
+  /// Makes the field follow the rotor; to be called as often as possible.
   void turn() {
     if (!isReady_) {
       encoder.update();
       return;
     }
     motor.loopFOC();
-    // A positive voltage turns the way in which the motor's own angle grows.
+    // A positive voltage turns the motor in the direction in which its own angle grows.
     const int growing = static_cast<int>(motor.sensor_direction) < 0 ? -1 : 1;
     motor.move(-0.001F * static_cast<float>(kClosing * growing * millivolts_));
   }
 
-  /// What has been written, as far as USB has room. The core would wait for room without end, and
+  /// Sends written bytes if USB has space. Otherwise the core would block without a time limit, and
   /// with it the motor.
   void send() {
     if (size_ == 0 || (UOTGHS->UOTGHS_DEVEPTISR[CDC_TX] & UOTGHS_DEVEPTISR_TXINI) == 0) return;
@@ -75,7 +76,7 @@ class Due {
     memmove(out_, out_ + count, size_);
   }
 
-  // What haptics::firmware::PunchProgram asks for.
+  // The functions that haptics::firmware::PunchProgram calls.
   static uint32_t micros() { return ::micros(); }
   static int32_t counts() {
     const float turns = encoder.getAngle() / 6.2831853F;
@@ -88,7 +89,7 @@ class Due {
   }
   static int read() { return SerialUSB.read(); }
   void write(const uint8_t* bytes, size_t count) {
-    if (count > sizeof out_ - size_) return;  // a frame is sent whole or not at all
+    if (count > sizeof out_ - size_) return;  // a frame is sent completely or not at all
     memcpy(out_ + size_, bytes, count);
     size_ += count;
   }
@@ -114,12 +115,13 @@ Due due;
 
 }  // namespace
 
-/// In place of the core's, which switches the watchdog off for good: it can be set once.
+/// Replaces the core's function, which would switch the watchdog off permanently: it can be set
+/// only once.
 void watchdogSetup() {}
 
 void setup() {
   SerialUSB.begin(0);
-  due.begin();  // within the 16 s that the watchdog has at first
+  due.begin();  // within the 16 s that the watchdog initially allows
   watchdogEnable(kWatchdog);
 }
 
@@ -131,6 +133,6 @@ void loop() {
   due.send();
   const uint32_t passed = micros() - last;
   if (passed < kPeriod) return;
-  last += passed < 2 * kPeriod ? kPeriod : passed;  // what was lost is not made up for
+  last += passed < 2 * kPeriod ? kPeriod : passed;  // do not make up for lost time
   program.step();
 }
