@@ -2,14 +2,14 @@
 
 namespace haptics::models {
 
-/// A symmetric matrix of variances of force and stiffness, factored as L diag(force, rest) Lᵀ with
-/// L = [1 0; slope 1]: positive semi-definite as long as both numbers on the diagonal are not
-/// negative, and nothing below ever subtracts from them.
+/// A covariance matrix of force and stiffness, factored as L diag(force, rest) Lᵀ with L = [1 0;
+/// slope 1]. It is positive semi-definite as long as force and rest are not negative, and no
+/// operation of FactoredCovariance subtracts from them.
 template <typename Scalar>
 struct FactoredVariances {
   Scalar force{};  ///< variance of the force [N²]
   Scalar slope{};  ///< covariance / variance of the force [1/travel unit]
-  Scalar rest{};  ///< variance of the stiffness that the force does not explain [N²/travel unit²]
+  Scalar rest{};   ///< conditional variance of the stiffness, given the force [N²/travel unit²]
 
   /// @param force, covariance, stiffness  positive semi-definite.
   static constexpr FactoredVariances of(
@@ -24,16 +24,16 @@ struct FactoredVariances {
   constexpr Scalar stiffness() const noexcept { return slope * slope * force + rest; }
 };
 
-/// How sure a filter is of its force and its stiffness: P of eq. (15), (18) of the punch paper, as
-/// L D Lᵀ.
+/// The error covariance of a filter's force and stiffness: P of eq. (15), (18) of the punch paper,
+/// as L D Lᵀ.
 ///
-/// Textbook forms subtract to update P, and with small noise, or in single precision, end with
-/// negative variances (of 120,000 adversarial steps 4,498; Joseph's form 2,727). Here
+/// Textbook forms update P by subtraction, and with small noise, or in single precision, get
+/// negative variances (in 4,498 of 120,000 adversarial steps; Joseph's form in 2,727). Here
 ///
-/// - a measured force changes only one of the three numbers, by a factor in [0, 1];
-/// - a step adds squares: with the columns u, v of [A L, L_Q], weighted by all four diagonal
-///   entries, P'₁₁ = Σ d u² and, by the identity of Binet and Cauchy, P'₂₂ − P'₁₂²/P'₁₁ =
-///   Σ_{i<j} dᵢ dⱼ (uᵢ vⱼ − uⱼ vᵢ)² / P'₁₁.
+/// - a measurement changes only one of the three numbers, by a factor in [0, 1];
+/// - a prediction adds squares: with the rows u, v of [A L, L_Q], weighted by all four diagonal
+///   entries d, P'₁₁ = Σ d u² and, by the identity of Binet and Cauchy, P'₂₂ − P'₁₂²/P'₁₁ = Σ_{i<j}
+///   dᵢ dⱼ (uᵢ vⱼ − uⱼ vᵢ)² / P'₁₁.
 template <typename Scalar>
 class FactoredCovariance {
  public:
@@ -43,8 +43,8 @@ class FactoredCovariance {
 
   /// P ← A P Aᵀ + Q with A = [1 Δθ; 0 1]: eq. (15).
   constexpr void predict(Scalar travelled, const Noise& q) noexcept {
-    // Columns of u and v: (1 + Δ slope, slope), (Δ, 1), (1, slope of Q), (0, 1). In the sum over
-    // pairs all that hold the last one make q.rest · P'₁₁.
+    // Columns (uᵢ, vᵢ): (1 + Δ slope, slope), (Δ, 1), (1, slope of Q), (0, 1). In the sum over
+    // pairs those with the last column add up to q.rest · P'₁₁.
     const Scalar u = Scalar{1} + travelled * p_.slope;
     const Scalar ofForce = u * p_.force;
     const Scalar ofRest = travelled * p_.rest;
@@ -69,8 +69,8 @@ class FactoredCovariance {
     Scalar stiffness{};
   };
 
-  /// Weighs a measurement, and P ← (I − K H) P: eq. (16), (18). Does nothing if both variances are
-  /// 0.
+  /// Returns the gain for a measurement of variance @p r and updates P ← (I − K H) P: eq. (16),
+  /// (18). Does nothing if both variances are 0.
   constexpr Gain correct(Scalar r) noexcept {
     const Scalar total = p_.force + r;
     if (!(total > Scalar{0})) return {};
@@ -86,9 +86,8 @@ class FactoredCovariance {
   Noise p_;
 };
 
-/// The same as a textbook writes it, with all four entries: for Q as it is printed in eq. (22),
-/// which is not symmetric. For replaying what was published; nothing keeps it positive
-/// semi-definite.
+/// The textbook form with all four entries, for Q as printed in eq. (22), which is not symmetric.
+/// It serves to reproduce what was published, and may become indefinite.
 template <typename Scalar>
 class TextbookCovariance {
  public:

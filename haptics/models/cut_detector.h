@@ -5,43 +5,42 @@
 
 namespace haptics::models {
 
-/// Detects the cuts of a hand, and the four points of each, in real time.
+/// Detects cuts, and the four landmarks of each, in real time.
 ///
-/// It is fed one pair of travel and force per tick, of a punch or of any tool that is pressed home
-/// and let go (a stroke of a reamer), and knows nothing of what comes later. A cut is a closure:
-/// the travel rises above `closedAbove`, then falls below `openBelow`. Its points are those of the
-/// punch paper, section II-B:
+/// feed() gets one pair of travel and force per tick, of a punch or of any tool that is pressed to
+/// the end and released (a stroke of a reamer). A cut is one closure: the travel rises above
+/// `closedAbove`, then falls below `openBelow`. Its landmarks are those of the punch paper, section
+/// II-B:
 ///
-///     (i)   interception  the load begins to rise
+///     (i) interception the load begins to rise
 ///     (ii)  yield         the surface is cut through, and the force falls
 ///     (iii) bottom-out    the end of the travel, and the force rises again
 ///     (iv)  opening       the largest force of all, before the contact is lost
 ///
-/// A point is confirmed only when the force has moved far enough away from it, so an event comes a
-/// little later than its point; the point itself is the sample at which it occurred.
+/// A landmark is reported only when the force has moved far enough away from it, so an event comes
+/// a little later than its landmark; the landmark itself is the sample at which it occurred.
 ///
 /// - The interception is the sample from which the force rises by `contactForce`, faster than
-///   `creep` per unit of travel: of all samples since the hand last opened the one with the
-///   smallest f − creep · x. Friction in the hinge rises more slowly and is passed over. A touch
-///   that is let go is forgotten, unless no larger one follows before the hand opens.
-/// - The yield is the largest force since then, once the force has fallen below it by the larger
-///   of `yieldDrop` and `yieldDropRatio` times the load, while the handle closed on by `advance`:
-///   a hand that merely lets go cuts nothing. A larger force before the bottom-out takes a yield
-///   back (the surface had not been cut after all), and Event::Yield may come again: the last
-///   one counts.
-///   Where `yieldLoad` or `yieldKeeps` are set, a yield also needs that load, and is taken back
-///   when less than that share of it is left while the handle closes on: a blow on the handle, no
-///   tissue.
+///   `creep` per unit of travel: of all samples since the hand last opened, the one with the
+///   smallest f − creep · x. Friction in the hinge rises more slowly and is ignored. A touch that
+///   is released is discarded when a larger one follows before the hand opens.
+/// - The yield is the largest force since the interception, once the force has fallen below it by
+///   the larger of `yieldDrop` and `yieldDropRatio` times the load, while the handle closed further
+///   by `advance`: a hand that merely lets go cuts nothing. A larger force before the bottom-out
+///   revokes the yield (the surface had not been cut after all), and Event::Yield may come again:
+///   the last one counts. If `yieldLoad` is set, a yield also needs that load. If `yieldKeeps` is
+///   set, a yield is revoked when less than that fraction of its load is left while the handle
+///   closes further: that was a blow on the handle, not tissue.
 /// - The bottom-out is the smallest force after the yield at the end of the travel – beyond
-///   `bottomAbove`, not farther than `advance` from the furthest travel – once the force has
-///   risen from it by `bottomRise`. Until half of what the yield lost has come back, a smaller
-///   force further on quietly takes its place.
-/// - The opening is the largest force since the bottom-out, once the handle has gone back by
-///   `retreat`. Where the surface never yielded it is the largest since the interception; where
-///   it yielded and no bottom-out followed there is none.
+///   `bottomAbove`, at most `advance` from the largest travel – once the force has risen from it by
+///   `bottomRise`. Until the force has regained half of what it lost since the yield, a smaller
+///   force at a larger travel replaces the bottom-out without an event.
+/// - The opening is the largest force since the bottom-out, once the handle has moved back by
+///   `retreat`. Without a yield it is the largest force since the interception; with a yield but no
+///   bottom-out there is no opening.
 ///
-/// Points that do not happen are not found; a cut in a hard recording may have none but its peak. A
-/// sample that is NaN changes nothing. One tick is a handful of comparisons.
+/// Landmarks may be missing; a cut of a hard recording may have only its peak. Samples that are NaN
+/// are ignored.
 template <typename Scalar>
 class CutDetector {
  public:
@@ -56,21 +55,22 @@ class CutDetector {
 
   /// The defaults are those of the punch recordings: travel units from 0 (open) to 10 (closed).
   struct Parameters {
-    Scalar closedAbove = Scalar(7);  ///< closed as soon as the travel is above this [travel units]
-    Scalar openBelow = Scalar(4);    ///< open again as soon as it is below this [travel units]
-    Scalar contactForce = Scalar(0.2);  ///< the rise that is a contact [N]
-    Scalar creep = Scalar(0.5);  ///< what rises no faster than this is friction [N/travel unit]
-    Scalar yieldDrop = Scalar(0.25);       ///< the fall that is a yield, at least [N]
-    Scalar yieldDropRatio = Scalar(0.08);  ///< … and this much of the load since the interception
-    Scalar yieldLoad = Scalar(0);     ///< the load since the interception at a yield, at least [N]
-    Scalar yieldKeeps = Scalar(0);    ///< the share of it that is left while it closes on; 0: any
-    Scalar advance = Scalar(0.3);     ///< closing on by this is a movement [travel units]
-    Scalar bottomAbove = Scalar(9);   ///< where the end of the travel can be [travel units]
-    Scalar bottomRise = Scalar(0.3);  ///< the rise that is a bottom-out [N]
-    Scalar retreat = Scalar(1);       ///< going back by this is an opening hand [travel units]
+    Scalar closedAbove = Scalar(7);     ///< closed when the travel exceeds this [travel units]
+    Scalar openBelow = Scalar(4);       ///< open again when the travel is below this [travel units]
+    Scalar contactForce = Scalar(0.2);  ///< rise of the force that counts as contact [N]
+    Scalar creep = Scalar(0.5);       ///< a force that rises no faster is friction [N/travel unit]
+    Scalar yieldDrop = Scalar(0.25);  ///< least fall of the force at a yield [N]
+    Scalar yieldDropRatio = Scalar(0.08);  ///< … also at least this fraction of the load
+    /// Least load (force above that of the interception) at a yield [N].
+    Scalar yieldLoad = Scalar(0);
+    Scalar yieldKeeps = Scalar(0);  ///< least fraction of the load after a yield; 0: any
+    Scalar advance = Scalar(0.3);   ///< closing further by this counts as a movement [travel units]
+    Scalar bottomAbove = Scalar(9);   ///< the end of the travel is beyond this [travel units]
+    Scalar bottomRise = Scalar(0.3);  ///< rise of the force that confirms a bottom-out [N]
+    Scalar retreat = Scalar(1);       ///< moving back by this counts as opening [travel units]
   };
 
-  /// A point of a cut, where it was found.
+  /// A landmark of a cut; valid if found.
   struct Landmark {
     Scalar travel{0};  ///< [travel units]
     Scalar force{0};   ///< [N]
@@ -82,13 +82,13 @@ class CutDetector {
     Landmark yield;
     Landmark bottomOut;
     Landmark opening;
-    Scalar peakForce{0};      ///< largest since the contact, or since it was closed [N]
+    Scalar peakForce{0};      ///< largest since the contact, or since closing if there was none [N]
     Scalar largestTravel{0};  ///< [travel units]
   };
 
   CutDetector() noexcept = default;
 
-  /// @param parameters  isSound() has been asked.
+  /// @param parameters  valid, see isSound().
   explicit CutDetector(const Parameters& parameters) noexcept : parameters_(parameters) {}
 
   static bool isSound(const Parameters& p) noexcept {
@@ -100,9 +100,9 @@ class CutDetector {
            p.yieldKeeps < Scalar(1) && !isBad(p.advance);
   }
 
-  /// Looks at one tick's travel [travel units] and force [N], and says what has just become clear.
-  /// @param isSettling  the force comes on softly or fades: while no contact is found, its rise is
-  ///                    not that of a load, and the next tick is a new beginning.
+  /// Processes one tick's travel [travel units] and force [N], and returns what it confirmed.
+  /// @param isSettling  the force is in a soft start or fades: before a contact its rise is not a
+  ///                    load, and the search for a contact restarts with the next tick.
   Event feed(Scalar travel, Scalar force, bool isSettling = false) noexcept {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
     const Landmark sample{travel, force, true};
@@ -127,15 +127,15 @@ class CutDetector {
     return Event::Nothing;
   }
 
-  /// What is known so far of the cut that the hand is making.
+  /// The present cut, as far as it is known.
   const Cut& cut() const noexcept { return cut_; }
 
-  /// The cut that was completed last; empty before the first.
+  /// The last completed cut; empty before the first.
   const Cut& lastCut() const noexcept { return lastCut_; }
 
   std::uint32_t completedCuts() const noexcept { return completedCuts_; }
 
-  /// Forgets everything but the parameters.
+  /// Returns to the initial state; keeps the parameters.
   void reset() noexcept { *this = CutDetector(parameters_); }
 
  private:
@@ -159,7 +159,7 @@ class CutDetector {
     }
     if (sample.force - start_.force < parameters_.contactForce) return Event::Nothing;
     const bool isLess = cut_.interception.found && sample.force <= highest_.force;
-    if (isLess) return Event::Nothing;  // than a touch that was let go in the same closure
+    if (isLess) return Event::Nothing;  // than an earlier touch in the same closure
     cut_.interception = start_;
     highest_ = sample;
     phase_ = Phase::Loading;
@@ -246,8 +246,8 @@ class CutDetector {
     }
   }
 
-  /// The search begins again. What was found stays while the hand is closed, in case nothing
-  /// better comes.
+  /// Restarts the search for a contact. While the hand is closed the landmarks are kept, in case no
+  /// larger touch follows.
   void letGo(const Landmark& sample) noexcept {
     phase_ = Phase::Searching;
     start_ = sample;
@@ -257,20 +257,20 @@ class CutDetector {
     cut_.peakForce = sample.force;
   }
 
-  /// The hand had only eased: it closes further than before.
+  /// The hand had only paused: it closes further than before, so the opening is revoked.
   void closeAgain() noexcept {
     cut_.opening = Landmark{};
     phase_ = cut_.bottomOut.found ? Phase::Bottomed
                                   : (cut_.yield.found ? Phase::Falling : Phase::Loading);
   }
 
-  /// The contact is lost.
+  /// Whether the contact is lost.
   bool isLost(const Landmark& sample) const noexcept {
     const Scalar load = sample.force - cut_.interception.force;
     return load < parameters_.contactForce / Scalar{2};
   }
 
-  /// Less is left than tissue that has just yielded would hold.
+  /// Whether the force after the yield is less than tissue would keep: yieldKeeps.
   bool hasLostTheLoad(const Landmark& sample) const noexcept {
     const Scalar load = cut_.yield.force - cut_.interception.force;
     return parameters_.yieldKeeps > Scalar(0) &&
@@ -290,7 +290,7 @@ class CutDetector {
   Parameters parameters_;
   Phase phase_ = Phase::Searching;
   bool isClosed_ = false;
-  Landmark start_;    ///< where the load may have begun to rise
+  Landmark start_;    ///< candidate of the interception
   Landmark highest_;  ///< the largest force since the interception, or since the bottom-out
   Landmark lowest_;   ///< the smallest force since the yield, at the end of the travel
   Cut cut_;

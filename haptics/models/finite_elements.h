@@ -4,8 +4,8 @@
 
 namespace haptics::models {
 
-/// A sum that keeps what rounding would lose (Kahan 1965): its error does not grow with the number
-/// of terms, as long as they have one sign. Not to be compiled with -ffast-math.
+/// Compensated summation (Kahan 1965): the relative error does not grow with the number of terms,
+/// as long as they have the same sign. Not to be compiled with -ffast-math.
 template <typename Scalar>
 class CompensatedSum {
  public:
@@ -13,7 +13,7 @@ class CompensatedSum {
     const Scalar corrected = term - lost_;
     const Scalar sum = sum_ + corrected;
     lost_ = (sum - sum_) - corrected;
-    if (!(lost_ - lost_ == Scalar{0})) lost_ = Scalar{0};  // a term without end
+    if (!(lost_ - lost_ == Scalar{0})) lost_ = Scalar{0};  // after an infinite term
     sum_ = sum;
   }
   constexpr Scalar value() const noexcept { return sum_; }
@@ -23,38 +23,39 @@ class CompensatedSum {
   Scalar lost_{};
 };
 
-/// How the ends of the string are held: docs/force-models.md.
+/// How the ends of the string are fixed: docs/force-models.md.
 enum class Boundary {
-  A,  ///< eq. (6) as printed: each end joined to its nearest midpoint by 2k₃, half an element long
-  B,  ///< every spring alike: each end joined by k₃, as the authors' firmware came to have it
+  A,  ///< eq. (6) as printed: a spring 2k₃ (half an element) joins each end to its nearest midpoint
+  B,  ///< springs k₃ also at the ends, as in the authors' firmware
 };
 
-/// How the tool's position is given to the unknowns.
+/// How the tool's position is expressed by the displacements of nodes.
 enum class ToolWeights {
-  Paper,            ///< eq. (7)–(8): the two midpoints beside it share it
-  AuthorsFirmware,  ///< eq. (7)–(8) with the midpoint after its element: extrapolates from there
-  ExactKink,        ///< a node of its own: the string bends where the tool is, without ripple
+  Paper,            ///< eq. (7)–(8): interpolates between the two midpoints beside the tool
+  AuthorsFirmware,  ///< eq. (7)–(8), but with the midpoints after the tool's element, so it
+                    ///< extrapolates
+  ExactKink,  ///< an additional node at the tool: the string bends exactly there, without ripple
 };
 
-/// What happens beyond the yield force.
+/// How the tissue behaves beyond the yield force.
 enum class Yielding {
-  Clip,       ///< the force stays: a function of position alone, so opening replays the cut
-  ReturnMap,  ///< the tissue yields permanently: opening feels only what is left of it
+  Clip,       ///< the force is constant: it depends on position only, so opening retraces closing
+  ReturnMap,  ///< the tissue yields permanently, so the force is lower while opening
 };
 
 /// The meniscus as a string of one-dimensional finite elements: eq. (3)–(11) of the punch paper.
-/// The N unknowns sit at the element midpoints, both ends are fixed.
+/// The N unknowns are the displacements of the element midpoints; both ends are fixed.
 ///
-/// Neighbouring midpoints are joined by springs k₃ = kᵉ/2lᵉ: half an element has the flexibility
-/// lᵉ/kᵉ. The tool presses at x_tool with weights c, so that
+/// Springs k₃ = kᵉ/2lᵉ join neighbouring midpoints: half an element has the flexibility lᵉ/kᵉ. The
+/// tool presses at x_tool with weights c, so that
 ///
 ///     f = (y_tool) / (cᵀ K⁻¹ c),        y_mesh = K⁻¹ c f.
 ///
-/// K is never formed: for springs in a row, K⁻¹ᵢⱼ = S_min R_max / (S_min + s + R_max) with S the
-/// flexibility (1/k) summed from the left end, R from the right one, s what lies between. Sums and
-/// products of positive numbers lose no digits for any contrast of the elements; forming
-/// kᵢ + kᵢ₊₁ loses the softer one. A stiffness of nothing is a flexibility without end, and the
-/// other way round. The force costs the same for 5 elements and for 5,000.
+/// K is never formed: for springs in series, K⁻¹ᵢⱼ = S_min R_max / (S_min + s + R_max), with S the
+/// flexibility (1/k) summed from the left end to the left node, R from the right node to the right
+/// end, and s between the nodes. Sums and products of positive numbers lose no digits for any ratio
+/// of the stiffnesses, whereas kᵢ + kᵢ₊₁ loses the softer one. Stiffnesses of 0 and infinity are
+/// allowed. The force takes the same time for 5 elements and for 5,000.
 template <typename Scalar>
 class FiniteElements {
  public:
@@ -64,23 +65,23 @@ class FiniteElements {
     int elements = 5;              ///< N
     Scalar elementStiffness{1.0};  ///< kᵉ [N·string units per travel unit]
     Scalar toolPosition{1.5};      ///< x_tool, strictly between a and b
-    Scalar contact{4.0};           ///< where the tool meets the tissue [travel units]
+    Scalar contact{4.0};           ///< travel at which the tool meets the tissue [travel units]
     Scalar yieldForce{7.0};        ///< [N]
     Boundary boundary = Boundary::A;
     ToolWeights weights = ToolWeights::Paper;
     Yielding yielding = Yielding::Clip;
-    /// Of each element, where they differ: N of them, which must outlive this; kᵉ then counts no
-    /// more.
+    /// If not nullptr, an array of N stiffnesses, one per element, which replaces elementStiffness
+    /// and must outlive the model.
     const Scalar* elementStiffnesses = nullptr;
   };
 
-  /// How far the tissue has given way for good [travel units]. Forgotten where the tool lets go of
-  /// it: the next bite is into tissue that is whole.
+  /// The permanent displacement of the tissue [travel units]. It is reset when the tool leaves the
+  /// tissue: the next cut meets intact tissue.
   struct State {
     Scalar offset{};
   };
 
-  /// @param parameters  isSound() has been asked.
+  /// @param parameters  valid, see isSound().
   constexpr explicit FiniteElements(const Parameters& parameters) noexcept : p_(parameters) {
     if (p_.weights == ToolWeights::ExactKink) {
       const auto beside = flexibilitiesBeside(p_.toolPosition);
@@ -102,18 +103,18 @@ class FiniteElements {
           p.elementStiffnesses == nullptr ? p.elementStiffness : p.elementStiffnesses[e];
       if (!(k >= Scalar{0})) return false;
     }
-    // The published code writes beyond its array where the tool is in the last element.
+    // The published code writes beyond its array if the tool is in the last element.
     const Scalar length = (p.end - p.start) / Scalar(p.elements);
     const bool isInTheLast = p.toolPosition >= p.end - length;
     return p.yieldForce >= Scalar{0} && !(p.weights == ToolWeights::AuthorsFirmware && isInTheLast);
   }
 
-  /// What the tool feels while the tissue is elastic [N per travel unit]: 1 / (cᵀ K⁻¹ c).
+  /// Stiffness at the tool while the tissue is elastic [N per travel unit]: 1 / (cᵀ K⁻¹ c).
   constexpr Scalar stiffness() const noexcept { return stiffness_; }
   constexpr int elements() const noexcept { return p_.elements; }
   constexpr const Parameters& parameters() const noexcept { return p_; }
 
-  /// Force and stiffness at @p travel [travel units]; none, and undefined, where it is NaN.
+  /// Force and stiffness at @p travel [travel units]; 0 and undefined if it is NaN.
   constexpr Response<Scalar> at(Scalar travel, State& state) const noexcept {
     const Scalar penetration = travel - p_.contact;
     if (!(penetration > Scalar{0})) {
@@ -130,8 +131,8 @@ class FiniteElements {
     return {p_.yieldForce, Scalar{0}, true};
   }
 
-  /// Displacement of each midpoint per newton at the tool [travel units per N]: K⁻¹ c of eq. (11),
-  /// N of them. Multiplied by the force this is the mesh; the caller that draws it multiplies.
+  /// Writes the N displacements of the midpoints per newton at the tool [travel units per N], K⁻¹ c
+  /// of eq. (11). The caller multiplies them by the force.
   constexpr void writeMeshShape(Scalar* shape) const noexcept {
     if (p_.weights == ToolWeights::ExactKink) {
       const int before = nodesBefore(p_.toolPosition);
@@ -149,7 +150,8 @@ class FiniteElements {
     writeRight(shape, tool_.left + 1, wl * shareOf(s, between + r) + wr * shareOf(s + between, r));
   }
 
-  /// Where node 0 … N + 1 lies [string units]: the left end, the midpoints, the right end, eq. (4).
+  /// Position of node 0 … N + 1 [string units]: the left end, the midpoints, the right end, eq.
+  /// (4).
   constexpr Scalar position(int node) const noexcept {
     if (node <= 0) return p_.start;
     if (node > p_.elements) return p_.end;
@@ -158,7 +160,7 @@ class FiniteElements {
 
  private:
   struct Support {
-    int left = 0;  ///< of the two nodes that carry the tool
+    int left = 0;  ///< left of the two nodes between which the tool is interpolated
     Scalar weightLeft{};
     Scalar weightRight{};
   };
@@ -169,7 +171,7 @@ class FiniteElements {
 
   static constexpr bool isEndless(Scalar value) noexcept { return !isFinite(value); }
 
-  /// a b / (a + b); either may be nothing or without end.
+  /// a b / (a + b); either may be 0 or infinite.
   static constexpr Scalar parallel(Scalar a, Scalar b) noexcept {
     if (a == Scalar{0} || b == Scalar{0}) return Scalar{0};
     if (isEndless(a)) return b;
@@ -177,7 +179,8 @@ class FiniteElements {
     return a > b ? b / (Scalar{1} + b / a) : a / (Scalar{1} + a / b);
   }
 
-  /// a / (a + b): how much of a force at their joint goes to the side of b.
+  /// a / (a + b): the fraction of a force at the joint of two springs that the one of flexibility b
+  /// carries.
   static constexpr Scalar shareOf(Scalar a, Scalar b) noexcept {
     if (a == Scalar{0}) return Scalar{0};
     if (isEndless(a)) return Scalar{1};
@@ -198,7 +201,7 @@ class FiniteElements {
     return e;
   }
 
-  /// How many midpoints lie before @p x.
+  /// Number of midpoints at or before @p x.
   constexpr int nodesBefore(Scalar x) const noexcept {
     int node = 0;
     while (node < p_.elements && position(node + 1) <= x) ++node;
@@ -222,7 +225,8 @@ class FiniteElements {
     return p_.boundary == Boundary::A ? half(e) : Scalar{2} * half(e);
   }
 
-  /// Summed from the left end to node @p node, and from there to the right end.
+  /// Flexibility summed from the left end to node @p node; flexibilityFrom() sums from the node to
+  /// the right end.
   constexpr Scalar flexibilityTo(int node) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int i = 0; i < node; ++i) sum.add(springAfter(i));
@@ -234,15 +238,15 @@ class FiniteElements {
     return sum.value();
   }
 
-  /// From the ends to @p x, which need not be a node. Within a spring the flexibility is spread as
-  /// its halves are.
+  /// Flexibilities from both ends to @p x, which need not be a node. Within a spring, each half
+  /// element spreads its own flexibility evenly.
   constexpr Flexibilities flexibilitiesBeside(Scalar x) const noexcept {
     const int node = nodesBefore(x);
-    const Scalar before = (x - position(node)) / length();  // in elements
+    const Scalar before = (x - position(node)) / length();  // [elements]
     const Scalar after = (position(node + 1) - x) / length();
     Flexibilities within;
     if (node == 0 || node == p_.elements) {
-      const Scalar whole = before + after;  // half an element
+      const Scalar whole = before + after;  // the end spring spans half an element
       const Scalar spring = springAfter(node);
       within = {spring * (before / whole), spring * (after / whole)};
     } else if (before <= after) {
@@ -269,7 +273,7 @@ class FiniteElements {
     return compliance;
   }
 
-  /// Midpoints 1 … last: the flexibility up to each, times a slope.
+  /// Writes midpoints 1 … last: the flexibility from the left end to each, times @p slope.
   constexpr void writeLeft(Scalar* shape, int last, Scalar slope) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int node = 1; node <= last; ++node) {

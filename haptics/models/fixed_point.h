@@ -6,11 +6,12 @@
 
 namespace haptics::models {
 
-/// A number in Q16.16: 32 bits, of which 16 after the point; from −32768 to 32767.99998 in steps of
-/// 1/65536. For microcontrollers that count in whole numbers; the same bits on every computer.
+/// A Q16.16 fixed-point number: 32 bits, 16 of them after the point; from −32768 to 32767.99998 in
+/// steps of 1/65536. For microcontrollers without a floating-point unit; results are bit-identical
+/// on every computer.
 ///
-/// What is too large stays at the largest number (saturates) and never turns round: a force that
-/// turns its sign would throw the hand.
+/// Arithmetic saturates and never wraps around: a force that suddenly reverses its sign would throw
+/// the hand.
 class Fixed {
  public:
   static constexpr int kFraction = 16;
@@ -19,7 +20,7 @@ class Fixed {
 
   constexpr Fixed() noexcept = default;
   constexpr explicit Fixed(int value) noexcept : raw_(saturated(int64_t{value} << kFraction)) {}
-  /// Rounded to the nearest step; no number becomes 0. For constants, before anything moves.
+  /// Rounds to the nearest step; NaN becomes 0. Slow: for constants, not for the tick.
   constexpr explicit Fixed(double value) noexcept : raw_(nearest(value)) {}
   static constexpr Fixed fromRaw(int32_t raw) noexcept {
     Fixed result;
@@ -49,7 +50,8 @@ class Fixed {
     const bool fits = static_cast<uint32_t>(high) + 0x8000U <= 0xFFFFU;
     return fromRaw(fits ? static_cast<int32_t>(product >> kFraction) : end(high));
   }
-  /// Towards zero. By zero: the largest number of that sign. Slow on a microcontroller.
+  /// Rounds towards zero. Division by zero gives the largest number of the sign of @p a. Slow on a
+  /// microcontroller.
   friend constexpr Fixed operator/(Fixed a, Fixed b) noexcept {
     if (b.raw_ == 0) return fromRaw(a.raw_ < 0 ? kSmallest : kLargest);
     return fromRaw(saturated((int64_t{a.raw_} * (int64_t{1} << kFraction)) / b.raw_));
@@ -66,7 +68,7 @@ class Fixed {
   friend constexpr bool operator>=(Fixed a, Fixed b) noexcept { return a.raw_ >= b.raw_; }
 
  private:
-  /// The largest number with the sign of @p value.
+  /// The number of largest magnitude with the sign of @p value.
   static constexpr int32_t end(int32_t value) noexcept { return value < 0 ? kSmallest : kLargest; }
   static constexpr int32_t saturated(int64_t value) noexcept {
     if (value > kLargest) return kLargest;
@@ -83,10 +85,10 @@ class Fixed {
   int32_t raw_ = 0;
 };
 
-/// A force curve at equal distances of a power of two, in whole numbers: the index is a shift, and
-/// nothing is searched or divided. How a microcontroller looks up a recorded cut.
+/// A force curve at equidistant points whose distance is a power of two, in integers: the index is
+/// a shift, without search or division. A microcontroller looks up a recorded cut with it.
 ///
-/// @tparam kShift  the points lie 2^kShift / 65536 travel units apart.
+/// @tparam kShift  the distance of two points is 2^kShift / 65536 travel units.
 template <int kPoints, int kShift>
 class UniformCurve {
  public:
@@ -99,10 +101,10 @@ class UniformCurve {
   }
   constexpr void set(int i, Fixed force) noexcept { forces_[i] = force.raw(); }
 
-  /// By a straight line between two points; none, and undefined, outside.
+  /// Linear interpolation between the points; undefined outside.
   constexpr Response<Fixed> at(Fixed travel) const noexcept {
     if (travel < start_) return {};
-    // The difference of two numbers of 32 bits fits only without a sign.
+    // The difference of two 32-bit numbers fits only into an unsigned one.
     const uint32_t from = static_cast<uint32_t>(travel.raw()) - static_cast<uint32_t>(start_.raw());
     const uint32_t i = from >> kShift;
     if (i >= static_cast<uint32_t>(kPoints - 1)) return {};

@@ -15,7 +15,7 @@ struct HermiteNode {
   Scalar slope{};     ///< [N/m]
 };
 
-/// The cubic between two nodes, solved beforehand: f(u) = force + u (slope + u (square + u cube))
+/// The coefficients of the cubic between two nodes: f(u) = force + u (slope + u (square + u cube))
 /// with u = position − begin. In double precision it fills one cache line.
 template <typename Scalar>
 struct alignas(8 * sizeof(Scalar)) CubicSegment {
@@ -26,7 +26,7 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
   Scalar square{};  ///< [N/m²]
   Scalar cube{};    ///< [N/m³]
 
-  /// With the values and slopes of both nodes at its ends: eq. (3) of the reaming paper.
+  /// The cubic with the values and slopes of both nodes at its ends: eq. (3) of the reaming paper.
   static constexpr CubicSegment between(
       const HermiteNode<Scalar>& a, const HermiteNode<Scalar>& b) noexcept {
     const Scalar h = b.position - a.position;
@@ -35,15 +35,15 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
     const Scalar q = rise - a.slope - r;
     const Scalar square = q / h;
     const Scalar cube = r / h / h;
-    // Numbers too small or too large to be any would leave a curve that misses its second node.
+    // After an underflow or overflow the curve would miss its second node: mark it with NaN.
     const bool isFaithful =
         isNear(h * h / h, h) && isNear(square * h, q) && isNear(cube * h * h, r);
     constexpr auto kNone = static_cast<Scalar>(__builtin_nan(""));
     return {a.position, b.position, a.force, a.slope, square, isFaithful ? cube : kNone};
   }
 
-  /// Within a thousandth: rounding changes less in single precision, and what underflows or
-  /// overflows changes far more.
+  /// Whether @p value equals @p wanted within 0.1 %: more than rounding in single precision, far
+  /// less than an underflow or overflow.
   static constexpr bool isNear(Scalar value, Scalar wanted) noexcept {
     const Scalar slack = Scalar(1e-3) * (wanted < Scalar{0} ? -wanted : wanted);
     return value - wanted <= slack && wanted - value <= slack;
@@ -54,8 +54,7 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
            slope - slope == Scalar{0} && square - square == Scalar{0} && cube - cube == Scalar{0};
   }
 
-  /// Pairs of terms side by side (Estrin's scheme): five operations one after another, where
-  /// Horner's takes seven.
+  /// Evaluates by Estrin's scheme: a chain of five dependent operations, where Horner's has seven.
   constexpr Response<Scalar> at(Scalar position) const noexcept {
     const Scalar u = position - begin;
     const Scalar uu = u * u;
@@ -66,20 +65,19 @@ struct alignas(8 * sizeof(Scalar)) CubicSegment {
   }
 };
 
-/// Force over displacement by cubic Hermite splines, as the reaming paper models the acetabulum:
-/// on every interval the cubic that has the given forces and slopes at both ends (its eq. (1),
-/// (3)). Value and slope are continuous, the second derivative is not, although the paper's eq. (3)
-/// says.
+/// Force over displacement by cubic Hermite splines, as the reaming paper models the acetabulum: on
+/// every interval the cubic that has the given forces and slopes at both ends (its eq. (1), (3)).
+/// Value and slope are continuous. The second derivative is not, contrary to the paper.
 ///
-/// Before the first node there is no force: the reamer is not yet in contact. Beyond the last one
-/// the force stays. The segment is found as Interpolation finds its interval.
+/// Before the first node the force is 0, since the reamer is not yet in contact. Beyond the last
+/// node it is constant. The segment is found like the interval of Interpolation.
 template <typename Scalar>
 class HermiteCurve {
  public:
   using Segment = CubicSegment<Scalar>;
 
-  /// @param segments  one or more, each beginning where the one before ends, all finite: isSound()
-  ///                  has been asked. They and what the index points to outlive this object.
+  /// @param segments  one or more, each beginning where the last one ends, all finite, see
+  ///                  isSound(). They and the index's table must outlive this object.
   constexpr HermiteCurve(
       const Segment* segments, size_t count, const SegmentIndex<Scalar>& index = {}) noexcept
       : segments_(segments), count_(count), index_(index) {}
@@ -94,7 +92,7 @@ class HermiteCurve {
     return true;
   }
 
-  /// @param hint  of the segment; start with 0 and hand back what came out.
+  /// @param hint  index of the segment; initialise to 0 and pass the same variable to every call.
   constexpr Response<Scalar> at(Scalar position, size_t& hint) const noexcept {
     const Segment* segment = segments_ + (hint < count_ ? hint : 0);
     if (!(segment->begin <= position && position <= segment->end)) {

@@ -14,39 +14,40 @@ struct CurveNode {
   Scalar force{};   ///< [N]
 };
 
-/// What is felt beyond either end of a recorded curve, of which eq. (2) of the punch paper says
-/// nothing. The numbers are those of docs/punch-protocol.md.
+/// The force beyond either end of a recorded curve, which eq. (2) of the punch paper leaves open.
+/// The enumerators' values are part of the wire protocol, docs/punch-protocol.md.
 enum class Extrapolation {
-  RampOut,       ///< the force at the end fades to nothing over a length: "reduced to zero"
-  Hold,          ///< the force at the end stays
-  Zero,          ///< nothing, at once
-  AuthorsClamp,  ///< 0.01 N; and within the curve never less, nor more than 4.29 N
-  Absent,        ///< no measurement: undefined; inside the curve weighted by trustAt()
+  RampOut,       ///< the force at the end fades linearly to 0 over rampLength: "reduced to zero"
+  Hold,          ///< the force at the end continues
+  Zero,          ///< 0, with a jump
+  AuthorsClamp,  ///< 0.01 N; and within the curve clamped to 0.01 N … 4.29 N
+  Absent,        ///< undefined, since there is no measurement; within the curve see trustAt()
 };
 
-/// The force of a recorded cut, by straight lines between its points: eq. (2) of the punch paper,
+/// The force of a recorded cut, by linear interpolation between its points: eq. (2) of the punch
+/// paper,
 ///
 ///     f(θ) = f*ₖ + (f*ₖ₊₁ − f*ₖ) (θ − θ*ₖ) / (θ*ₖ₊₁ − θ*ₖ)   for θ*ₖ ≤ θ ≤ θ*ₖ₊₁.
 ///
-/// The interval k is looked up by position, not by time as the paper's index suggests: for a hand
-/// that moves on, by a hint that the caller keeps; for one that jumps, by an index, O(1), or if
-/// there is none by bisection.
+/// The interval k is looked up by position, not by time as the paper's index suggests. The caller
+/// keeps the last interval as a hint, which serves for continuous motion; otherwise an index finds
+/// the interval in O(1), or a bisection if there is no index.
 template <typename Scalar>
 class Interpolation {
  public:
   struct Options {
     Extrapolation extrapolation = Extrapolation::RampOut;
-    /// [travel units], > 0. RampOut: beyond each end, over which the force fades. Absent: within
-    /// each end, over which the trust grows.
+    /// [travel units], > 0. RampOut: length beyond each end over which the force fades. Absent:
+    /// length inside each end over which trustAt() rises from 0 to 1.
     Scalar rampLength{1.5};
   };
 
-  /// What the authors' program lets through [N].
+  /// The range to which the authors' program clamps forces [N].
   static constexpr Scalar kAuthorsLeast = Scalar(0.01);
   static constexpr Scalar kAuthorsMost = Scalar(4.29);
 
-  /// @param nodes  travel strictly increasing, all finite, at least two: isSound() has been asked.
-  ///               They and what the index points to outlive this object.
+  /// @param nodes  at least two, finite, with strictly increasing travel, see isSound(). They and
+  ///               the index's table must outlive this object.
   constexpr Interpolation(
       const CurveNode<Scalar>* nodes,
       size_t count,
@@ -66,9 +67,9 @@ class Interpolation {
     return true;
   }
 
-  /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is NaN, and
-  /// beyond the curve where that is Absent.
-  /// @param hint  of the interval; start with 0 and hand back what came out.
+  /// Force and stiffness at @p travel [travel units]; undefined if it is NaN, and beyond the curve
+  /// with Absent.
+  /// @param hint  index of the interval; initialise to 0 and pass the same variable to every call.
   constexpr Response<Scalar> at(Scalar travel, size_t& hint) const noexcept {
     const auto& first = nodes_[0];
     const auto& last = nodes_[count_ - 1];
@@ -84,15 +85,15 @@ class Interpolation {
     return options_.extrapolation == Extrapolation::AuthorsClamp ? clamped(response) : response;
   }
 
-  /// How far the curve is a measurement at @p travel [travel units]: 1 for most policies. With
-  /// Absent 0 beyond the curve and 1 from the ramp's length within, straight in between, so that a
-  /// filter takes it up and lets go of it without a step.
+  /// Weight of the curve as a measurement at @p travel [travel units], for a filter: 1, except with
+  /// Absent. With Absent it is 0 beyond the curve and rises linearly to 1 over rampLength inside
+  /// it, so that the filter's output has no step at the ends.
   constexpr Scalar trustAt(Scalar travel) const noexcept {
     if (options_.extrapolation != Extrapolation::Absent) return Scalar{1};
     const Scalar before = travel - nodes_[0].travel;
     const Scalar behind = nodes_[count_ - 1].travel - travel;
     const Scalar within = before < behind ? before : behind;
-    if (!(within > Scalar{0})) return Scalar{0};  // also where it is NaN
+    if (!(within > Scalar{0})) return Scalar{0};  // also if travel is NaN
     return within < options_.rampLength ? within / options_.rampLength : Scalar{1};
   }
 
@@ -139,23 +140,22 @@ class Interpolation {
   SegmentIndex<Scalar> index_;
 };
 
-/// A recorded cut whose opening is not its closing: the tissue that has given way does not push
-/// back as it did.
+/// A recorded cut with different closing and opening branches: tissue that has been cut resists
+/// less while the tool opens.
 ///
-/// Closing follows the closing branch, opening the opening branch. Where the hand turns, the force
-/// passes from one to the other over a width of travel w, as a play operator does (Visintin,
-/// Differential Models of Hysteresis, III.2):
+/// When the hand reverses, the force changes from one branch to the other over a travel of width w,
+/// as with a play operator (Visintin, Differential Models of Hysteresis, III.2):
 ///
 ///     s ← clamp(s − Δθ/w, 0, 1),   f = (1 − s) f_closing(θ) + s f_opening(θ).
 ///
-/// f is continuous, independent of speed and rate, and gives no energy on a closed loop as long as
-/// the opening branch nowhere lies above the closing one.
+/// f is continuous and independent of speed and rate. It generates no energy on a closed loop as
+/// long as the opening branch is nowhere above the closing one.
 template <typename Scalar>
 class Hysteresis {
  public:
   struct State {
     Scalar opening{};  ///< s: 0 on the closing branch, 1 on the opening one
-    Scalar last{};     ///< travel [travel units]
+    Scalar last{};     ///< last travel [travel units]
     bool hasLast = false;
     size_t closingHint = 0;
     size_t openingHint = 0;
@@ -168,7 +168,7 @@ class Hysteresis {
       Scalar width) noexcept
       : closing_(closing), opening_(opening), width_(width) {}
 
-  /// Force and stiffness at @p travel [travel units], after where the hand was before.
+  /// Force and stiffness at @p travel [travel units], given the state after the last call.
   constexpr Response<Scalar> at(Scalar travel, State& state) const noexcept {
     const auto closing = closing_.at(travel, state.closingHint);
     const auto opening = opening_.at(travel, state.openingHint);

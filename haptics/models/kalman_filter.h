@@ -5,12 +5,15 @@
 
 namespace haptics::models {
 
-/// How the two forces enter a step of the handle by Δθ.
+/// How the two forces are used in a step of the handle by Δθ.
 enum class KalmanScheme {
-  PaperText,        ///< predict; then one of the two, in turn: a square wave between them
-  AuthorsFirmware,  ///< predict, finite elements, predict again by the same Δθ, interpolation
-  Sequential,       ///< predict, finite elements, interpolation: as a textbook would
-  SpaceDomain,      ///< as Sequential, with a Q that grows with the way: the same at every rate
+  PaperText,        ///< predict; then correct by one of the two, alternately: the force oscillates
+                    ///< between them
+  AuthorsFirmware,  ///< predict, correct by finite elements, predict again by the same Δθ, correct
+                    ///< by interpolation
+  Sequential,   ///< predict, correct by finite elements, correct by interpolation: the textbook
+                ///< scheme
+  SpaceDomain,  ///< as Sequential, with a Q that grows with travel: independent of the rate
 };
 
 /// A filter over travel that fuses two forces into one: eq. (12)–(24) of the punch paper.
@@ -23,22 +26,23 @@ enum class KalmanScheme {
 ///
 ///     K = P Hᵀ (H P Hᵀ + R)⁻¹,   x ← x + K (z − f),   P ← (I − K H) P,   H = [1 0].
 ///
-/// Which of the schemes runs decides what is felt (docs/force-models.md):
-/// with the published noise, in the order of the state, the interpolation weighs 0.22, 0.44 and
-/// nothing in the first three. In SpaceDomain only R decides.
+/// The scheme decides how the forces are weighted (docs/force-models.md): with the published noise,
+/// in the order of the state, the weight of the interpolation is 0.22, 0.44 and 0 in the first
+/// three. In SpaceDomain it depends on R only.
 ///
-/// Q is per step in the first three, so that what is felt depends on the rate and on the speed of
-/// the hand. In SpaceDomain a stiffness that wanders by `wandering` per unit of travel gives
+/// In the first three schemes Q is added per step, so the force depends on the rate and on the
+/// speed of the hand. In SpaceDomain the stiffness is a random walk over travel with variance
+/// `wandering` per travel unit, which gives
 ///
 ///     Q = q [ |Δθ|³/3  Δθ|Δθ|/2 ; Δθ|Δθ|/2  |Δθ| ].
 ///
-/// Where the interpolated force is no measurement (trust 0), its correction is left out: there is a
-/// prediction only, and P grows until the finite elements correct it. Where it is partly trusted,
-/// by a share s in (0, 1), it enters with the variance
+/// If the trust of the interpolated force is 0, it is not used. With a trust s in (0, 1) its
+/// variance is
 ///
 ///     R_s = (R + (1 − s) P₁₁) / s,    so that    K₁ = s P₁₁ / (P₁₁ + R):
 ///
-/// its gain is s times what it would be. A share that grows with travel takes it up without a step.
+/// its gain is s times the full gain, so a trust that rises with travel causes no step in the
+/// force.
 template <typename Scalar, template <typename> typename Covariance = FactoredCovariance>
 class KalmanFilter {
  public:
@@ -51,7 +55,7 @@ class KalmanFilter {
     Scalar wandering{};       ///< q of SpaceDomain [N²/travel unit³]
   };
 
-  /// @param noise  whyUnsound() has been asked.
+  /// @param noise  valid, see KalmanNoise::whyUnsound().
   constexpr KalmanFilter(const Noise& noise, KalmanScheme scheme) noexcept
       : noise_(noise), scheme_(scheme) {
     reset();
@@ -63,8 +67,9 @@ class KalmanFilter {
     covariance_.set(noise_.process);
   }
 
-  /// One step of the handle by @p travelled [travel units]; both forces in [N].
-  /// @param trust  s: how far the interpolated force is a measurement, in [0, 1].
+  /// Processes one step of the handle by @p travelled [travel units]; both forces in [N]. Returns
+  /// the fused force [N].
+  /// @param trust  s: weight of the interpolated force as a measurement, in [0, 1].
   constexpr Scalar step(
       Scalar travelled,
       Scalar finiteElementForce,
@@ -94,9 +99,9 @@ class KalmanFilter {
   }
 
   constexpr Scalar force() const noexcept { return force_; }
-  /// Unobservable while the handle rests: for the filter's own use, not for showing.
+  /// Not observable while the handle rests, so not to be displayed.
   constexpr Scalar stiffness() const noexcept { return stiffness_; }
-  /// P, in the form in which it is kept.
+  /// P, in the form of the covariance class.
   constexpr const Variances& variances() const noexcept { return covariance_.variances(); }
 
  private:
@@ -107,7 +112,7 @@ class KalmanFilter {
         scheme_ == KalmanScheme::SpaceDomain ? processVariances(travelled) : noise_.process);
   }
 
-  /// Factored beforehand: slope 3/2Δθ, and a quarter of the stiffness' variance is left.
+  /// Q of SpaceDomain, factored: slope is 3/(2 Δθ), and rest a quarter of the stiffness' variance.
   constexpr Variances processVariances(Scalar travelled) const noexcept {
     if constexpr (requires(Variances v) { v.slope; }) {
       const Scalar way = travelled < Scalar{0} ? -travelled : travelled;
@@ -137,18 +142,18 @@ class KalmanFilter {
   KalmanScheme scheme_;
   Scalar force_{};
   Scalar stiffness_{};
-  bool isElastic_ = true;  ///< PaperText: whose turn it is
+  bool isElastic_ = true;  ///< PaperText: the finite elements are next
   Covariance<Scalar> covariance_;
 };
 
-/// What can be made of the process noise that eq. (22) of the punch paper prints:
-/// [7.0275 0.02772; 0.2772 6.1024].
+/// Interpretations of the process noise in eq. (22) of the punch paper, [7.0275 0.02772; 0.2772
+/// 6.1024].
 enum class ProcessNoiseReading {
-  AsPrinted,    ///< not symmetric: for replaying what was published, nothing else
-  Symmetrised,  ///< 0.2772 on both sides: 0.02772 is a misprint
-  StateOrder,   ///< and the diagonal in the order of the state (f, ζ): the recordings give 6.1024
-                ///< for the force, 7.038 for the stiffness
-  Product,      ///< off the diagonal the product of both deviations, as "σ_f σ_ζ" says
+  AsPrinted,    ///< not symmetric: only to reproduce what was published
+  Symmetrised,  ///< 0.2772 off the diagonal: 0.02772 is a misprint
+  StateOrder,   ///< as Symmetrised, with the diagonal in the order of the state (f, ζ): the
+                ///< recordings give 6.1024 for the force, 7.038 for the stiffness
+  Product,      ///< the product of both standard deviations off the diagonal, as "σ_f σ_ζ" says
 };
 
 /// The variances of eq. (22)–(24) of the punch paper.
@@ -161,7 +166,8 @@ struct KalmanNoise {
   Scalar interpolation = Scalar(7.742);       ///< R of the interpolated force [N²]
   Scalar wandering = Scalar(7.0275);          ///< q of SpaceDomain [N²/travel unit³]
 
-  /// With the published process noise, read so. AsPrinted reads as Symmetrised here.
+  /// The published noise, with the process noise in an interpretation. AsPrinted is treated as
+  /// Symmetrised.
   static constexpr KalmanNoise published(ProcessNoiseReading reading) noexcept {
     KalmanNoise noise;
     if (reading == ProcessNoiseReading::StateOrder) {
@@ -174,8 +180,8 @@ struct KalmanNoise {
     return noise;
   }
 
-  /// Why no filter can be run with this; nullptr where one can. An indefinite Q ends with a
-  /// negative variance while the force still looks sane; Q = 0 and R = 0 weigh 0 against 0.
+  /// Why this noise is not valid; nullptr if it is. An indefinite Q leads to negative variances
+  /// while the force still looks plausible; with Q = 0 and R = 0 the gain is 0/0.
   constexpr const char* whyUnsound() const noexcept {
     const Scalar sum = processForce + processCovariance + processStiffness + finiteElements +
                        interpolation + wandering;
@@ -207,7 +213,7 @@ struct KalmanNoise {
         wandering};
   }
 
-  /// With Q as eq. (22) prints it.
+  /// With Q exactly as printed in eq. (22).
   constexpr typename KalmanFilter<Scalar, TextbookCovariance>::Noise asPrinted() const noexcept {
     return {
         {Scalar(7.0275), Scalar(0.02772), Scalar(0.2772), Scalar(6.1024)},
@@ -217,19 +223,19 @@ struct KalmanNoise {
   }
 };
 
-/// The filter `authors-firmware` with its steady-state gains for a hand that hardly moves, for
-/// processors without fast division. It is a different filter if Δθ varies, and has its own name.
+/// The scheme AuthorsFirmware with constant gains, those of its steady state for a hand that rests;
+/// for processors without fast division. It differs from that scheme if the hand moves.
 template <typename Scalar>
 class SteadyFilter {
  public:
   struct Gains {
-    Scalar finiteElements{};           ///< of the force
-    Scalar finiteElementsStiffness{};  ///< of the stiffness [1/travel unit]
+    Scalar finiteElements{};           ///< gain of the force
+    Scalar finiteElementsStiffness{};  ///< gain of the stiffness [1/travel unit]
     Scalar interpolation{};
     Scalar interpolationStiffness{};
   };
 
-  /// Of a filter with this noise, after @p steps steps of no way. Before anything moves.
+  /// Gains of a filter with this noise after @p steps steps without travel. Slow: not for the tick.
   static constexpr Gains gainsOf(
       const KalmanFilter<double>::Noise& noise, int steps = 200) noexcept {
     FactoredCovariance<double> covariance;

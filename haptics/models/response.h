@@ -2,16 +2,16 @@
 
 namespace haptics::models {
 
-/// What a tissue model answers at a position of the tool.
+/// The response of a tissue model at a position of the tool.
 template <typename Scalar>
 struct Response {
-  Scalar force{};          ///< [N]; towards where the tool came from
-  Scalar stiffness{};      ///< slope of the force over the position there [N per position unit]
-  bool isDefined = false;  ///< false: the model says nothing here, and the force is none
+  Scalar force{};          ///< [N]; positive pushes the tool back (opens, withdraws)
+  Scalar stiffness{};      ///< derivative of the force by the position [N per position unit]
+  bool isDefined = false;  ///< false: the model has no force here, and force is 0
 };
 
-/// Whether a number is neither infinite nor NaN, for any scalar, in constant expressions too, and
-/// without <cmath>: both minus themselves are NaN, which equals nothing.
+/// Whether a number is neither infinite nor NaN, for any scalar, also in constant expressions, and
+/// without <cmath>: infinity and NaN minus themselves are NaN, which equals no number.
 template <typename Scalar>
 constexpr bool isFinite(Scalar value) noexcept {
   return value - value == Scalar{0};  // NOLINT(misc-redundant-expression): see above

@@ -5,19 +5,21 @@
 
 namespace haptics::models {
 
-/// Finds the piece of a curve at a position without searching the whole curve: equal buckets over
-/// its span, each with the first and the last piece that reach into it. It takes one multiplication
-/// and two reads, then a bisection of the pieces in the bucket: at most log2 of their number.
+/// Finds the piece of a curve at a position without searching the whole curve. The curve's range is
+/// divided into equal buckets; a table has the first and the last piece of each. A search takes one
+/// multiplication, two reads, and a bisection among the pieces of the bucket.
 ///
-/// Without a table it bisects the whole curve. The memory is the caller's and must outlive it.
+/// Without a table it bisects the whole curve. The caller owns the table, which must outlive this
+/// object.
 template <typename Scalar>
 struct SegmentIndex {
-  const uint32_t* first = nullptr;  ///< of each bucket: the first piece; one more for the end
+  /// Index of the first piece of each bucket; buckets + 1 entries.
+  const uint32_t* first = nullptr;
   uint32_t buckets = 0;
-  Scalar origin{};   ///< where the first bucket begins
-  Scalar perUnit{};  ///< buckets in a unit of position
+  Scalar origin{};   ///< position at which the first bucket begins
+  Scalar perUnit{};  ///< number of buckets per unit of position
 
-  /// The bucket of @p position, which lies within the span; grows with it, rounding and all.
+  /// The bucket of @p position, which must be within the range; monotone in spite of rounding.
   constexpr uint32_t bucketOf(Scalar position) const noexcept {
     const Scalar place = (position - origin) * perUnit;
     if (!(place > Scalar{0})) return 0;
@@ -25,8 +27,8 @@ struct SegmentIndex {
     return bucket < static_cast<int64_t>(buckets) ? static_cast<uint32_t>(bucket) : buckets - 1;
   }
 
-  /// The last of @p pieces whose beginning, beginOf(piece), does not lie beyond @p position; the
-  /// first where all do.
+  /// Index of the last of @p pieces that begins, by beginOf(piece), at or before @p position; 0 if
+  /// none does.
   template <typename BeginOf>
   constexpr size_t find(Scalar position, size_t pieces, BeginOf beginOf) const noexcept {
     size_t low = 0;

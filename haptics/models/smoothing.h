@@ -2,14 +2,14 @@
 
 namespace haptics::models {
 
-/// What is done with a force before it goes to the motor.
+/// Filters of the force before it is sent to the motor.
 enum class Smoothing {
   None,
-  TwoPoint,  ///< (xₖ + xₖ₋₁) / 2: the punch paper's Fig. 11. It hides a square wave
-  AuthorsFirmware,  ///< yₖ = (yₖ₋₁ + xₖ₋₁ + xₖ₋₂) / 3: feeds itself, and leaves the present out
+  TwoPoint,  ///< (xₖ + xₖ₋₁) / 2: Fig. 11 of the punch paper; cancels an alternating force
+  AuthorsFirmware,  ///< yₖ = (yₖ₋₁ + xₖ₋₁ + xₖ₋₂) / 3: recursive, without the present sample
 };
 
-/// A moving average over the last forces.
+/// Applies a Smoothing to a sequence of forces.
 template <typename Scalar>
 class MovingAverage {
  public:
@@ -18,7 +18,7 @@ class MovingAverage {
   constexpr void reset() noexcept { hasStarted_ = false; }
 
   constexpr Scalar feed(Scalar x) noexcept {
-    if (!hasStarted_) y_ = last_ = beforeLast_ = x;  // as if it had always been so
+    if (!hasStarted_) y_ = last_ = beforeLast_ = x;  // as if the force had always been x
     hasStarted_ = true;
     switch (smoothing_) {
       case Smoothing::None:
