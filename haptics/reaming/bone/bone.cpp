@@ -10,21 +10,22 @@ namespace haptics::reaming {
 
 namespace {
 
-constexpr std::size_t kMostChanges = 4096;     // told in a step
-constexpr std::size_t kRestoredAtOnce = 2048;  // groups in a step
-constexpr std::size_t kTidiedAtOnce = 64;      // slots in a step
-constexpr std::size_t kParts = 8;              // of the surface, one cut in a step
-constexpr double kLeftShare = 0.1;  // of a radius: so far back the tool has left a sphere
+constexpr std::size_t kMostChanges = 4096;     // reported per step
+constexpr std::size_t kRestoredAtOnce = 2048;  // groups per step
+constexpr std::size_t kTidiedAtOnce = 64;      // slots per step
+constexpr std::size_t kParts = 8;              // parts of the surface, one of which is cut per step
+// Fraction of a radius; a tool that has moved back by it has left the sphere.
+constexpr double kLeftShare = 0.1;
 
 double ballOf(double radius) noexcept {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
-/// What a ball R takes of a ball r when it reaches @p depth into it [m³].
+/// Volume of the intersection of two balls of radii @p r and @p R that overlap by @p depth [m³].
 double lensOf(double r, double depth, double R) noexcept {
   if (depth <= 0.0) return 0.0;
   if (depth >= 2.0 * std::min(r, R)) return ballOf(std::min(r, R));
-  // Lens of two balls at a distance d (Weisstein, "Sphere-Sphere Intersection").
+  // Lens of two balls whose centres have the distance d (Weisstein, "Sphere-Sphere Intersection").
   const double d = R + r - depth;
   return std::numbers::pi * depth * depth * (d * d + 2.0 * d * (r + R) - 3.0 * (r - R) * (r - R)) /
          (12.0 * d);
@@ -76,7 +77,7 @@ void Bone::reset() noexcept {
   if (isTouched_) restored_ = 0;
 }
 
-/// Copies a part of the whole bone back; true where nothing is left to do.
+/// Restores a part of the bone; returns true when all is restored.
 bool Bone::isWholeAgain() noexcept {
   const std::size_t groups = field_.groups().size();
   if (restored_ == groups) return true;
@@ -85,7 +86,7 @@ bool Bone::isWholeAgain() noexcept {
     field_.group(kLanes * i) = whole_.group(kLanes * i);
     for (std::size_t lane = 0; lane < kLanes; ++lane) isPartial_[kLanes * i + lane] = 0;
   }
-  // Copied over several steps: all at once would take longer than a tick.
+  // Copy in several steps, since copying all groups at once would take longer than a tick.
   restored_ = end;
   if (restored_ < groups) return false;
   field_.forgetMoves();
@@ -111,22 +112,23 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   tool_.axis = device.axis;
   if (!isOutside_) {
     tool_.centre = device.centre;
-    felt.isDefined = isClear();  // how it got in is not known: it has to come out first
+    // Inside the bone there is no defined force: the tool must leave it first.
+    felt.isDefined = isClear();
     return felt;
   }
-  // The virtual tool follows the device through a spring (coupling) and stays outside the uncut
-  // bone; the force is the spring's. It is a god-object that can cut.
+  // The virtual tool is a god-object that can cut: it follows the device through a spring
+  // (coupling) and stays outside the uncut bone; the rendered force is the spring's.
   felt.contact = field_.touch(tool_, true);
   const Vec3 out = outOf(felt.contact);
   moveTool(device, felt.contact, out, dt);
   cut();
   compactChanges();
   if (felt.contact.area <= 0.0) return felt;
-  // Bone pushes, and never pulls a hand that is faster than the tool.
+  // Bone pushes, but never pulls a hand that moves back faster than the tool.
   const Vec3 held = tool_.centre - device.centre;
   felt.force = options_.coupling * (held - std::min(dot(held, out), 0.0) * out);
-  // Teeth rub against the spin, each with the force that presses it on: aρ where bone gives way,
-  // and a share of it where the tool is pushed less.
+  // Friction acts on the teeth against the spin, in proportion to the normal force: aρ if the bone
+  // yields, a fraction of it if the tool is pushed less.
   const double resistance = dot(felt.contact.force, out) / options_.coverage;
   const double pushed = resistance > 0.0 ? dot(felt.force, out) / resistance : 0.0;
   const double share = std::clamp(pushed, 0.0, 1.0);
@@ -134,7 +136,8 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   return felt;
 }
 
-/// Whether no group yet holds the tool; all are looked at, some in every step.
+/// Checks some groups per step for contact with the tool; returns true when all are known to be
+/// clear.
 bool Bone::isClear() noexcept {
   const std::size_t groups = field_.groups().size();
   const std::size_t end = std::min(groups, cleared_ + kRestoredAtOnce);
@@ -144,29 +147,28 @@ bool Bone::isClear() noexcept {
   return !isIn;
 }
 
-/// The direction in which the bone pushes.
+/// Direction of the bone's force on the tool (unit vector).
 Vec3 Bone::outOf(const ReamerContact& contact) const noexcept {
   const Vec3 back = -1.0 * tool_.axis;
   return options_.isGuided ? back : unitOr(contact.force, unitOr(contact.normal, back));
 }
 
-/// Lets the tool go where the device pulls it and the bone lets it.
+/// Moves the tool towards the device, as far as the bone allows.
 void Bone::moveTool(
     const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept {
   const Vec3 axis = tool_.axis;
   Vec3 gap = device.centre - tool_.centre;
   if (options_.isGuided) gap = dot(gap, axis) * axis;
   if (contact.area <= 0.0) {
-    // Through air: no faster than the teeth can be stopped at the bone.
+    // Outside the bone: no faster than the next step could stop the tool at the bone.
     tool_.centre = tool_.centre + atMost(gap, 4.0 * options_.mostAdvance);
     return;
   }
   const double resistance = dot(contact.force, out) / options_.coverage;
   const double push = -options_.coupling * dot(gap, out);
   if (push > resistance && isSpinning_ && options_.mostFeed > 0.0) {
-    // Moves towards the device until the push has fallen to the force at which the bone gives way.
-    // Implicit in time: with damping c the tool moves by share·gap / (1 + c/(k dt)), which is
-    // stable for every dt.
+    // Move towards the device until the push has fallen to the resistance. Implicit integration:
+    // with damping c the tool moves by share·gap / (1 + c/(k dt)), which is stable for every dt.
     const double share = (push - resistance) / push;
     const double brake = 1.0 + options_.cuttingDamping / (options_.coupling * dt);
     const double most = std::min(options_.mostAdvance, options_.mostFeed * dt);
@@ -177,19 +179,20 @@ void Bone::moveTool(
   }
 }
 
-/// Out of the bone, or along its surface, against friction; nothing is cut.
+/// Motion of the tool without cutting: out of the bone, or along its surface against friction.
 Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   const Vec3 normal = dot(gap, out) * out;
   const Vec3 across = gap - normal;
   const Vec3 back = push <= 0.0 ? normal : Vec3{};
-  // The friction cone as a length of the coupling's spring: up to that length friction holds.
+  // The friction cone, as a length of the coupling's spring: up to that length friction holds the
+  // tool.
   const double held = options_.friction * std::max(push, 0.0) / options_.coupling;
   const double slip = length(across) - held;
   return slip > 0.0 ? back + atMost(across, slip) : back;
 }
 
-/// Takes away what lies behind the surface, a part of it in each step: a sphere's turn comes about
-/// every kParts steps, also after the tool has stopped or turned.
+/// Cuts the spheres behind one of kParts parts of the surface. It goes on for kParts steps after
+/// the tool has last advanced, so that every part is cut.
 void Bone::cut() noexcept {
   if (pending_ == 0) return;
   --pending_;
@@ -233,7 +236,7 @@ void Bone::noteChange(std::uint32_t slot) noexcept {
   }
 }
 
-/// Looks after a few of the spheres that are partly cut.
+/// Checks a few of the partly cut spheres, and replaces those that the tool has left.
 void Bone::compactChanges() noexcept {
   for (std::size_t looked = 0; looked < kTidiedAtOnce && !partial_.empty(); ++looked) {
     if (next_ >= partial_.size()) next_ = 0;
@@ -250,7 +253,7 @@ void Bone::compactChanges() noexcept {
   }
 }
 
-/// Whether the tool has moved back from its cut in a sphere.
+/// Whether the tool has moved back from its cut in the sphere.
 bool Bone::isLeft(std::uint32_t slot) const noexcept {
   const auto& group = field_.group(slot);
   const std::size_t lane = slot % kLanes;
@@ -267,8 +270,8 @@ double Bone::massOf(std::uint32_t slot) const noexcept {
   return group.density[lane] * (ballOf(r) - lensOf(r, group.depth[lane], tool_.radius));
 }
 
-/// Spheres within what is left of a sphere: the largest that fits, and three beside it where they
-/// are worth it. They carry its mass.
+/// Replaces a partly cut sphere by spheres inside its remainder: the largest that fits, and three
+/// beside it if they are not too small. They get the remaining mass.
 void Bone::leaveRemainder(std::uint32_t slot) noexcept {
   auto& group = field_.group(slot);
   const std::size_t lane = slot % kLanes;
@@ -282,8 +285,8 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
     empty(slot);
     return;
   }
-  // The reamer's surface is as good as flat here: h is its distance from the centre, towards the
-  // tool where it is above 0.
+  // The reamer's surface counts as flat here: h is its distance from the centre, positive towards
+  // the tool.
   const Vec3 middle = centre + (r - main) * outward;
   group.depth[lane] = 0.0F;
   group.radius[lane] = std::nextafter(static_cast<float>(main), 0.0F);
@@ -320,7 +323,7 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
     field_.group(spheres[i]).density[spheres[i] % kLanes] = density;
   }
-  removed_ += mass - density * volume;  // what single precision cannot hold
+  removed_ += mass - density * volume;  // rounding error of the density in single precision
 }
 
 double Bone::remainingMass() const noexcept {

@@ -9,66 +9,69 @@
 
 namespace haptics::reaming {
 
-/// How a bone that is cut answers.
+/// Parameters of a bone with removal.
 struct BoneOptions {
-  double coverage = 1.0;       ///< of the packing: areas are divided by it, (0, 1]
-  double coupling = 50'000.0;  ///< between the device and the tool that the bone holds [N/m], > 0
-  double cuttingDamping = 2000.0;  ///< increase of the force with the feed [N·s/m], >= 0
-  double friction = 0.1;           ///< coefficient between tool and bone, >= 0
-  double mostAdvance = 5e-5;       ///< in one step, through bone [m], > 0
-  /// What the teeth can take: no faster through bone, however hard it is pushed [m/s], >= 0.
+  double coverage = 1.0;  ///< of the packing; contact areas are divided by it, (0, 1]
+  /// Stiffness of the spring between the device and the virtual tool [N/m], > 0.
+  double coupling = 50'000.0;
+  /// Increase of the force with the speed of advance [N·s/m], >= 0.
+  double cuttingDamping = 2000.0;
+  double friction = 0.1;      ///< coefficient between tool and bone, >= 0
+  double mostAdvance = 5e-5;  ///< largest advance through bone in one step [m], > 0
+  /// Largest speed of advance through bone, which the teeth allow however hard the tool is pushed
+  /// [m/s], >= 0.
   double mostFeed = std::numeric_limits<double>::infinity();
-  bool isGuided = false;   ///< held to a line along its axis, as by a testing machine
-  bool isSpinning = true;  ///< forwards; teeth that stand still or go backwards do not cut
+  bool isGuided = false;   ///< the reamer only moves along its axis, as in a testing machine
+  bool isSpinning = true;  ///< turns forwards; otherwise the teeth do not cut
 };
 
 /// A bone of spheres that a reamer removes.
 ///
-/// The tool is held by the bone (a constrained tool, as in the reaming paper): it goes on only
-/// while the coupling to the device pushes harder than what it touches gives way at, F = Σ aρ /
-/// coverage, no faster than its teeth can take, and takes the spheres behind its surface away, each
-/// within eight steps. A sphere is
-/// cut slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
-/// spheres that lie within it, with the mass (density × volume) that remained. All removed mass is
-/// counted.
+/// The virtual tool is held by the bone (a constrained tool, as in the reaming paper). It advances
+/// only while the coupling to the device pushes harder than the resistance F = Σ aρ / coverage of
+/// the spheres in contact, and no faster than its teeth allow. It removes the spheres behind its
+/// surface, each within eight steps. A sphere is cut slice by slice; when the tool has left it, the
+/// remainder is replaced by smaller spheres inside it, with the remaining mass (density × volume).
+/// All removed mass is counted.
 ///
-/// A step is bounded, allocates nothing and throws nothing.
+/// The time of a step is bounded; it does not allocate or throw.
 class Bone {
  public:
   /// @throws std::invalid_argument  if packing, densities or options are not valid.
   Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options);
 
   struct Felt {
-    Vec3 force;              ///< on the hand [N]
-    double rubbing = 0.0;    ///< torque on a reamer that turns either way, against its spin [N·m]
-    ReamerContact contact;   ///< of the held tool
-    bool isDefined = false;  ///< not where the device is nowhere, or began inside of the bone
+    Vec3 force;             ///< on the hand [N]
+    double rubbing = 0.0;   ///< torque of friction on a turning reamer, against its spin [N·m]
+    ReamerContact contact;  ///< of the virtual tool
+    /// False if the device's position is NaN, or was inside the bone at the beginning.
+    bool isDefined = false;
   };
 
-  /// One step of @p dt [s] with the device at @p device.
+  /// Advances by @p dt [s] with the device at @p device, and returns the force.
   Felt step(const Reamer& device, double dt) noexcept;
 
-  /// Whether the teeth cut from the next step on; as in the options at first.
+  /// Sets whether the teeth cut from the next step on; initially BoneOptions::isSpinning.
   void setSpinning(bool isSpinning) noexcept { isSpinning_ = isSpinning; }
 
-  /// Makes the bone whole again, over the next steps; until then nothing is felt.
+  /// Restores the whole bone, over the next steps; until then there is no force.
   void reset() noexcept;
 
-  const Reamer& tool() const noexcept { return tool_; }  ///< where the bone holds it
+  const Reamer& tool() const noexcept { return tool_; }  ///< the virtual tool
   const SphereField& field() const noexcept { return field_; }
   double coverage() const noexcept { return options_.coverage; }
 
   double removedMass() const noexcept { return removed_; }  ///< [N·m]
-  double remainingMass() const noexcept;                    ///< by looking at all spheres [N·m]
+  double remainingMass() const noexcept;                    ///< sums over all spheres: slow [N·m]
 
-  /// Slots that the last step emptied, shrank, moved or filled, for the eye.
+  /// Slots that the last step emptied, shrank, moved or filled, for drawing.
   std::span<const std::uint32_t> changed() const noexcept { return changed_; }
-  /// Changes that found no room in the list.
+  /// Number of changes that did not fit into the list.
   std::uint64_t droppedChanges() const noexcept { return dropped_; }
-  /// Whether all spheres have been seen to be clear of the device since it began or was reset.
-  /// Until then some are looked at in every step.
+  /// Whether the device is known to have been outside all spheres since construction or reset().
+  /// Until then every step checks some of the spheres.
   bool isOutside() const noexcept { return isOutside_; }
-  /// How often it has been made whole again.
+  /// How often the bone has been restored.
   std::uint64_t restorations() const noexcept { return restorations_; }
 
  private:
@@ -90,21 +93,21 @@ class Bone {
   bool isSpinning_;
   SphereField field_;
   SphereField whole_;
-  std::vector<Vec3> cutFrom_;           ///< where the tool was when it last cut a slot
+  std::vector<Vec3> cutFrom_;           ///< position of the tool when it last cut the slot
   std::vector<std::uint32_t> partial_;  ///< slots that are partly cut
   std::vector<char> isPartial_;
-  std::vector<std::uint32_t> deeper_;  ///< room for what a step cuts
+  std::vector<std::uint32_t> deeper_;  ///< buffer for the slots that a step cuts
   std::vector<std::uint32_t> changed_;
   std::uint64_t dropped_ = 0;
   std::uint64_t restorations_ = 0;
-  std::size_t pending_ = 0;   ///< steps until all that lies behind the surface is cut
-  std::size_t part_ = 0;      ///< whose turn it is
-  std::size_t next_ = 0;      ///< of partial_, to be looked at
-  std::size_t restored_ = 0;  ///< groups of the whole bone, while it is made whole
-  std::size_t cleared_ = 0;   ///< groups that the device is known to be outside of
-  bool isTouched_ = false;    ///< something was cut since it was whole
-  bool isOutside_ = false;    ///< the device has been outside since
-  double smallest_ = 0.0;     ///< radius that is worth a sphere [m]
+  std::size_t pending_ = 0;   ///< steps until all spheres behind the surface are cut
+  std::size_t part_ = 0;      ///< part of the surface to cut next, 0 to kParts − 1
+  std::size_t next_ = 0;      ///< next entry of partial_ to check
+  std::size_t restored_ = 0;  ///< number of groups restored so far
+  std::size_t cleared_ = 0;   ///< number of groups that the device is known to be outside of
+  bool isTouched_ = false;    ///< a sphere was cut since the bone was whole
+  bool isOutside_ = false;    ///< see isOutside()
+  double smallest_ = 0.0;     ///< remainders of a smaller radius are removed [m]
   double removed_ = 0.0;
   Reamer tool_;
 };

@@ -14,7 +14,7 @@ double Packing::filled() const noexcept {
 }
 
 PackingFlaws flawsOf(const Packing& packing, const Solid& body) {
-  // By a sweep along x: every pair whose shadows meet, once.
+  // Finds overlaps with a grid of columns, so that every pair of near spheres is compared once.
   PackingFlaws flaws;
   const auto& spheres = packing.spheres;
   if (spheres.empty()) return flaws;
@@ -25,7 +25,8 @@ PackingFlaws flawsOf(const Packing& packing, const Solid& body) {
     const double out = radius - body.nearest(sphere.centre()).distance;
     flaws.protrusion = std::max(flaws.protrusion, out / radius);
   }
-  // Columns as wide as the largest sphere, each sorted along z: a sphere meets nine of them.
+  // Columns are as wide as the largest sphere and sorted along z, so a sphere can meet others in
+  // nine columns only.
   const double width = 2.0 * largest;
   const Vec3 low = body.lowest();
   const auto across = [&](double from, double to) {

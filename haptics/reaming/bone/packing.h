@@ -6,7 +6,7 @@
 
 namespace haptics::reaming {
 
-/// A place or a direction in the frame of a bone [m]: the reamer goes in along +z.
+/// A position [m] or a direction in the frame of a bone; the reamer advances along +z.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
@@ -31,13 +31,13 @@ inline double length(Vec3 a) noexcept {
   return std::sqrt(dot(a, a));
 }
 
-/// The nearest place of a solid's surface.
+/// Distance and direction to the nearest point of a solid's surface.
 struct SurfacePoint {
-  double distance = 0.0;  ///< signed: above 0 inside [m]
-  Vec3 inward;            ///< where that distance grows: a unit vector
+  double distance = 0.0;  ///< signed: positive inside [m]
+  Vec3 inward;            ///< unit vector in which the distance grows
 };
 
-/// A body that can be filled.
+/// A body that can be filled with spheres.
 class Solid {
  public:
   virtual ~Solid() = default;
@@ -45,15 +45,15 @@ class Solid {
   Solid(const Solid&) = delete;
   Solid& operator=(const Solid&) = delete;
 
-  /// Any number of threads.
+  /// May be called by several threads at once.
   virtual SurfacePoint nearest(Vec3 place) const noexcept = 0;
 
-  virtual Vec3 lowest() const noexcept = 0;   ///< corner of its box
-  virtual Vec3 highest() const noexcept = 0;  ///< and the opposite one
+  virtual Vec3 lowest() const noexcept = 0;   ///< lower corner of the bounding box
+  virtual Vec3 highest() const noexcept = 0;  ///< upper corner
   virtual double volume() const noexcept = 0;
 };
 
-/// A sphere of a packing, in the numbers in which it is kept.
+/// A sphere of a packing, in single precision as stored.
 struct Sphere {
   float x = 0.0F;  ///< [m]
   float y = 0.0F;
@@ -63,19 +63,21 @@ struct Sphere {
   Vec3 centre() const noexcept { return {x, y, z}; }
 };
 
-/// A body as spheres that do not overlap (reaming paper, "Implementation approach").
+/// Non-overlapping spheres that approximate a body (reaming paper, "Implementation approach").
 struct Packing {
   std::vector<Sphere> spheres;  ///< from the largest to the smallest
   double volume = 0.0;          ///< of the body [m³]
 
-  double filled() const noexcept;                                 ///< volume of the spheres [m³]
-  double coverage() const noexcept { return filled() / volume; }  ///< share of the body
+  double filled() const noexcept;  ///< volume of the spheres [m³]
+  double coverage() const noexcept {
+    return filled() / volume;
+  }  ///< fraction of the body that the spheres fill
 };
 
-/// The worst of a packing, each as a share of a radius: for tests and reports.
+/// The largest errors of a packing, relative to a radius; for tests and reports.
 struct PackingFlaws {
-  double overlap = 0.0;     ///< of the smaller of two; 0 where no two overlap
-  double protrusion = 0.0;  ///< out of the body
+  double overlap = 0.0;     ///< of two spheres, relative to the smaller radius; 0 if none overlap
+  double protrusion = 0.0;  ///< of a sphere out of the body
 };
 PackingFlaws flawsOf(const Packing& packing, const Solid& body);
 

@@ -39,8 +39,8 @@ SphereField::SphereField(const Packing& packing, std::span<const double> densiti
     largest_ = std::max(largest_, double{s.radius});
     sum += s.radius;
   }
-  // Four mean diameters are best, and flat around it; never so fine that cells outnumber spheres,
-  // nor more than a thousand along a diagonal, nor of no size where all spheres are in one place.
+  // Cells of four mean diameters are fastest, with a flat optimum. Lower bounds: at most one cell
+  // per sphere, at most 1000 cells along the diagonal, and above 0 if all spheres are at one place.
   const auto count = static_cast<double>(packing.spheres.size());
   const Vec3 size = high - low_;
   const double coarse = std::cbrt(size.x * size.y * size.z / count);
@@ -66,9 +66,9 @@ SphereField::SphereField(const Packing& packing, std::span<const double> densiti
   }
 }
 
-/// Room for every sphere, and a little more, in whole groups.
+/// Allocates groups for the spheres of every cell, with some spare slots.
 void SphereField::layOut(const Packing& packing, std::size_t cells) {
-  constexpr std::uint32_t kSpare = 2;  // slots for what is split off
+  constexpr std::uint32_t kSpare = 2;  // slots for spheres that are split off
   std::vector<std::uint32_t> held(cells, 0);
   for (const auto& s : packing.spheres) ++held[cellOf(s.centre())];
   start_.assign(cells + 1, 0);
@@ -129,7 +129,7 @@ KernelReamer inSinglePrecision(const Reamer& reamer) noexcept {
 
 }  // namespace
 
-/// Hands over stretches many at a time.
+/// Calls @p work with batches of ranges.
 template <typename Work>
 void SphereField::runInParallel(const Reamer& reamer, Work work) const {
   constexpr std::size_t kTogether = 512;
@@ -192,8 +192,8 @@ std::size_t SphereField::findDeeper(
 }
 
 StrokeRange strokeInto(const SphereField& field, double radius) {
-  // A sphere is first touched, teeth foremost, where the reamer's centre is √((R+r)² − ρ²) before
-  // it, ρ its distance from the axis.
+  // The teeth first touch a sphere when the reamer's centre is √((R+r)² − ρ²) before it, with ρ the
+  // sphere's distance from the axis.
   double start = std::numeric_limits<double>::infinity();
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
     const double r = field.group(slot).radius[slot % kLanes];

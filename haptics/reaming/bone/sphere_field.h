@@ -11,52 +11,53 @@
 
 namespace haptics::reaming {
 
-/// A hemisphere with teeth: its position and direction.
+/// Position and direction of a hemispherical reamer.
 struct Reamer {
   double radius = 0.026;        ///< [m], > 0
-  Vec3 centre;                  ///< of its sphere [m]
-  Vec3 axis = {0.0, 0.0, 1.0};  ///< unit vector, into the bone; the teeth are on that side
+  Vec3 centre;                  ///< centre of the hemisphere [m]
+  Vec3 axis = {0.0, 0.0, 1.0};  ///< unit vector into the bone; the teeth are on that side
 };
 
-/// What a reamer touches, as sums over the spheres that its surface cuts. Every sphere counts with
-/// the part a of the reamer's surface that lies in it: a = πR (r² − (d − R)²)/d.
+/// The contact of a reamer, as sums over the spheres that its surface cuts. a is the area of the
+/// reamer's surface inside a sphere: a = πR (r² − (d − R)²)/d, with ρ the density and n the outward
+/// normal.
 struct ReamerContact {
   double area = 0.0;      ///< Σ a [m²]
   double pressing = 0.0;  ///< Σ a ρ [N]
   Vec3 normal;            ///< Σ a n, out of the bone [m²]
   Vec3 force;             ///< Σ a ρ n [N]
   double lever = 0.0;     ///< Σ a ρ times the distance from the reamer's axis [N·m]
-  int touched = 0;        ///< spheres
+  int touched = 0;        ///< number of spheres
 
-  /// Contact density Σ a ρ / Σ a of the reaming paper; 0 where nothing is touched [N/m²].
+  /// Contact density Σ a ρ / Σ a of the reaming paper [N/m²]; 0 without contact.
   double density() const noexcept { return area > 0.0 ? pressing / area : 0.0; }
 };
 
-/// The spheres of a packing as they are felt and cut: cell after cell along the axes, in groups, so
-/// that a row of cells is one stretch of memory. Every cell has a few empty slots at its end.
+/// The spheres of a packing in a grid of cells, for contact and removal. They are stored cell after
+/// cell, in groups, so that a row of cells is contiguous in memory. Every cell has a few empty
+/// slots at its end.
 class SphereField {
  public:
-  /// @param densities  of each sphere: the pressure at which it gives way [N/m²], finite, >= 0.
-  /// @throws std::invalid_argument  if the densities are not as many as the spheres, or no such
-  /// numbers, or there are no spheres.
+  /// @param densities  of each sphere: the pressure at which it yields [N/m²], finite, >= 0.
+  /// @throws std::invalid_argument  if there are no spheres, or the number of densities differs
+  /// from that of the spheres, or one is out of range.
   SphereField(const Packing& packing, std::span<const double> densities);
 
-  /// The sums over all spheres that the surface cuts: of every sphere as it was, or, with
-  /// @p isCut, where the surface goes on into it. Never allocates. Nothing for a reamer that is
-  /// nowhere (NaN).
+  /// The sums over all spheres that the surface cuts. With @p isCut, parts that have already been
+  /// cut off do not count. Never allocates. All sums are 0 for a reamer whose position is NaN.
   ReamerContact touch(const Reamer& reamer, bool isCut) const noexcept;
 
-  /// Spheres into which the surface has gone deeper than they have been cut, of every
-  /// @p parts-th stretch from @p part on.
-  /// @param found  takes their slots. @return how many.
+  /// Finds spheres that the surface has entered deeper than they have been cut. Only every @p
+  /// parts-th range, beginning with number @p part, is searched.
+  /// @param found  receives their slots. @return how many.
   std::size_t findDeeper(
       const Reamer& reamer,
       std::size_t part,
       std::size_t parts,
       std::span<std::uint32_t> found) const noexcept;
 
-  /// Calls @p see with every stretch of groups, from and to, that together hold all spheres that
-  /// the surface of @p reamer may cut.
+  /// Calls @p see(begin, end) with ranges of groups that together contain all spheres that the
+  /// surface of @p reamer may cut.
   template <typename See>
   void forEachRange(const Reamer& reamer, See see) const;
 
@@ -72,21 +73,22 @@ class SphereField {
     return {g.x[lane], g.y[lane], g.z[lane]};
   }
 
-  /// An empty slot in the cell of @p place; slotCount() where there is none.
+  /// An empty slot in the cell of @p place; slotCount() if there is none.
   std::size_t freeSlot(Vec3 place) const noexcept;
 
-  /// Lets the sphere of @p slot lie at @p place. The farther from its cell, the more is looked at.
+  /// Moves the sphere of @p slot to @p place. Its slot stays in the old cell, so searches widen by
+  /// its distance from there.
   void move(std::size_t slot, Vec3 place) noexcept;
 
-  /// All spheres lie in their cells again.
+  /// To be called when all spheres are in their cells again.
   void forgetMoves() noexcept { drift_ = 0.0; }
 
-  /// Whether @p reamer's teeth are past the centre of a sphere of groups @p from to @p end: then it
-  /// is inside of the bone.
+  /// Whether the reamer's teeth have passed the centre of a sphere in groups @p from … @p end − 1:
+  /// then the reamer is inside the bone.
   bool holds(const Reamer& reamer, std::size_t from, std::size_t end) const noexcept;
 
   std::size_t bytes() const noexcept { return sizeof(SphereGroup) * groups_.size(); }
-  double largestRadius() const noexcept { return largest_; }  ///< at the beginning [m]
+  double largestRadius() const noexcept { return largest_; }  ///< of the packing [m]
 
  private:
   int along(double from, int count) const noexcept {
@@ -100,15 +102,15 @@ class SphereField {
   Vec3 low_;
   double cell_ = 1.0;  ///< [m]
   int nx_ = 1, ny_ = 1, nz_ = 1;
-  std::vector<std::uint32_t> start_;  ///< of each cell's groups, and the end of the last
+  std::vector<std::uint32_t> start_;  ///< first group of each cell, and the end of the last
   std::vector<SphereGroup> groups_;
   double largest_ = 0.0;  ///< radius [m]
-  double drift_ = 0.0;    ///< the farthest that a sphere lies out of its cell [m]
+  double drift_ = 0.0;    ///< largest distance of a moved sphere from its cell [m]
 };
 
 template <typename See>
 void SphereField::forEachRange(const Reamer& reamer, See see) const {
-  // The surface is a shell: outer and inner reach of spheres that it may cut.
+  // The surface cuts spheres whose centres are in a spherical shell: its outer and inner radius.
   const double pad = largest_ + drift_;
   const double outer = reamer.radius + pad;
   const double inner = std::max(0.0, reamer.radius - pad);
@@ -137,7 +139,7 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
       const double acrossX = acrossY - nearY * nearY;
       if (acrossX < 0.0) continue;
       const double reachX = std::sqrt(acrossX);
-      // The teeth are on one side only.
+      // Skip cells behind the reamer: the teeth are on one side only.
       const double most = std::max(reamer.axis.x * reachX, -reamer.axis.x * reachX) +
                           std::max(reamer.axis.y * y0, reamer.axis.y * y1) +
                           std::max(reamer.axis.z * z0, reamer.axis.z * z1);
@@ -154,7 +156,7 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
         const auto end = start_[row + static_cast<std::size_t>(b) + 1];
         if (begin < end) see(begin, end);
       };
-      // Cells that lie wholly in the hollow of the shell are left out.
+      // Skip cells that are entirely inside the shell's inner radius.
       const double gap = hollow > 0.0 ? std::sqrt(hollow) : 0.0;
       const int leftEnd = static_cast<int>(std::floor((from.x - gap) / cell_));
       const int rightBegin = static_cast<int>(std::floor((from.x + gap) / cell_));
@@ -168,17 +170,17 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
   }
 }
 
-/// The one way that the experiment knows: a reamer along +z through the origin of the bone's frame,
-/// from just before it first touches (reaming paper, "Experimental setup").
+/// The path of the reamer in the experiment: along +z through the origin of the bone's frame, from
+/// just before the first contact (reaming paper, "Experimental setup").
 struct StrokeRange {
   double radius = 0.026;  ///< of the reamer [m]
-  double start = 0.0;     ///< z of its centre at a depth of 0 [m]
+  double start = 0.0;     ///< z of the reamer's centre at depth 0 [m]
 
   Reamer at(double depth) const noexcept { return {radius, {0.0, 0.0, start + depth}}; }
 };
 
-/// The plunge that begins 10 µm before the reamer first touches a sphere of @p field.
-/// @throws std::invalid_argument  if it never does.
+/// The path that begins 10 µm before the reamer first touches a sphere of @p field.
+/// @throws std::invalid_argument  if the reamer touches no sphere.
 StrokeRange strokeInto(const SphereField& field, double radius);
 
 }  // namespace haptics::reaming

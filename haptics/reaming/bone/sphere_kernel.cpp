@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-// Compiled for what the processor at hand can do, chosen once when the program starts. Sanitizers
-// need the ordinary way.
+// Compiled for several processor generations; the loader chooses when the program starts.
+// Sanitizers do not support this.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define PALPATE_FOR_THIS_PROCESSOR __attribute__((target_clones("arch=x86-64-v3", "default")))
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kTiny = 1e-20F;  // avoids a division by zero in empty slots
 
-/// One number for each lane; GCC makes one register of it.
+/// One number per lane; GCC maps the vector to registers.
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using Masks = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
@@ -35,7 +35,8 @@ PALPATE_INLINE void root(const Lanes& of, Lanes& to) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) to[lane] = std::sqrt(of[lane]);
 }
 
-/// Sums in single precision, lane by lane; short enough to lose nothing that is felt.
+/// Sums in single precision per lane, over few enough spheres that rounding errors are not
+/// noticeable.
 struct Partial {
   Lanes of[KernelSums::Quantities] = {};
 };
@@ -51,7 +52,8 @@ PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reame
   dx -= reamer.x;
   dy -= reamer.y;
   dz -= reamer.z;
-  // Most spheres that are looked at are not touched: known by squares, before any root.
+  // Most of the spheres are not in contact: exclude them by squared distances, before taking a
+  // root.
   const Lanes square = dx * dx + dy * dy + dz * dz;
   const Lanes along = dx * reamer.ax + dy * reamer.ay + dz * reamer.az;
   const Lanes outer = reamer.radius + r;
@@ -62,15 +64,15 @@ PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reame
   Lanes d;
   root(square + kTiny, d);
   // The area of the cap that the reamer's surface cuts out of a sphere is π R (r² − (d − R)²)/d;
-  // the constant π R follows after the sum.
+  // the factor π R is applied after the sum.
   const Lanes over = d - reamer.radius;
   Lanes lens = r * r - over * over;
   lens = (isTouched & (lens > 0.0F)) ? lens : none;
   if constexpr (kIsCut) {
     Lanes depth;
     load(group.depth, depth);
-    // A sphere that was cut to `depth` pushes in full where the tool is as deep as that, and less
-    // and less over a share of its radius as the tool goes back: no step in the force.
+    // A sphere that was cut to `depth` has its full force if the tool is that deep; as the tool
+    // moves back, the force fades over a fraction of the radius, without a step.
     Lanes share = (r - over - depth) / (kReleaseShare * r + kTiny) + 1.0F;
     share = share > 0.0F ? share : none;
     share = share < 1.0F ? share : none + 1.0F;
@@ -112,7 +114,8 @@ PALPATE_INLINE void add(
     std::span<const GroupRange> stretches,
     const KernelReamer& reamer,
     KernelSums& sums) {
-  constexpr std::size_t kAtMost = 1024;  // groups; rounding adds up to 1024 · 2⁻²⁴ = 6e-5 at most
+  // Groups per partial sum; the relative rounding error is at most 1024 · 2⁻²⁴ = 6e-5.
+  constexpr std::size_t kAtMost = 1024;
   Partial partial;
   std::size_t looked = 0;
   for (const auto& stretch : stretches) {
@@ -162,7 +165,7 @@ std::size_t findDeeper(
       dx -= reamer.x;
       dy -= reamer.y;
       dz -= reamer.z;
-      // r − (d − R) > depth, by squares.
+      // r − (d − R) > depth, compared by squares.
       const Lanes reach = reamer.radius + r - depth;
       const Masks isDeeper = (dx * dx + dy * dy + dz * dz < reach * reach) & (reach > 0.0F) &
                              (dx * reamer.ax + dy * reamer.ay + dz * reamer.az >= 0.0F) &

@@ -6,33 +6,33 @@
 
 namespace haptics::reaming {
 
-/// Where a reamer is, in the precision of a sphere field.
+/// A reamer in single precision, like the spheres.
 struct KernelReamer {
   float x = 0.0F, y = 0.0F, z = 0.0F;     ///< centre [m]
   float ax = 0.0F, ay = 0.0F, az = 1.0F;  ///< axis
   float radius = 0.0F;                    ///< [m]
 };
 
-/// Spheres that are looked at together.
+/// Number of spheres that are processed together (SIMD).
 inline constexpr std::size_t kLanes = 8;
 
-/// So many spheres, quantity by quantity. A radius of 0: an empty slot.
+/// kLanes spheres as a structure of arrays. A radius of 0 marks an empty slot.
 struct alignas(64) SphereGroup {
   float x[kLanes] = {};  ///< centre [m]
   float y[kLanes] = {};
   float z[kLanes] = {};
   float radius[kLanes] = {};   ///< [m]
   float density[kLanes] = {};  ///< [N/m²]
-  float depth[kLanes] = {};    ///< that has been cut off, seen from the reamer [m], 0 to 2 radii
+  float depth[kLanes] = {};  ///< thickness cut off so far, from the reamer's side [m], 0 to 2 radii
 };
 
-/// Groups from begin to end.
+/// Groups begin … end − 1.
 struct GroupRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 
-/// Sums of ReamerContact, without its factor π R.
+/// The sums of ReamerContact, without the factor π R.
 struct KernelSums {
   enum Quantity {
     Area,
@@ -50,11 +50,12 @@ struct KernelSums {
   double of[Quantities] = {};
 };
 
-/// Distance behind a cut at which its sphere has no force any more, as a share of its radius. Over
-/// this distance the force fades out without a step when the reamer moves back.
+/// When the reamer moves back from a cut, the sphere's force fades to 0 over this fraction of its
+/// radius, so that it has no step.
 inline constexpr float kReleaseShare = 0.02F;
 
-/// Adds what is in @p stretches of @p groups; with @p isCut without what has been cut off.
+/// Adds the spheres of the ranges @p stretches of @p groups to @p sums; with @p isCut, without the
+/// parts that have been cut off.
 void addSpheres(
     const SphereGroup* groups,
     std::span<const GroupRange> stretches,
@@ -62,8 +63,8 @@ void addSpheres(
     bool isCut,
     KernelSums& sums) noexcept;
 
-/// Finds spheres of @p stretches into which the surface has gone deeper than their cut.
-/// @param found  takes their slots, group by group. @return how many, at most as many as it takes.
+/// Finds spheres of @p stretches that the surface has entered deeper than they have been cut.
+/// @param found  receives their slots, group by group. @return how many, at most found.size().
 std::size_t findDeeper(
     const SphereGroup* groups,
     std::span<const GroupRange> stretches,

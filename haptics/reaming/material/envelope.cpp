@@ -7,10 +7,10 @@
 namespace haptics::reaming {
 namespace {
 
-/// What a specimen has at a place, and how much it counts there.
+/// Value and weight of a specimen at a depth.
 struct Member {
   double value = 0.0;
-  double share = 1.0;  ///< from 0 to 1
+  double share = 1.0;  ///< weight, 0 to 1
 };
 
 Member memberAt(const SpecimenCurve& specimen, std::size_t place, double depth) {
@@ -29,8 +29,8 @@ double meanOf(std::span<const Member> members) {
   return sum / shares;
 }
 
-/// The expected extreme of a sample in which each member is with the probability of its share; one
-/// at least has a share of 1.
+/// The expected extreme of a sample that includes each member with the probability of its share; at
+/// least one share must be 1.
 template <typename Before>
 double expectedExtreme(std::span<const Member> members, Before before) {
   std::vector<Member> sorted(members.begin(), members.end());
@@ -38,7 +38,7 @@ double expectedExtreme(std::span<const Member> members, Before before) {
     return before(a.value, b.value);
   });
   double expected = 0.0;
-  double left = 1.0;  // the probability that none so far is in the sample
+  double left = 1.0;  // probability that the sample has none of the members so far
   for (const auto& member : sorted) {
     expected += left * member.share * member.value;
     left *= 1.0 - member.share;
@@ -54,7 +54,7 @@ double expectedMaximum(std::span<const Member> members) {
   return expectedExtreme(members, [](double a, double b) { return a > b; });
 }
 
-/// A statistic along the depth that does not fall because a specimen leaves.
+/// A statistic along the depth that does not fall because a specimen leaves, see depthEnvelopeOf().
 class StatisticAlongDepth {
  public:
   using Statistic = double (*)(std::span<const Member>);
@@ -64,7 +64,7 @@ class StatisticAlongDepth {
   double next(const std::vector<Member>& now) {
     const double value = statistic_(now);
     if (!before_.empty()) {
-      auto moved = now;  // today's values with the shares of the place before
+      auto moved = now;  // the present values with the previous shares
       for (std::size_t i = 0; i < moved.size(); ++i) moved[i].share = before_[i].share;
       const double values = statistic_(moved);
       addChange(values - value_, value - values);
@@ -75,7 +75,7 @@ class StatisticAlongDepth {
   }
 
  private:
-  /// @param rise  because values have changed. @param change  because shares have.
+  /// @param rise  change of the statistic by values. @param change by shares.
   void addChange(double rise, double change) {
     risen_ += rise;
     if (added_ == 0.0) highest_ = risen_;
@@ -90,8 +90,8 @@ class StatisticAlongDepth {
   std::vector<Member> before_;
   double value_ = 0.0;
   double added_ = 0.0;
-  double risen_ = 0.0;    // by values alone, since the beginning
-  double highest_ = 0.0;  // of risen_ while something is added
+  double risen_ = 0.0;    // total change by values since the beginning
+  double highest_ = 0.0;  // maximum of risen_ while added_ is not 0
 };
 
 const SampledCurve& longestOf(std::span<const SpecimenCurve> specimens) {
@@ -102,7 +102,7 @@ const SampledCurve& longestOf(std::span<const SpecimenCurve> specimens) {
       ->curve;
 }
 
-/// One specimen over all places, level beyond its end.
+/// The curve of one specimen at all depths, constant beyond its end.
 SampledCurve extended(const SpecimenCurve& specimen, const std::vector<double>& places) {
   SampledCurve curve{places, specimen.curve.y};
   curve.y.resize(places.size(), specimen.last);
@@ -163,7 +163,7 @@ Envelope statisticsOfPresent(
   return envelope;
 }
 
-/// Who counts at each place.
+/// Counts the specimens at each depth.
 DepthEnvelope counted(std::span<const SpecimenCurve> specimens, bool canBeHeld) {
   DepthEnvelope result;
   for (std::size_t place = 0; place < longestOf(specimens).size(); ++place) {
@@ -202,7 +202,8 @@ namespace {
 
 using HermiteNodes = std::vector<models::HermiteNode<double>>;
 
-/// How far the slope of @p upper may lie above that of @p lower at node @p i, brought into bounds.
+/// The difference of the slopes of @p upper and @p lower at node @p i, limited so that the curves
+/// do not cross.
 double boundedDifference(const HermiteNodes& lower, const HermiteNodes& upper, std::size_t i) {
   const double gap = std::max(0.0, upper[i].force - lower[i].force);
   double difference = upper[i].slope - lower[i].slope;
@@ -215,7 +216,7 @@ double boundedDifference(const HermiteNodes& lower, const HermiteNodes& upper, s
   return difference;
 }
 
-/// Slopes of neighbours brought together where they could meet; those of the middle curve stay.
+/// Adjusts the slopes of the outer curves so that they do not cross the middle one.
 void bringTogether(EnvelopeSplines& splines) {
   auto& [low, middle, high] = splines;
   for (std::size_t i = 0; i < middle.nodes.size(); ++i) {
@@ -245,7 +246,7 @@ Worst worstOf(const SampledCurve& curve, const Spline& spline, double floor) {
   return worst;
 }
 
-/// Adds @p at; says whether it was no node yet.
+/// Adds the node @p at; returns false if it was one already.
 bool addNode(std::vector<std::size_t>& nodes, std::size_t at) {
   const auto place = std::lower_bound(nodes.begin(), nodes.end(), at);
   if (place != nodes.end() && *place == at) return false;
@@ -272,7 +273,7 @@ EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeWish& wish) {
     for (std::size_t c = 0; c < curves.size(); ++c) {
       splines[c] = splineThrough(*curves[c], slopes[c], nodes, wish.kind);
     }
-    // Straight lines between values that are in order are in order.
+    // Linear pieces between ordered nodes cannot cross.
     if (wish.kind != SplineKind::Linear) bringTogether(splines);
     bool hasAdded = false;
     for (std::size_t c = 0; c < curves.size(); ++c) {

@@ -9,80 +9,81 @@
 
 namespace haptics::reaming {
 
-/// Three curves on the same places, from soft to hard.
+/// Three curves at the same abscissae, from soft to hard.
 struct Envelope {
   SampledCurve minimum;
-  SampledCurve average;  ///< the mean; of SingleSample the middle specimen
+  SampledCurve average;  ///< the mean, or with SingleSample the middle specimen
   SampledCurve maximum;
 };
 
-/// What an envelope is made of.
+/// How an envelope is computed from the specimens.
 enum class EnvelopeRule {
-  Pointwise,     ///< smallest, mean and largest value at each place, as in the paper
-  SingleSample,  ///< the softest, the middle and the hardest specimen, by their mean force
+  Pointwise,     ///< smallest, mean and largest value at each depth, as in the paper
+  SingleSample,  ///< the curves of the softest, middle and hardest specimen, by mean force
 };
 
-/// A specimen's curve at depths 0, step, 2 step, … as far as it was measured.
+/// A specimen's curve at depths 0, step, 2 step, … up to the end of its test.
 struct SpecimenCurve {
   SampledCurve curve;  ///< over depth [m]
-  double end = 0.0;    ///< where the test ended [m]
-  double last = 0.0;   ///< the value there
+  double end = 0.0;    ///< depth at which the test ended [m]
+  double last = 0.0;   ///< value at the end
   bool isCensored =
-      false;  ///< the test ended at its force limit: the specimen was harder than that
+      false;  ///< the test ended at its force limit, so the value beyond the end is at least `last`
 };
 
-/// An envelope over depth, and how many specimens it is made of.
+/// An envelope over depth, with the number of specimens at each depth.
 struct DepthEnvelope {
   Envelope curves;
-  std::vector<int> measured;  ///< at each place: whose tests go on
-  std::vector<int> held;      ///< that have come to their force limit, and count with it
+  std::vector<int> measured;  ///< number of specimens whose test reaches the depth
+  /// Number of specimens that reached their force limit before, and count with it.
+  std::vector<int> held;
 };
 
-/// Over how much depth a specimen whose test has ended stops counting [m].
+/// Depth over which the weight of a specimen falls from 1 to 0 after its test has ended [m].
 inline constexpr double kLeavesOver = 0.5e-3;
 
 /// The envelope at the depths at which specimens were measured.
 ///
-/// Up to the depth at which the first test ends, the statistic of all. Beyond it
-/// - a specimen whose test ended at its force limit counts on with the value at its end;
-/// - one that stalled, or came to the last depth, counts with the value at its end and a share that
-///   falls from 1 to 0 over kLeavesOver. The mean is weighted by the shares, and an extreme is that
-///   of a random sample in which each specimen is with the probability of its share;
-/// - no curve falls because a specimen leaves: what it would fall by is added to it, and taken back
-///   only as far as the specimens that are left make it rise above where it has been since. It
-///   falls only where their forces do.
+/// Up to the depth at which the first test ends, it is the statistic of all specimens. Beyond it
+/// - a specimen whose test ended at its force limit keeps counting with the value at its end;
+/// - a specimen that stalled, or reached the largest depth, counts with the value at its end and a
+///   weight that falls from 1 to 0 over kLeavesOver. The mean is weighted; an extreme is the
+///   expected extreme of a random sample that includes each specimen with a probability equal to
+///   its weight;
+/// - no curve falls because a specimen leaves: the fall is compensated by an offset, which is
+///   reduced again only as far as the remaining specimens make the curve rise to a new maximum. So
+///   a curve falls only if their forces fall.
 ///
-/// SingleSample has the specimens with the smallest, the middle and the largest mean up to the
-/// first end, each level beyond its own.
+/// With SingleSample, the specimens are those with the smallest, the middle and the largest mean up
+/// to the first end; each is constant beyond its own end.
 ///
-/// @param specimens  one or more, at the same step.
+/// @param specimens  one or more, with the same step.
 DepthEnvelope depthEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule);
 
-/// The envelope of those specimens whose tests reach a place, as the reaming paper has it: a test
-/// that has ended is absent, and the curves step where one ends.
+/// At each depth, the envelope of only those specimens whose tests reach it, as in the reaming
+/// paper. The curves have steps where a test ends.
 DepthEnvelope presentEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule);
 
-/// The splines of an envelope from soft to hard.
+/// The splines of an envelope: minimum, average, maximum.
 using EnvelopeSplines = std::array<Spline, 3>;
 
-/// Whether orderedSplines() does this: kinds with a slope of its own at each node, and nodes that
-/// may be added.
+/// Whether orderedSplines() supports @p wish: kinds of spline whose slopes can be set per node, and
+/// rules that can add nodes.
 constexpr bool canBeOrdered(const NodeWish& wish) noexcept {
   return (wish.rule == NodeRule::Greedy || wish.rule == NodeRule::Optimal) &&
          wish.kind != SplineKind::NaturalCubic;
 }
 
-/// Splines of curves that are in order everywhere, which are in order everywhere too, so that a
-/// higher hardness is never softer.
+/// Splines of an envelope that never cross, so that a higher hardness is nowhere softer.
 ///
-/// All three have the same nodes, those that each needs. Where the slopes of two neighbours differ
-/// so much that they could meet in between, they are brought together: with a gap g at a node and
-/// pieces of h before and after it, the upper slope lies above the lower one by −3g/h (after) to
-/// 3g/h (before). Then the Bernstein coefficients of their difference are not negative on any piece
-/// (Schmidt & Hess 1988, "Positivity of cubic polynomials on intervals"). Nodes are added until
-/// each spline has the error that was wanted.
+/// All three have the same nodes, the union of those that each needs. Slopes of neighbouring curves
+/// that could make them cross are adjusted: with a gap g between the curves at a node and pieces of
+/// length h after and before it, the difference of the slopes (upper − lower) is limited to −3g/h
+/// (piece after) … 3g/h (piece before). Then the Bernstein coefficients of the difference of the
+/// curves are not negative on any piece (Schmidt & Hess 1988, "Positivity of cubic polynomials on
+/// intervals"). Nodes are added until each spline has the wanted error.
 ///
-/// @param envelope  in order at each place. @param wish  canBeOrdered().
+/// @param envelope  minimum <= average <= maximum everywhere. @param wish valid by canBeOrdered().
 EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeWish& wish);
 
 }  // namespace haptics::reaming

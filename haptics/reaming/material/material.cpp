@@ -7,7 +7,7 @@
 namespace haptics::reaming {
 namespace {
 
-/// Value and slope of a Hermite spline; beyond its ends the value there, level.
+/// Value and slope of a Hermite spline; constant beyond its ends.
 models::HermiteNode<double> nodeAt(const CurveNodes& nodes, double x) {
   if (x <= nodes.front().position) {
     const bool isThere = x == nodes.front().position;

@@ -11,8 +11,8 @@ namespace haptics::reaming {
 
 using CurveNodes = std::vector<models::HermiteNode<double>>;
 
-/// The softest, the middle and the hardest curve over displacement [m], each with nodes of its own:
-/// forces in N, or torques in N·m.
+/// The softest, middle and hardest curve over displacement [m], each with its own nodes: forces [N]
+/// or torques [N·m].
 struct HardnessCurves {
   CurveNodes minimum;
   CurveNodes average;
@@ -21,37 +21,38 @@ struct HardnessCurves {
   bool isEmpty() const noexcept { return minimum.empty(); }
 };
 
-/// The curve of a hardness h: minimum at 0, average at 0.5, maximum at 1, in between straight from
-/// one to the next. A cubic on every interval between the nodes of all three, exactly.
+/// The curve of hardness h: minimum at 0, average at 0.5, maximum at 1, linearly blended in
+/// between. The blend is exact: a cubic between each two nodes of the union of all nodes.
 ///
 /// @param curves  valid, not empty. @param h  in [0, 1].
 CurveNodes curveOf(const HardnessCurves& curves, double h);
 
-/// The force of a curve at @p depth [m]; beyond its ends, that of the end.
+/// The force of a curve at @p depth [m]; constant beyond its ends.
 double forceOf(const CurveNodes& nodes, double depth);
 
-/// Why @p curves are invalid; std::nullopt if they are valid. Values are not checked against each
-/// other: single samples may cross.
+/// Why @p curves are invalid; std::nullopt if they are valid. Curves may cross, as those of single
+/// specimens do.
 std::optional<std::string> problemOf(const HardnessCurves& curves);
 
-/// What a low-pass took from the measured force: the hand feels it, the splines do not hold it.
+/// The part of the measured force that the low-pass removed, which the splines lack; rendered as
+/// noise.
 struct Jitter {
   double rms = 0.0;     ///< [N]; 0: none
-  double rate = 100.0;  ///< at which it was sampled [Hz]
+  double rate = 100.0;  ///< sampling rate of the measurement [Hz]
 };
 
-/// What was made of the series of a test set.
+/// The curves fitted to the series of a test set.
 struct MaterialSet {
   TestSet set = TestSet::Dynamic1;
   HardnessCurves force;
-  HardnessCurves torque;  ///< empty where none was measured
+  HardnessCurves torque;  ///< empty if none was measured
   Jitter jitter;
 };
 
-/// A reaming material ready to be felt: the content of a material file.
+/// A reaming material: the content of a material file.
 struct Material {
   std::string name;   ///< for files and protocols
-  std::string title;  ///< for people
+  std::string title;  ///< as shown to users
   bool isSynthetic = false;
   std::vector<MaterialSet> sets;
 

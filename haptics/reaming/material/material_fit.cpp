@@ -14,7 +14,7 @@ NodeWish wishOf(const FitOptions& options, double floor) {
   return {options.nodes, options.nodesOf.value_or(options.spline), options.wantedError, floor};
 }
 
-/// Whether the splines are in order by construction.
+/// Whether the splines cannot cross by construction.
 bool isOrdered(const FitOptions& options) {
   return options.envelope == EnvelopeRule::Pointwise && !options.nodeCount && !options.nodesOf &&
          canBeOrdered(wishOf(options, 1.0));
@@ -26,7 +26,7 @@ NodeChoice nodesOf(const SampledCurve& data, double floor, const FitOptions& opt
                            : chooseNodes(data, wish);
 }
 
-/// The data at given displacements as a spline of its own.
+/// Fits a spline to @p data.
 FittedCurve fitted(const SampledCurve& data, double floor, const FitOptions& options) {
   FittedCurve curve{.data = data};
   const auto choice = nodesOf(data, floor, options);
@@ -58,7 +58,7 @@ FittedEnvelope fitted(DepthEnvelope envelope, double floor, const FitOptions& op
   return result;
 }
 
-/// A curve at the places of its test set, as the axis has it.
+/// A curve resampled at the abscissae of its test set.
 SpecimenCurve specimenOf(
     const SampledCurve& curve, bool isCensored, double scale, const FitOptions& options) {
   if (options.axis == DepthAxis::NormalisedSeries) {
@@ -97,7 +97,7 @@ std::vector<double> filtered(
   return filters::zeroPhaseLowPass(samples, series.rate, cutoff);
 }
 
-/// A signal over depth from the beginning [m].
+/// Resamples a signal over depth from the beginning of the test [m].
 SampledCurve overDepth(const Series& series, const std::vector<double>& samples) {
   const auto all = curveOver(series.displacement, samples);
   auto curve = normalised(all, kPlaces);
@@ -105,7 +105,8 @@ SampledCurve overDepth(const Series& series, const std::vector<double>& samples)
   return curve;
 }
 
-/// A force this near to the limit has come to it: a controller stops a sample early or late.
+/// From this fraction of the limit on, a force counts as having reached it: the controller may stop
+/// a sample early.
 constexpr double kAtTheLimit = 0.98;
 
 TestSetFit fitOf(

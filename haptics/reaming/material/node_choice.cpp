@@ -10,7 +10,7 @@
 namespace haptics::reaming {
 namespace {
 
-/// A piece that may have to be split, the worst first.
+/// A piece that may have to be split; the piece with the largest error comes first in a queue.
 struct Piece {
   double error = 0.0;
   std::size_t at = 0;
@@ -20,7 +20,7 @@ struct Piece {
   bool operator<(const Piece& other) const { return error < other.error; }
 };
 
-/// Of a local kind: only what was split has to be looked at again.
+/// Greedy rule for a local kind: only the pieces of a split need a new error.
 std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wanted) {
   const auto pieceOf = [&](std::size_t from, std::size_t to) {
     const auto worst = error.between(from, to);
@@ -32,7 +32,7 @@ std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wan
   while (pieces.top().error > wanted) {
     const Piece worst = pieces.top();
     pieces.pop();
-    // Never next to an end: a piece needs more than one sample.
+    // Not at an end of the piece, so that it is really split.
     const std::size_t at = std::clamp(worst.at, worst.from + 1, worst.to - 1);
     nodes.push_back(at);
     pieces.push(pieceOf(worst.from, at));
@@ -42,7 +42,7 @@ std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wan
   return nodes;
 }
 
-/// Of a kind whose pieces depend on each other: every node changes all of them.
+/// Greedy rule for kinds in which every node changes all pieces.
 std::vector<std::size_t> greedyAsAWhole(const SplineDeviation& error, double wanted) {
   std::vector<std::size_t> nodes{0, error.size() - 1};
   for (auto worst = error.through(nodes); worst.error > wanted; worst = error.through(nodes)) {
@@ -51,7 +51,7 @@ std::vector<std::size_t> greedyAsAWhole(const SplineDeviation& error, double wan
   return nodes;
 }
 
-/// |f″| of each sample, by the slopes of its neighbours.
+/// |f″| of each sample, from the slopes of its neighbours.
 std::vector<double> curvatures(const SplineDeviation& error) {
   const auto& x = error.curve().x;
   const auto& s = error.slopes();
@@ -78,7 +78,8 @@ std::vector<std::size_t> above(
   return nodes;
 }
 
-/// The threshold falls from the largest curvature on, by a hundredth part each time.
+/// PaperLiteral and Thinned: the threshold begins at the largest curvature and falls by 1 % per
+/// iteration.
 std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted, bool isThinned) {
   constexpr double kFall = 0.99;
   constexpr int kMostFalls = 3000;
@@ -98,7 +99,7 @@ std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted
   return best;
 }
 
-/// Shortest path over the samples: an edge where one piece does it.
+/// Optimal: shortest path over the samples, with an edge between two if one piece meets the error.
 std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
   const std::size_t n = error.size();
   constexpr auto kUnreached = std::numeric_limits<std::size_t>::max();
@@ -121,7 +122,7 @@ std::vector<std::size_t> optimal(const SplineDeviation& error, double wanted) {
   return nodes;
 }
 
-/// A regular selection of at most @p most samples, as indices.
+/// Evenly spaced indices of at most @p most of @p count samples.
 std::vector<std::size_t> thinnedOut(std::size_t count, std::size_t most) {
   std::vector<std::size_t> kept;
   const std::size_t left = std::min(count, most);
@@ -203,7 +204,7 @@ SplineDeviation::Worst SplineDeviation::of(
   for (std::size_t i = from + 1; i < to; ++i) {
     const double y = curve_.y[i];
     const double measure = std::max(std::abs(y), wish_.floor);
-    if (measure == 0.0) continue;  // the paper's e_a is not defined there
+    if (measure == 0.0) continue;  // the paper's e_a is not defined at 0
     const double error = std::abs(piece.at(curve_.x[i]).force - y) / measure;
     if (error > worst.error) worst = {error, i};
     if (worst.error > enough) break;
@@ -234,7 +235,7 @@ SplineDeviation::Worst SplineDeviation::through(
 
 namespace {
 
-/// The sample at @p x.
+/// Index of the sample at @p x.
 std::size_t sampleAt(const SampledCurve& curve, double x) {
   const auto found = std::lower_bound(curve.x.begin(), curve.x.end(), x);
   return static_cast<std::size_t>(found - curve.x.begin());

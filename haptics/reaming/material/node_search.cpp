@@ -1,4 +1,4 @@
-// A given number of nodes, placed so that the largest error of a spline is least.
+// Places a given number of nodes so that the largest error of a spline is minimal.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,14 +12,14 @@ namespace {
 
 using Nodes = std::vector<std::size_t>;
 
-/// @p count of the samples from the first to the last, as even as can be.
+/// @p count evenly spaced samples, from the first to the last.
 Nodes evenNodes(std::size_t samples, std::size_t count) {
   Nodes nodes;
   for (std::size_t i = 0; i < count; ++i) nodes.push_back(i * (samples - 1) / (count - 1));
   return nodes;
 }
 
-/// Denser where the curve bends: each piece has the same share of the integral of √|f″|.
+/// Nodes that are denser where the curve bends: the integral of √|f″| is equal over all pieces.
 Nodes nodesByCurvature(const SplineDeviation& error, std::size_t count) {
   const auto& x = error.curve().x;
   const auto& slopes = error.slopes();
@@ -38,7 +38,8 @@ Nodes nodesByCurvature(const SplineDeviation& error, std::size_t count) {
   return nodes;
 }
 
-/// Of a local kind: the least largest error of count − 1 pieces between some of the places.
+/// For a local kind: minimises the largest error of count − 1 pieces, with nodes at some of 400
+/// samples.
 Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
   constexpr std::size_t kPlaces = 400;
   const Nodes places = evenNodes(error.size(), std::max(count, std::min(error.size(), kPlaces)));
@@ -77,8 +78,8 @@ Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
   return nodes;
 }
 
-/// Of a local kind: each node to the best of the samples around it, all of them together, until
-/// none moves any more.
+/// For a local kind: moves all nodes together to the best of the samples around each, until none
+/// moves.
 Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
   constexpr std::ptrdiff_t kAround = 12;
   constexpr int kMostRounds = 40;
@@ -125,7 +126,7 @@ Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
   return nodes;
 }
 
-/// One after another where the spline is worst.
+/// Adds nodes one by one where the error is largest.
 Nodes worstFirst(const SplineDeviation& error, std::size_t count) {
   Nodes nodes{0, error.size() - 1};
   while (nodes.size() < count) {
@@ -137,15 +138,15 @@ Nodes worstFirst(const SplineDeviation& error, std::size_t count) {
   return nodes;
 }
 
-/// Differential evolution (Storn & Price 1997, best/1/bin with a dithered weight) over the places
-/// of the inner nodes, and then every node moved by itself. The same each time.
+/// Differential evolution (Storn & Price 1997, best/1/bin with a dithered weight) of the inner
+/// nodes, followed by moves of single nodes. Deterministic.
 class Evolution {
  public:
   Evolution(const SplineDeviation& error, std::span<const Nodes> starts)
       : error_(error), count_(starts.front().size()) {
     for (std::size_t m = 0; m < kMembers; ++m) {
       auto places = innerOf(starts[m % starts.size()]);
-      // The starts as they are, and then scattered further and further.
+      // First the starts themselves, then copies with increasing random offsets.
       const std::size_t round = m / starts.size();
       const double reach = 0.3 * static_cast<double>(round * error.size()) / kMembers;
       for (double& place : places) place += reach * random_.normal();
@@ -176,7 +177,7 @@ class Evolution {
     return {nodes.begin() + 1, nodes.end() - 1};
   }
 
-  /// Rising samples with both ends, each once.
+  /// Rounds positions to increasing, distinct samples, and adds both ends.
   Nodes nodesOf(std::vector<double> places) const {
     std::sort(places.begin(), places.end());
     Nodes nodes{0};
@@ -214,7 +215,7 @@ class Evolution {
     if (cost <= member.cost) member = {std::move(tried), cost};
   }
 
-  /// Every node moved by itself, in large steps and small ones, while the largest error falls.
+  /// Moves single nodes, in large and small steps, while the largest error falls.
   void settle(Nodes& nodes) const {
     double least = error_.through(nodes).error;
     const auto improves = [&](std::size_t k, std::ptrdiff_t by) {

@@ -8,7 +8,8 @@ namespace haptics::reaming {
 
 namespace {
 
-/// The three-point slope at an end, limited so that it neither turns nor overshoots.
+/// The three-point slope at an end, limited so that the curve stays monotone and does not
+/// overshoot.
 double endSlope(double h0, double h1, double rise0, double rise1) {
   const double slope = ((2.0 * h0 + h1) * rise0 - h0 * rise1) / (h0 + h1);
   if (slope * rise0 <= 0.0) return 0.0;
@@ -43,12 +44,12 @@ std::vector<double> monotoneSlopes(
 
 namespace {
 
-/// Akima's slopes with the modification that keeps flat stretches flat: weights of a side are
-/// |δ₂ − δ₁| + |δ₂ + δ₁|/2 of the other one.
+/// Akima's slopes, modified so that flat data stay flat: the weight of a side is |δ₂ − δ₁| + |δ₂ +
+/// δ₁|/2 of the other side.
 std::vector<double> makimaSlopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   if (n == 2) return monotoneSlopes(x, y);
-  std::vector<double> d(n + 3);  // secants, with two made up at either end
+  std::vector<double> d(n + 3);  // secants, with two extrapolated ones at either end
   for (std::size_t i = 0; i + 1 < n; ++i) d[i + 2] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
   d[1] = 2.0 * d[2] - d[3];
   d[0] = 2.0 * d[1] - d[2];
@@ -91,7 +92,7 @@ std::vector<double> naturalSlopes(const std::vector<double>& x, const std::vecto
   return slopes;
 }
 
-/// For each node the slope of the straight line after it.
+/// For each node the slope of the line to the next one.
 std::vector<double> secantsOf(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<double> slopes;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
@@ -133,7 +134,7 @@ std::vector<double> dataSlopes(const SampledCurve& curve) {
   const std::size_t n = x.size();
   const auto secant = [&](std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
   std::vector<double> slopes(n);
-  // At an end the parabola through the three samples there.
+  // At an end, from the parabola through the three samples there.
   const auto endSlope = [&](std::size_t near, std::size_t next, double h0, double h1) {
     return ((2.0 * h0 + h1) * secant(near) - h0 * secant(next)) / (h0 + h1);
   };

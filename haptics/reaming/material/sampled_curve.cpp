@@ -25,12 +25,12 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
 
 namespace {
 
-/// Reads a curve at rising places.
+/// Resamples a curve at increasing x.
 class Reader {
  public:
   Reader(const SampledCurve& curve, double half) : curve_(curve), half_(half) {}
 
-  /// The mean of the samples within half a step of @p x; straight between two if there are none.
+  /// The mean of the samples within half a step of @p x; linearly interpolated if there are none.
   double at(double x) {
     while (before_ + 2 < curve_.size() && curve_.x[before_ + 1] < x) ++before_;
     double sum = 0.0;

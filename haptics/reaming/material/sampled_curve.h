@@ -6,16 +6,16 @@
 
 namespace haptics::reaming {
 
-/// Force (or torque) over displacement, at rising displacements.
+/// Force (or torque) over displacement.
 struct SampledCurve {
-  std::vector<double> x;  ///< rising strictly
+  std::vector<double> x;  ///< strictly increasing
   std::vector<double> y;
 
   std::size_t size() const noexcept { return x.size(); }
 };
 
-/// A series' force, or its torque, over its displacement from the beginning [m], each displacement
-/// once: of samples at which the reamer has not gone on the mean.
+/// @p values over the displacement from the beginning of the series [m]. Samples at which the
+/// reamer has not advanced are averaged, so that displacements are strictly increasing.
 SampledCurve curveOver(std::span<const double> displacement, std::span<const double> values);
 
 /// @p curve resampled at @p count evenly spaced x from 0 to its largest, which becomes 1: the
@@ -23,13 +23,13 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
 /// interpolated linearly if there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
-/// @p curve at those of @p count places, even from 0 to @p whole, that it reaches: each as
-/// normalised() has it, the first is that of the curve.
+/// @p curve at those of @p count evenly spaced x from 0 to @p whole that it reaches. Each point is
+/// computed as in normalised(); the first is that of the curve.
 ///
 /// @param whole  at least the largest x of the curve.
 SampledCurve resampled(const SampledCurve& curve, double whole, std::size_t count);
 
-/// The mean of the last samples of @p curve, over @p width of x.
+/// The mean of the samples in the last @p width of x.
 double endOf(const SampledCurve& curve, double width);
 
 }  // namespace haptics::reaming

@@ -22,13 +22,13 @@ using base::TextLine;
 
 struct Unit {
   const char* name;
-  double factor;  ///< to SI
+  double factor;  ///< converts to SI
 };
 
 /// A quantity with its names and units; the first unit is SI.
 struct Quantity {
   const char* name;
-  std::vector<const char*> heads;  ///< in small letters
+  std::vector<const char*> heads;  ///< in lower case
   std::vector<Unit> units;
   bool isNeeded = true;
 };
@@ -49,10 +49,10 @@ const std::array<Quantity, 4>& quantities() {
 
 constexpr std::string_view kSyntheticMark = "# SYNTHETIC";
 
-/// The lines that say something, without remarks (#) above the head.
+/// The lines of a table that are neither empty nor comments (#).
 struct Lines {
   std::vector<TextLine> all;
-  bool isSynthetic = false;  ///< a remark says so
+  bool isSynthetic = false;  ///< a comment says that the data are synthetic
 };
 
 Lines linesWithoutRemarks(std::string_view text) {
@@ -111,7 +111,7 @@ std::optional<Column> columnOf(
       base::listed(heads) + "; say which one it is with --column " + quantity.name + "=HEAD.");
 }
 
-/// The rate of evenly taken samples. @throws UserError  where there is a gap.
+/// The sampling rate [Hz]. @throws UserError if a sample is missing.
 double rateOf(
     const std::vector<double>& time, const std::vector<TextLine>& lines, const std::string& name) {
   std::vector<double> steps;
@@ -132,7 +132,8 @@ double rateOf(
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
 }
 
-/// Refuses what no machine measures on an acetabulum: the unit is another one.
+/// Refuses values that are impossible for an acetabulum, because a unit is probably wrong. @throws
+/// UserError
 void checkUnits(const Series& series) {
   constexpr double kFarthest = 0.2;    // [m]
   constexpr double kStrongest = 20e3;  // [N]
@@ -325,7 +326,7 @@ std::optional<std::string> brokeOut(const Series& series) {
   constexpr double kWorthBreaking = 20.0;  // [N]
   const auto means = halfSeconds(series);
   for (std::size_t i = 2; i < means.size(); ++i) {
-    // Over two halves: the break may lie within one.
+    // Compare with two intervals before, since the break may happen within an interval.
     const double before = means[i - 2];
     if (before < kWorthBreaking || means[i] > 0.5 * before) continue;
     const double after =
@@ -361,7 +362,7 @@ Exclusion exclusionOf(const Series& series) {
   if (const auto why = implausible(series)) return {ExclusionReason::Implausible, *why};
   if (const auto why = feedChanged(series)) return {ExclusionReason::FeedChanged, *why};
   if (series.set == TestSet::Static) return {};
-  // What is reamed through falls as well, and is the later of both.
+  // The force also falls when the bone is reamed through, so this is checked first.
   if (const auto why = reamedThrough(series)) return {ExclusionReason::ReamedThrough, *why};
   if (const auto why = brokeOut(series)) return {ExclusionReason::BrokeOut, *why};
   return {};

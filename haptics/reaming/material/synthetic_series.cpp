@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRate = 100.0;          // [Hz]
 constexpr double kFarthest = 0.020;      // [m]
-constexpr double kLimit = 800.0;         // of a static test [N]
+constexpr double kLimit = 800.0;         // force limit of a static test [N]
 constexpr double kPreload = 20.0;        // [N]
 constexpr double kStaticFeed = 0.07e-3;  // [m/s]
 
@@ -20,7 +20,8 @@ double step(double x, double at, double width) {
   return 1.0 / (1.0 + std::exp(-(x - at) / width));
 }
 
-/// The force at a depth [m] of a specimen during reaming: none, a lamella, a rise.
+/// Force at a depth [m] during reaming: first almost none, then the peak of the lamella, then a
+/// rise.
 double dynamicForce(double depth, const SyntheticTest& test, double shift) {
   const double mm = 1000.0 * depth;
   const double scale = 0.25 + 1.5 * test.hardness;
@@ -30,7 +31,7 @@ double dynamicForce(double depth, const SyntheticTest& test, double shift) {
   return scale * (lamella + rise);
 }
 
-/// Pressed without reaming: stiffer from the beginning.
+/// Force at a depth [m] without reaming: stiffer from the beginning.
 double staticForce(double depth, const SyntheticTest& test) {
   const double mm = 1000.0 * depth;
   const double scale = 0.5 + test.hardness;
@@ -53,7 +54,7 @@ double feedAt(const SyntheticTest& test, double depth) {
 Series syntheticSeries(const SyntheticTest& test) {
   base::SplitMix64 random(test.seed);
   const bool isStatic = test.set == TestSet::Static;
-  const double shift = 0.8 * (random.uniform() - 0.5);  // of the lamella [mm]
+  const double shift = 0.8 * (random.uniform() - 0.5);  // depth offset of the lamella [mm]
   const double breaksAt = 0.005 + 0.003 * random.uniform();
   Series series{.set = test.set, .rate = kRate, .isSynthetic = true};
   double depth = 0.0;

@@ -7,37 +7,39 @@
 
 namespace haptics::reaming {
 
-/// A fault that is put into a synthetic test.
+/// A fault that a synthetic test simulates.
 enum class SyntheticFault {
   None,
-  FeedChange,     ///< the feed is changed during the test
-  BreakOut,       ///< the acetabulum broke out of its resin
-  ReamedThrough,  ///< nothing is left after 10 mm
+  FeedChange,     ///< the feed changes during the test
+  BreakOut,       ///< the acetabulum breaks out of its resin
+  ReamedThrough,  ///< the bone is reamed through after 10 mm
 };
 
-/// One test of one specimen that does not exist.
+/// Parameters of one test of one simulated specimen.
 struct SyntheticTest {
   TestSet set = TestSet::Dynamic1;
-  double hardness = 0.5;    ///< from 0 to 1: how hard this specimen's bone is
-  double feed = 0.01e-3;    ///< [m/s]; not for static tests, which have 0.07 mm/s
-  double noise = 1.0;       ///< standard deviation of the force sensor [N]
-  double rotation = 3.0;    ///< amplitude of the line at the reamer's rotation [N]; 0 when static
+  double hardness = 0.5;  ///< of the specimen's bone, 0 to 1
+  double feed = 0.01e-3;  ///< [m/s]; ignored by static tests, which have 0.07 mm/s
+  double noise = 1.0;     ///< standard deviation of the force sensor [N]
+  /// Amplitude of the force at the reamer's rotation rate [N]; 0 in static tests.
+  double rotation = 3.0;
   double rotationRate = 5;  ///< [Hz]
   SyntheticFault mishap = SyntheticFault::None;
   std::uint64_t seed = 1;
 };
 
-/// A series with the published properties (reaming paper, Fig. 3–6): 100 Hz; 20 N of preload, which
-/// a dynamic test has reamed away before it begins; almost no force at first, because the reamer
-/// keeps up with the feed; one local peak; then a rise until 800 N, a stalled reamer or 20 mm;
-/// torque that follows the force. Not a measurement.
+/// Simulates a series with the published properties (reaming paper, Fig. 3–6): sampled at 100 Hz; a
+/// preload of 20 N, which in a dynamic test is reamed away before the beginning; almost no force at
+/// first, because the reamer keeps up with the feed; one local peak; then a rise until 800 N, a
+/// stalled reamer or 20 mm; a torque proportional to the force.
 Series syntheticSeries(const SyntheticTest& test);
 
-/// The same without noise and without the line of the rotation: the truth that a filter is after.
+/// The series of @p test without noise and without the force at the rotation rate: what a filter
+/// should recover.
 Series noiselessSeries(SyntheticTest test);
 
-/// 24 specimens, each with its three tests: 72 series, of which ten are such as the paper excludes
-/// (two feed changes, four break-outs, four reamed through).
+/// Three tests of 24 specimens: 72 series, of which ten have faults for which the paper excludes a
+/// series (two feed changes, four break-outs, four reamed through).
 std::vector<Series> syntheticStudy(std::uint64_t seed);
 
 }  // namespace haptics::reaming

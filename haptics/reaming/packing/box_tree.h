@@ -7,26 +7,26 @@
 
 namespace haptics::reaming {
 
-/// A box along the axes.
+/// An axis-aligned box.
 struct Box {
   Vec3 low;
   Vec3 high;
 
   void add(const Box& other) noexcept;
   bool meets(const Box& other) const noexcept;
-  /// Of @p place from the box, squared; 0 inside [m²].
+  /// Squared distance of @p place from the box [m²]; 0 inside.
   double squaredDistanceTo(Vec3 place) const noexcept;
 };
 
 Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept;
 std::vector<Box> boxesOf(const TriangleMesh& mesh);
 
-/// Boxes in a balanced tree, to find those near a point without reading all.
+/// A balanced tree of boxes (bounding volume hierarchy), for finding boxes near a point.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /// Calls @p see with the number of every box that meets @p box.
+  /// Calls @p see with the index of every box that overlaps @p box.
   template <typename See>
   void forEachOverlapping(const Box& box, See see) const {
     std::uint32_t stack[64];
@@ -44,8 +44,8 @@ class BoxTree {
     }
   }
 
-  /// Visits boxes, the nearer half first, that may hold something nearer to @p place than the
-  /// squared distance that @p see last returned.
+  /// Calls @p see with the index of every box that is nearer to @p place than the squared distance
+  /// @p square [m²], nearer halves first. @p see returns the new, smaller squared distance.
   template <typename See>
   void forEachNearer(Vec3 place, double square, See see) const {
     std::uint32_t stack[64];
@@ -69,7 +69,8 @@ class BoxTree {
  private:
   struct Node {
     Box box;
-    std::uint32_t item = 0;  ///< of a leaf its box, else the first of two nodes side by side
+    std::uint32_t item = 0;  ///< leaf: index of its box; inner node: index of its first child,
+                             ///< which the second follows
     bool isInner = false;
 
     bool isLeaf() const noexcept { return !isInner; }

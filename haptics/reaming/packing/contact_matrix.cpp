@@ -31,10 +31,10 @@ std::vector<double> ContactMatrix::transposedTimes(std::span<const double> force
 
 namespace {
 
-/// What a sphere has at a depth: area [m²] in touch times what @p shareOf makes of where it is.
+/// Builds a matrix whose entries are the contact area [m²] of a sphere at a depth times @p shareOf.
 ///
-/// @param shareOf  of (before, d, across): the distances [m] of the sphere's centre from the
-///                 reamer's along the axis, in all, and from the axis.
+/// @param shareOf  function of (before, d, across): distance [m] of the sphere's centre from the
+///                 reamer's centre along the axis, total distance, and distance from the axis.
 template <typename ShareOf>
 ContactMatrix matrixOf(
     const Packing& packing,
@@ -47,7 +47,7 @@ ContactMatrix matrixOf(
   for (const auto& sphere : packing.spheres) {
     const double r = sphere.radius;
     const double across = std::hypot(double{sphere.x}, double{sphere.y});
-    // Only while the reamer's centre is between these is the sphere cut; the rest is not looked at.
+    // The reamer cuts the sphere only in a range of depths; skip the others.
     const double outer = (R + r) * (R + r) - across * across;
     const double farthest = outer > 0.0 ? std::sqrt(outer) : -1.0;
     const auto first =
@@ -76,7 +76,7 @@ ContactMatrix contactMatrix(
     double coverage,
     const StrokeRange& plunge,
     std::span<const double> depths) {
-  // The axis' share of the normal.
+  // The axial component of the normal.
   return matrixOf(packing, coverage, plunge, depths, [](double before, double d, double) {
     return before / d;
   });
@@ -111,7 +111,7 @@ std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t lay
   std::vector<std::uint32_t> layerOf(matrix.columns(), static_cast<std::uint32_t>(layers));
   for (std::size_t column = 0; column < matrix.columns(); ++column) {
     if (!matrix.isTouched(column)) continue;
-    // Entries are in the order of depths: the first is where the sphere is first touched.
+    // Entries are sorted by depth, so the first is the first contact.
     layerOf[column] =
         static_cast<std::uint32_t>(layers * matrix.row[matrix.start[column]] / matrix.rows);
   }

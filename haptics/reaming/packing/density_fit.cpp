@@ -17,7 +17,7 @@ Eigen::Map<const Vector> asVector(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// The dual of the bounded problem at some y: all that a step needs.
+/// The dual of the bounded problem of fitNonNegative(), and Newton steps on it.
 struct Dual {
   const ContactMatrix& matrix;
   std::span<const double> forces;
@@ -27,14 +27,14 @@ struct Dual {
   struct Point {
     Vector y;
     std::vector<double> densities;
-    Vector rest;  ///< F − y − A ρ(y): the slope
+    Vector rest;  ///< F − y − A ρ(y): the gradient
     double value = 0.0;
     double primal = 0.0;
   };
 
-  /// The best densities for given y are a projection, ρ(y) = max(0, ρ₀ + Aᵀy/λ): that is what makes
-  /// the dual smooth and free of bounds. Its gradient is `rest`; any ρ gives an upper bound of the
-  /// optimum (`primal`) and any y a lower one (`value`), so their difference bounds the error.
+  /// The optimal densities for given y are a projection, ρ(y) = max(0, ρ₀ + Aᵀy/λ), so the dual is
+  /// smooth and unconstrained. Its gradient is `rest`. Any ρ gives an upper bound of the optimum
+  /// (`primal`), any y a lower one (`value`), so their difference bounds the error.
   Point at(Vector y) const {
     Point point{.y = std::move(y), .densities = {}, .rest = {}};
     point.densities = matrix.transposedTimes({point.y.data(), matrix.rows});
@@ -52,14 +52,14 @@ struct Dual {
     return point;
   }
 
-  /// I + A_S A_Sᵀ / λ over the spheres that are not at their bound.
+  /// I + A_S A_Sᵀ / λ with S the spheres of positive density.
   Eigen::MatrixXd curvature(const std::vector<double>& densities) const {
     const auto n = static_cast<Eigen::Index>(matrix.rows);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t column = 0; column < matrix.columns(); ++column) {
       if (!(densities[column] > 0.0)) continue;
-      // A sphere touches few depths, in rising order: only the lower triangle is filled, which is
-      // all that the Cholesky factorisation reads.
+      // A sphere has contact at few depths, sorted in increasing order: only the lower triangle is
+      // filled, which is all that the Cholesky factorisation reads.
       for (std::size_t i = matrix.start[column]; i < matrix.start[column + 1]; ++i) {
         const double share = matrix.value[i] / lambda;
         double* below = sum.col(matrix.row[i]).data();
@@ -72,12 +72,13 @@ struct Dual {
     return sum;
   }
 
-  /// From @p from along @p step as far as the value rises enough; std::nullopt if it does not.
-  /// Leaves in @p end where the whole step leads.
+  /// Line search from @p from along @p step; std::nullopt if the value does not rise. Sets @p end
+  /// to the point after the full step.
   std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
     constexpr double kLeastShare = 1e-5;
     const double slope = from.rest.dot(step);
-    // Armijo's condition, and a strict rise: near the optimum the promised rise is below rounding.
+    // Armijo's condition, and a strict rise, since near the optimum the required rise is below
+    // rounding.
     const auto rises = [&](const Point& point, double share) {
       return point.value > from.value && point.value >= from.value + 1e-4 * share * slope;
     };
@@ -90,11 +91,12 @@ struct Dual {
     return std::nullopt;
   }
 
-  /// Newton's step up; std::nullopt if rounding is all that is left.
+  /// One Newton step; std::nullopt if only rounding errors are left.
   ///
-  /// Newton's curvature knows only the spheres above their bound. Where many leave theirs on the
-  /// way it is far too small, and the step may rise nowhere: then those count as well, until none
-  /// is missing. A step that knows every sphere on its way rises.
+  /// The curvature includes only the spheres of positive density. If many others become positive
+  /// along the step, it is far too small, and the value may not rise anywhere on the step. Then
+  /// these spheres are included, too, and the step is repeated until none is missing; such a step
+  /// rises.
   std::optional<Point> next(const Point& from) const {
     auto counts = from.densities;
     Point end;
@@ -138,27 +140,27 @@ DensityFit fitNonNegative(
     std::span<const double> forces,
     std::span<const double> prior,
     double weight) {
-  constexpr int kMostSteps = 60;  // at each weight
-  // relative, at the requested weight: far below a noticeable force
+  constexpr int kMostSteps = 60;  // per weight
+  // relative duality gap at the requested weight: far below a noticeable force
   constexpr double kGap = 1e-9;
-  constexpr double kGapOnTheWay = 1e-2;  // before that only a start for the next weight is needed
-  constexpr double kEase = 0.3;          // from one weight to the next
+  // At larger weights only a start for the next weight is needed.
+  constexpr double kGapOnTheWay = 1e-2;
+  constexpr double kEase = 0.3;  // ratio of one weight to the last
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
-  const double row = squares / static_cast<double>(matrix.rows);  // mean squared
+  const double row = squares / static_cast<double>(matrix.rows);  // mean squared norm of a row
   const auto gapOf = [](const Dual::Point& p) {
     return p.primal > 0.0 ? (p.primal - p.value) / p.primal : 0.0;
   };
   DensityFit fit;
   Dual::Point point;
   Vector y = Vector::Zero(static_cast<Eigen::Index>(matrix.rows));
-  // The smaller the weight, the farther Newton's method goes astray from where it begins: from a
-  // weight at which it cannot, down to the one that is wanted. Densities stay as they are if y
-  // shrinks with the weight.
+  // With a small weight Newton's method may diverge from a bad start. So begin with a weight at
+  // which it converges, and reduce it. Scaling y with the weight keeps the densities.
   double eased = std::max(weight, 1.0);
   while (true) {
-    // λ is a share of the mean squared row, so that the fit does not depend on units; a matrix of
-    // zeros still needs a λ to divide by.
+    // λ is relative to the mean squared norm of a row, so the fit does not depend on units. The
+    // bound avoids a division by zero for a zero matrix.
     const Dual dual{matrix, forces, prior, std::max(eased * row, 1e-300)};
     const double goal = eased > weight ? kGapOnTheWay : kGap;
     point = dual.at(std::move(y));
@@ -191,7 +193,7 @@ DensityFit fitMultiplicative(
   for (int i = 0; i < iterations; ++i) {
     const auto felt = matrix.times(fit.densities);
     for (std::size_t row = 0; row < matrix.rows; ++row) {
-      // Where nothing is felt no density can change it: 1 leaves all as they are.
+      // Without a force no density can change the row: the ratio 1 has no effect.
       ratio[row] = felt[row] > 0.0 ? std::max(forces[row], 0.0) / felt[row] : 1.0;
     }
     const auto factor = matrix.transposedTimes(ratio);
@@ -206,7 +208,8 @@ DensityFit fitMultiplicative(
 
 namespace {
 
-/// Of every sphere that of its layer; below the last layer that is touched it goes on as there.
+/// Density of every sphere: that of its layer; spheres below the last touched layer get that
+/// layer's.
 std::vector<double> spread(
     const ContactMatrix& few,
     std::span<const std::uint32_t> layerOf,
@@ -233,7 +236,7 @@ double touchedShare(const ContactMatrix& matrix) {
 
 namespace {
 
-/// @param layerOf  the layer of each column of @p matrix.
+/// @param layerOf  layer of each column of @p matrix.
 BoneFit fitInLayers(
     const ContactMatrix& matrix,
     std::span<const double> wanted,
@@ -241,8 +244,8 @@ BoneFit fitInLayers(
     std::span<const std::uint32_t> layerOf,
     std::size_t layers) {
   BoneFit fit;
-  // A dozen unknowns are well determined by the curve; they are the prior of the spheres, of which
-  // there are far more than depths.
+  // The curve determines a dozen unknowns well. They are the prior of the spheres, of which there
+  // are far more than depths.
   const auto few = layered(matrix, layerOf, layers);
   fit.layers = fitNonNegative(few, wanted, std::vector<double>(layers, uniform), 1e-9);
   fit.spheres = fitNonNegative(matrix, wanted, spread(few, layerOf, fit.layers.densities));
@@ -251,7 +254,7 @@ BoneFit fitInLayers(
   return fit;
 }
 
-/// Rows of force and torque, each divided by the norm of its target and multiplied by |F|.
+/// The equations of force and torque; those of the torque are scaled by |F| / |T|.
 struct JointProblem {
   ContactMatrix matrix;
   std::vector<double> wanted;
@@ -289,7 +292,7 @@ BoneFit fitBone(
 
 double bestFriction(
     const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque) {
-  constexpr int kTried = 13;  // each a quarter more than the last
+  constexpr int kTried = 13;  // tried values; each is 1.25 times the last
   const std::vector<double> alike(matrix.columns(), uniformDensity(matrix, forces));
   const auto levers = torque.levers.times(alike);
   const double square = asVector(levers).squaredNorm();

@@ -42,7 +42,7 @@ std::string problemOf(const PackedBone& bone) {
 
 namespace {
 
-/// The forces or torques of a curve at some depths; what lies below 0 counts as 0.
+/// The forces or torques of a curve at some depths; negative values count as 0.
 std::vector<double> valuesAt(const CurveNodes& curve, std::span<const double> depths) {
   std::vector<double> values;
   values.reserve(depths.size());
@@ -50,16 +50,17 @@ std::vector<double> valuesAt(const CurveNodes& curve, std::span<const double> de
   return values;
 }
 
-/// Every @p stride-th, from the middle of the first on.
+/// Every @p stride-th value, beginning at stride / 2.
 std::vector<double> someOf(std::span<const double> all, std::size_t stride) {
   std::vector<double> some;
   for (std::size_t i = stride / 2; i < all.size(); i += stride) some.push_back(all[i]);
   return some;
 }
 
-/// The spheres of a bone as the unknowns of a fit.
+/// The virtual experiment: matrices and targets of the fit of a bone.
 struct VirtualExperiment {
-  static constexpr std::size_t kTorqueStride = 4;  // a torque is as smooth as its force
+  // A quarter of the depths suffices, since the torque is as smooth as the force.
+  static constexpr std::size_t kTorqueStride = 4;
 
   const Packing& packing;
   StrokeRange plunge;
@@ -72,7 +73,7 @@ struct VirtualExperiment {
   ContactMatrix levers() const {
     return leverMatrix(packing, packing.coverage(), plunge, torqueDepths);
   }
-  /// By a quarter of the depths, since it takes a dozen fits.
+  /// Fits μ with a quarter of the depths, since it takes a dozen fits.
   double friction(const CurveNodes& force, const CurveNodes& torque) const {
     return bestFriction(
         forces(torqueDepths),
@@ -189,13 +190,13 @@ FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, st
   if (!(square > 0.0 && wantedSquare > 0.0)) {
     throw std::invalid_argument("there is no torque, or the reamer touches nothing");
   }
-  // |μ L − T|² is least at μ = L·T / L², and is then T² − (L·T)²/L².
+  // |μ L − T|² has its minimum T² − (L·T)²/L² at μ = L·T / L².
   const double residual = std::max(0.0, wantedSquare - product * product / square);
   return {product / square, std::sqrt(residual / wantedSquare)};
 }
 
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options) {
-  constexpr double kMachine = 2e6;  // of a stiff machine [N/m]
+  constexpr double kMachine = 2e6;  // stiffness of a testing machine [N/m]
   const double coverage = bone.packing.coverage();
   Bone cut(
       bone.packing,
@@ -208,7 +209,7 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
   const StrokeRange plunge = strokeInto(cut.field(), bone.reamerRadius);
   const double whole = cut.remainingMass();
   const double dt = options.step / options.feed;
-  constexpr double kBefore = -0.0005;  // outside, until the bone has seen the tool there [m]
+  constexpr double kBefore = -0.0005;  // start outside the bone, until Bone::isOutside() [m]
   for (int i = 0; i < 1000; ++i) cut.step(plunge.at(kBefore), dt);
   ExperimentResult result{.depth = {}, .force = {}, .stop = "the largest depth"};
   for (double device = kBefore; device < options.mostDepth + 0.002; device += options.step) {

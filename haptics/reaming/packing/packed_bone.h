@@ -14,117 +14,120 @@
 
 namespace haptics::reaming {
 
-/// A bone ready to be felt and cut: a packing, and what its spheres give way at for the softest,
-/// the middle and the hardest curve of a material.
+/// A bone of spheres: a packing, and the densities of its spheres for the softest, middle and
+/// hardest curve of a material.
 struct PackedBone {
-  std::string name;   ///< for files
-  std::string title;  ///< for people
+  std::string name;   ///< used in files
+  std::string title;  ///< as shown to users
   bool isSynthetic = false;
-  double reamerRadius = 0.026;  ///< that it was fitted with [m]
+  double reamerRadius = 0.026;  ///< radius of the reamer for which the densities were fitted [m]
   Packing packing;
-  std::vector<float> minimum;  ///< of each sphere [N/m²]
+  std::vector<float> minimum;  ///< densities, one per sphere [N/m²]
   std::vector<float> average;
   std::vector<float> maximum;
-  /// Of the reamer on the spheres, fitted to a measured torque; nothing where none was.
+  /// Coefficient of friction between reamer and spheres, fitted to a measured torque; std::nullopt
+  /// if no torque was fitted.
   std::optional<double> friction = {};
 
-  /// Densities of a hardness, blended as the curves are: forces are linear in densities.
-  /// @param h  in [0, 1]. @param scale  of all of them.
+  /// Densities for a hardness, blended like the curves (forces are linear in densities).
+  /// @param h  in [0, 1]. @param scale factor of all densities.
   std::vector<double> densities(double h, double scale) const;
 };
 
-/// What keeps a bone from being felt with its reamer, in words: more in its spheres than its body
-/// holds, spheres larger than the reamer, none in its way. Empty where nothing does.
+/// A message if the bone cannot be used with its reamer: the volume of the spheres exceeds that of
+/// the body, spheres are larger than the reamer, or none is in its path. Empty if the bone is
+/// valid.
 std::string problemOf(const PackedBone& bone);
 
 /// How well a bone was fitted to a curve.
 struct CurveFit {
   std::string curve;           ///< "minimum", "average", "maximum"
   std::vector<double> depths;  ///< [m]
-  std::vector<double> wanted;  ///< by the curve [N]; what lies below 0 counts as 0
-  std::vector<double> felt;    ///< by the spheres [N]
+  std::vector<double> wanted;  ///< force of the curve [N]; negative values count as 0
+  std::vector<double> felt;    ///< force of the spheres [N]
   BoneFit fit;
-  std::optional<double> torqueError = {};  ///< |μ B ρ − T| / |T|, where there is a torque
+  std::optional<double> torqueError = {};  ///< |μ B ρ − T| / |T|, if there is a torque
 };
 
 struct BoneFitReport {
   std::vector<CurveFit> curves;
   double seconds = 0.0;
-  bool knowsOptimum = true;             ///< the gap of each fit bounds how far it is from it
-  std::optional<double> friction = {};  ///< μ, where there was a torque
+  bool knowsOptimum = true;             ///< DensityFit::gap of each fit is valid
+  std::optional<double> friction = {};  ///< μ, if there was a torque
 };
 
-/// How densities come of a contact matrix and the forces that are wanted.
+/// Fits densities, given a contact matrix and the wanted forces.
 using DensityMethod = std::function<BoneFit(const ContactMatrix&, std::span<const double>)>;
 
 struct BoneFitOptions {
-  std::size_t depths = 400;  ///< of the force; a quarter of them of the torque
-  /// μ between reamer and bone, where it is known, >= 0; otherwise it is fitted as well.
+  std::size_t depths = 400;  ///< number of depths of the force; the torque uses a quarter of them
+  /// μ between reamer and bone, >= 0; std::nullopt: μ is fitted.
   std::optional<double> friction = {};
   std::function<void(const std::string&)> onProgress =
-      {};  ///< called with the name of what is fitted next
-  /// How densities come of the force alone, and friction of them afterwards; empty: fitBone(), of
+      {};  ///< called with the name of the curve that is fitted next; may be empty
+  /// Fits the densities to the force only; friction is fitted afterwards. Empty: fitBone() with
   /// force and torque.
   DensityMethod method = {};
 };
 
-/// Gives the spheres of @p bone densities that follow the curves of a material, at depths evenly
-/// over the longest of them (the others stay level beyond their ends), and the friction with which
-/// they have its torque. The virtual experiment of the reaming paper; the paper says nothing of how
-/// its spheres get a torque.
+/// Fits the densities of @p bone to the force curves of a material, at evenly spaced depths over
+/// the longest curve (the others are constant beyond their ends), and the friction to its torque.
+/// This is the virtual experiment of the reaming paper, which does not say how its spheres produce
+/// a torque.
 ///
-/// @param torque  of the material [N·m]; empty: densities follow the force alone, and the bone has
-///                the friction of the options.
-/// @throws std::invalid_argument  with problemOf(bone).
+/// @param torque  of the material [N·m]; empty: densities are fitted to the force only, and the
+///                bone has the friction of the options.
+/// @throws std::invalid_argument  with problemOf(bone), if not empty.
 BoneFitReport fitTo(
     PackedBone& bone,
     const HardnessCurves& force,
     const HardnessCurves& torque = {},
     const BoneFitOptions& options = {});
 
-/// How well one friction μ gives a bone the torque of a material.
+/// A friction fitted to the torque of a material.
 struct FrictionFit {
   double friction = 0.0;  ///< μ, >= 0
   double error = 0.0;     ///< |μ Σaρ·distance − torque| / |torque| over all three curves
 };
 
-/// The friction with which the intact bone has the torque of a material at @p depths evenly over
-/// the longest curve: least squares over the minimum, average and maximum together.
+/// Fits the friction of the whole bone to the torque of a material, at @p depths evenly spaced
+/// depths over the longest curve: least squares over minimum, average and maximum together.
 ///
-/// @param bone  with densities. @param torque  valid [N·m].
-/// @throws std::invalid_argument  if there is no torque, or nothing is touched.
+/// @param bone  has densities. @param torque valid [N·m].
+/// @throws std::invalid_argument  if there is no torque, or the reamer touches no sphere.
 FrictionFit fitFriction(
     const PackedBone& bone, const HardnessCurves& torque, std::size_t depths = 200);
 
-/// The testing machine of the paper: it drives the reamer in at a feed and stops at a force or a
-/// depth (reaming paper, "Experimental setup").
+/// Parameters of a simulated testing machine, which advances the reamer at a constant feed and
+/// stops at a force or a depth (reaming paper, "Experimental setup").
 struct ExperimentOptions {
   double feed = 0.03e-3;    ///< [m/s]
-  double step = 4e-6;       ///< of the reamer between two samples [m]
+  double step = 4e-6;       ///< advance between two samples [m]
   double mostDepth = 0.02;  ///< [m]
-  double mostForce = 800;   ///< [N]; a dynamic test has no such limit
-  double mostFeed = std::numeric_limits<double>::infinity();  ///< of the reamer's teeth [m/s]
+  double mostForce = 800;   ///< [N]; dynamic tests have no such limit
+  double mostFeed = std::numeric_limits<double>::infinity();  ///< largest feed that the reamer's
+                                                              ///< teeth allow [m/s]
   double cuttingDamping = BoneOptions().cuttingDamping;       ///< [N·s/m]
 };
 
-/// What the machine would have written.
+/// The recording of the simulated machine.
 struct ExperimentResult {
-  std::vector<double> depth;  ///< of the tool [m], rising
+  std::vector<double> depth;  ///< of the tool [m], increasing
   std::vector<double> force;  ///< [N]
-  double removed = 0.0;       ///< mass [N·m]
-  double removedShare = 0.0;  ///< of the bone's mass
-  double unaccounted = 0.0;   ///< |removed + remaining − whole| / whole
-  std::string stop;           ///< why it ended, for people
+  double removed = 0.0;       ///< removed mass [N·m]
+  double removedShare = 0.0;  ///< removed fraction of the bone's mass
+  double unaccounted = 0.0;  ///< error of the mass balance: |removed + remaining − whole| / whole
+  std::string stop;          ///< why it stopped, as shown to users
 };
 
-/// Reams @p bone with the densities of hardness @p h, with removal.
+/// Simulates reaming of @p bone with the densities of hardness @p h, with removal.
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options = {});
 
-/// The force at @p depth [m], straight between two samples; NaN where the tool has not been.
+/// The force at @p depth [m], linearly interpolated; NaN outside the recorded depths.
 double forceAt(const ExperimentResult& result, double depth);
 
-/// How far @p result is from the force @p wanted at each of @p depths: |felt − wanted| / |wanted|
-/// over those that were reached.
+/// Relative error |felt − wanted| / |wanted| of the forces of @p result against @p wanted [N] at @p
+/// depths [m], over those depths that were reached.
 double errorOf(
     const ExperimentResult& result,
     const std::vector<double>& depths,

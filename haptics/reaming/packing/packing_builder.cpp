@@ -16,10 +16,10 @@
 namespace haptics::reaming {
 namespace {
 
-constexpr int kBlock = 3;            // cells along a block's side
-constexpr double kSpacing = 1.6;     // of the places that are looked at, in wanted radii
-constexpr double kNextRadius = 0.7;  // of one pass by that of the pass before
-constexpr double kFinest = 0.05;     // of the largest radius: no pass goes below it
+constexpr int kBlock = 3;            // cells per side of a block
+constexpr double kSpacing = 1.6;     // distance of the starting points, in wanted radii
+constexpr double kNextRadius = 0.7;  // ratio of the radius to that of the last pass
+constexpr double kFinest = 0.05;     // smallest radius of a pass, relative to the largest radius
 
 std::string problemOf(const PackingOptions& options) {
   const int wants = static_cast<int>(options.count.has_value()) +
@@ -52,7 +52,7 @@ double largestRadiusOf(const PackingOptions& options, double volume) {
   return std::cbrt(volume) / 50.0;
 }
 
-/// The four obstacles whose surfaces are nearest to a place, the nearest first.
+/// The four obstacles whose surfaces are nearest to a point, in order of distance.
 class NearestFour {
  public:
   void add(const Obstacle& obstacle) noexcept {
@@ -74,8 +74,8 @@ class NearestFour {
 
 class Builder {
  public:
-  // A cell is a little wider than the largest sphere: spheres that touch lie in neighbouring cells
-  // in spite of rounding.
+  // A cell is slightly wider than the largest sphere, so that touching spheres are in neighbouring
+  // cells in spite of rounding.
   Builder(const Solid& body, double largest, const PackingOptions& options)
       : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
     const Vec3 size = body.highest() - body.lowest();
@@ -104,14 +104,13 @@ class Builder {
     classify();
   }
 
-  /// Places a sphere of at least @p radius wherever there is room. @return false if it was
-  /// cancelled.
+  /// Places spheres of at least @p radius wherever there is space. @return false if cancelled.
   template <typename KeepGoing>
   bool pass(double radius, KeepGoing keepGoing) {
     ++passes_;
-    // A thread writes into the cells of its block and reads one cell beyond. Blocks of one colour
-    // are never neighbours, so no thread reads what another writes: no locks, and the same packing
-    // with any number of threads.
+    // A thread writes the cells of its block and reads one cell beyond. Blocks of one colour are
+    // never neighbours, so no thread reads what another writes. So there are no locks, and the
+    // packing does not depend on the number of threads.
     for (int colour = 0; colour < 8; ++colour) {
       std::vector<std::array<int, 3>> blocks;
       for (int k = colour >> 2; k < blocks_[2]; k += 2) {
@@ -160,8 +159,8 @@ class Builder {
     for (int k = 0; k < blocks_[2]; ++k) {
       for (int j = 0; j < blocks_[1]; ++j) {
         for (int i = 0; i < blocks_[0]; ++i) {
-          // Judged by the ball around a block, with a margin inside. Only in mixed blocks the
-          // body's surface is asked for at every place, which is slow.
+          // Classify a block by its bounding sphere, with a margin inside. Only mixed blocks
+          // compute the distance to the body's surface for every point, which is slow.
           const Vec3 centre = cornerOf({i, j, k}) + Vec3{half, half, half};
           const double inside = body_.nearest(centre).distance;
           kinds_.push_back(
@@ -195,8 +194,8 @@ class Builder {
            static_cast<std::size_t>(i);
   }
 
-  /// The distances to the obstacles around @p place within a cell; distances above the largest
-  /// radius are all the same.
+  /// The nearest obstacles around @p place, within a cell; distances above the largest radius are
+  /// not distinguished.
   NearestFour around(Vec3 place, bool isMixed) const noexcept {
     NearestFour nearest;
     if (isMixed) {
@@ -226,7 +225,7 @@ class Builder {
     for (const auto& sphere : cell) {
       const Vec3 away = sphere.centre() - place;
       const double square = dot(away, away);
-      // Nearer than the fourth nearest so far: compared by squares, before the root is taken.
+      // Compare with the fourth nearest by squared distances, before taking the root.
       const double limit = nearest.farthest() + sphere.radius;
       if (limit <= 0.0 || square >= limit * limit) continue;
       nearest.add({std::sqrt(square) - sphere.radius, sphere.centre(), sphere.radius, false});
@@ -238,7 +237,8 @@ class Builder {
     const int along = std::max(1, static_cast<int>(std::ceil(side / (kSpacing * radius))));
     const double step = side / along;
     const bool isMixed = cellKind(block[0], block[1], block[2]) == Kind::Mixed;
-    // Every block of every pass has random numbers of its own, whichever thread fills it.
+    // Every block of every pass has its own random numbers, so that they do not depend on the
+    // thread.
     std::uint64_t salt = options_.seed;
     for (const int part : {passes_, block[0], block[1], block[2]}) {
       salt = base::SplitMix64(salt ^ static_cast<std::uint64_t>(part)).bits();
@@ -257,7 +257,7 @@ class Builder {
     }
   }
 
-  /// Goes from @p place to where the room is largest, and fills it.
+  /// Moves from @p place to the locally largest space, and puts a sphere there.
   void fillAt(Vec3 place, const std::array<int, 3>& block, bool isMixed, double radius) {
     auto nearest = around(place, isMixed);
     double room = nearest.room();
@@ -274,7 +274,7 @@ class Builder {
         room = nearest.room();
         best = from;
       }
-      // The four that the sphere touches are the four nearest: it cannot grow further here.
+      // The sphere touches its four nearest obstacles: it is locally the largest.
       if (std::abs(nearest.room() - tangent->radius) < 1e-6 * largest_) break;
     }
     if (room < radius || !isIn(best, block)) return;
@@ -291,7 +291,8 @@ class Builder {
     return true;
   }
 
-  /// Rounds the place to what single precision holds exactly, and only then takes the radius.
+  /// Adds a sphere. The centre is rounded to single precision first, so that the radius is exact
+  /// for it.
   void put(Vec3 place, const std::array<int, 3>& block, bool isMixed) {
     const auto rounded = [&](double x) { return quantum_ * std::round(x / quantum_); };
     const Vec3 centre{rounded(place.x), rounded(place.y), rounded(place.z)};
@@ -312,11 +313,11 @@ class Builder {
   std::array<int, 3> blocks_{};
   std::vector<Kind> kinds_;
   std::vector<std::vector<Sphere>> cells_;
-  double quantum_ = 0.0;  ///< of places [m]
+  double quantum_ = 0.0;  ///< grid to which coordinates are rounded [m]
   int passes_ = 0;
 };
 
-/// Cuts @p packing, from the largest down, to what was asked for.
+/// Whether @p packing is complete; if so, removes the smallest spheres that are too many.
 bool isFull(Packing& packing, const PackingOptions& options) {
   auto& spheres = packing.spheres;
   if (options.count) {

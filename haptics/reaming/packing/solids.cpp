@@ -19,8 +19,8 @@ Acetabulum::Acetabulum(double inner, double outer) : inner_(inner), outer_(outer
 SurfacePoint Acetabulum::nearest(Vec3 place) const noexcept {
   const double radius = length(place);
   const Vec3 outward = radius > 0.0 ? (1.0 / radius) * place : Vec3{0.0, 0.0, 1.0};
-  // The nearest of the rim's plane z = 0, the outer sphere and the inner one; exact inside the
-  // body.
+  // The nearest of three surfaces: the rim's plane z = 0, the outer and the inner sphere. Exact
+  // inside the body.
   SurfacePoint found{place.z, {0.0, 0.0, 1.0}};
   if (outer_ - radius < found.distance) found = {outer_ - radius, -1.0 * outward};
   if (inner_ > 0.0 && radius - inner_ < found.distance) found = {radius - inner_, outward};
@@ -33,14 +33,14 @@ double Acetabulum::volume() const noexcept {
 
 namespace {
 
-/// Which part of a triangle is nearest: its face, an edge, or a corner.
+/// The point of a triangle nearest to another, and the part on which it is.
 struct NearestPart {
   Vec3 place;
   enum class Part { Face, Edge, Corner } part = Part::Face;
-  std::size_t which = 0;  ///< of the three
+  std::size_t which = 0;  ///< index of the edge or corner
 };
 
-/// By the regions of Voronoi (Ericson 2004, 5.1.5).
+/// The point of triangle abc nearest to @p p, by Voronoi regions (Ericson 2004, 5.1.5).
 NearestPart nearestOn(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
   using Part = NearestPart::Part;
   const Vec3 ab = b - a;
@@ -77,17 +77,17 @@ Vec3 unit(Vec3 v) noexcept {
 double angleAt(Vec3 corner, Vec3 one, Vec3 other) noexcept {
   const Vec3 a = one - corner;
   const Vec3 b = other - corner;
-  return std::atan2(length(cross(a, b)), dot(a, b));  // exact for small angles, unlike acos
+  return std::atan2(length(cross(a, b)), dot(a, b));  // accurate for small angles, unlike acos
 }
 
 }  // namespace
 
 MeshSolid::MeshSolid(TriangleMesh mesh)
     : mesh_(std::move(mesh)), tree_(boxesOf(mesh_)), volume_(mesh_.volume()) {
-  // Whether a place is inside is told by the normal of the nearest part. At an edge that is the
-  // mean of both faces, at a corner the mean weighted by angles: with these pseudonormals the sign
-  // is right everywhere (Baerentzen & Aanaes 2005); the normal of any one face would be wrong
-  // beside a sharp corner.
+  // The normal of the nearest part decides whether a point is inside. At an edge it is the mean of
+  // both faces, at a corner the mean weighted by angles: with these pseudonormals the sign is right
+  // everywhere (Baerentzen & Aanaes 2005), whereas the normal of a single face would be wrong near
+  // a sharp corner.
   std::vector<Vec3> atCorner(mesh_.vertices.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> atEdge;
   const auto& v = mesh_.vertices;

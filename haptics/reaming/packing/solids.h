@@ -6,12 +6,12 @@
 
 namespace haptics::reaming {
 
-/// A parametric cup: half of a hollow sphere around the origin, open towards −z. For trying out if
-/// there is no mesh of a bone.
+/// A parametric cup: half of a hollow sphere around the origin, open towards −z. For use without a
+/// mesh of a bone.
 class Acetabulum final : public Solid {
  public:
   /// @param inner, outer  radii [m], 0 <= inner < outer.
-  /// @throws std::invalid_argument  if they are not.
+  /// @throws std::invalid_argument  if they are out of range.
   explicit Acetabulum(double inner = 0.0255, double outer = 0.041);
 
   SurfacePoint nearest(Vec3 place) const noexcept override;
@@ -24,11 +24,11 @@ class Acetabulum final : public Solid {
   double outer_;
 };
 
-/// What a mesh encloses. Inside and outside are told by the normals of faces, edges and corners,
-/// weighted by their angles (Bærentzen & Aanæs 2005).
+/// The interior of a mesh. The sign of the distance comes from angle-weighted pseudonormals of
+/// faces, edges and corners (Bærentzen & Aanæs 2005).
 class MeshSolid final : public Solid {
  public:
-  /// @param mesh  closed, right side out, without problems.
+  /// @param mesh  valid, see problemsOf().
   explicit MeshSolid(TriangleMesh mesh);
 
   SurfacePoint nearest(Vec3 place) const noexcept override;
@@ -37,7 +37,7 @@ class MeshSolid final : public Solid {
   double volume() const noexcept override { return volume_; }
 
  private:
-  /// Of one triangle: outward, on its face, its edges (from corner i to the next) and corners.
+  /// Outward pseudonormals of a triangle's face, edges (from corner i to the next) and corners.
   struct Normals {
     Vec3 face;
     Vec3 edge[3];

@@ -16,22 +16,23 @@ struct Particle {
   std::vector<double> place;
   std::vector<double> velocity;
   std::vector<double> best;
-  double error = std::numeric_limits<double>::infinity();  ///< at its best
+  double error = std::numeric_limits<double>::infinity();  ///< error at `best`
   base::SplitMix64 random{0};
 };
 
-/// One particle's move, by its own chance alone: threads change nothing.
+/// Moves one particle. It uses only the particle's own random numbers, so threads do not affect the
+/// result.
 void move(Particle& particle, const std::vector<double>& best, double most) {
   // The constriction factor of Clerc & Kennedy for φ = 4.1: χ = 0.7298, and χ φ / 2 = 1.49618.
   constexpr double kInertia = 0.7298;
-  constexpr double kPull = 1.49618;  // to its own best, and to the best of all
+  constexpr double kPull = 1.49618;  // acceleration towards its own best and the swarm's best
   for (std::size_t i = 0; i < particle.place.size(); ++i) {
     double& x = particle.place[i];
     double& v = particle.velocity[i];
     v = kInertia * v + kPull * particle.random.uniform() * (particle.best[i] - x) +
         kPull * particle.random.uniform() * (best[i] - x);
     x += v;
-    // A particle that hits a bound stays there; with its velocity it would leave again at once.
+    // A particle that hits a bound stops there; otherwise its velocity would carry it beyond again.
     if (x < 0.0 || x > most) {
       x = x < 0.0 ? 0.0 : most;
       v = 0.0;

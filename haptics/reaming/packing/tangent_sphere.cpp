@@ -6,13 +6,13 @@
 namespace haptics::reaming {
 namespace {
 
-/// Four equations in four unknowns, with their right side.
+/// Four linear equations in four unknowns, with the right-hand side.
 using System = std::array<std::array<double, 5>, 4>;
 
-/// Gauss–Jordan elimination with pivots; false where a pivot is 0. The right side becomes the
-/// solution.
+/// Gauss–Jordan elimination with pivoting; returns false if the system is singular. The right-hand
+/// side becomes the solution.
 bool solve(System& a) noexcept {
-  constexpr double kLeastPivot = 1e-6;  // of equations whose normals are unit vectors
+  constexpr double kLeastPivot = 1e-6;  // relative to the unit normals in the equations
   for (std::size_t column = 0; column < 4; ++column) {
     std::size_t best = column;
     for (std::size_t row = column + 1; row < 4; ++row) {
@@ -30,7 +30,8 @@ bool solve(System& a) noexcept {
   return true;
 }
 
-/// How far @p from is from an obstacle's surface, and in which direction that grows.
+/// Computes the distance of @p from from an obstacle's surface, and its gradient; false if the
+/// gradient is undefined.
 bool look(const Obstacle& obstacle, Vec3 from, double& distance, Vec3& normal) noexcept {
   if (obstacle.isPlane) {
     normal = obstacle.place;
@@ -52,8 +53,8 @@ std::optional<TangentSphere> tangentTo(
   // Unknowns are the centre c and the radius r: dᵢ(c) − r = 0 for the signed distance dᵢ to each
   // obstacle. Its derivative by c is the unit normal, so a row of Newton's system is
   // nᵢ·Δc − Δr = r − dᵢ.
-  constexpr int kMostSteps = 8;    // it converges quadratically or not at all
-  constexpr double kExact = 1e-7;  // of the reach
+  constexpr int kMostSteps = 8;    // the method converges quadratically or not at all
+  constexpr double kExact = 1e-7;  // relative to the reach
   TangentSphere sphere{start, obstacles[0].distance};
   for (int step = 0; step < kMostSteps; ++step) {
     System system;

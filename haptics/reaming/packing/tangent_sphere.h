@@ -7,11 +7,11 @@
 
 namespace haptics::reaming {
 
-/// What a sphere may touch: another sphere, or a plane.
+/// An obstacle that a sphere may touch: another sphere or a plane.
 struct Obstacle {
-  double distance = 0.0;  ///< from the place it was asked for to its surface [m]; below 0 inside
-  Vec3 place;             ///< centre of a sphere, or unit normal of a plane
-  double size = 0.0;      ///< radius [m]; of a plane its offset, normal·x
+  double distance = 0.0;  ///< from a given point to the obstacle's surface [m]; negative inside
+  Vec3 place;             ///< centre of the sphere, or unit normal of the plane
+  double size = 0.0;      ///< radius of the sphere, or offset normal·x of the plane [m]
   bool isPlane = false;
 };
 
@@ -21,7 +21,7 @@ struct TangentSphere {
 };
 
 /// The sphere that touches four obstacles from outside (problem of Apollonius), by Newton's method
-/// from @p start; std::nullopt if there is none within @p reach [m] of it.
+/// from @p start; std::nullopt if none is found within 2 · @p reach [m] of @p start.
 std::optional<TangentSphere> tangentTo(
     const std::array<Obstacle, 4>& obstacles, Vec3 start, double reach) noexcept;
 

@@ -24,7 +24,7 @@ bool isFinite(const TriangleMesh& mesh) noexcept {
   });
 }
 
-/// Vertices at the same place become one.
+/// Merges coinciding vertices; returns how many were removed.
 std::size_t weld(TriangleMesh& mesh) {
   std::map<std::array<double, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> renamed;
@@ -60,7 +60,7 @@ std::size_t dropDegenerate(TriangleMesh& mesh) {
   return before - mesh.triangles.size();
 }
 
-/// Whether the segment p–q meets the triangle, without lying in its plane.
+/// Whether the segment p–q intersects the triangle abc without being in its plane.
 bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
   const auto side = [](Vec3 u, Vec3 v, Vec3 w, Vec3 x) { return dot(cross(v - u, w - u), x - u); };
   const double above = side(a, b, c, p);
@@ -76,7 +76,8 @@ bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
 bool cut(
     const TriangleMesh& mesh, const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
   for (const auto corner : s) {
-    if (std::find(t.begin(), t.end(), corner) != t.end()) return false;  // neighbours
+    if (std::find(t.begin(), t.end(), corner) != t.end())
+      return false;  // neighbours share a corner
   }
   const auto& v = mesh.vertices;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +99,7 @@ std::size_t pairsThatCut(const TriangleMesh& mesh) {
   return pairs;
 }
 
-/// Of each triangle the number of its connected part, and how many there are.
+/// Index of the connected part of each triangle, and the number of parts.
 std::pair<std::vector<std::size_t>, std::size_t> partsOf(const TriangleMesh& mesh) {
   std::vector<std::size_t> root(mesh.vertices.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -118,8 +119,8 @@ std::pair<std::vector<std::size_t>, std::size_t> partsOf(const TriangleMesh& mes
   return {std::move(parts), numbers.size()};
 }
 
-/// The angle under which a triangle is seen from @p from (Van Oosterom & Strackee 1983); all of a
-/// closed part come to ±4π inside and to 0 outside.
+/// Solid angle of a triangle seen from @p from (Van Oosterom & Strackee 1983). Summed over a closed
+/// part it is ±4π inside and 0 outside.
 double angleOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t, Vec3 from) {
   const Vec3 a = mesh.vertices[t[0]] - from;
   const Vec3 b = mesh.vertices[t[1]] - from;
@@ -132,8 +133,8 @@ double angleOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t, Vec3 f
              dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
-/// Whether every part faces outward as far out, and inward as a hollow of another: of many closed
-/// parts one inside is known only then.
+/// Whether the parts form one body: parts that are not inside another face outwards, and hollows
+/// inside another face inwards. Otherwise the interior is not defined.
 bool isOneBody(const TriangleMesh& mesh) {
   const auto [parts, count] = partsOf(mesh);
   if (count == 1) return true;
@@ -170,7 +171,7 @@ double TriangleMesh::volume() const noexcept {
 
 Repairs repair(TriangleMesh& mesh) {
   Repairs repairs;
-  if (!isFinite(mesh)) return repairs;  // problemsOf says so
+  if (!isFinite(mesh)) return repairs;  // problemsOf() reports it
   if (const auto welded = weld(mesh); welded > 0) {
     repairs.push_back(counted(welded, "corner was", "corners were") + " joined with others there");
   }
@@ -188,7 +189,7 @@ Repairs repair(TriangleMesh& mesh) {
 std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
   if (mesh.triangles.size() < 4) return {"the mesh has fewer than four triangles"};
   if (!isFinite(mesh)) return {"the mesh has a corner that is no number"};
-  std::map<Edge, std::pair<int, int>> edges;  // there, and back
+  std::map<Edge, std::pair<int, int>> edges;  // number of uses in either direction
   double area = 0.0;
   for (const auto& t : mesh.triangles) {
     area += areaOf(mesh, t);
@@ -225,7 +226,7 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
         " of neighbouring triangles face opposite ways. Make the normals consistent");
   }
   const double thickness = area > 0.0 ? mesh.volume() / area : 0.0;
-  // A surface that is folded flat has a volume of rounding errors.
+  // The volume of a surface that is folded flat consists of rounding errors.
   if (problems.empty() && !(thickness > 1e-9)) {
     problems.emplace_back("the mesh encloses nothing");
   }
