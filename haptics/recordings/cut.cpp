@@ -43,7 +43,7 @@ CutLandmarks landmarksAlong(
 
 namespace {
 
-/// A cubic between two points, with its slopes there.
+/// A cubic between two points with given slopes.
 struct Piece {
   CurvePoint from;
   CurvePoint to;
@@ -108,7 +108,7 @@ void requireSound(const CutShape& shape) {
 ForceCurve drawn(const CutShape& shape) {
   std::vector<CurvePoint> nodes{landmarksOf(shape).front()};
   for (const Piece& piece : piecesOf(shape)) {
-    // A length that is a whole number of spacings but for rounding does not become one more.
+    // The subtraction prevents an additional step by rounding.
     const int steps = static_cast<int>(std::ceil(piece.length() / shape.spacing - 1e-9));
     for (int i = 1; i < steps; ++i) nodes.push_back(piece.at(static_cast<double>(i) / steps));
     nodes.push_back(piece.to);

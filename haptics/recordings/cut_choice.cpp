@@ -47,13 +47,13 @@ RowRange closingBranch(const std::vector<double>& travel, const Span& closed, st
   const auto furthest = std::max_element(at(closed.first), at(closed.last + 1));
   const auto backwards = std::min_element(
       std::make_reverse_iterator(furthest + 1), std::make_reverse_iterator(at(from)));
-  const auto first = backwards.base();  // one past the smallest, which is its number from 1
+  const auto first = backwards.base();  // one past the smallest, i.e. its number counted from 1
   return {
       static_cast<std::size_t>(first - travel.begin()),
       static_cast<std::size_t>(furthest - travel.begin()) + 1};
 }
 
-/// From the furthest row of the closing branch to the least travel before @p until.
+/// Rows from the end of the closing branch to the smallest travel before @p until.
 RowRange openingBranch(
     const std::vector<double>& travel, const RowRange& closing, std::size_t until) {
   const auto first = travel.begin() + static_cast<std::ptrdiff_t>(closing.last) - 1;

@@ -22,7 +22,8 @@ constexpr double kStandardGravity = 9.80665;  // [m/s²]
 }  // namespace
 
 double forceOf(double reading, const ForceCalibration& calibration) noexcept {
-  // From the highest power to the lowest, each as a product: published forces keep their last bit.
+  // Sum powers from the highest to the lowest, each computed as a product: this reproduces
+  // published forces to the last bit.
   double sum = 0.0;
   for (std::size_t power = calibration.coefficients.size(); power-- > 0;) {
     double term = calibration.coefficients[power];
@@ -75,7 +76,7 @@ double newtonsIn(std::string_view unit) noexcept {
 
 namespace {
 
-/// The place of a column, from 0: by its head, or the one that is usual.
+/// Index of a column, from 0: by its heading, or @p usual if that is empty.
 std::size_t placeOf(
     const std::string& head,
     std::size_t usual,
@@ -93,7 +94,7 @@ std::size_t placeOf(
 std::string unitIn(const std::string& cell) {
   std::string unit = base::columnHeadOf(cell).unit;
   if (cell.find_first_of("[(") != std::string::npos) return unit;
-  // After an underscore units are often in lower case.
+  // Units after an underscore are often in lower case.
   unit = base::lowerCase(unit);
   for (const char* known : {"V", "mV", "N", "mN", "kN"}) {
     if (unit == base::lowerCase(known)) return known;
@@ -155,7 +156,7 @@ CalibrationTable readCalibrationTable(
 
 namespace {
 
-/// Whether a polynomial rises between two readings, looked at in small steps.
+/// Whether a polynomial increases over its range, checked in small steps.
 bool risesWithin(const ForceCalibration& calibration) {
   constexpr int kSteps = 1000;
   double last = forceOf(calibration.lowest, calibration);
@@ -197,7 +198,7 @@ CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool thr
   };
   const auto [lowest, highest] =
       std::minmax_element(table.points.begin(), table.points.end(), byReading);
-  // Powers of readings in ±1: those of a thousand counts span 15 decades.
+  // Scale readings to ±1, since powers of a thousand counts would span 15 decades.
   const double unit = std::max(std::abs(lowest->reading), std::abs(highest->reading));
   const auto rows = static_cast<Eigen::Index>(table.points.size());
   Eigen::MatrixXd powers(rows, count);

@@ -48,7 +48,7 @@ namespace {
 
 constexpr double kSameTravel = 1e-6;  // [travel units]
 
-/// Samples that share one node, their mean.
+/// Samples that are merged into one node, and their mean.
 struct Pool {
   double travel = 0.0;
   double force = 0.0;

@@ -120,7 +120,7 @@ constexpr std::array<Column, kColumns> kRow{{
     {"time", 0.0, 1e12, "0 to 1e12 ms"},
 }};
 
-/// A piece of the file that is fit to be shown in a message.
+/// A piece of the file, shortened and without control characters, for a message.
 std::string quoted(std::string_view piece) {
   std::string shown = "'";
   for (const char c : piece.substr(0, kLongestQuote)) shown += c >= ' ' && c <= '~' ? c : '~';
@@ -154,7 +154,7 @@ void countEnd(std::string_view line, Recording::LineEnds& ends) {
   }
 }
 
-/// What a line turned out to be: a row, or the reason why not.
+/// The result of reading a line: a row, or the reason why it is none.
 struct ReadLine {
   std::optional<Recording::Row> row;
   std::string reason;
@@ -179,7 +179,7 @@ ReadLine readLine(std::span<const std::string_view> fields) {
   return {Recording::Row{values[0], values[1], values[2], values[3], values[4]}, {}};
 }
 
-/// Reads line after line into a recording.
+/// Builds a recording line by line.
 class Reader {
  public:
   explicit Reader(std::string_view source) {

@@ -20,7 +20,7 @@ std::string named(std::string_view source) {
   return "'" + std::string(source) + "'";
 }
 
-/// The place of a column in a row, from 0.
+/// Index of a column in a row, from 0.
 std::size_t placeOf(
     const TableColumn& column,
     const char* quantity,
@@ -35,7 +35,7 @@ std::size_t placeOf(
       ". The columns in its head are " + base::listed(heads) + ": correct the columns file.");
 }
 
-/// Reads rows of a table into a recording.
+/// Builds a recording from the rows of a table.
 class TableReader {
  public:
   TableReader(

@@ -11,50 +11,51 @@
 
 namespace haptics::recordings {
 
-/// A column of a table: by its head, or by its number from 1 where the table has none.
+/// A column of a table, identified by its heading, or by its number if the table has no headings.
 struct TableColumn {
   std::string head{};
-  std::size_t number = 0;  ///< from 1; 0: by its head
+  std::size_t number = 0;  ///< from 1; 0: identified by its heading
 };
 
-/// What the columns of another laboratory's recording mean: the content of a columns file.
+/// Describes the columns of another laboratory's recording: the content of a columns file.
 ///
 /// A reading becomes (cell − forceZero) · forceFactor; a travel 10 · (cell − open)/(closed − open).
 struct RecordingColumns {
-  /// None: the rows are evenly spaced, `rate` a second.
+  /// std::nullopt: rows are evenly spaced, `rate` per second.
   std::optional<TableColumn> time{};
-  double millisecondsPerTime = 1000.0;  ///< milliseconds in one unit of the time column
-  double rate = 0.0;                    ///< where there is no time column [Hz]
+  double millisecondsPerTime = 1000.0;  ///< milliseconds per unit of the time column
+  double rate = 0.0;                    ///< if there is no time column [Hz]
 
   TableColumn travel{};
-  double open = 0.0;     ///< in the cells, where the tool is open
-  double closed = 10.0;  ///< in the cells, where it is closed
+  double open = 0.0;     ///< value of the cell when the tool is open
+  double closed = 10.0;  ///< value of the cell when the tool is closed
 
   TableColumn force{};
-  std::string readingUnit = "N";  ///< of the readings: `N`, or what the sensor gives
-  double forceZero = 0.0;         ///< in the cells, where nothing is touched
-  double forceFactor = 1.0;  ///< from cells to readings; negative where pressing reads negative
-  std::optional<ForceCalibration> calibration{};  ///< of readings that are not newtons
-  /// In the cells: from here on the sensor says no more.
+  std::string readingUnit = "N";  ///< `N`, or the unit of the sensor
+  double forceZero = 0.0;         ///< value of the cell without contact
+  /// Reading per unit of the cell; negative if pressing lowers the value.
+  double forceFactor = 1.0;
+  std::optional<ForceCalibration> calibration{};  ///< for readings that are not newtons
+  /// Value of the cell at which the sensor saturates.
   std::optional<double> saturatesAt{};
 
-  std::size_t skippedLines = 0;     ///< above the heads, or above the first row
-  std::optional<char> separator{};  ///< tab, semicolon, comma, blank; none: found in the first line
+  std::size_t skippedLines = 0;     ///< number of lines before the header line or the first row
+  std::optional<char> separator{};  ///< tab, semicolon, comma or space; std::nullopt: determined
+                                    ///< from the first line
 };
 
-/// Reads a recording as a table that columns describe: a line of heads, if a column is named by its
-/// head, and a row a line.
+/// Reads a recording from a table: a header line, if a column is identified by its heading, and one
+/// row per line.
 ///
-/// Numbers have a decimal point, or a decimal comma where commas do not separate. A line that is no
-/// row (of units, or cut off) is refused and counted, never guessed.
+/// Numbers have a decimal point, or a decimal comma if commas do not separate. A line that is not a
+/// row (units, or truncated) is refused and counted.
 ///
-/// @throws UserError  if a column is not there, if no line is a row, if time runs backwards, or
-/// open
-///     and closed are the same.
+/// @throws UserError  if a column is missing, if no line is a row, if time runs backwards, or
+///     open and closed are the same.
 Recording readRecordingTable(
     std::string_view text, std::string_view source, const RecordingColumns& columns);
 
-/// The same from a file. @throws UserError  and wherever readRecordingFile() does.
+/// Reads a table from a file. @throws UserError as readRecordingTable() and readRecordingFile().
 Recording readRecordingTableFile(
     const std::filesystem::path& path, const RecordingColumns& columns);
 

@@ -12,57 +12,58 @@
 
 namespace haptics::recordings {
 
-/// A recording as force over travel: calibrated and filtered, row for row.
+/// Travel and force of a recording, calibrated and filtered; one value per row.
 struct Trace {
   std::vector<double> travel;  ///< filtered [travel units]
-  std::vector<double> force;   ///< from the reading [N]
+  std::vector<double> force;   ///< from the readings [N]
   ForceCalibration calibration{};
 };
 
-/// What a recording's readings become newtons with, unless another calibration is chosen.
+/// The calibration of a recording, unless the user chooses another.
 ///
-/// @throws UserError  if it does not say.
+/// @throws UserError  if the recording has no calibration.
 ForceCalibration calibrationFor(const Recording& recording);
 
-/// The filter runs over the whole recording, as the authors' did, and not over one cut; it is
-/// designed for samplingOf() the recording.
+/// Calibrates and filters a recording. The filter runs over the whole recording, as the authors'
+/// did, not over one cut; it is designed for the rate of samplingOf().
 ///
-/// @throws UserError  if the calibration is for another unit than the recording's readings have, or
-///     filtered() cannot be done.
+/// @throws UserError  if the calibration's unit differs from that of the readings, or as
+///     filtered().
 Trace traceOf(
     const Recording& recording, const ForceCalibration& calibration, const TravelFilter& filter);
 
 /// Some rows of a trace as a curve; see monotoneCurve().
 ///
 /// @param rows  within the trace.
-/// @throws UserError  if they give fewer than two different travels.
+/// @throws UserError  if the rows have fewer than two different travels.
 MonotoneCurve curveOf(const Trace& trace, const RowRange& rows);
 
-/// The same of an opening hand, whose travel falls: read backwards. Nothing where it does not fall.
+/// Rows of an opening hand, whose travel decreases, as a curve: read backwards. std::nullopt if the
+/// travel does not decrease.
 std::optional<MonotoneCurve> openingCurveOf(const Trace& trace, const RowRange& rows);
 
-/// How force and stiffness vary over recorded cuts: Q of eq. (22) of the punch paper, for cuts of
-/// one's own. Variances with n − 1.
+/// Variances of force and stiffness over recorded cuts: Q of eq. (22) of the punch paper, for other
+/// recordings. Variances are divided by n − 1.
 struct ProcessNoise {
   double force = 0.0;       ///< σ²_f [N²]
   double covariance = 0.0;  ///< of force and stiffness [N²/travel unit]
   double stiffness = 0.0;   ///< σ²_ζ [N²/travel unit²]
-  std::size_t samples = 0;  ///< that went in
-  std::size_t resting = 0;  ///< left out: the travel hardly changed, and there is no quotient
+  std::size_t samples = 0;  ///< number of rows used
+  std::size_t resting = 0;  ///< number of rows left out, because the travel hardly changed
 };
 
-/// A tenth of a count of the potentiometer [travel units]: with smaller steps a difference quotient
-/// is only noise. The published numbers include all rows: with this step the ten cuts give 5.94,
-/// 0.002 and 2.62 under `authors-fir-333`, and 5.92, 0.015 and 2.65 under `authors-fir`.
+/// Least change of travel for a difference quotient, since smaller ones give only noise: a tenth of
+/// a count of the potentiometer [travel units]. The published numbers include all rows; with this
+/// limit the ten cuts give 5.94, 0.002 and 2.62 with `authors-fir-333`, and 5.92, 0.015 and 2.65
+/// with `authors-fir`.
 inline constexpr double kLeastStep = 0.0256;
 
-/// Puts the rows of all ranges one after another; the stiffness of a row is the difference quotient
-/// from the row before it in that list, and 0 for the first. With a least step of 0 that reproduces
-/// the published numbers (6.1024, 0.2772 and 7.0275 from ten ranges of one recording).
+/// Concatenates the rows of all ranges. The stiffness of a row is the difference quotient to the
+/// previous row in that list, and 0 for the first. A least step of 0 reproduces the published
+/// numbers (6.1024, 0.2772 and 7.0275 from ten ranges of one recording).
 ///
-/// @param rows       within the trace, one range or more.
-/// @param leastStep  a row that has moved on by less than this, or not at all, is left out [travel
-///                   units].
+/// @param rows       one or more ranges within the trace.
+/// @param leastStep  rows whose travel changes by less, or not at all, are left out [travel units].
 /// @throws UserError  if fewer than three rows remain.
 ProcessNoise processNoiseOf(
     const Trace& trace, std::span<const RowRange> rows, double leastStep = kLeastStep);

@@ -19,7 +19,8 @@ constexpr std::array kKinds{
     Kind::AuthorsFir, Kind::AuthorsFir333, Kind::ButterworthZeroPhase, Kind::None};
 constexpr int kMostTaps = 9999;
 
-/// As many taps as last as long at this rate as the authors' do at theirs.
+/// Number of taps for which the window lasts as long at @p rate [Hz] as the authors' does at
+/// theirs.
 int tapsAt(double rate) {
   const KaiserLowPass::Design authors;
   const int half = (authors.taps - 1) / 2;  // taps is odd
@@ -62,7 +63,8 @@ std::string describeFir(const KaiserLowPass::Design& design, const std::string& 
          " rows taken out, end values held";
 }
 
-/// Where the amplitude has fallen to 1/√2, in the bilinear transform's bent frequencies [Hz].
+/// Frequency at which the amplitude is 1/√2, with the frequency warping of the bilinear transform
+/// [Hz].
 double halfPowerOf(double cutoff, double rate) {
   const double bent = std::tan(std::numbers::pi * cutoff / rate);
   return rate / std::numbers::pi * std::atan(bent * std::pow(std::numbers::sqrt2 - 1.0, 1.0 / 8.0));
