@@ -7,10 +7,10 @@
 
 namespace haptics {
 
-/// Every kind of device that there is. Each has a folder of its own below haptics/devices.
+/// All kinds of devices. Each has its own folder below haptics/devices.
 const std::vector<const devices::DeviceKind*>& deviceKinds();
 
-/// The entry of that name; nullptr if no entry has it.
+/// The kind of that name; nullptr if there is none.
 const devices::DeviceKind* deviceKindNamed(std::string_view name);
 
 }  // namespace haptics
