@@ -6,13 +6,13 @@
 
 namespace haptics::timing {
 namespace {
-constexpr double kLeast = 1.0 / 16.0;  // [µs]: the first bin takes everything below
+constexpr double kLeast = 1.0 / 16.0;  // [µs]; the first bin holds everything below
 }
 
 int LatenessHistogram::binOf(double lateness) noexcept {
   if (!(lateness > kLeast)) return 0;
   int exponent = 0;
-  // Octave and part of it from the number's own exponent: no logarithm in the tick.
+  // Octave and bin from the binary exponent, which avoids a logarithm in the tick.
   const double mantissa = std::frexp(lateness / kLeast, &exponent);  // in [0.5, 1)
   const int bin = (exponent - 1) * kPerOctave + static_cast<int>((mantissa - 0.5) * 2 * kPerOctave);
   return std::min(bin, kPerOctave * kOctaves - 1);
@@ -54,7 +54,7 @@ void ClockDrift::add(std::int64_t device, std::int64_t host) noexcept {
   while (time >= windowEnd_) {
     closeWindow();
     windowEnd_ += kWindow;
-    // After a pause there is nothing to close; catch up in one go.
+    // After a pause, skip the empty windows at once.
     if (time - windowEnd_ > 4 * kWindow) windowEnd_ += (time - windowEnd_) / kWindow * kWindow;
   }
   // Transport only adds delay, so the least delay of a window is the best estimate of the clocks'

@@ -7,16 +7,16 @@
 
 namespace haptics::timing {
 
-/// How late ticks were, counted in bins that are never wider than 1/16 of what they hold: quantiles
-/// without keeping every tick, and without the heap.
+/// A histogram of the lateness of ticks, with a bin width of at most 1/16 of the value. It gives
+/// quantiles without storing every tick, and without heap.
 class LatenessHistogram {
  public:
-  /// @p lateness in [µs]; early counts as 0.
+  /// Adds @p lateness [µs]; negative values count as 0.
   void add(double lateness) noexcept;
 
   std::uint64_t count() const noexcept { return count_; }
   double largest() const noexcept { return largest_; }  ///< [µs], exact
-  /// The lateness that a share @p q of all ticks did not exceed [µs]; 0 if there are none.
+  /// The @p q quantile of the lateness [µs], q in [0, 1]; 0 if there are no ticks.
   double quantile(double q) const noexcept;
 
  private:
@@ -30,24 +30,25 @@ class LatenessHistogram {
   double largest_ = 0.0;
 };
 
-/// The offset and drift of a device's clock against ours, from the time stamps of its messages.
+/// Estimates offset and drift of a device's clock against the host's from the time stamps of
+/// messages.
 ///
-/// What is received is late by a delay that is never negative and often small: of every window only
-/// the least delay counts, and through these goes a straight line of least squares,
+/// A message is received after a delay that is never negative and often small. So only the least
+/// delay of every window of 0.5 s is used, and a least-squares line is fitted through these,
 ///
 ///     host − device = offset + drift · (time since the first).
 ///
-/// Costs a few sums, at any length.
+/// Memory and time per message are constant.
 class ClockDrift {
  public:
-  /// A message that was stamped @p device and received at @p host, both [ns] and both rising.
+  /// Adds a message with time stamp @p device that was received at @p host, both [ns] and both
+  /// increasing.
   void add(std::int64_t device, std::int64_t host) noexcept;
 
-  /// How much faster our clock goes [parts per million]; std::nullopt before three
-  /// windows.
+  /// How much faster the host's clock is [parts per million]; std::nullopt before three windows.
   std::optional<double> partsPerMillion() const noexcept;
 
-  /// Time of the device that is 0, on our clock [ns], from what was received first.
+  /// Host time at device time 0 [ns], from the first message.
   std::int64_t offset() const noexcept { return offset_; }
 
   std::int64_t windows() const noexcept { return count_; }
@@ -60,8 +61,8 @@ class ClockDrift {
   bool hasAny_ = false;
   std::int64_t firstDevice_ = 0;
   std::int64_t offset_ = 0;
-  std::int64_t windowEnd_ = 0;   // on the device's clock, since the first
-  std::int64_t leastTime_ = 0;   // of the least delay in this window
+  std::int64_t windowEnd_ = 0;   // device time since the first message
+  std::int64_t leastTime_ = 0;   // device time of the least delay in this window
   std::int64_t leastDelay_ = 0;  // host − device − offset
   std::int64_t count_ = 0;
   double sumX_ = 0.0, sumY_ = 0.0, sumXX_ = 0.0, sumXY_ = 0.0;  // [s], [µs]

@@ -12,7 +12,7 @@ inline constexpr std::int64_t kSecond = 1'000'000'000;   ///< [ns]
 inline constexpr std::int64_t kMillisecond = 1'000'000;  ///< [ns]
 inline constexpr std::int64_t kMicrosecond = 1'000;      ///< [ns]
 
-/// CLOCK_MONOTONIC [ns]: the same for all programs on this computer.
+/// The time of CLOCK_MONOTONIC [ns], which all programs on this computer share.
 inline std::int64_t now() noexcept {
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
@@ -26,14 +26,14 @@ inline void sleepUntil(std::int64_t due) noexcept {
   }
 }
 
-/// Priorities under SCHED_FIFO. Emulated hardware has the highest one, because a real board or
-/// robot does not wait for a processor of this computer.
+/// Priorities under SCHED_FIFO. Emulated hardware has the highest, because a real board or robot
+/// does not wait for a processor of this computer.
 inline constexpr int kStandInPriority = 85;
-inline constexpr int kLoopPriority = 80;     ///< who ticks a device, or answers it
-inline constexpr int kWatcherPriority = 70;  ///< who looks on
+inline constexpr int kLoopPriority = 80;     ///< for threads that tick a device or answer it
+inline constexpr int kWatcherPriority = 70;  ///< for threads that only observe
 
-/// Lets a thread (0: this one) go before ordinary programs; false where the system does not grant
-/// it, and the thread goes on as it was.
+/// Gives a thread (0: the calling one) real-time priority. Returns false, and changes nothing, if
+/// the system refuses.
 inline bool raisePriority(int priority, pid_t thread = 0) noexcept {
   const sched_param parameters{.sched_priority = priority};
   return sched_setscheduler(thread, SCHED_FIFO, &parameters) == 0;

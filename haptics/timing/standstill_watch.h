@@ -9,9 +9,9 @@
 
 namespace haptics::timing {
 
-/// Watches how punctual this machine is: a thread that asks to be woken every millisecond, works
-/// for 150 µs as a device's loop does, and keeps how late it was at most. What has to answer within
-/// some milliseconds fails for no fault of its own where the machine stands still for longer.
+/// Measures how long this machine stalls: a thread sleeps for 1 ms, works for 150 µs as a device's
+/// loop does, and records its largest lateness. A test of real time can so tell a stall of the
+/// machine from a fault of the program.
 class StandstillWatch {
  public:
   StandstillWatch() : thread_([this] { watch(); }) {}
@@ -22,19 +22,19 @@ class StandstillWatch {
   StandstillWatch(const StandstillWatch&) = delete;
   StandstillWatch& operator=(const StandstillWatch&) = delete;
 
-  /// Since the beginning, or the last restart.
+  /// Largest lateness since construction or restart().
   std::chrono::milliseconds longest() const noexcept {
     return std::chrono::duration_cast<std::chrono::milliseconds>(
         Clock::duration(longest_.load(std::memory_order_relaxed)));
   }
 
-  /// Forgets the longest delay so far.
+  /// Resets longest() to 0.
   void restart() noexcept { longest_.store(0, std::memory_order_relaxed); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// What this thread has had of a processor.
+  /// Processor time of this thread.
   static std::chrono::nanoseconds processorTime() noexcept {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -56,7 +56,7 @@ class StandstillWatch {
 
   std::atomic<Clock::rep> longest_{0};
   std::atomic<bool> isOver_{false};
-  std::thread thread_;  // the last: it uses the others
+  std::thread thread_;  // last member, because it uses the others
 };
 
 }  // namespace haptics::timing

@@ -13,7 +13,7 @@ double nanosecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// Stores a result, so that the compiler does not leave its computation out.
+/// Stores a result, so that the compiler does not remove its computation.
 void keep(double value) {
   [[maybe_unused]] static volatile double sink = 0.0;
   sink = value;
@@ -25,7 +25,7 @@ double batch(const Contestant& contestant, int steps) {
   return nanosecondsSince(start);
 }
 
-/// How a contestant is timed: steps in a batch, and how many batches.
+/// How a contestant is timed: steps per batch, and number of batches.
 struct Plan {
   int steps = 1;
   int batches = 101;
@@ -34,7 +34,7 @@ struct Plan {
 
 Plan planFor(const Contestant& contestant) {
   constexpr double kLong = 300'000.0;  // [ns]
-  constexpr double kPatience = 0.3e9;  // [ns] for all batches of one
+  constexpr double kPatience = 0.3e9;  // [ns] for all batches of a contestant
   constexpr int kFewest = 21;
   Plan plan;
   double time = batch(contestant, plan.steps);
@@ -68,7 +68,7 @@ std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants) {
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       auto& plan = plans[i];
-      // Those with fewer batches take part in rounds that are spread over all of them.
+      // The batches of slow contestants are spread evenly over all rounds.
       const bool takesPart = (round + 1) * plan.batches / rounds > round * plan.batches / rounds;
       if (!takesPart) continue;
       if (plan.steps > 1) batch(contestants[i], plan.steps);
@@ -89,7 +89,7 @@ std::vector<Timing> compareColdTimes(const std::vector<Contestant>& contestants,
       std::uint64_t sum = 0;
       for (auto& word : other) sum += word++;
       keep(static_cast<double>(sum));
-      batch(contestants[i], 0);  // the way to the contestant, which is not compared
+      batch(contestants[i], 0);  // warms the call itself, which is not compared
       times[i].push_back(batch(contestants[i], 1));
     }
   }

@@ -7,30 +7,30 @@
 
 namespace haptics::timing {
 
-/// [s]
+/// Seconds since @p start.
 double secondsSince(std::chrono::steady_clock::time_point start);
 
-/// How long a step takes [ns]: the median over many short batches, and what 99 % of them do not
-/// exceed.
+/// Duration of a step [ns]: median and 99 % quantile over many short batches.
 struct Timing {
   double median = 0.0;
   double p99 = 0.0;
 };
 
-/// One of several ways of doing something that are timed beside each other.
+/// One of several implementations whose times are compared.
 struct Contestant {
   std::string method;
-  std::function<double(int steps)> run;  ///< performs so many steps; returns their result
+  /// Performs that many steps; returns a result, so that they are not optimised away.
+  std::function<double(int steps)> run;
 };
 
-/// Times all contestants in turn (A, B, C, A, B, C …), so that other load of the computer falls on
-/// all of them alike. A batch takes 300 µs, or one step, and is run once without being timed before
-/// (warm caches). There are 101 batches of each contestant, fewer of slow ones, but at least 21.
+/// Times all contestants in turn (A, B, C, A, B, C …), so that other load of the computer affects
+/// all of them equally. A batch takes about 300 µs, or is one step, and is run once untimed before
+/// (warm caches). Each contestant has 101 batches; slow ones fewer, but at least 21.
 std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants);
 
-/// Times one step at a time, each after 80 MB of other memory have been read, more than a cache
-/// holds, because the tick of a loop also finds cold caches. A call with 0 steps before each keeps
-/// the call itself warm; reading the clock adds about 20 ns.
+/// Times single steps with cold caches, as in the tick of a loop: before each, 80 MB of other
+/// memory are read, more than a cache holds. A call with 0 steps before each keeps the call itself
+/// warm; reading the clock adds about 20 ns.
 std::vector<Timing> compareColdTimes(const std::vector<Contestant>& contestants, int rounds);
 
 }  // namespace haptics::timing
