@@ -20,9 +20,9 @@ struct CrcTable {
 inline constexpr CrcTable kCrcTable;
 }  // namespace detail
 
-/// CRC-32 of @p count bytes as zlib and IEEE 802.3 have it: reflected polynomial 0xEDB88320,
-/// initial and final value 0xFFFFFFFF; of "123456789" it is 0xCBF43926. @p before is the CRC of
-/// what came before these bytes.
+/// CRC-32 of @p count bytes as in zlib and IEEE 802.3: reflected polynomial 0xEDB88320, initial
+/// value and final XOR 0xFFFFFFFF; the CRC of "123456789" is 0xCBF43926. @p before is the CRC of
+/// the preceding bytes, 0 if there are none.
 constexpr uint32_t crc32(const uint8_t* bytes, size_t count, uint32_t before = 0) noexcept {
   uint32_t crc = ~before;
   for (size_t i = 0; i < count; ++i) {

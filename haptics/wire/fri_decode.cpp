@@ -12,8 +12,8 @@
 namespace haptics::wire::fri {
 namespace {
 
-/// A number for each of a few addresses, 0 for any other: what reading has to remember of a message
-/// and its fields beside the message itself.
+/// A map from a few addresses (of messages and fields) to numbers, 0 by default: facts about a
+/// message that are not stored in it.
 class AddressMap {
  public:
   std::uint32_t& operator[](const void* place) noexcept {
@@ -31,15 +31,16 @@ class AddressMap {
   }
 
  private:
-  // A monitoring message has 29 submessages with required fields, and 7 fields of joints or
+  // Enough for a monitoring message: 29 submessages with required fields, and 7 fields of joints or
   // vectors.
   std::array<const void*, 40> places_{};
   std::array<std::uint32_t, 40> values_{};
   std::uint8_t count_ = 0;
 };
 
-/// Visits a message; bit n is set where field n is a required number, enumeration or name. Required
-/// messages within it need no bit: those of their own required fields are missing with them.
+/// Collects the required fields of a message: bit n is set if field n is a required number,
+/// enumeration or name. Required submessages need no bit, since their own required fields would be
+/// missing, too.
 class RequiredFields {
  public:
   template <typename T>
@@ -60,15 +61,15 @@ std::uint32_t requiredIn(const Message auto& message) noexcept {
   return required.bits();
 }
 
-/// What reading found out in addition to the message.
+/// Facts about a message that was read, for its validation.
 struct Findings {
-  AddressMap seen;    ///< of a message's required fields, as bits
-  AddressMap counts;  ///< of joints and vectors
+  AddressMap seen;    ///< for each message, its required fields that were present, as bits
+  AddressMap counts;  ///< for joints and vectors, their number of elements
   bool isOverfull = false;
 };
 
-/// Checks a message that was read, in ascending order of fields, so that the first refusal found is
-/// that of the lowest field.
+/// Checks a message that was read, in ascending order of fields, so that it finds the refusal of
+/// the lowest field first.
 class Validator {
  public:
   Validator(const Findings& findings, Version version) noexcept
@@ -86,7 +87,7 @@ class Validator {
     visit(message, *this);
   }
 
-  /// Something that is required is missing.
+  /// Whether a required field is missing.
   bool isIncomplete() const noexcept { return isIncomplete_; }
   Refusal first() const noexcept { return first_; }
 
@@ -132,7 +133,7 @@ class Validator {
 
 bool read(Reader in, Message auto& message, Findings& findings) noexcept;
 
-/// Visits a message and reads into the field with the tag's number.
+/// Visits a message and decodes the field with the tag's number.
 class FieldReader {
  public:
   FieldReader(Reader& in, Tag tag, Findings& findings) noexcept
@@ -144,7 +145,7 @@ class FieldReader {
   }
 
   bool isTaken() const noexcept { return isTaken_; }
-  /// False where the value is an unknown one of an enumeration, which protobuf drops.
+  /// False if the value is unknown in its enumeration, which protobuf ignores.
   bool hasValue() const noexcept { return hasValue_; }
 
  private:
@@ -216,7 +217,7 @@ class FieldReader {
     return place != nullptr ? take(*place) : takeSurplus<T>();
   }
 
-  /// What a list has no place for may still be malformed.
+  /// Decodes an element that exceeds the capacity of a list, because it may be malformed.
   template <Message T>
   bool takeSurplus() noexcept {
     T surplus;
@@ -236,7 +237,7 @@ class FieldReader {
     return hasValue_ = true;
   }
 
-  /// Joints and vectors are messages on the wire, with one field: their numbers.
+  /// Decodes joints or a vector, which are messages with one field, the numbers.
   template <std::size_t N>
   bool takeArray(std::array<double, N>& values) noexcept {
     if (!is(Delimited)) return false;
@@ -320,7 +321,7 @@ Refusal validateState(const CommandMessage& /*message*/) noexcept {
 
 template <typename T>
 Refusal readMessage(std::span<const std::uint8_t> bytes, Version version, T& out) noexcept {
-  const std::uint32_t identifier = T{}.header.identifier;  // that of a message of this type
+  const std::uint32_t identifier = T{}.header.identifier;  // identifier of this type of message
   T message;
   Findings findings;
   if (!read(Reader(bytes), message, findings)) return Refusal::Malformed;
@@ -335,7 +336,7 @@ Refusal readMessage(std::span<const std::uint8_t> bytes, Version version, T& out
   return own;
 }
 
-/// Four bytes as a number, the lowest first, on any processor.
+/// Four bytes as a little-endian number.
 std::uint32_t wordAt(const std::uint8_t* bytes) noexcept {
   std::uint32_t word = 0;
   for (unsigned i = 0; i < 4; ++i) word |= std::uint32_t{bytes[i]} << (8 * i);

@@ -13,12 +13,12 @@
 namespace haptics::wire::fri {
 namespace {
 
-/// Writes fields into a buffer. After the first error it writes nothing more.
+/// Encodes fields into a buffer. After the first error it writes nothing more.
 class Writer {
  public:
   Writer(std::span<std::uint8_t> out, Version version) noexcept : out_(out), version_(version) {}
 
-  /// 0 if something went wrong.
+  /// The number of bytes; 0 after an error.
   std::size_t size() const noexcept { return isSound_ ? size_ : 0; }
 
   template <typename T>
@@ -89,8 +89,8 @@ class Writer {
     for (const double value : values) fixed(value);
   }
 
-  /// Writes the content of a nested message first, behind one byte for its length, and moves it if
-  /// the length needs two.
+  /// Writes the content of a nested message after one byte for its length, and moves it if the
+  /// length needs two bytes.
   void nest(std::uint32_t number, const auto& writeInside) noexcept {
     tag(number, Delimited);
     byte(0);

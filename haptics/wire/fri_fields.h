@@ -8,11 +8,13 @@
 
 #include "haptics/wire/fri_message.h"
 
-/// One table for reading, validating and writing: number and place of every field, in ascending
-/// order, and which versions have it. For the codec's own sources; all others include fri_codec.h.
+/// The table of all fields, for decoding, validating and encoding: number and member of every
+/// field, in ascending order, and the versions that have it. Only for the codec's own sources; all
+/// others include fri_codec.h.
 namespace haptics::wire::fri {
 
-inline constexpr std::size_t kLengthSize = 4;  ///< of the frame of 2.7 [bytes]; the CRC's as well
+/// Length field in the frame of 2.7 [bytes]; the CRC has the same size.
+inline constexpr std::size_t kLengthSize = 4;
 inline constexpr std::size_t kFrameSize = 2 * kLengthSize;  ///< [bytes]
 
 /// The first and the last version that have a field.
@@ -38,7 +40,7 @@ constexpr std::size_t mostElements(Version version) noexcept {
 template <typename T, typename Wanted>
 concept Is = std::same_as<std::remove_const_t<T>, Wanted>;
 
-// visit() hands every field to `field(number, value, versions)`. A field that is neither optional
+// visit() calls `field(number, value, versions)` for every field. A field that is neither optional
 // nor a list is required.
 
 void visit(Is<Header> auto& m, auto& field) noexcept {
@@ -149,13 +151,14 @@ concept Number = std::same_as<T, std::uint32_t> || std::same_as<T, std::int32_t>
 template <typename T>
 concept Choice = std::is_enum_v<T>;
 template <typename T>
-concept Message = std::is_class_v<T>;  // joints, vectors, names and lists are better matches
+// Overloads for joints, vectors, names and lists are more specialised.
+concept Message = std::is_class_v<T>;
 
 constexpr bool isKnown(RedundancyStrategy value) noexcept {
   return value == RedundancyStrategy::E1 || value == RedundancyStrategy::None;
 }
 
-// The last value of every enumeration without gaps.
+// The last value of every enumeration that has no gaps.
 constexpr SessionState lastOf(SessionState) noexcept {
   return SessionState::CommandingActive;
 }

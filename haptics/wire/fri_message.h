@@ -7,16 +7,16 @@
 #include <optional>
 #include <string_view>
 
-/// What a robot's controller and its client say to each other over KUKA's Fast Robot Interface.
+/// The messages between a robot controller and its client over KUKA's Fast Robot Interface.
 ///
-/// Plain values without heap. Written from the facts of the wire format; the names are ours.
+/// Plain values without heap. Written from the facts of the wire format, with our own names.
 namespace haptics::wire::fri {
 
-inline constexpr std::size_t kLargestDatagram = 1500;   ///< [bytes], each way
+inline constexpr std::size_t kLargestDatagram = 1500;   ///< [bytes], in either direction
 inline constexpr std::uint32_t kMonitoring = 0x245142;  ///< identifier: controller to client
 inline constexpr std::uint32_t kCommand = 0x34001;      ///< identifier: client to controller
 
-/// The version is not on the wire: the user chooses it.
+/// The version of FRI. Messages do not contain it, so the user chooses it.
 enum class Version : std::uint8_t { V1_11, V1_14, V1_15, V1_16, V2_5, V2_7 };
 
 inline constexpr std::array<std::string_view, 6> kVersionNames{
@@ -26,7 +26,7 @@ constexpr std::string_view nameOf(Version version) noexcept {
   return kVersionNames[static_cast<std::size_t>(version)];
 }
 
-/// The version that is called "1.11", "1.14", "1.15", "1.16", "2.5" or "2.7".
+/// The version named "1.11", "1.14", "1.15", "1.16", "2.5" or "2.7"; std::nullopt for other names.
 constexpr std::optional<Version> versionNamed(std::string_view name) noexcept {
   for (std::size_t i = 0; i < kVersionNames.size(); ++i) {
     if (kVersionNames[i] == name) return static_cast<Version>(i);
@@ -34,7 +34,7 @@ constexpr std::optional<Version> versionNamed(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-// The numbers of all enumerations are those on the wire.
+// Enumerators have the values of the wire format.
 enum class SessionState : std::uint8_t {
   Idle,
   MonitoringWait,
@@ -62,7 +62,7 @@ enum class RedundancyStrategy : std::uint8_t { E1 = 0, None = 4 };
 using Joints = std::array<double, 7>;   ///< A1 to A7, [rad] or [N m]
 using Vector6 = std::array<double, 6>;  ///< Fx Fy Fz [N], torques about A B C [N m]
 
-/// Up to N values in a row.
+/// An array of up to N values.
 template <typename T, std::size_t N>
 struct BoundedArray {
   std::array<T, N> items{};
@@ -72,7 +72,7 @@ struct BoundedArray {
   constexpr const T* begin() const noexcept { return items.data(); }
   constexpr const T* end() const noexcept { return items.data() + std::min(count, N); }
 
-  /// The next place, as new; null where all are taken.
+  /// Appends a default value and returns it; nullptr if the array is full.
   constexpr T* add() noexcept {
     if (count >= N) return nullptr;
     items[count] = T{};
@@ -84,7 +84,7 @@ struct BoundedArray {
   }
 };
 
-/// Up to 63 bytes, as they came: perhaps no UTF-8.
+/// A name of up to 63 bytes, as received: not necessarily UTF-8.
 struct Name {
   std::array<char, 63> bytes{};
   std::size_t size = 0;  ///< at most 63
@@ -105,8 +105,8 @@ struct Name {
 
 struct Header {
   std::uint32_t identifier = 0;  ///< kMonitoring or kCommand
-  std::uint32_t sequence = 0;    ///< the sender's own, from 0
-  std::uint32_t reflected = 0;   ///< the last one received from the other side
+  std::uint32_t sequence = 0;    ///< the sender's counter, from 0
+  std::uint32_t reflected = 0;   ///< the last counter received from the other side
   friend bool operator==(const Header&, const Header&) = default;
 };
 
@@ -116,7 +116,7 @@ struct TimeStamp {
   friend bool operator==(const TimeStamp&, const TimeStamp&) = default;
 };
 
-/// 1.x: a 3 x 4 matrix, 12 elements. 2.x: 7 elements, x y z [mm] qw qx qy qz. Less may come.
+/// 1.x: a 3 x 4 matrix, 12 elements. 2.x: 7 elements, x y z [mm] qw qx qy qz. There may be fewer.
 struct Transformation {
   Name name;
   BoundedArray<double, 12> elements;
@@ -134,10 +134,10 @@ struct IoValue {
   friend bool operator==(const IoValue&, const IoValue&) = default;
 };
 
-/// How the arm holds its elbow; 2.x.
+/// Position of the elbow (redundancy of the 7 joints); 2.x.
 struct Redundancy {
   RedundancyStrategy strategy = RedundancyStrategy::E1;
-  double value = 0.0;  ///< of the strategy; the wire format names no unit
+  double value = 0.0;  ///< parameter of the strategy; the wire format states no unit
   friend bool operator==(const Redundancy&, const Redundancy&) = default;
 };
 
@@ -158,7 +158,7 @@ struct RobotInfo {
   friend bool operator==(const RobotInfo&, const RobotInfo&) = default;
 };
 
-/// What was measured.
+/// Measured values.
 struct MonitorData {
   std::optional<Joints> measuredPosition;   ///< [rad]
   std::optional<Joints> measuredTorque;     ///< [N m]
@@ -173,9 +173,9 @@ struct MonitorData {
   friend bool operator==(const MonitorData&, const MonitorData&) = default;
 };
 
-/// What the controller's interpolator is at.
+/// State of the controller's interpolator.
 struct IpoData {
-  std::optional<Joints> jointPosition;   ///< [rad]; is there in the commanding states
+  std::optional<Joints> jointPosition;   ///< [rad]; present in the commanding states
   std::optional<Transformation> pose;    ///< 2.x
   std::optional<Redundancy> redundancy;  ///< 2.x
   std::optional<ClientCommandMode> commandMode;
@@ -184,7 +184,7 @@ struct IpoData {
   friend bool operator==(const IpoData&, const IpoData&) = default;
 };
 
-/// What the arm shall do.
+/// Commands to the arm.
 struct CommandData {
   std::optional<Joints> jointPosition;  ///< [rad]
   std::optional<Vector6> wrench;
@@ -196,7 +196,7 @@ struct CommandData {
   friend bool operator==(const CommandData&, const CommandData&) = default;
 };
 
-/// Never used in practice, and never checked; not in 2.7.
+/// Not used in practice and not checked; absent in 2.7.
 struct EndOfMessage {
   struct Checksum {
     std::optional<std::int32_t> crc32;
@@ -212,7 +212,7 @@ struct MonitoringMessage {
   Header header{.identifier = kMonitoring};
   std::optional<RobotInfo> robotInfo;
   std::optional<MonitorData> monitorData;
-  std::optional<ConnectionInfo> connection;  ///< missing: to be taken as Idle
+  std::optional<ConnectionInfo> connection;  ///< if missing, the state is Idle
   std::optional<IpoData> ipoData;
   BoundedArray<Transformation, 5> requestedTransformations;
   std::optional<EndOfMessage> endOfMessage;

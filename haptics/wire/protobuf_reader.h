@@ -7,16 +7,14 @@
 #include <cstdint>
 #include <span>
 
-/// The bytes of a message in the format of protobuf, without heap, exceptions or recursion that a
-/// sender controls.
+/// Reads the protobuf wire format without heap, exceptions or recursion that a sender controls.
 namespace haptics::wire::fri {
 
-inline constexpr std::size_t kDeepest =
-    100;  ///< levels of messages and groups that protobuf allows
-inline constexpr std::size_t kShortVarint = 5;  ///< [bytes], of a number of 32 bits
-inline constexpr std::size_t kLongVarint = 10;  ///< [bytes], of a number of 64 bits
+inline constexpr std::size_t kDeepest = 100;    ///< levels of nesting that protobuf allows
+inline constexpr std::size_t kShortVarint = 5;  ///< longest varint of 32 bits [bytes]
+inline constexpr std::size_t kLongVarint = 10;  ///< longest varint of 64 bits [bytes]
 
-/// How a field's content is written.
+/// Wire types: how a field's content is encoded.
 enum Wire : std::uint32_t {
   Varint = 0,
   Fixed64 = 1,
@@ -26,13 +24,14 @@ enum Wire : std::uint32_t {
   Fixed32 = 5
 };
 
-/// What is before every field: its number and how its content is written.
+/// The tag before every field: its number and wire type.
 struct Tag {
   std::uint32_t number = 0;
   std::uint32_t wire = 0;
 };
 
-/// Reads the fields of one message. After the first error it ends, and everything reads as zero.
+/// Reads the fields of one message. After the first error it has no more fields, and all reads
+/// return 0.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes, std::size_t depth = kDeepest) noexcept
@@ -42,7 +41,7 @@ class Reader {
   bool hasMore() const noexcept { return isSound_ && !rest_.empty(); }
   void fail() noexcept { isSound_ = false; }
 
-  /// What overflows is cut off, as protobuf does.
+  /// Bits beyond 64 are discarded, as in protobuf.
   std::uint64_t varint(std::size_t longest = kLongVarint) noexcept {
     std::uint64_t value = 0;
     const std::size_t most = std::min(longest, rest_.size());
@@ -66,7 +65,7 @@ class Reader {
 
   std::span<const std::uint8_t> delimited() noexcept { return take(varint(kShortVarint)); }
 
-  /// The reader of a message within this one.
+  /// Returns a reader of the nested message that follows.
   Reader nested() noexcept {
     if (depth_ == 0) fail();
     return Reader(delimited(), depth_ - (depth_ == 0 ? 0 : 1));
@@ -123,7 +122,7 @@ class Reader {
   }
 
   std::span<const std::uint8_t> rest_;
-  std::size_t depth_;  // how many levels may still follow
+  std::size_t depth_;  // levels of nesting that are still allowed
   bool isSound_ = true;
 };
 

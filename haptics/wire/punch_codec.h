@@ -2,8 +2,8 @@
 
 #include "haptics/wire/punch_frame.h"
 
-/// Reads and writes the payloads of docs/punch-protocol.md. Reading fails (false) if the payload
-/// has another length than its message, or an invalid value.
+/// Reads and writes the payloads of docs/punch-protocol.md. read() returns false if the payload has
+/// the wrong length or an invalid value.
 namespace haptics::wire::punch {
 
 inline bool isFinite(float value) noexcept {
@@ -240,7 +240,8 @@ constexpr Type typeOf(const Stop&) noexcept {
   return Type::Stop;
 }
 
-/// A message as it goes onto the wire. @p wire has room for kLargestOnWire; how many bytes.
+/// Encodes a message into @p wire, which has space for kLargestOnWire bytes. @p time is the
+/// sender's clock [µs]. Returns the number of bytes.
 template <typename Message>
 size_t encode(const Message& message, uint16_t sequence, uint32_t time, uint8_t* wire) noexcept {
   uint8_t payload[kLargestPayload];

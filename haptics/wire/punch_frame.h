@@ -8,17 +8,17 @@
 
 namespace haptics::wire {
 
-/// What COBS (Cheshire and Baker 1999) makes of @p count bytes at the most, without the zero that
-/// ends a frame.
+/// Largest size of @p count bytes after COBS (Cheshire and Baker 1999), without the zero that ends
+/// a frame.
 constexpr size_t largestCobs(size_t count) noexcept {
   return count + count / 254 + 1;
 }
 
-/// Consistent overhead byte stuffing: the same bytes without a zero among them. @p out has room for
-/// largestCobs(count). How many were written.
+/// Consistent overhead byte stuffing: encodes @p bytes without zeros into @p out, which has space
+/// for largestCobs(count) bytes. Returns the number of bytes written.
 constexpr size_t cobsEncode(const uint8_t* bytes, size_t count, uint8_t* out) noexcept {
   size_t written = 1;
-  size_t code = 0;  // where the length of the present run goes
+  size_t code = 0;  // position for the length of the present run
   uint8_t run = 1;
   for (size_t i = 0; i < count; ++i) {
     if (bytes[i] != 0) {
@@ -36,9 +36,8 @@ constexpr size_t cobsEncode(const uint8_t* bytes, size_t count, uint8_t* out) no
   return written;
 }
 
-/// Decodes the output of cobsEncode(). @p out has room for @p count bytes, and may be the input
-/// itself. Returns the number of bytes; 0 if a run is longer than the input, or if it contains a
-/// zero.
+/// Decodes the output of cobsEncode(). @p out has space for @p count bytes, and may be the input
+/// itself. Returns the number of bytes; 0 if a run exceeds the input, or the input contains a zero.
 constexpr size_t cobsDecode(const uint8_t* bytes, size_t count, uint8_t* out) noexcept {
   size_t read = 0;
   size_t written = 0;
@@ -58,16 +57,16 @@ constexpr size_t cobsDecode(const uint8_t* bytes, size_t count, uint8_t* out) no
 
 namespace haptics::wire::punch {
 
-/// A frame between two zeros, COBS undone: type u8, sequence u16, sender's clock u32 [µs], payload,
-/// CRC-32 of all of it; little-endian throughout.
+/// A decoded frame: type u8, sequence u16, sender's clock u32 [µs], payload, CRC-32 of all before;
+/// little-endian throughout.
 inline constexpr size_t kHead = 7;
 inline constexpr size_t kTail = 4;
 inline constexpr size_t kLargestPayload = 2 + kTableChunk * 8;
 inline constexpr size_t kLargestFrame = kHead + kLargestPayload + kTail;
-/// On the wire, with its zero.
+/// Encoded, with the zero at its end.
 inline constexpr size_t kLargestOnWire = largestCobs(kLargestFrame) + 1;
 
-/// Writes values one after the other, little-endian.
+/// Writes values in sequence, little-endian.
 class Writer {
  public:
   explicit Writer(uint8_t* to) noexcept : to_(to) {}
@@ -95,7 +94,7 @@ class Writer {
   size_t size_ = 0;
 };
 
-/// Reads them again. Beyond the end there are zeros, and hasAll() is false.
+/// Reads values in sequence, little-endian. Beyond the end it reads zeros, and hasAll() is false.
 class Reader {
  public:
   Reader(const uint8_t* from, size_t count) noexcept : from_(from), count_(count) {}
@@ -116,7 +115,7 @@ class Reader {
     __builtin_memcpy(&value, &bits, sizeof value);
     return value;
   }
-  /// Everything was there, and nothing is left.
+  /// Whether exactly all bytes were read.
   bool hasAll() const noexcept { return !isShort_ && at_ == count_; }
 
  private:
@@ -133,7 +132,7 @@ class Reader {
   bool isShort_ = false;
 };
 
-/// A frame whose CRC was right; the payload lies in the decoder's buffer.
+/// A frame with a correct CRC; the payload points into the decoder's buffer.
 struct Frame {
   Type type = Type::Stop;
   uint16_t sequence = 0;
@@ -142,7 +141,8 @@ struct Frame {
   size_t size = 0;
 };
 
-/// A frame as it goes onto the wire, its zero at the end. @p wire has room for kLargestOnWire.
+/// Encodes a frame, with the zero at its end, into @p wire, which has space for kLargestOnWire
+/// bytes. Returns the number of bytes.
 /// @param payload  up to kLargestPayload bytes.
 inline size_t encodeFrame(
     Type type,
@@ -163,11 +163,11 @@ inline size_t encodeFrame(
   return stuffed + 1;
 }
 
-/// Finds frames in a stream of bytes. Invalid ones are skipped up to the next zero, and counted;
-/// nothing is allocated.
+/// Finds frames in a stream of bytes. Skips invalid ones up to the next zero, and counts them; does
+/// not allocate.
 class FrameDecoder {
  public:
-  /// True when @p byte ended a frame that is as it was sent: @p frame is valid until the next call.
+  /// Returns true if @p byte ended a valid frame; @p frame is then valid until the next call.
   bool take(uint8_t byte, Frame& frame) noexcept {
     if (byte != 0) {
       if (count_ < sizeof bytes_) {
@@ -195,10 +195,10 @@ class FrameDecoder {
     return false;
   }
 
-  /// Frames that were not as they had been sent.
+  /// Number of invalid frames.
   uint32_t damaged() const noexcept { return damaged_; }
 
-  /// Forgets the frame that has begun.
+  /// Discards a partly received frame.
   void restart() noexcept {
     count_ = 0;
     isTooLong_ = false;

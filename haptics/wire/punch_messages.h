@@ -3,14 +3,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// What a punch and its host tell each other: docs/punch-protocol.md. Compiled for both ends.
+/// The messages between a punch and its host: docs/punch-protocol.md. Compiled for both sides.
 namespace haptics::wire::punch {
 
 inline constexpr uint16_t kProtocolVersion = 1;
 
-/// Whose frame it is, and what comes in it.
+/// The type of a frame, and its direction.
 enum class Type : uint8_t {
-  Hello = 0x01,       ///< both ways, first of all
+  Hello = 0x01,       ///< both ways; the first message
   Arm = 0x02,         ///< to the device
   SetForce = 0x10,    ///< to the device
   State = 0x11,       ///< from the device, once a loop
@@ -26,48 +26,49 @@ enum class Type : uint8_t {
 struct Hello {
   uint16_t protocolVersion = kProtocolVersion;
   uint64_t build = 0;          ///< of the firmware: first 8 bytes of the hash of its sources
-  uint32_t serial = 0;         ///< of the device, 0: it has none
-  uint16_t counts = 0;         ///< of the encoder per revolution
+  uint32_t serial = 0;         ///< serial number of the device; 0: none
+  uint16_t counts = 0;         ///< counts of the encoder per revolution
   uint16_t rate = 0;           ///< of the device's loop [Hz]
   int16_t largestVoltage = 0;  ///< largest voltage of the motor [mV]
-  uint16_t largestSlew = 0;    ///< how far the voltage moves in a millisecond [mV]
+  uint16_t largestSlew = 0;    ///< largest change of the voltage per millisecond [mV]
 };
 
 struct Arm {
   bool isArmed = false;
-  uint8_t expiry = 20;  ///< after which a force is gone at the latest [ms], 1 to 20
+  uint8_t expiry = 20;  ///< longest time for which a force may last without a new one [ms], 1 to 20
 };
 
-/// The voltage on the motor, until the next one or until it expires.
+/// Sets the voltage on the motor, until the next message or until it expires.
 struct SetForce {
   int16_t voltage = 0;  ///< [mV]
   uint8_t expiry = 10;  ///< [ms], 1 to 20
 };
 
-/// What is wrong, as bits of State::faults.
+/// Bits of State::faults.
 enum Fault : uint8_t {
   kNoFault = 0,
-  kExpired = 1,        ///< no valid force came in time: the voltage went to nothing
-  kSaturated = 2,      ///< a voltage beyond the limit was asked for
-  kTooFast = 4,        ///< the encoder moves faster than any hand: off until armed again
-  kDriverFault = 8,    ///< the motor's driver says so: off until armed again
-  kEncoderFault = 16,  ///< counts that no mechanism makes: off until armed again
-  kBadFrames = 32,     ///< frames that were damaged have been seen since the last State
-  kNotArmed = 64,      ///< no voltage until it is armed
-  kClockWrapped = 128  ///< the device's clock has begun again at 0
+  kExpired = 1,      ///< no valid force came in time, so the voltage went to 0
+  kSaturated = 2,    ///< a voltage beyond the limit was requested
+  kTooFast = 4,      ///< the velocity is impossible for a hand; off until armed again
+  kDriverFault = 8,  ///< the motor's driver reports a fault; off until armed again
+  kEncoderFault =
+      16,  ///< a change of counts that is impossible for the mechanism; off until armed again
+  kBadFrames = 32,     ///< damaged frames were received since the last State
+  kNotArmed = 64,      ///< not armed, so there is no voltage
+  kClockWrapped = 128  ///< the device's clock has wrapped to 0
 };
-/// Faults that only arming again ends.
+/// Faults that last until the device is armed again.
 inline constexpr uint8_t kLatched = kTooFast | kDriverFault | kEncoderFault;
 
 struct State {
   int32_t counts = 0;    ///< of the encoder
   int32_t velocity = 0;  ///< [counts/s]
-  int16_t voltage = 0;   ///< on the motor now [mV]
+  int16_t voltage = 0;   ///< present voltage on the motor [mV]
   uint8_t faults = 0;
   uint16_t echo = 0;         ///< sequence of the last valid frame from the host
   uint16_t lateLoops = 0;    ///< since Hello
   uint16_t badFrames = 0;    ///< since Hello
-  bool isRendering = false;  ///< the device renders by itself
+  bool isRendering = false;  ///< the device computes the force itself
 };
 
 enum class EventCode : uint8_t {
@@ -87,12 +88,12 @@ struct Event {
 
 enum class ModelKind : uint8_t { None = 0, Interpolation = 1, FiniteElements = 2, Kalman = 3 };
 
-/// A scene for the device to render by itself, but for the points of its curve (ModelTable).
+/// A scene for the device to render itself, without the points of its curve (ModelTable).
 struct Model {
   ModelKind kind = ModelKind::None;
   uint8_t tableSize = 0;        ///< points of the curve, up to kLargestTable
   float travelPerCount = 0.0F;  ///< [travel units]
-  float travelAtZero = 0.0F;    ///< at count 0 [travel units]
+  float travelAtZero = 0.0F;    ///< travel at count 0 [travel units]
   float millivoltsPerNewton = 0.0F;
   float largestForce = 0.0F;  ///< [N]
   // Finite elements: haptics/models/finite_elements.h.
@@ -109,7 +110,7 @@ struct Model {
   float rampLength = 1.5F;
   // Kalman filter: haptics/models/kalman_filter.h.
   uint8_t scheme = 0;
-  float noise[6] = {};  ///< in the order of KalmanNoise
+  float noise[6] = {};  ///< the members of KalmanNoise in their order
 };
 
 inline constexpr int kLargestTable = 128;
@@ -123,17 +124,17 @@ struct ModelTable {
   float force[kTableChunk] = {};   ///< [N]
 };
 
-/// Whether the device renders a model, and why not.
+/// Whether the device accepts a model, or why not.
 enum class ModelVerdict : uint8_t { Accepted = 0, Incomplete = 1, Unsound = 2, Armed = 3 };
 
 struct ModelReply {
   ModelVerdict verdict = ModelVerdict::Accepted;
-  uint32_t hash = 0;  ///< CRC-32 of the payloads of Model and ModelTable as they came
+  uint32_t hash = 0;  ///< CRC-32 of the payloads of Model and ModelTable in the order received
 };
 
-/// Lets the device render by itself, until the next one or until it expires.
+/// Makes the device render its model, until the next message or until it expires.
 struct Render {
-  uint32_t hash = 0;    ///< of the model that is meant; another is not rendered
+  uint32_t hash = 0;    ///< ModelReply::hash of the model; the device renders no other
   uint8_t expiry = 10;  ///< [ms], 1 to 20
   int16_t most =
       32767;  ///< largest voltage in either direction [mV], >= 0: the limit that the host sets

@@ -4,16 +4,16 @@
 
 namespace haptics::wire {
 
-/// Finds what was lost, doubled or overtaken on its way, by the numbers that a sender counts up.
-/// Counter is unsigned and wraps.
+/// Detects lost, duplicate and late messages by the sender's sequence numbers. Counter is unsigned
+/// and wraps around.
 template <typename Counter>
 class SequenceCheck {
  public:
   enum class Verdict {
     Fresh,    ///< newer than all before
-    Doubled,  ///< has been here already: not to be acted upon
-    Late,     ///< overtaken by a newer one: not to be acted upon
-    Restart,  ///< so far away that the sender has restarted
+    Doubled,  ///< a duplicate, to be ignored
+    Late,     ///< overtaken by a newer one, to be ignored
+    Restart,  ///< so far from the last number that the sender must have restarted
   };
 
   Verdict take(Counter number) noexcept {
@@ -36,7 +36,7 @@ class SequenceCheck {
     if ((seen_ & bit) != 0) return doubled();
     seen_ |= bit;
     ++late_;
-    if (lost_ > 0) --lost_;  // it was counted as lost before
+    if (lost_ > 0) --lost_;  // it was counted as lost
     return Verdict::Late;
   }
 
@@ -52,7 +52,7 @@ class SequenceCheck {
     const bool isFirst = !hasAny_;
     hasAny_ = true;
     newest_ = number;
-    seen_ = ~std::uint64_t{0};  // what was before the first does not count as lost
+    seen_ = ~std::uint64_t{0};  // numbers before the first do not count as lost
     return isFirst ? Verdict::Fresh : Verdict::Restart;
   }
   Verdict doubled() noexcept {
@@ -62,7 +62,7 @@ class SequenceCheck {
 
   bool hasAny_ = false;
   Counter newest_ = 0;
-  std::uint64_t seen_ = 0;  ///< bit i: newest − i has been here
+  std::uint64_t seen_ = 0;  ///< bit i: newest − i has been received
   std::uint64_t lost_ = 0;
   std::uint64_t doubled_ = 0;
   std::uint64_t late_ = 0;

@@ -8,7 +8,8 @@
 namespace haptics::wire {
 namespace {
 
-/// As the sketch prints numbers: digits, a point, perhaps a sign; no exponent, no "nan", no blanks.
+/// Parses a number as the sketch prints it: digits, a point, an optional sign; no exponent, "nan"
+/// or spaces.
 std::optional<double> numberFrom(std::string_view text) noexcept {
   constexpr std::size_t kLongest = 24;
   if (text.empty() || text.size() > kLongest) return std::nullopt;
@@ -19,8 +20,8 @@ std::optional<double> numberFrom(std::string_view text) noexcept {
   return value;
 }
 
-/// Reads the fields between @p separator; returns their number, or std::nullopt if one is not a
-/// number or there is no room.
+/// Parses numbers separated by @p separator; returns how many, or std::nullopt if one is invalid or
+/// there are more than fit into @p into.
 std::optional<std::size_t> readFields(
     std::string_view line, char separator, std::span<double> into) noexcept {
   std::size_t count = 0;
