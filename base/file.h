@@ -5,7 +5,8 @@
 
 namespace base {
 
-/// All bytes from here to the end. A stream that cannot be read to its end is `bad()` afterwards.
+/// All bytes from the current position to the end of @p stream. If reading fails, the stream is
+/// `bad()` afterwards.
 std::string readAll(std::istream& stream);
 
 }  // namespace base

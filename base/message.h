@@ -37,9 +37,9 @@ Argument asArgument(T&& value) {
   }
 }
 
-/// A fact for people to read: why a number is missing, what a file's author should know, what was
-/// wrong with a trial. Code compares and stores kind and arguments; words are made where they are
-/// shown, by describe() or in another language by study::words::Words.
+/// Something to tell a person, such as why a number is missing, a warning about a protocol file, or
+/// what was wrong with a trial. Code compares and stores its kind and arguments; the sentence is
+/// made only for display, in English by describe() and in other languages by study::words::Words.
 class Message {
  public:
   /// No message.
@@ -48,8 +48,8 @@ class Message {
   Message(const MessageKind& kind, std::vector<Argument> arguments)
       : kind_(&kind), arguments_(std::move(arguments)) {}
 
-  /// Words from elsewhere, shown as they are in every language: what an operating system says, a
-  /// title in a researcher's file, an error in such a file (these are in English only).
+  /// A text that is never translated: an error of the operating system, a title in a researcher's
+  /// file, or an error in such a file (English only).
   static Message verbatim(std::string words) {
     Message message;
     if (!words.empty()) message.arguments_.emplace_back(std::move(words));
@@ -58,9 +58,9 @@ class Message {
 
   bool empty() const noexcept { return kind_ == nullptr && arguments_.empty(); }
 
-  /// Empty if there is no message, and for verbatim words.
+  /// Empty if there is no message or the text is verbatim.
   std::string_view key() const noexcept { return kind_ == nullptr ? "" : kind_->key; }
-  /// "{}" for verbatim words.
+  /// "{}" if the text is verbatim.
   std::string_view english() const noexcept { return kind_ != nullptr ? kind_->english : "{}"; }
   const std::vector<Argument>& arguments() const noexcept { return arguments_; }
 
@@ -83,7 +83,7 @@ std::string describe(const std::vector<Message>& messages);
 /// replaced (see shown()).
 std::string filled(std::string_view pattern, const std::vector<Argument>& arguments);
 
-/// The same with arguments that have names: "{item} = {value}".
+/// A pattern with named arguments, such as "{item} = {value}", filled in.
 using NamedArguments = std::vector<std::pair<std::string, Argument>>;
 std::string filled(std::string_view pattern, const NamedArguments& arguments);
 
@@ -99,8 +99,8 @@ constexpr std::size_t placesIn(std::string_view pattern) {
   return places;
 }
 
-/// A key of the table @p kKinds for a message with @p kArguments arguments. An unknown key or a
-/// wrong number of arguments does not compile.
+/// A key of the table @p kKinds, checked at compile time: the key must exist, and its pattern must
+/// have @p kArguments arguments.
 template <const auto& kKinds, std::size_t kArguments>
 class CheckedKey {
  public:

@@ -35,7 +35,7 @@ std::uint64_t RandomStream::bits() noexcept {
 }
 
 std::uint64_t RandomStream::below(std::uint64_t bound) noexcept {
-  // 2⁶⁴ mod bound. Bits below it are drawn again, or small numbers would be more likely.
+  // 2⁶⁴ mod bound. Draws below it are rejected: they would make small numbers more likely.
   const std::uint64_t unfair = -bound % bound;
   std::uint64_t draw = bits();
   while (draw < unfair) draw = bits();

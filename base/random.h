@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-// All random numbers that Palpate draws itself, except those of test cases and of plans, which use
-// std::mt19937_64. The same seed gives the same numbers on every computer and in every version,
-// because stored orders, simulated participants and materials were drawn from them. Distributions
-// of the standard library differ between libraries, so these generators have their own.
+// The random number generators of Palpate. (Test cases and power simulations use std::mt19937_64.)
+// The same seed gives the same numbers on every computer and in every version, because stored
+// orders, simulated participants and materials depend on them. The distributions of the standard
+// library differ between implementations, so these generators have their own.
 namespace base {
 
 /// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators"): small
-/// and fast, for noise, faults and made-up series. Its state is a counter, so that any seed will
-/// do.
+/// and fast, for simulated noise, faults and series. Its state is a counter, so any seed is a good
+/// one.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) noexcept : state_(seed) {}
@@ -32,7 +32,7 @@ class SplitMix64 {
   /// A number in [0, 1), a multiple of 2⁻⁵³.
   double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
-  /// A number from the normal law with mean 0 and standard deviation 1 (Box & Muller 1958, the
+  /// A normally distributed number with mean 0 and standard deviation 1 (Box & Muller 1958, the
   /// first of each pair).
   double normal() noexcept {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
@@ -43,7 +43,7 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// The version of RandomStream: a study stores it, and a stream of one version never changes.
+/// The version of RandomStream, which a study stores. The numbers of one version never change.
 inline constexpr int kRandomVersion = 1;
 
 /// Random numbers for one purpose: a stream is named by the study's seed, an index (of a
@@ -66,7 +66,7 @@ class RandomStream {
   double uniform() noexcept;
   double uniform(double least, double most) noexcept { return least + (most - least) * uniform(); }
 
-  /// A number from the normal law with mean 0 and standard deviation 1 (Marsaglia's polar method).
+  /// A normally distributed number with mean 0 and standard deviation 1 (Marsaglia's polar method).
   double normal() noexcept;
 
   /// Shuffles @p values; all orders are equally likely (Fisher–Yates).

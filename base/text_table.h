@@ -6,23 +6,23 @@
 #include <string_view>
 #include <vector>
 
-// The parts of a table as text that testing machines, loggers and spreadsheets agree on: one row a
-// line, cells between tabs, semicolons, commas or blanks, perhaps in quotation marks.
+// Parses text tables as testing machines, loggers and spreadsheets write them: one row per line,
+// cells separated by tabs, semicolons, commas or blanks, perhaps in quotation marks.
 namespace base {
 
-/// @p text without the mark that some programs write at the beginning of UTF-8.
+/// @p text without the byte order mark that some programs write at the beginning of UTF-8.
 std::string_view withoutByteOrderMark(std::string_view text);
 
-/// Without any of @p blanks at both ends.
+/// @p text without leading and trailing characters of @p blanks.
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 
-/// The pieces between runs of @p blanks.
+/// The pieces of @p text between runs of characters of @p blanks.
 std::vector<std::string_view> piecesOf(std::string_view text, std::string_view blanks);
 
 /// ASCII letters in lower case; all other bytes as they are.
 std::string lowerCase(std::string_view text);
 
-/// How a table writes the point of a decimal number.
+/// The decimal separators that a table may use.
 enum class DecimalMark {
   Point,         ///< 4.5
   PointOrComma,  ///< 4.5 or 4,5; never both in one number
@@ -38,7 +38,7 @@ struct TextLine {
   std::size_t number = 0;
 };
 
-/// The lines that hold anything but blanks and quotation marks.
+/// The lines of @p text, without those that hold only blanks and quotation marks.
 std::vector<TextLine> linesOf(std::string_view text);
 
 /// The first of tab, semicolon and comma that the line contains; a comma where it has none.
@@ -48,11 +48,11 @@ char separatorOf(std::string_view line);
 /// runs of blanks and tabs count as one.
 std::vector<std::string> cellsOf(std::string_view line, char separator);
 
-/// The finite number in a cell, with a decimal point, or a decimal comma where commas do not
-/// separate. Nothing where the cell holds anything else.
+/// The finite number in a cell, with a decimal point, or with a decimal comma unless the comma
+/// separates cells; std::nullopt if the cell holds anything else.
 std::optional<double> numberIn(std::string_view cell, char separator);
 
-/// "Weg [mm]" is a name and a unit; so are "force_n" and "Kraft (kN)".
+/// The heading of a column, split into name and unit: "Weg [mm]", "force_n", "Kraft (kN)".
 struct ColumnHead {
   std::string name;
   std::string unit;  ///< empty where none is given
