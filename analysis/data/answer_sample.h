@@ -10,8 +10,8 @@
 
 namespace analysis {
 
-/// All answers of one group: points of a scale with their counts, or numbers between points, as a
-/// slider with fine steps or a questionnaire's score gives them.
+/// All answers of one group: points of a scale with their counts, or real numbers, such as those of
+/// a slider with fine steps or the scores of a questionnaire.
 class AnswerSample {
  public:
   AnswerSample(LikertCounts points)  // NOLINT(google-explicit-constructor): it is a sample
@@ -19,7 +19,7 @@ class AnswerSample {
   /// @throws std::invalid_argument  if a value is infinite or NaN.
   explicit AnswerSample(std::span<const double> values) : moments_(momentsOf(values)) {}
 
-  /// How often each point was chosen; std::nullopt for numbers between points.
+  /// How often each point was chosen; std::nullopt if the answers are real numbers.
   const std::optional<LikertCounts>& points() const noexcept { return points_; }
   const Moments& moments() const noexcept { return moments_; }
 

@@ -10,8 +10,8 @@
 
 namespace analysis {
 
-/// One answer to one statement about one method, reversed where needed so that more is better. The
-/// numbers are indices into the names of its table.
+/// One answer to one statement about one method, reversed where needed so that a higher score is
+/// better. Participant, method, round and statement are indices into the names of the AnswerTable.
 struct ScoredAnswer {
   std::size_t participant = 0;
   std::size_t method = 0;
@@ -21,12 +21,12 @@ struct ScoredAnswer {
   double score = 0.0;
 };
 
-/// Who answered what, on one scale.
+/// The answers of all participants about all methods, on one scale.
 struct AnswerTable {
   double lowest = 1.0;
   double highest = 5.0;
-  /// The answers are points: whole numbers, at most LikertCounts::kMostPoints. Otherwise they have
-  /// no counts, no ordinal model and no test for two peaks.
+  /// Whether the answers are points: whole numbers on a scale of at most LikertCounts::kMostPoints.
+  /// Otherwise no counts, ordinal model or test for two peaks are computed.
   bool isOfPoints = true;
   std::vector<std::string> participants;
   std::vector<std::string> methods;
@@ -41,23 +41,23 @@ struct AnswerTable {
   /// All answers about a method, of all participants.
   AnswerSample sampleOf(std::size_t method) const;
 
-  /// Answers on this scale.
+  /// A sample of @p scores, counted by point if isOfPoints.
   AnswerSample sampleOf(std::span<const double> scores) const;
 
-  /// Mean score by participant and method, each exactly rounded; std::nullopt if nothing was
-  /// answered.
+  /// Mean score by participant and method, [participant][method], each exactly rounded;
+  /// std::nullopt without answers.
   std::vector<std::vector<std::optional<double>>> participantMeans() const;
 };
 
-/// Participants who answered about all of some methods, one row each: their mean scores.
+/// The mean scores of those participants who answered about all requested methods, one row each.
 struct CompleteMeans {
-  std::vector<std::size_t> participants;             ///< indices into the table's
-  std::vector<std::vector<double>> means;            ///< [row][place in the methods asked for]
-  std::vector<std::size_t> leftOut;                  ///< participants who lack one
-  std::vector<double> of(std::size_t method) const;  ///< a column
+  std::vector<std::size_t> participants;   ///< indices into the table's participants
+  std::vector<std::vector<double>> means;  ///< [row][index into the requested methods]
+  std::vector<std::size_t> leftOut;        ///< participants without an answer about one of them
+  std::vector<double> of(std::size_t method) const;  ///< the means of one method
 };
 
-/// @param methods  indices into those of the table.
+/// @param methods  indices into the methods of the table.
 CompleteMeans completeMeans(const AnswerTable& table, const std::vector<std::size_t>& methods);
 
 }  // namespace analysis

@@ -30,7 +30,7 @@ std::string counted(std::size_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-/// Reads row after row.
+/// Reads a CSV text row by row.
 class CsvScanner {
  public:
   CsvScanner(std::string_view text, char separator) : rest_(text), separator_(separator) {}
@@ -76,7 +76,7 @@ class CsvScanner {
     return cell;
   }
 
-  /// The next characters, whose line ends count.
+  /// Consumes and returns the next @p length characters, and counts their line ends.
   std::string_view passed(std::size_t length) {
     const std::string_view text = rest_.substr(0, length);
     for (std::size_t i = 0; i < length; ++i) {
@@ -109,7 +109,7 @@ bool isBlank(const CsvRow& row) {
   return std::ranges::all_of(row.cells, [](const std::string& cell) { return cell.empty(); });
 }
 
-/// The separator that the first line with text has most of, outside quotation marks.
+/// The most frequent separator in the first line with text, outside quotation marks.
 char separatorOf(std::string_view text) {
   constexpr std::string_view kSeparators = ",;\t";
   std::array<int, kSeparators.size()> counts{};

@@ -11,7 +11,7 @@
 
 namespace analysis {
 
-/// Everything that was found, one problem a line: the first ten, and how many more there are.
+/// An error that lists the first ten problems, one per line, and how many more there are.
 base::UserError errorOf(const std::vector<std::string>& problems);
 
 /// One row of a table, and the line of the file that it begins on: the header is line 1.
@@ -20,16 +20,15 @@ struct CsvRow {
   std::vector<std::string> cells;
 };
 
-/// A table as text: every row has as many cells as there are columns.
+/// A table of text cells. Every row has as many cells as there are columns.
 struct CsvTable {
   char separator = ',';
   std::vector<std::string> columns;
   std::vector<CsvRow> rows;
 
-  /// Where a column is.
-  /// @throws UserError  if it is not there, naming those that are and the nearest; or if it is
-  /// there
-  ///     twice.
+  /// The index of a column.
+  /// @throws UserError  if there is no such column (the message lists all columns and the most
+  ///     similar name), or if there are two.
   std::size_t columnIndex(std::string_view name) const;
 };
 
@@ -43,13 +42,13 @@ struct CsvTable {
 ///     closed or closed too early, or with rows of too few or too many cells: all of these at once.
 CsvTable readCsv(std::string_view text);
 
-/// Which of some names a person most probably meant: the one that takes the fewest letters to
-/// insert, delete or replace (Levenshtein 1966), without regard to case. The first of several.
+/// The name that @p meant is most probably a misspelling of: the one with the smallest edit
+/// distance (Levenshtein 1966), ignoring case; the first one if several are equally near.
 ///
-/// @param names  at least one.
+/// @param names  must not be empty.
 std::string nearestName(std::string_view meant, std::span<const std::string> names);
 
-/// 'I', 'F' and 'K'; of more than eight, the first eight.
+/// The names as an English list, "'I', 'F' and 'K'"; only the first eight of more than eight.
 std::string enumerated(std::span<const std::string> names);
 
 }  // namespace analysis

@@ -48,7 +48,7 @@ std::vector<Run> intervalsContaining(int peak, int lowest, int highest) {
   return runs;
 }
 
-/// The largest mean square of a mixture of two of @p runs with the mean @p mean.
+/// The largest second moment of a mixture of two of @p runs with the mean @p mean.
 double largestSquare(const std::vector<Run>& runs, double mean) {
   double largest = 0.0;
   for (const auto& below : runs) {
@@ -112,7 +112,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean) {
   if (!(mean >= lowest && mean <= highest)) {
     throw std::invalid_argument("the mean lies outside the scale");
   }
-  // Points are counted from the lowest: squares stay small, and the difference keeps its digits.
+  // Counting points from the lowest keeps squares small, and the difference loses no digits.
   const int points = highest - lowest + 1;
   const double centred = mean - lowest;
   double largest = 0.0;

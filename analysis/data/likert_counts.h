@@ -24,18 +24,20 @@ class LikertCounts {
   /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints.
   LikertCounts(int lowest, int highest);
 
-  /// counts[i] people chose lowest + i.
-  /// @throws std::invalid_argument  as above, and beyond kMostAnswers.
+  /// counts[i] answers are lowest + i.
+  /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints,
+  ///     and for more than kMostAnswers answers.
   LikertCounts(int lowest, std::span<const std::uint64_t> counts);
 
-  /// @throws std::invalid_argument  for a point that is not on the scale, or beyond kMostAnswers.
+  /// @throws std::invalid_argument  for a point that is not on the scale, or more than kMostAnswers
+  ///     answers.
   void add(int point, std::uint64_t times = 1);
 
-  /// The answers of another group on the same scale, pooled into this one.
-  /// @throws std::invalid_argument  if the scales differ, or beyond kMostAnswers.
+  /// Adds the answers of another group on the same scale.
+  /// @throws std::invalid_argument  if the scales differ, or for more than kMostAnswers answers.
   void merge(const LikertCounts& other);
 
-  /// Every answer x as lowest + highest − x: what a negatively worded statement means.
+  /// A copy with every answer x replaced by lowest + highest − x, for negatively worded statements.
   LikertCounts reversed() const;
 
   int lowest() const noexcept { return lowest_; }
@@ -44,7 +46,7 @@ class LikertCounts {
   std::span<const std::uint64_t> counts() const noexcept { return counts_; }
   std::uint64_t total() const noexcept { return total_; }
 
-  /// Nothing without answers.
+  /// std::nullopt without answers.
   std::optional<double> mean() const;
 
   /// With n − 1; std::nullopt for fewer than two answers.
@@ -59,19 +61,19 @@ class LikertCounts {
 };
 
 /// The largest variance that answers on the scale @p lowest … @p highest with the mean @p mean can
-/// have while their distribution has one peak: rises up to some point, and falls from there on.
+/// have if their distribution is unimodal: it rises up to some point, and falls from there on.
 ///
 /// Every such distribution is a mixture of uniform ones over runs of points that all include the
 /// peak (Khintchine's theorem for whole numbers; Dharmadhikari & Joag-Dev 1988, ch. 4). The second
-/// moment is linear in the mixture, so that two of them reach the largest variance for a given
-/// mean. Population variance, without n − 1.
+/// moment is linear in the mixture, so that a mixture of two uniform distributions reaches the
+/// largest variance for a given mean. Returns the population variance (divided by n).
 ///
 /// @throws std::invalid_argument  for a scale of fewer than two points or a mean outside it.
 double largestUnimodalVariance(int lowest, int highest, double mean);
 
-/// Whether answers vary more than any distribution with one peak and their mean could: then they
-/// have two peaks, and few answers lie near their mean. Compares the sample variance (n − 1) with
-/// the bound times n / (n − 1). std::nullopt for fewer than two answers.
+/// Whether the answers vary more than any unimodal distribution with their mean can. If so, they
+/// have two peaks, and few answers lie near the mean. Compares the sample variance (n − 1) with the
+/// bound times n / (n − 1). std::nullopt for fewer than two answers.
 std::optional<bool> isBeyondUnimodal(const LikertCounts& counts);
 
 }  // namespace analysis

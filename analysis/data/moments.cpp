@@ -10,8 +10,8 @@
 namespace analysis {
 namespace {
 
-/// The power of two just above the largest value, so that scaled values stay below one; not so
-/// small that its inverse would overflow.
+/// The exponent of the power of two just above the largest magnitude, so that scaled values stay
+/// below one. It is bounded below, so that the inverse does not overflow.
 int exponentOf(std::span<const double> values) {
   double largest = 0.0;
   for (const double value : values) {
@@ -28,8 +28,8 @@ int exponentOf(std::span<const double> values) {
   return std::max(exponent, kSmallest);
 }
 
-/// That of the larger variance. A constant group has none, and its mean, however large, must not
-/// set the unit: the other variance might underflow.
+/// The exponent of the group with the larger variance. A constant group is ignored: its mean,
+/// however large, must not set the unit, or the other variance might underflow.
 int spreadExponentOf(const Moments& a, const Moments& b) {
   if (a.isConstant()) return b.exponent;
   if (b.isConstant()) return a.exponent;
@@ -66,7 +66,7 @@ Moments momentsOf(std::span<const double> values) {
 
 Moments momentsOf(const LikertCounts& counts) {
   const auto n = static_cast<Wide>(counts.total());
-  Wide sum = 0;  // of the answers counted from the lowest point: the variance is the same
+  Wide sum = 0;  // of answer − lowest point, which leaves the variance unchanged
   Wide squares = 0;
   Wide step = 0;
   for (const std::uint64_t times : counts.counts()) {

@@ -9,13 +9,13 @@
 
 namespace analysis {
 
-/// Size, mean and variance of a group, with more digits than a double has and beyond its range.
+/// Size, mean and variance of a group, with more digits and a larger range than a double has.
 ///
-/// Two means that agree in their first sixteen digits still have a difference, and values of
-/// 1e-200 still have a variance.
+/// So two means that agree in their first sixteen digits still differ, and values of 1e-200 still
+/// have a variance.
 struct Moments {
   std::uint64_t n = 0;
-  int exponent = 0;       ///< the powers of two that mean and variance are counted in
+  int exponent = 0;       ///< of the unit 2^exponent of the mean, and 4^exponent of the variance
   DoubleDouble mean;      ///< [2^exponent]; 0 for n = 0
   DoubleDouble variance;  ///< [4^exponent], with n − 1; 0 for n < 2
 
@@ -23,24 +23,24 @@ struct Moments {
   bool isConstant() const noexcept { return variance.isZero(); }
 };
 
-/// The values are shifted by the first of them and summed as double-doubles; the variance is the
-/// corrected two-pass one,
+/// Computes the moments from the values minus the first value, in double-double arithmetic, with
+/// the corrected two-pass variance
 ///
 ///     s² = (Σ r² − (Σ r)² / n) / (n − 1),   r = x − m.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 Moments momentsOf(std::span<const double> values);
 
-/// Exactly, from whole numbers: see LikertCounts::variance().
+/// The exact moments, computed in whole numbers: see LikertCounts::variance().
 Moments momentsOf(const LikertCounts& counts);
 
-/// Size, mean and variance of a group as a table shows them.
+/// Size, mean and variance of a group, as doubles for a table.
 struct Summary {
   std::uint64_t n = 0;
-  std::optional<double> mean;               ///< std::nullopt for n = 0
-  std::optional<double> variance;           ///< with n − 1; missing for n < 2, or beyond a
-                                            ///< double
-  std::optional<double> standardDeviation;  ///< its root; may be there where the variance is not
+  std::optional<double> mean;      ///< std::nullopt for n = 0
+  std::optional<double> variance;  ///< with n − 1; std::nullopt for n < 2, or beyond a double
+  /// Its root; may be defined where the variance is beyond a double.
+  std::optional<double> standardDeviation;
 };
 
 /// @throws std::invalid_argument  if a value is infinite or NaN.
@@ -48,9 +48,10 @@ Summary summarise(std::span<const double> values);
 Summary summarise(const LikertCounts& counts);
 Summary summarise(const Moments& moments);
 
-/// Two groups side by side, in common units: what a t-test is made of.
+/// Difference of the means and variances of two groups in common units, for t-tests and effect
+/// sizes.
 ///
-/// Units are powers of two, so that nothing is rounded by them, and nothing overflows.
+/// The units are powers of two, so that scaling neither rounds nor overflows.
 struct Contrast {
   int meanExponent = 0;
   DoubleDouble difference;  ///< mean of group 1 − mean of group 2 [2^meanExponent]

@@ -8,8 +8,8 @@
 
 namespace analysis {
 
-/// The ranks of values from the smallest, 1, to the largest; equal values share the mean of the
-/// ranks that they take up.
+/// The ranks of values from the smallest, 1, to the largest; equal values get the mean of their
+/// ranks.
 struct Midranks {
   /// Twice the rank, a whole number, in the order of the values.
   std::vector<std::uint64_t> doubled;
@@ -19,15 +19,16 @@ struct Midranks {
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 Midranks midranksOf(std::span<const double> values);
 
-/// How often each group holds one value.
+/// How often one value occurs in each group.
 struct TiedValue {
   std::uint64_t first = 0;
   std::uint64_t second = 0;
 };
 
-/// Two groups as a rank test sees them: which values are equal, and which is larger.
+/// Two groups reduced to what a rank test uses: the order of the distinct values, and how often
+/// each occurs.
 struct TiedGroups {
-  /// So many that every sum of squared ranks is still a whole number of 128 bits.
+  /// With at most so many values in a group, every sum of squared ranks fits into 128 bits.
   static constexpr std::uint64_t kMostInAGroup = std::uint64_t{1} << 24;
 
   std::uint64_t n1 = 0;
@@ -41,8 +42,8 @@ struct TiedGroups {
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> group2);
 
-/// Where the values of each group lie in the other: twice the placement of a value is twice the
-/// number of smaller values in the other group, and those equal to it once.
+/// Sums of placements. The placement of a value is the number of smaller values in the other group,
+/// plus half the number of equal ones. Placements are doubled, so that they are whole numbers.
 struct Placements {
   Wide sum1 = 0;      ///< of doubled placements of group 1: 2 U₁
   Wide sum2 = 0;      ///< of group 2: 2 n₁ n₂ − 2 U₁
@@ -52,8 +53,8 @@ struct Placements {
   Wide tieSum = 0;      ///< Σ (t³ − t) over all values of both groups together
 };
 
-/// @param groups  not too large.
-/// @throws std::invalid_argument  for others.
+/// @param groups  exceedExactRanks() is false.
+/// @throws std::invalid_argument  for larger groups.
 Placements placementsOf(const TiedGroups& groups);
 
 }  // namespace analysis

@@ -11,7 +11,7 @@ namespace analysis {
 /// Why a number is missing.
 using Reason = base::Message;
 
-/// Every reason there is, once. A group's {} is its number, 1 or 2.
+/// All reasons. The argument {} of a reason about a group is the number of the group, 1 or 2.
 inline constexpr auto kReasons = std::to_array<base::MessageKind>({
     {"a_group_has_no_deviation",
      "a group has fewer than two values, and no standard deviation of its own"},
@@ -158,7 +158,7 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
      "random intercepts, or the answers tell too little about them"},
 });
 
-/// One of them, with its arguments: reason("one_level", factor.name).
+/// A reason of kReasons with its arguments: reason("one_level", factor.name).
 template <typename... Arguments>
 Reason reason(base::CheckedKey<kReasons, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kReasons>(key, std::forward<Arguments>(arguments)...);

@@ -7,7 +7,7 @@
 namespace analysis {
 namespace {
 
-/// What brings the largest value near one, or as near as a double can.
+/// A factor that scales the largest value to about one, as far as the range of a double allows.
 double unitOf(std::span<const std::vector<double>> table) {
   double largest = 0.0;
   for (const auto& row : table) {
@@ -31,7 +31,7 @@ double number(std::size_t count) {
 
 using Table = std::vector<std::vector<DoubleDouble>>;
 
-/// All values less the first, so that an offset costs nothing.
+/// All values minus the first one, so that a common offset loses no digits.
 Table shiftedValues(std::span<const std::vector<double>> table) {
   const double unit = unitOf(table);
   const double pivot = table.front().front() * unit;
@@ -46,7 +46,7 @@ Table shiftedValues(std::span<const std::vector<double>> table) {
   return shifted;
 }
 
-/// Of count · sum − total.
+/// The sum of squares of (count · sum − total).
 DoubleDouble squaresOf(
     const std::vector<DoubleDouble>& sums, double count, const DoubleDouble& total) {
   DoubleDouble squares;

@@ -27,12 +27,12 @@ struct TwoWayLayout {
   DoubleDouble rowMeanSquare() const;
   DoubleDouble columnMeanSquare() const;
   DoubleDouble residualMeanSquare() const;
-  /// Of columns and residuals together: what is within rows.
+  /// Mean square within rows: of columns and residuals together.
   DoubleDouble withinMeanSquare() const;
 };
 
-/// The units are those of the table, times a power of two that keeps squares within a double:
-/// meaningful as ratios only.
+/// The values are scaled by a power of two, so that their squares fit into a double: only ratios of
+/// the sums of squares are meaningful.
 ///
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
 ///     infinite or NaN.

@@ -56,7 +56,7 @@ void require(std::uint64_t votes, std::uint64_t total, double level) {
   }
 }
 
-/// The upper end; the lower one is that of the votes against, from above.
+/// The upper end of Wilson's interval.
 double wilsonHigh(double share, double n, double z) {
   const double half = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
   return std::min(1.0, (share + z * z / (2.0 * n) + half) / (1.0 + z * z / n));

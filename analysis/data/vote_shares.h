@@ -10,22 +10,23 @@
 
 namespace analysis {
 
-/// How many voted for one option, and which part of all votes that is.
+/// The votes for one option, as a number and as a share of all votes.
 struct VoteShare {
   std::string option;
   std::uint64_t votes = 0;
-  std::optional<double> share;  ///< nothing without votes
+  std::optional<double> share;  ///< std::nullopt without votes
 };
 
-/// Who was preferred how often. A vote that was not cast is not counted anywhere.
+/// How often each option was preferred. Abstentions are not counted.
 class VoteCounts {
  public:
   static constexpr std::uint64_t kMostVotes = std::uint64_t{1} << 40;
 
-  /// No votes yet. @throws std::invalid_argument  for fewer than two options, or the same twice.
+  /// Starts without votes. @throws std::invalid_argument for fewer than two options, or one option
+  /// twice.
   explicit VoteCounts(std::vector<std::string> options);
 
-  /// @throws std::invalid_argument  for an option that is not there, or beyond kMostVotes.
+  /// @throws std::invalid_argument  for an unknown option, or more than kMostVotes votes.
   void add(std::string_view option, std::uint64_t times = 1);
 
   std::uint64_t total() const noexcept { return total_; }
@@ -39,7 +40,8 @@ class VoteCounts {
   std::uint64_t total_ = 0;
 };
 
-/// The interval of the share of an option in the population, if @p votes of @p total are for it.
+/// A confidence interval of the share of an option in the population, if @p votes of @p total are
+/// for it.
 ///
 /// Wilson's interval (1927) contains the shares that the normal test would not reject: with z the
 /// normal quantile of the level and s = votes/total,
@@ -57,7 +59,7 @@ std::optional<Interval> wilsonInterval(
 ///
 ///     low = B⁻¹((1 − level)/2; v, n − v + 1),   high = B⁻¹((1 + level)/2; v + 1, n − v)
 ///
-/// with B⁻¹ the quantile of the beta law. std::nullopt for a total of zero.
+/// with B⁻¹ the quantile of the beta distribution. std::nullopt for a total of zero.
 /// @throws std::invalid_argument  as above.
 std::optional<Interval> clopperPearsonInterval(
     std::uint64_t votes, std::uint64_t total, double level = 0.95);

@@ -36,15 +36,15 @@ class LogIntegrand {
   double inverseOfX_ = 0.0;
 };
 
-/// Where the integrand is not negligible, and how high it is there.
+/// The range of u where the integrand is not negligible, and the maximum of its logarithm.
 struct Support {
   double low = 0.0;
   double high = 0.0;
   double peak = 0.0;
 };
 
-/// Looks for the peak in steps of 1/8 of u, and from either end for the first value that is not
-/// negligible beside it.
+/// Searches in steps of 1/8 of u for the peak, and from either end for the first value that is not
+/// negligible compared with the peak.
 Support supportOf(const LogIntegrand& logIntegrand, double farthest) {
   constexpr double kStep = 0.125;
   constexpr double kNegligible = 45.0;  // e^−45 = 3e-20
@@ -91,7 +91,8 @@ BayesFactor jzsBayesFactor(
                           2.0 * std::abs(std::log(priorScale)) + std::abs(std::log(effectiveN));
   const Support support = supportOf(logIntegrand, farthest);
 
-  // The trapezoidal rule converges exponentially for what vanishes smoothly at both ends.
+  // The trapezoidal rule converges exponentially, because the integrand vanishes smoothly at both
+  // ends.
   constexpr double kTolerance = 1e-14;
   constexpr int kRefinements = 18;
   const double integral = boost::math::quadrature::trapezoidal(

@@ -8,13 +8,13 @@
 
 namespace analysis {
 
-/// The scale of the Cauchy prior that the field calls medium: √2 / 2.
+/// The "medium" scale of the Cauchy prior: √2 / 2.
 inline constexpr double kMediumPriorScale = 0.70710678118654752440;
 
 /// How many times more probable the data are if there is a difference than if there is none.
 struct BayesFactor {
   double priorScale = kMediumPriorScale;
-  std::optional<double> bf10;       ///< above 1 for a difference, below 1 for none
+  std::optional<double> bf10;       ///< above 1: evidence for a difference; below 1: against it
   std::optional<double> log10Bf10;  ///< also where bf10 is beyond the range of a double
   Reason reason;                    ///< why something above is missing; empty if nothing is
 };
@@ -31,7 +31,7 @@ struct BayesFactor {
 BayesFactor jzsBayesFactor(
     double t, double degreesOfFreedom, double effectiveN, double priorScale = kMediumPriorScale);
 
-/// Of two samples, by Student's test. Nothing but a reason where that is not defined.
+/// The Bayes factor of two samples, from Student's t. Only `reason` is set if t is not defined.
 /// @throws std::invalid_argument  as above.
 BayesFactor jzsBayesFactor(
     const StudentResult& test,
@@ -39,7 +39,7 @@ BayesFactor jzsBayesFactor(
     std::uint64_t n2,
     double priorScale = kMediumPriorScale);
 
-/// Of pairs. Nothing but a reason where the test is not defined.
+/// The Bayes factor of pairs. Only `reason` is set if the test is not defined.
 /// @throws std::invalid_argument  as above.
 BayesFactor jzsBayesFactor(const PairedTResult& test, double priorScale = kMediumPriorScale);
 

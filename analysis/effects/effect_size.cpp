@@ -25,14 +25,15 @@ void checkLevel(double level) {
   }
 }
 
-/// difference / deviation; nothing without spread, or beyond a double.
+/// difference / standard deviation; std::nullopt for a variance of zero, or beyond a double.
 std::optional<double> ratio(const Contrast& contrast, const DoubleDouble& variance) {
   if (variance.isZero()) return std::nullopt;
   const double effect = tOf(contrast, squareRoot(variance));
   return std::isfinite(effect) ? std::optional(effect) : std::nullopt;
 }
 
-/// The interval of the noncentrality, times the factor from noncentrality to effect size.
+/// The confidence interval of the noncentrality, times @p factor, which converts it into an effect
+/// size.
 std::optional<Interval> intervalOf(double t, double degreesOfFreedom, double level, double factor) {
   constexpr double kLargestT = 1e100;
   if (std::abs(t) > kLargestT) return std::nullopt;
@@ -111,7 +112,7 @@ Reason whyMissing(const MeanEffects& effects, const WelchResult& welch) {
 std::optional<double> hedgesCorrection(double degreesOfFreedom) {
   if (!(degreesOfFreedom > 1.0)) return std::nullopt;
   const double half = 0.5 * degreesOfFreedom;
-  // As a ratio: each Γ alone overflows for ν above 340.
+  // Computed as a ratio, because each Γ alone overflows for ν above 340.
   return 1.0 / (std::sqrt(half) * boost::math::tgamma_delta_ratio(half - 0.5, 0.5));
 }
 
@@ -154,7 +155,7 @@ PairedEffects effectSizes(const PairedTResult& test, double level) {
 
 namespace {
 
-/// The unbiased variance of δ, from whole numbers: with Pᵢ and Qⱼ the doubled placements,
+/// The unbiased variance of δ, computed in whole numbers: with Pᵢ and Qⱼ the doubled placements,
 ///
 ///     (Σ(P − P̄)² + Σ(Q − Q̄)² − Σ(sign − δ)²) / (n₁n₂ (n₁ − 1)(n₂ − 1)).
 DoubleDouble unbiasedVariance(const TiedGroups& groups, const Placements& places) {

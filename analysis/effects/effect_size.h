@@ -11,13 +11,15 @@
 
 namespace analysis {
 
-/// How large a difference is, in units of a standard deviation, and where it lies.
+/// An effect size (of MeanEffects and PairedEffects: in standard deviations) and its confidence
+/// interval.
 struct EffectSize {
   std::optional<double> value;
   std::optional<Interval> interval;
 };
 
-/// How far the means of two groups are apart. What is not defined is missing, with a reason.
+/// Effect sizes of the difference of two means. An undefined one is std::nullopt, and `reason` says
+/// why.
 struct MeanEffects {
   double level = 0.95;  ///< of the intervals
 
@@ -30,12 +32,12 @@ struct MeanEffects {
 
   std::optional<double> glassDelta1;     ///< difference / standard deviation of group 1
   std::optional<double> glassDelta2;     ///< difference / standard deviation of group 2
-  std::optional<double> commonLanguage;  ///< P(X > Y) of two normal laws, in 0 … 1
+  std::optional<double> commonLanguage;  ///< P(X > Y) of two normal distributions, in 0 … 1
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
-/// How far the means of paired answers are apart.
+/// Effect sizes of the mean difference of paired answers.
 struct PairedEffects {
   double level = 0.95;
   EffectSize cohenDz;             ///< mean difference / standard deviation of the differences
@@ -53,30 +55,29 @@ std::optional<double> hedgesCorrection(double degreesOfFreedom);
 
 /// Cohen's d and related measures; positive if group 1 has the larger mean.
 ///
-/// The intervals of d and g invert the noncentral t of Student's test (Steiger & Fouladi 1997):
-/// d = δ √(1/n₁ + 1/n₂), times J for g. Those of d_av and g_av do the same with Welch's t and its
-/// degrees of freedom, d_av = δ √((s₁²/n₁ + s₂²/n₂) / ((s₁² + s₂²)/2)), which holds
-/// approximately. No interval for |t| > 1e100. The common language effect size of McGraw & Wong
-/// 1992 is Φ(difference / √(s₁² + s₂²)).
+/// The intervals of d and g invert the noncentral t of Student's test (Steiger & Fouladi 1997): d =
+/// δ √(1/n₁ + 1/n₂), times J for g. Those of d_av and g_av invert Welch's t with its degrees of
+/// freedom, d_av = δ √((s₁²/n₁ + s₂²/n₂) / ((s₁² + s₂²)/2)), which is an approximation. No interval
+/// for |t| > 1e100. The common language effect size of McGraw & Wong 1992 is Φ(difference / √(s₁² +
+/// s₂²)).
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN, or for a level that is not between
 ///     0 and 1.
 MeanEffects effectSizes(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
 
-/// d_z = t / √n, its interval δ / √n, and both times J(n − 1).
+/// d_z = t / √n with the interval δ / √n, and g_z = J(n − 1) d_z with its interval.
 ///
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 PairedEffects effectSizes(const PairedTResult& test, double level = 0.95);
 
-/// How much more often values of one group are larger than those of the other. What is not defined
-/// is missing, with a reason.
+/// Cliff's δ of two groups. An undefined number is std::nullopt, and `reason` says why.
 struct CliffDelta {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
   std::optional<double> delta;                     ///< −1 … 1
   std::optional<double> probabilityOfSuperiority;  ///< P(X > Y) + ½ P(X = Y) = (δ + 1)/2
-  std::optional<double> variance;  ///< Cliff's unbiased one, of δ; it may come out negative
+  std::optional<double> variance;  ///< Cliff's unbiased variance of δ; it can be negative
   std::optional<Interval> interval;
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
@@ -98,22 +99,24 @@ CliffDelta cliffDelta(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
 CliffDelta cliffDelta(const TiedGroups& groups, double level = 0.95);
 
-/// The location of paired differences, by the signed rank test. What is missing has a reason.
+/// The location of paired differences, from the signed rank test. If a number is missing, `reason`
+/// says why.
 struct HodgesLehmannResult {
   std::uint64_t n = 0;
   std::optional<double> estimate;
   std::optional<Interval> interval;  ///< both ends are Walsh averages and belong to it
-  std::optional<double> confidence;  ///< of the interval without ties; not below the level
-  Reason reason;                     ///< why something above is missing; empty if nothing is
+  /// Exact confidence of the interval if there are no ties; at least the level.
+  std::optional<double> confidence;
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Hodges & Lehmann's estimate (1963): the median of the Walsh averages (dᵢ + dⱼ)/2, i ≤ j.
 ///
 /// The interval contains the values that the exact signed rank test would not reject: from the C-th
 /// smallest to the C-th largest of the M = n(n + 1)/2 averages, with C the largest number for which
-/// P(V < C) ≤ (1 − level)/2. Where even C = 1 is too many there is no such interval: for 0.95
-/// below n = 6. Differences of zero count as any other. With ties the true confidence is at least
-/// `confidence`.
+/// P(V < C) ≤ (1 − level)/2. If not even C = 1 satisfies this, there is no interval: for a level of
+/// 0.95, below n = 6. Differences of zero count like any other. With ties the true confidence is at
+/// least `confidence`.
 ///
 /// @throws std::invalid_argument  if a difference is infinite or NaN, or for a level that is not
 ///     between 0 and 1.

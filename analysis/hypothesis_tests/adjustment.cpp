@@ -10,7 +10,7 @@ namespace {
 
 using Sorted = std::vector<double>;  // from the smallest to the largest
 
-/// What the i-th smallest of m p values becomes, before it is compared with its neighbours.
+/// The adjusted i-th smallest of m p values, before monotonicity is enforced.
 using StepFormula = std::function<double(double p, double i, double m)>;
 
 Sorted stepDown(Sorted p, const StepFormula& step) {
@@ -41,8 +41,8 @@ double sidak(double p, double i, double m) {
   return -std::expm1((m - i + 1.0) * std::log1p(-p));
 }
 
-/// Simes' p of the @p count largest of them without their smallest: the least of count · p / rank,
-/// ranks beginning with 2.
+/// Simes' p of the @p count largest values without the smallest of these: the minimum of count · p
+/// / rank over ranks from 2.
 double simesWithoutSmallest(const Sorted& p, std::size_t count) {
   double least = 1.0;
   const std::size_t first = p.size() - count + 1;
@@ -53,8 +53,8 @@ double simesWithoutSmallest(const Sorted& p, std::size_t count) {
   return least;
 }
 
-/// Wright 1992: of all subsets of j hypotheses that have the i-th, the one with the others as large
-/// as can be decides.
+/// Algorithm of Wright 1992: of all subsets of j hypotheses that contain the i-th, the one with the
+/// largest other p values decides.
 Sorted hommel(const Sorted& p) {
   const std::size_t m = p.size();
   Sorted adjusted = p;
@@ -133,7 +133,7 @@ std::size_t definedCount(std::span<const std::optional<double>> pValues) {
 
 std::vector<std::optional<double>> adjust(
     std::span<const std::optional<double>> pValues, Adjustment method) {
-  std::vector<std::size_t> order;  // of those that count
+  std::vector<std::size_t> order;  // indices of the p values that are defined
   for (std::size_t i = 0; i < pValues.size(); ++i) {
     if (!pValues[i]) continue;
     if (!isProbability(*pValues[i])) {

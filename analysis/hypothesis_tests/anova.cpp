@@ -101,7 +101,8 @@ OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
 
 namespace {
 
-/// ε from the residuals e of the layout: S is eᵀe, but for a factor.
+/// ε from the residuals e of the layout. S is proportional to eᵀe, and ε does not depend on the
+/// factor.
 double greenhouseGeisser(const TwoWayLayout& layout) {
   const std::size_t k = layout.columns;
   DoubleDouble traceOfSquare;

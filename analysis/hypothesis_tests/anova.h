@@ -11,7 +11,7 @@
 
 namespace analysis {
 
-/// What an analysis of variance says about several groups.
+/// The result of a one-way analysis of variance.
 struct OneWayAnovaResult {
   std::size_t groups = 0;
   std::uint64_t n = 0;  ///< of all groups together
@@ -22,8 +22,9 @@ struct OneWayAnovaResult {
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< n − k
   std::optional<double> p;
-  std::optional<double> log10P;             ///< also where p is too small for a double
-  std::optional<double> rSquared;           ///< share of the groups in all squares, 0 … 1; η²
+  std::optional<double> log10P;  ///< also where p is too small for a double
+  /// Sum of squares between groups / total sum of squares, 0 … 1; η².
+  std::optional<double> rSquared;
   std::optional<double> residualDeviation;  ///< standard deviation within groups, pooled
 
   Reason reason;  ///< why something above is missing; empty if nothing is
@@ -33,7 +34,7 @@ struct OneWayAnovaResult {
 ///
 ///     F = (Σ nⱼ (mⱼ − m)² / (k − 1)) / (Σ (nⱼ − 1) sⱼ² / (n − k))
 ///
-/// Means and squares are kept with 31 digits: a large offset costs nothing.
+/// Means and squares are computed with 31 digits, so that a large offset costs no accuracy.
 ///
 /// Not defined for fewer than two groups, for an empty group, where no group has two values, or
 /// where all groups are constant.
@@ -42,7 +43,7 @@ struct OneWayAnovaResult {
 OneWayAnovaResult oneWayAnova(std::span<const std::vector<double>> groups);
 OneWayAnovaResult oneWayAnova(std::span<const Moments> groups);
 
-/// What an analysis of variance says about one factor within participants.
+/// The result of a repeated-measures analysis of variance with one factor.
 struct RepeatedMeasuresResult {
   std::size_t participants = 0;
   std::size_t conditions = 0;
@@ -50,7 +51,7 @@ struct RepeatedMeasuresResult {
   std::optional<double> f;  ///< +infinity where all participants change in the same way
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< (k − 1)(n − 1)
-  std::optional<double> p;                  ///< if the conditions are spherical
+  std::optional<double> p;                  ///< valid if the conditions are spherical
   std::optional<double> log10P;             ///< also where p is too small for a double
   std::optional<double> partialEtaSquared;  ///< in 0 … 1
 
@@ -68,8 +69,9 @@ struct RepeatedMeasuresResult {
 ///     partial η² = SS_conditions / (SS_conditions + SS_residual)
 ///     ε = (tr S)² / ((k − 1) tr S²),   S the covariance of the conditions, centred both ways
 ///
-/// ε after Greenhouse & Geisser 1959; it does not depend on F, and p with it is safe whether or not
-/// the conditions are spherical. With two conditions, F = t² of the paired test.
+/// ε after Greenhouse & Geisser 1959; it does not depend on F, and the p value corrected by it is
+/// valid whether or not the conditions are spherical. With two conditions, F = t² of the paired
+/// test.
 ///
 /// @param table  one participant a row, one condition a column.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is

@@ -58,7 +58,7 @@ std::vector<double> weightsOf(std::size_t count) {
   return weights;
 }
 
-/// W and 1 − W of values in order, not all the same.
+/// W and 1 − W of sorted values that are not all equal.
 struct Statistic {
   double w = 1.0;
   double rest = 0.0;  ///< 1 − W, to full precision
@@ -73,7 +73,8 @@ Statistic statisticOf(std::span<const double> sorted) {
   DoubleDouble sum;
   DoubleDouble squares;
   for (const double value : sorted) {
-    // W does not depend on offset and scale: from 0 to 1 nothing overflows, and no digit is lost.
+    // W does not depend on offset and scale. Values scaled to 0 … 1 neither overflow nor lose
+    // digits.
     const DoubleDouble place = DoubleDouble::difference(unit * value, low) / range;
     sum = sum + place;
     squares = squares + place * place;
@@ -140,7 +141,7 @@ ShapiroWilkResult shapiroWilkTest(std::span<const double> values) {
 
 namespace {
 
-/// @param values  at least one.
+/// @param values  must not be empty.
 double medianOf(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
@@ -148,7 +149,7 @@ double medianOf(std::vector<double> values) {
   return 0.5 * values[half - 1] + 0.5 * values[half];
 }
 
-/// Equal ones as equal numbers, in whichever group: their last digits are noise.
+/// Makes values that differ only by rounding errors equal, across all groups.
 void tidy(std::vector<std::vector<double>>& groups) {
   std::vector<double> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());

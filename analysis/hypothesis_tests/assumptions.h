@@ -9,24 +9,26 @@
 
 namespace analysis {
 
-/// What the Shapiro–Wilk test says.
+/// The result of the Shapiro–Wilk test.
 struct ShapiroWilkResult {
   std::size_t n = 0;
-  std::optional<double> w;  ///< in 0 … 1; near 1 for values that lie as normal ones would
-  std::optional<double> p;  ///< small for values that a normal law would rarely give
+  std::optional<double> w;  ///< in 0 … 1; near 1 for normally distributed values
+  std::optional<double> p;  ///< small for values that are unlikely from a normal distribution
   Reason reason;            ///< why something above is missing; empty if nothing is
 };
 
-/// Could these values come from a normal law? Shapiro & Wilk 1965 in the approximation of Royston
-/// 1995, Applied Statistics algorithm AS R94, for 3 … 5000 values:
+/// The Shapiro–Wilk test of normality (1965), in the approximation of Royston 1995, Applied
+/// Statistics algorithm AS R94, for 3 … 5000 values:
 ///
 ///     W = (Σ aᵢ x₍ᵢ₎)² / Σ (x − x̄)²
 ///
 /// with weights a from the normal quantiles of (i − 3/8)/(n + 1/4), the two outermost corrected by
 /// a polynomial in 1/√n; and a transform of 1 − W that is nearly normal. For n = 3, p is exact:
-/// (6/π)(asin √W − asin √(3/4)). The polynomials have four digits, and so has p.
+/// (6/π)(asin √W − asin √(3/4)). The coefficients of the polynomials have four significant digits,
+/// so p is accurate to about four.
 ///
-/// Likert answers of a few points are never normal; this test informs, it decides nothing.
+/// Likert answers on a few points are never normal: Palpate reports this test, and chooses no other
+/// test by it.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 ShapiroWilkResult shapiroWilkTest(std::span<const double> values);

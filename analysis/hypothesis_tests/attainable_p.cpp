@@ -29,13 +29,13 @@ AttainableP fromLog(double naturalLog) {
   return {.p = std::min(std::exp(naturalLog), 1.0), .log10P = log10P};
 }
 
-/// base^(−exponent), exactly where a double holds it.
+/// base^(−exponent); exact if a double can represent it.
 AttainableP power(double base, double exponent) {
   return {.p = std::pow(base, -exponent), .log10P = -exponent * std::log10(base)};
 }
 
-/// The others of n votes as equal as they can be: of all their outcomes the most probable one, and
-/// so the one with the largest p.
+/// Distributes @p votes over @p options as equally as possible. Of all distributions of the votes
+/// for the other options, this is the most probable one and gives the largest p.
 std::vector<std::uint64_t> evenly(std::uint64_t votes, int options) {
   const auto count = static_cast<std::uint64_t>(options);
   std::vector<std::uint64_t> shares(count, votes / count);
@@ -69,7 +69,7 @@ AttainableP smallestFriedmanP(std::uint64_t n, int k) {
 }
 
 AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2) {
-  double p = 2.0;  // as a product: exact as long as the binomial coefficient is
+  double p = 2.0;  // computed as a product, which is exact as long as the binomial coefficient is
   double logP = std::numbers::ln2;
   double ways = 1.0;
   const auto fewer = static_cast<double>(std::min(n1, n2));

@@ -6,7 +6,7 @@
 namespace analysis {
 
 // The smallest exact two-sided p that any answers can give: with few participants it may be above
-// the level of significance. log₁₀ is right also where p is too small for a double.
+// the level of significance. log10P is valid also where p is too small for a double.
 
 /// The smallest value that an exact p can have.
 struct AttainableP {
@@ -18,7 +18,7 @@ struct AttainableP {
 ///
 ///     p = 2 / 2ⁿ = 2^(1 − n)
 ///
-/// 1 for fewer than two.
+/// 1 for fewer than two differences.
 AttainableP smallestSignFlipP(std::uint64_t n);
 
 /// Friedman's test where all n participants put k conditions in the same order:
@@ -50,8 +50,8 @@ AttainableP smallestVoteP(std::uint64_t n, int k);
 std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons);
 
 /// The votes that one of k options needs for the exact multinomial test of equal shares to reach α,
-/// however the others fall. std::nullopt if not even all n votes suffice, and where they are too
-/// many to count (see equalSharesP()).
+/// however the other votes are distributed. std::nullopt if not even all n votes suffice, or if
+/// there are too many votes for an exact test (see equalSharesP()).
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or fewer than two
 ///     options.
 std::optional<std::uint64_t> fewestVotesToWin(std::uint64_t n, int k, double alpha);

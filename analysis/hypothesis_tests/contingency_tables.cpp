@@ -26,7 +26,8 @@ void requireSquare(ChangeTable table) {
   }
 }
 
-/// Options that changes connect, directly or through others, have the same number.
+/// The connected components of the graph in which two options are joined if an answer changed
+/// between them: for each option, the first option of its component.
 std::vector<std::size_t> partsOf(ChangeTable table) {
   std::vector<std::size_t> parts(table.size());
   std::iota(parts.begin(), parts.end(), std::size_t{0});
@@ -39,7 +40,7 @@ std::vector<std::size_t> partsOf(ChangeTable table) {
   return parts;
 }
 
-/// The options without the first of each part.
+/// All options except the first one of each part.
 std::vector<std::size_t> keptOptions(ChangeTable table) {
   const auto parts = partsOf(table);
   std::vector<std::size_t> kept;
@@ -49,7 +50,7 @@ std::vector<std::size_t> keptOptions(ChangeTable table) {
   return kept;
 }
 
-/// S, with d as a last column.
+/// The matrix S, augmented by d as the last column.
 using Equations = std::vector<std::vector<DoubleDouble>>;
 
 Equations equationsOf(ChangeTable table, const std::vector<std::size_t>& kept) {
@@ -74,8 +75,8 @@ Equations equationsOf(ChangeTable table, const std::vector<std::size_t>& kept) {
   return equations;
 }
 
-/// dᵀ S⁻¹ d of a positive definite S, by elimination: Σ of what is left of dᵢ, squared, over the
-/// pivot.
+/// dᵀ S⁻¹ d of a positive definite S by Gaussian elimination: the sum of dᵢ² / pivot, with dᵢ after
+/// the elimination of the rows above.
 double quadraticForm(Equations equations) {
   DoubleDouble sum;
   for (std::size_t pivot = 0; pivot < equations.size(); ++pivot) {
@@ -143,9 +144,10 @@ using Counts = std::vector<std::uint64_t>;
 constexpr std::uint64_t kMostCounts = 300;
 constexpr std::uint64_t kMostTables = 500'000;
 constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
-constexpr double kAlike = 1e-20;  // relative: equal probabilities, computed in 31 digits
+constexpr double kAlike =
+    1e-20;  // relative difference below which probabilities of 31 digits count as equal
 
-/// Pascal's triangle in doubles of 31 digits.
+/// Pascal's triangle in double-doubles (31 digits).
 class LongBinomials {
  public:
   LongBinomials() {
@@ -165,18 +167,20 @@ const LongBinomials& longBinomials() {
   return table;
 }
 
-/// Goes through all tables with the margins of one, column after column, row after row. Each row
-/// takes its part of what the column still lacks, w, as by drawing without replacement,
+/// Enumerates all tables with given margins, column by column and row by row. Of the count w that a
+/// column still lacks, each row gets a part with the hypergeometric probability
 ///
 ///     P(part) = C(h, part) C(o, w − part) / C(h + o, w),
 ///
-/// with h what this row has left for this column and those after it, and o those below it.
+/// with h the remaining count of this row for this and later columns, and o that of the rows below
+/// it.
 class Tables {
  public:
   Tables(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
       : rows_(rows), columns_(columns), observed_(observed) {}
 
-  /// std::nullopt if the tables are too many.
+  /// The probability of tables that are not more probable than the observed one; std::nullopt if
+  /// there are too many tables.
   std::optional<double> notMoreProbable() {
     std::uint64_t left = 0;
     for (const auto row : rows_) left += row;
@@ -186,8 +190,8 @@ class Tables {
   }
 
  private:
-  /// Row @p i of column @p j takes its part of @p wanted, which the column still lacks; @p below is
-  /// what this row and those below it have left.
+  /// Tries all counts of cell (@p i, @p j). @p wanted is the count that the column still lacks, @p
+  /// below the remaining count of this row and those below it.
   void fill(
       std::size_t j, std::size_t i, std::uint64_t wanted, std::uint64_t below, DoubleDouble p) {
     if (visited_ > kMostTables) return;
@@ -233,7 +237,7 @@ class Tables {
   std::uint64_t visited_ = 0;
 };
 
-/// How much is in each row and column.
+/// The sums of each row and column.
 struct Margins {
   Counts rows;
   Counts columns;

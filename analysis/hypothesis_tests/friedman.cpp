@@ -18,8 +18,8 @@ using Block = std::vector<std::uint64_t>;
 constexpr std::size_t kMostMoves = 60'000'000;
 constexpr Wide kMostPermutations = Wide{1} << 126;  // what exactQuotient() can divide by
 
-/// Where each doubled rank sum, less two per block, can lie: a grid with an axis per treatment but
-/// the last, whose sum follows.
+/// The possible values of the doubled rank sums, minus 2 per block: a grid with one axis per
+/// treatment except the last, whose sum follows from the others.
 struct Grid {
   std::size_t axes = 0;
   std::size_t width = 0;
@@ -35,8 +35,8 @@ std::optional<Grid> gridOf(std::size_t blocks, std::size_t treatments) {
   return grid;
 }
 
-/// How far each distinct permutation of a block moves on the grid; std::nullopt if they are too
-/// many.
+/// The offset on the grid of each distinct permutation of a block; std::nullopt if there are more
+/// than @p most.
 std::optional<std::vector<std::size_t>> movesOf(Block block, const Grid& grid, std::size_t most) {
   std::ranges::sort(block);
   std::vector<std::size_t> moves;
@@ -54,7 +54,7 @@ std::optional<std::vector<std::size_t>> movesOf(Block block, const Grid& grid, s
 /// Σ over treatments of (doubled rank sum − its mean)²
 Wide inequality(std::size_t cell, const Grid& grid, Wide blocks) {
   const Wide treatments = static_cast<Wide>(grid.axes) + 1;
-  const Wide mean = blocks * (treatments - 1);  // of a doubled rank sum less two per block
+  const Wide mean = blocks * (treatments - 1);  // of a doubled rank sum minus 2 per block
   Wide rest = mean * treatments;
   Wide sum = 0;
   for (std::size_t axis = 0; axis < grid.axes; ++axis) {
@@ -123,9 +123,10 @@ struct Ranking {
   Wide k = 0;
   std::vector<std::vector<std::uint64_t>> doubledRanks;
   std::vector<Wide> doubledSums;
-  Wide inequality = 0;   ///< Σ (doubled sum − its mean)²
-  Wide squares = 0;      ///< Σ of squared doubled ranks
-  Wide denominator = 0;  ///< b k (k + 1)(k − 1) − Σ(t³ − t): zero if every block ties all
+  Wide inequality = 0;  ///< Σ (doubled sum − its mean)²
+  Wide squares = 0;     ///< Σ of squared doubled ranks
+  Wide denominator =
+      0;  ///< b k (k + 1)(k − 1) − Σ(t³ − t): zero if all ranks are tied in every block
 };
 
 Ranking rankingOf(std::span<const std::vector<double>> blocks) {

@@ -14,8 +14,8 @@ namespace analysis {
 /// all permutations of the ranks of a block are equally likely.
 ///
 /// Counted in whole numbers by dynamic programming over the rank sums of all but one treatment.
-/// Nothing without blocks, nor where there are too many: without ties from 127 blocks of two
-/// treatments, 49 of three, 11 of four, 3 of five.
+/// std::nullopt without blocks, or with too many: without ties, from 127 blocks of two treatments,
+/// 49 of three, 11 of four, 3 of five.
 ///
 /// @param doubledRanks  a row per block, of as many doubled midranks as there are treatments.
 std::optional<double> friedmanPermutationP(
@@ -27,16 +27,16 @@ struct RankComparison {
   std::size_t second = 0;
   double meanRankDifference = 0.0;  ///< mean rank of the first − mean rank of the second
 
-  double nemenyiQ = 0.0;       ///< |difference| / √(k(k + 1)/(6b)) · √2
-  double nemenyiP = 1.0;       ///< of the range of k normal values: already holds for all pairs
+  double nemenyiQ = 0.0;  ///< |difference| / √(k(k + 1)/(6b)) · √2
+  double nemenyiP =
+      1.0;  ///< from the studentized range of k normal values: already adjusted for all pairs
   double nemenyiLog10P = 0.0;  ///< also where p is too small for a double
 
   std::optional<double> conoverT;  ///< signed as the difference; std::nullopt if all blocks agree
   std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
 };
 
-/// What Friedman's test says about treatments that every block has seen. What is not defined is
-/// missing, with a reason.
+/// The result of Friedman's test. An undefined number is std::nullopt, and `reason` says why.
 struct FriedmanResult {
   std::uint64_t blocks = 0;      ///< b: participants
   std::uint64_t treatments = 0;  ///< k
@@ -45,14 +45,14 @@ struct FriedmanResult {
   std::optional<double> chiSquared;  ///< corrected for ties; k − 1 degrees of freedom
   std::optional<double> p;           ///< of χ²
   std::optional<double> log10P;      ///< also where p is too small for a double
-  std::optional<double> kendallW;    ///< 0 … 1: how far the blocks agree
+  std::optional<double> kendallW;    ///< 0 … 1: agreement of the blocks
 
   std::optional<double> imanDavenportF;  ///< +infinity if all blocks agree
   std::optional<double> imanDavenportP;  ///< of F with k − 1 and (k − 1)(b − 1); 0 if F is infinite
 
   std::optional<double> imanDavenportLog10P;  ///< also where p is too small for a double
 
-  std::optional<double> exactP;  ///< under all permutations within blocks, midranks kept
+  std::optional<double> exactP;  ///< over all permutations of the midranks within blocks
 
   std::vector<RankComparison> pairs;  ///< empty where the test is not defined
   Reason reason;                      ///< why something above is missing; empty if nothing is

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kMostValues = 1000;  // C(1000, 500) ≈ 3e299 is still a double
 constexpr std::uint64_t kMostSteps = 50'000'000;
 
-/// Doubled midranks of all values from the smallest, as whole numbers of steps above the first.
+/// Doubled midranks of all values in ascending order, as lowest + unit · step.
 struct ReducedRanks {
   std::vector<std::uint64_t> steps;
   std::uint64_t lowest = 0;
@@ -42,13 +42,13 @@ ReducedRanks reducedRanks(const TiedGroups& groups) {
   return ranks;
 }
 
-/// The largest sum of so many ranks.
+/// The largest sum of @p chosen ranks.
 std::uint64_t reachOf(const ReducedRanks& ranks, std::uint64_t chosen) {
   return std::accumulate(
       ranks.steps.end() - static_cast<std::ptrdiff_t>(chosen), ranks.steps.end(), std::uint64_t{0});
 }
 
-/// In how many ways so many of the ranks have each sum.
+/// For each sum, the number of subsets of @p chosen ranks that have it.
 std::vector<DoubleDouble> waysTo(const ReducedRanks& ranks, std::size_t chosen) {
   const std::size_t width = reachOf(ranks, chosen) + 1;
   std::vector<std::vector<DoubleDouble>> ways(chosen + 1, std::vector<DoubleDouble>(width));
@@ -86,7 +86,7 @@ RankSums::RankSums(const TiedGroups& groups) {
   const ReducedRanks ranks = reducedRanks(groups);
   mean_ = static_cast<std::int64_t>(groups.n1 * groups.n2);
 
-  // 2U of the smaller group: its doubled rank sum less the least that it could be
+  // 2U of the smaller group: its doubled rank sum minus the smallest possible one
   const std::int64_t first =
       chosen * static_cast<std::int64_t>(ranks.lowest) - chosen * (chosen + 1);
   least_ = isFirst ? first : 2 * mean_ - first;

@@ -12,8 +12,9 @@
 
 namespace analysis {
 
-/// The exact law of Mann & Whitney's U if every n₁ of all values were as likely to be group 1: that
-/// of the given midranks, ties included, by dynamic programming over rank sums in 31 digits.
+/// The exact distribution of Mann & Whitney's U if each choice of n₁ of all values as group 1 is
+/// equally likely. Uses the midranks of the data, ties included, and computes by dynamic
+/// programming over rank sums with 31 digits.
 class RankSums {
  public:
   /// Whether the distribution fits into memory and is computed within about a second: two groups of
@@ -27,7 +28,7 @@ class RankSums {
   double atMost(std::int64_t doubledU) const;
   /// P(2U ≥ u)
   double atLeast(std::int64_t doubledU) const;
-  /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): as far from its mean.
+  /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): at least as far from the mean as u.
   double atLeastAsFar(std::int64_t doubledU) const;
 
  private:
@@ -39,18 +40,18 @@ class RankSums {
   std::vector<DoubleDouble> probabilities_;
 };
 
-/// What Mann & Whitney's test says about two groups. What is not defined is missing, with
-/// a reason.
+/// The result of the Mann–Whitney test. An undefined number is std::nullopt, and `reason` says why.
 struct MannWhitneyResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
-  std::optional<double> u;         ///< pairs in which group 1 is larger, equal ones counting half
+  /// Number of pairs in which the value of group 1 is larger; equal pairs count half.
+  std::optional<double> u;
   std::optional<double> variance;  ///< of U, ties taken into account; zero if all values are equal
 
   std::optional<double> p;         ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
-  std::optional<double> pAbs;      ///< exact, two-sided: P(U as far from its mean)
-  std::optional<double> pLess;     ///< exact P(≤ U): if only group 1 < group 2 were of interest
-  std::optional<double> pGreater;  ///< exact P(≥ U)
+  std::optional<double> pAbs;      ///< exact, two-sided: P(U at least as far from its mean)
+  std::optional<double> pLess;     ///< exact, one-sided: P(≤ U); alternative: group 1 < group 2
+  std::optional<double> pGreater;  ///< exact, one-sided: P(≥ U); alternative: group 1 > group 2
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
@@ -66,16 +67,15 @@ struct MannWhitneyResult {
 ///     U = #{x > y} + ½ #{x = y}
 ///     σ² = n₁ n₂ / 12 · (N + 1 − Σ (t³ − t) / (N (N − 1))),   N = n₁ + n₂
 ///
-/// The exact law is that of the given midranks under all choices of group 1 (RankSums), for two
-/// groups of some 50 or one very small one. The two exact two-sided p differ where ties make the
-/// law skew.
+/// The exact p values (see RankSums) exist for two groups of up to about 50 values, or if one group
+/// is very small. p and pAbs differ if ties make the distribution skew.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);
 MannWhitneyResult mannWhitneyTest(const TiedGroups& groups);
 
-/// What Brunner & Munzel's test says about two groups. What is not defined is missing,
-/// with a reason.
+/// The result of the Brunner–Munzel test. An undefined number is std::nullopt, and `reason` says
+/// why.
 struct BrunnerMunzelResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
@@ -84,20 +84,21 @@ struct BrunnerMunzelResult {
   std::optional<double> degreesOfFreedom;  ///< as in Welch's test; rarely a whole number
   std::optional<double> p;                 ///< two-sided
   std::optional<double> log10P;            ///< also where p is too small for a double
-  std::optional<double> pLess;             ///< if only group 1 < group 2 were of interest
-  std::optional<double> pGreater;          ///< if only group 1 > group 2 were of interest
+  std::optional<double> pLess;             ///< one-sided; alternative: group 1 < group 2
+  std::optional<double> pGreater;          ///< one-sided; alternative: group 1 > group 2
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
 /// Brunner & Munzel's test (2000, Biometrical Journal 42): does one group tend to larger values, if
-/// they may be scattered differently? With U as in mannWhitneyTest() and Sᵢ² the variance of group
-/// i's placements (ranks among all − ranks in its own group),
+/// their spreads may differ? With U as in mannWhitneyTest() and Sᵢ² the variance of group i's
+/// placements (ranks among all − ranks in its own group),
 ///
 ///     W = (n₁n₂/2 − U) / √(n₁S₁² + n₂S₂²)
-///     ν = (n₁S₁² + n₂S₂²)² / ((n₁S₁²)²/(n₁ − 1) + (n₂S₂²)²/(n₂ − 1)),   p of Student's law with ν
+///     ν = (n₁S₁² + n₂S₂²)² / ((n₁S₁²)²/(n₁ − 1) + (n₂S₂²)²/(n₂ − 1))
+///     p from Student's t distribution with ν degrees of freedom
 ///
-/// Undefined for a group of fewer than two, and where the placements do not vary: groups that do
-/// not overlap, or all values equal.
+/// Not defined for a group of fewer than two values, or if the placements do not vary: the groups
+/// do not overlap, or all values are equal.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 BrunnerMunzelResult brunnerMunzelTest(

@@ -50,7 +50,7 @@ SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uin
 
 namespace {
 
-/// Doubled ranks of the differences that have a sign.
+/// Doubled ranks of the differences that are not zero.
 struct SignedRanks {
   std::vector<std::uint64_t> doubled;
   Wide positiveSum = 0;
@@ -129,7 +129,7 @@ namespace {
 using Integers = std::vector<Wide>;
 constexpr std::size_t kMostEnumerated = 40;  // two halves of 2^20 sums each
 
-/// A double as a whole number of 2^exponent.
+/// A double as mantissa · 2^exponent.
 struct Binary {
   Wide mantissa = 0;
   int exponent = 0;
@@ -189,7 +189,7 @@ std::uint64_t subsetsOfAtLeast(std::span<const Wide> weights, Wide least) {
   return count;
 }
 
-/// Of a sum of sizes, the part that is positive.
+/// The magnitudes of the differences, their sum, and the sum of the positive ones.
 struct Flips {
   Integers sizes;
   Wide positive = 0;
@@ -217,7 +217,8 @@ void addEnumerated(SignFlipResult& result, const Flips& flips) {
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
 }
 
-/// By the distribution of all sums; false where there are too many different ones.
+/// Computes p from the distribution of all sums. Returns false if there are too many different
+/// sums.
 bool addBySums(SignFlipResult& result, const Flips& flips) {
   std::vector<std::uint64_t> weights;
   for (const Wide size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));

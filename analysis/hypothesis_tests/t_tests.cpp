@@ -17,7 +17,7 @@ Reason tooFew(int group, std::uint64_t n) {
   return n == 0 ? reason("group_empty_needs_two", group) : reason("group_of_one_needs_two", group);
 }
 
-/// Why the test itself is not defined; empty where it is.
+/// Why the test is not defined; empty if it is defined.
 Reason whyUndefined(const Moments& group1, const Moments& group2) {
   if (group1.n < 2) return tooFew(1, group1.n);
   if (group2.n < 2) return tooFew(2, group2.n);
@@ -27,7 +27,7 @@ Reason whyUndefined(const Moments& group1, const Moments& group2) {
   return contrast.difference.isZero() ? reason("constant_equal") : reason("constant_differ");
 }
 
-/// ν for v = s²/n of either group.
+/// Welch–Satterthwaite degrees of freedom ν, from v = s²/n of each group.
 double welchSatterthwaite(const DoubleDouble& v1, double n1, const DoubleDouble& v2, double n2) {
   const DoubleDouble share1 = v1 / (v1 + v2);
   const DoubleDouble share2 = v2 / (v1 + v2);

@@ -11,8 +11,7 @@
 
 namespace analysis {
 
-/// What Welch's t-test says about two groups. What is not defined is missing,
-/// with a reason.
+/// The result of Welch's t-test. An undefined number is std::nullopt, and `reason` says why.
 struct WelchResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
@@ -28,9 +27,9 @@ struct WelchResult {
 
   std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
   std::optional<double> log10P;    ///< of p; also where p is too small for a double
-  std::optional<double> pLess;     ///< if only group 1 < group 2 were of interest
-  std::optional<double> pGreater;  ///< if only group 1 > group 2 were of interest
-  std::optional<double> pToolpak;  ///< two-sided, as the spreadsheet has it
+  std::optional<double> pLess;     ///< one-sided; alternative: group 1 < group 2
+  std::optional<double> pGreater;  ///< one-sided; alternative: group 1 > group 2
+  std::optional<double> pToolpak;  ///< two-sided, as computed by a spreadsheet's Analysis ToolPak
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
@@ -39,27 +38,28 @@ struct WelchResult {
 ///
 ///     t = (m₁ − m₂) / √(s₁²/n₁ + s₂²/n₂)
 ///     ν = (s₁²/n₁ + s₂²/n₂)² / ((s₁²/n₁)² / (n₁ − 1) + (s₂²/n₂)² / (n₂ − 1))
-///     p = P(|T| ≥ |t|),  T of Student's law with ν degrees of freedom
+///     p = P(|T| ≥ |t|),  T of Student's t distribution with ν degrees of freedom
 ///
-/// The difference and the variances are taken with 31 digits and beyond a double's range, so that
-/// an offset of 1e9 or values of 1e-200 cost nothing. The spreadsheet's Analysis ToolPak rounds ν
-/// to the nearest whole number.
+/// Difference and variances are computed with 31 digits and a larger range than a double's, so that
+/// an offset of 1e9 or values of 1e-200 cost no accuracy. The spreadsheet's Analysis ToolPak rounds
+/// ν to the nearest whole number.
 ///
-/// The test is not defined for a group of fewer than two, nor for two groups that each answered
-/// with one voice. Small panels on a Likert scale do that.
+/// The test is not defined for a group of fewer than two values, nor if both groups are constant,
+/// as can happen in small panels on a Likert scale.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 WelchResult welchTTest(std::span<const double> group1, std::span<const double> group2);
 WelchResult welchTTest(const LikertCounts& group1, const LikertCounts& group2);
 WelchResult welchTTest(const Moments& group1, const Moments& group2);
 
-/// Where the difference of the means lies, with a confidence of @p level, for instance 0.95;
+/// The confidence interval of the difference of the means at @p level, for instance 0.95;
 /// std::nullopt if the test is not defined or a limit is beyond what a double can hold.
 ///
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const WelchResult& result, double level);
 
-/// What Student's t-test says about two groups; all are missing where it is not defined.
+/// The result of Student's t-test of two groups. If it is not defined, all numbers are
+/// std::nullopt.
 struct StudentResult {
   std::optional<double> t;                 ///< ±infinity for two constant groups that differ
   std::optional<double> degreesOfFreedom;  ///< n₁ + n₂ − 2
@@ -70,16 +70,16 @@ struct StudentResult {
 ///
 ///     t = (m₁ − m₂) / √(s² (1/n₁ + 1/n₂)),   s² = ((n₁ − 1) s₁² + (n₂ − 1) s₂²) / (n₁ + n₂ − 2)
 ///
-/// For comparison with published results; welchTTest() does not assume it.
+/// Used for comparison with published results. Otherwise use welchTTest(), which does not assume
+/// equal variances.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2);
 StudentResult studentTTest(const Moments& group1, const Moments& group2);
 
-/// What the paired t-test says. What is not defined is missing,
-/// with a reason.
+/// The result of the paired t-test. An undefined number is std::nullopt, and `reason` says why.
 struct PairedTResult {
-  std::uint64_t n = 0;  ///< of the pairs
+  std::uint64_t n = 0;  ///< number of pairs
 
   std::optional<double> meanDifference;  ///< of x − y
   std::optional<double> variance;        ///< of the differences, with n − 1
@@ -89,8 +89,8 @@ struct PairedTResult {
 
   std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
   std::optional<double> log10P;    ///< of p; also where p is too small for a double
-  std::optional<double> pLess;     ///< if only x < y were of interest
-  std::optional<double> pGreater;  ///< if only x > y were of interest
+  std::optional<double> pLess;     ///< one-sided; alternative: x < y
+  std::optional<double> pGreater;  ///< one-sided; alternative: x > y
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
@@ -99,22 +99,22 @@ struct PairedTResult {
 ///
 ///     t = d̄ / (s_d / √n),   d = x − y,   n − 1 degrees of freedom
 ///
-/// The differences are taken in double arithmetic, so that tests of their ranks see the same ones;
-/// their mean and variance are taken with 31 digits.
+/// The differences are computed as doubles, so that rank tests of them use the same numbers; their
+/// mean and variance are computed with 31 digits.
 ///
 /// The test is not defined for fewer than two pairs, nor for differences that are all the same.
 ///
 /// @throws std::invalid_argument  if there are not as many y as x, or a value is infinite or NaN.
 PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y);
 
-/// Where the mean difference lies, with a confidence of @p level, for instance 0.95; std::nullopt
-/// if the test is not defined or a limit is beyond what a double can hold.
+/// The confidence interval of the mean difference at @p level, for instance 0.95; std::nullopt if
+/// the test is not defined or a limit is beyond what a double can hold.
 ///
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const PairedTResult& result, double level);
 
-/// Between these, a difference is too small to matter. They belong to the protocol, and are in the
-/// units of the scale.
+/// The equivalence margins: a difference between them is too small to matter. A protocol sets them,
+/// in units of the scale.
 struct EquivalenceBounds {
   double lower = 0.0;
   double upper = 0.0;
@@ -132,7 +132,7 @@ struct EquivalenceResult {
   EquivalenceBounds bounds;
   std::optional<OneSidedTest> aboveLower;  ///< small p: the difference is above the lower bound
   std::optional<OneSidedTest> belowUpper;  ///< small p: the difference is below the upper bound
-  std::optional<double> p;                 ///< of both: the larger one
+  std::optional<double> p;                 ///< the larger p of the two tests
   std::optional<double> log10P;
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
@@ -142,9 +142,9 @@ struct EquivalenceResult {
 ///     p = max(P(T ≥ (diff − lower) / se), P(T ≤ (diff − upper) / se))
 ///
 /// With p ≤ α, the confidence interval of the difference at 1 − 2α lies within the bounds. A
-/// difference that is not significant does not show equivalence.
+/// difference that is not significant is no evidence of equivalence.
 ///
-/// Not defined where the test of the difference is not.
+/// Not defined if the t-test is not defined.
 ///
 /// @throws std::invalid_argument  unless lower < upper, both finite.
 EquivalenceResult equivalenceTest(const WelchResult& test, const EquivalenceBounds& bounds);

@@ -12,10 +12,10 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kTooMany = 127;           // fewer votes and options than this
+constexpr std::size_t kTooMany = 127;           // both votes and options must be fewer
 constexpr Wide kMostOutcomes = Wide{1} << 126;  // what exactQuotient() can divide by
 
-/// Pascal's triangle, as far as outcomes can be counted.
+/// Pascal's triangle up to the largest number of votes, kTooMany − 1.
 class Binomials {
  public:
   Binomials() {
@@ -35,15 +35,15 @@ const Binomials& binomials() {
   return table;
 }
 
-/// Visits all outcomes; those that differ only in which option got which count are visited
+/// Enumerates all outcomes. Outcomes that differ only in which option got which count are visited
 /// together.
 class Outcomes {
  public:
   explicit Outcomes(Wide observed) : observed_(observed) {}
 
-  /// So far the outcome can come about in @p orders ways, and its numbers fall to the options in
-  /// @p placements ways; what is left is shared by the other options, none getting more than @p
-  /// largest.
+  /// Distributes the remaining @p votes over the remaining @p options, none of which gets more than
+  /// @p largest. The counts chosen so far arise from @p orders orders of the votes and can be
+  /// assigned to options in @p placements ways.
   void visit(
       std::size_t votes, std::size_t options, std::size_t largest, Wide orders, Wide placements) {
     if (votes == 0) {

@@ -15,11 +15,11 @@ namespace {
 
 using Eigen::Index;
 
-/// The mean of f(u) over the standard normal law.
+/// The expectation of f(u) for a standard normal u.
 template <typename Function>
 double normalMean(Function f) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-  constexpr double kFar = 9.0;  // 2e-19 of the law lie beyond
+  constexpr double kFar = 9.0;  // |u| > 9 has a probability of 2e-19
   constexpr unsigned kHalvings = 15;
   constexpr double kError = 1e-13;
   const auto weighted = [&](double u) {
@@ -28,7 +28,7 @@ double normalMean(Function f) {
   return Rule::integrate(weighted, -kFar, kFar, kHalvings, kError);
 }
 
-/// The part of one design in P, and its derivatives.
+/// The probability for one row of the design matrix, and its derivatives.
 struct Part {
   double probability = 0.0;
   double byPredictor = 0.0;
@@ -51,7 +51,7 @@ double deviationOf(const CumulativeLinkFit& fit) {
   return std::sqrt(variance);
 }
 
-/// x'β without the intercept, which is in the thresholds.
+/// x'β without the intercept, which the thresholds include.
 double effectOf(const CumulativeLinkFit& fit, const std::vector<double>& design) {
   if (design.size() != fit.fixedEffects.size() + 1) {
     throw std::invalid_argument("a design has one number for each column of the model");
@@ -63,7 +63,7 @@ double effectOf(const CumulativeLinkFit& fit, const std::vector<double>& design)
   return effect;
 }
 
-/// P and its gradient by the parameters, in the order of the fit's covariance.
+/// P and its gradient with respect to the parameters, in the order of the fit's covariance.
 class Marginal {
  public:
   Marginal(const CumulativeLinkFit& fit, std::size_t threshold)
@@ -92,7 +92,7 @@ class Marginal {
     const auto covariance =
         Eigen::Map<const Eigen::MatrixXd>(fit_.covariance.data(), size, size);  // symmetric
     const double variance = gradient_.dot(covariance * gradient_);
-    const double slope = probability_ * (1.0 - probability_);  // of P by its logit
+    const double slope = probability_ * (1.0 - probability_);  // dP / d logit
     const double logit = std::log(probability_) - std::log1p(-probability_);
     return {
         .probability = probability_,

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of the part of an orthonormal X, Q_g, that belongs to one cluster.
+/// Matrices of one cluster, with Q_g its rows of the orthonormalised X.
 struct Cluster {
   MatrixXd square;  ///< S = Q_gᵀQ_g
   MatrixXd root;    ///< M with A_g Q_g = Q_g M: (I − S)^{−1/2}
@@ -29,7 +29,7 @@ struct LeastSquares {
   std::vector<Cluster> clusters;
 };
 
-/// (I − S)^{−1/2} of the eigenvalues below one, zero for those of one.
+/// The pseudo-inverse of (I − S)^{1/2}: eigenvalues of S that are one give zero.
 MatrixXd pseudoInverseRoot(const MatrixXd& square) {
   constexpr double kNothing = 1e-10;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(square);
@@ -103,7 +103,8 @@ TEstimate estimateOf(const LeastSquares& fit, Index column, const std::string& n
   }
   estimate.t = estimate.estimate / estimate.standardError;
   estimate.degreesOfFreedom = df;
-  // Student's law needs one degree of freedom; rounding may leave a little less of exactly one.
+  // Student's t distribution needs one degree of freedom; rounding may make exactly one a little
+  // less.
   if (df < 1.0 - 1e-9) {
     estimate.reason = reason("too_few_clusters");
     return estimate;

@@ -12,19 +12,19 @@ namespace analysis {
 
 /// Least squares with standard errors that are valid for any correlation within a cluster.
 struct ClusterRobustResult {
-  std::vector<TEstimate> fixedEffects;  ///< one for each column; none where it is not defined
-  Reason reason;                        ///< why there are none
+  std::vector<TEstimate> fixedEffects;  ///< one for each column; empty if the fit is not defined
+  Reason reason;                        ///< why fixedEffects is empty; empty if it is not
 };
 
 /// Fits y by ordinary least squares, with the bias-reduced covariance CR2 of the coefficients by
-/// clusters, usually participants, and Satterthwaite's degrees of freedom, for which the answers
-/// count as independent and of one variance (Bell & McCaffrey 2002, Survey Methodology 28,
-/// 169–181; Pustejovsky & Tipton 2018, J. Bus. Econ. Stat. 36, 672–683):
+/// clusters, usually participants, and Satterthwaite's degrees of freedom, derived for independent
+/// answers of equal variance (Bell & McCaffrey 2002, Survey Methodology 28, 169–181; Pustejovsky &
+/// Tipton 2018, J. Bus. Econ. Stat. 36, 672–683):
 ///
 ///     (XᵀX)⁻¹ (Σ_g X_gᵀ A_g e_g e_gᵀ A_gᵀ X_g) (XᵀX)⁻¹,   A_g = (I − H_gg)^{−1/2}
 ///
-/// with the pseudo-inverse root where I − H_gg is singular. With balanced data the difference of
-/// two methods has exactly the t of the paired t-test on participants' means.
+/// with the pseudo-inverse root if I − H_gg is singular. With balanced data, t of the difference of
+/// two methods equals t of the paired t-test on participants' means.
 ///
 /// @throws std::invalid_argument  if y or @p cluster has another number of answers, or y a value
 ///     that is not finite.

@@ -25,8 +25,8 @@ constexpr double kSingularLogits = 1e-4;  // standard deviation [logits]
 constexpr double kInfiniteEffect = 50.0;  // standard error of an effect of standardised columns
 constexpr double kStartingLogits[] = {1.0, 0.3};  // of the standard deviations
 
-/// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1: then all
-/// parameters are of the order of one, as minimise() wants them.
+/// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1. All
+/// parameters are then of the order of one, as minimise() requires.
 struct Standardised {
   explicit Standardised(const FixedEffects& fixed) {
     const auto n = static_cast<Index>(fixed.answers());
@@ -73,7 +73,7 @@ struct Answers {
 
   Index thresholds() const { return static_cast<Index>(levels.size()) - 1; }
 
-  /// Thresholds that give each level its share: where to start.
+  /// Starting values: the thresholds that reproduce the observed share of each level.
   VectorXd logits() const {
     VectorXd logits(thresholds());
     for (std::size_t c = 0; c + 1 < levels.size(); ++c) {
@@ -118,13 +118,14 @@ Minimum largestLikelihood(LaplaceLikelihood& likelihood, const VectorXd& start) 
   const Objective objective{
       .value = [&](const VectorXd& at) { return likelihood.value(at); },
       .derivatives = [&](const VectorXd& at) { return likelihood.derivatives(at); },
-      // Deviations may go below 0 on the way: the likelihood is even in them.
+      // Standard deviations may become negative during the search: the likelihood is even in them.
       .lowerBound = -std::numeric_limits<double>::infinity()};
   return minimise(objective, start);
 }
 
-/// Without random intercepts first; from there with them, again from a second start where the
-/// first found nothing or a deviation of zero, which is stationary whether it is a maximum or not.
+/// Fits without random intercepts first, and uses the result as the start of the fit with them.
+/// Uses a second start if the first one fails or ends at a standard deviation of zero, which is a
+/// stationary point even if it is no maximum.
 std::optional<Minimum> bestFit(
     const Answers& answers, const Standardised& x, std::span<const Factor> random) {
   LaplaceLikelihood plain(answers.indices, answers.levels.size(), x.columns, {});
@@ -150,7 +151,7 @@ std::optional<Minimum> bestFit(
 /// The inverse of the Hessian; std::nullopt if an effect has no finite estimate.
 std::optional<Matrix> covarianceOf(const Minimum& minimum, std::size_t deviations) {
   const Matrix hessian = minimum.derivatives.hessian;
-  // No Cholesky factor: no strict maximum, thus a direction in which the likelihood is flat.
+  // Without a Cholesky factor the maximum is not strict: the likelihood is flat in some direction.
   const Eigen::LLT<Matrix> cholesky(hessian);
   if (cholesky.info() != Eigen::Success) return std::nullopt;
   const Matrix covariance = cholesky.solve(Matrix::Identity(hessian.rows(), hessian.cols()));
@@ -180,9 +181,10 @@ CumulativeLinkFit fitOf(
   const Index effects = static_cast<Index>(fixed.columns()) - 1;
   Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
   for (Index k = thresholds + effects; k < minimum.at.size(); ++k) {
-    if (minimum.at(k) < 0.0) back(k, k) = -1.0;  // the likelihood is even in every deviation
+    if (minimum.at(k) < 0.0)
+      back(k, k) = -1.0;  // the likelihood is even in every standard deviation
   }
-  // The same linear map takes estimates and, from both sides, their covariance back.
+  // Transforms the estimates and their covariance back to the original columns.
   const VectorXd at = back * minimum.at;
   const Matrix covariance = back * standardisedCovariance * back.transpose();
   for (Index c = 0; c < thresholds; ++c) {
@@ -242,8 +244,9 @@ WaldEstimate contrast(
     throw std::invalid_argument(
         "a contrast needs one weight for each column, and none for the intercept");
   }
-  const std::size_t base = fit.thresholds.size();  // where the effects are in the covariance
-  // w'β and w'Vw; thresholds replace the intercept, so that its weight is none.
+  const std::size_t base =
+      fit.thresholds.size();  // index of the first fixed effect in the covariance
+  // w'β and w'Vw; weights[0] belongs to the intercept, which the model does not have.
   double value = 0.0;
   double variance = 0.0;
   for (std::size_t i = 0; i < size; ++i) {

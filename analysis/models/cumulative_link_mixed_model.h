@@ -14,16 +14,18 @@
 
 namespace analysis {
 
-/// A cumulative link mixed model that has been fitted.
+/// A fitted cumulative link mixed model.
 struct CumulativeLinkFit {
   std::size_t answers = 0;
-  std::vector<int> levels;                 ///< of the answers, those that were given, ascending
-  std::vector<WaldEstimate> thresholds;    ///< θ between neighbouring levels: "1|2"
-  std::vector<WaldEstimate> fixedEffects;  ///< one per column of the design after the intercept
+  std::vector<int> levels;               ///< the distinct answers that were given, ascending
+  std::vector<WaldEstimate> thresholds;  ///< θ between neighbouring levels: "1|2"
+  /// One per column of the design matrix except the intercept.
+  std::vector<WaldEstimate> fixedEffects;
   std::vector<VarianceComponent> components;
   double logLikelihood = 0.0;
   int iterations = 0;
-  /// Of θ, β and the standard deviations of the components, in this order; row by row.
+  /// Covariance matrix of θ, β and the standard deviations of the components, in this order; row by
+  /// row.
   std::vector<double> covariance;
 
   std::size_t parameters() const {
@@ -36,28 +38,29 @@ struct CumulativeLinkResult {
   Reason reason;  ///< why there is no fit
 };
 
-/// Fits an ordinal answer by maximum likelihood,
+/// Fits a cumulative link mixed model of ordinal answers by maximum likelihood,
 ///
 ///     logit P(Y ≤ c) = θ_c − (xᵀβ + random intercepts),
 ///
-/// the intercepts nested or crossed, their integral by Laplace's approximation; none at all gives
-/// the cumulative link model, the proportional odds of McCullagh 1980. A positive β makes higher
-/// answers likelier. The intercept of @p fixed is left out: the thresholds are in its place.
-/// Standard errors come from the Hessian of the marginal log likelihood in θ, β and the standard
-/// deviations.
+/// with nested or crossed random intercepts, which are integrated out by Laplace's approximation.
+/// Without random intercepts, this is the proportional odds model of McCullagh 1980. A positive β
+/// makes higher answers more probable. The intercept of @p fixed is ignored: the thresholds replace
+/// it. Standard errors come from the Hessian of the marginal log likelihood in θ, β and the
+/// standard deviations.
 ///
-/// Levels that no answer has have no threshold. Nothing is fitted, and the reason says why, where
-/// the model is not defined (as for fitLinearMixedModel()), where the answers separate completely
-/// (all answers of a method are the highest: its effect is infinite), or where no maximum is found
-/// within 200 steps.
+/// Points of the scale that no answer has get no threshold. There is no fit, and `reason` says why,
+/// if the model is not defined (as for fitLinearMixedModel()), if the answers separate completely
+/// (all answers to a method are the highest, so that its effect is infinite), or if no maximum is
+/// found within 200 steps.
 ///
 /// @throws std::invalid_argument  if y has another number of answers.
 CumulativeLinkResult fitCumulativeLinkMixedModel(
     std::span<const int> y, const FixedEffects& fixed, std::span<const Factor> random);
 
-/// The sum of the fixed effects times @p weights, one for each column of the design; the weight of
-/// the intercept must be zero, since only differences have a meaning here.
-/// @throws std::invalid_argument  for other weights.
+/// The sum of the fixed effects times @p weights, one for each column of the design matrix. The
+/// weight of the intercept must be zero, because the model has none.
+/// @throws std::invalid_argument  for another number of weights, or an intercept's weight that is
+///     not zero.
 WaldEstimate contrast(
     const CumulativeLinkFit& fit, std::string name, std::span<const double> weights);
 

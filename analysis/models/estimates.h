@@ -8,12 +8,12 @@
 
 namespace analysis {
 
-/// A coefficient or a contrast, tested against zero by a t with degrees of freedom of its own.
+/// A coefficient or a contrast, tested against zero by t with Satterthwaite's degrees of freedom.
 struct TEstimate {
   std::string name;
   double estimate = 0.0;
   double standardError = 0.0;
-  std::optional<double> degreesOfFreedom;  ///< Satterthwaite; rarely a whole number
+  std::optional<double> degreesOfFreedom;  ///< rarely a whole number
   std::optional<double> t;                 ///< estimate / standard error
   std::optional<double> p;                 ///< two-sided, not yet adjusted
   std::optional<double> log10P;            ///< also where p is too small for a double
@@ -28,22 +28,22 @@ struct WaldEstimate {
   double z = 0.0;
   double p = 1.0;          ///< two-sided, not yet adjusted
   double log10P = 0.0;     ///< also where p is too small for a double
-  double oddsRatio = 1.0;  ///< exp(estimate): of the odds of a higher answer
+  double oddsRatio = 1.0;  ///< exp(estimate): ratio of the odds of a higher answer
 };
 
 /// z = estimate / √variance, 0 where the variance is 0.
 /// @param variance  of the estimate, not negative.
 WaldEstimate waldEstimate(std::string name, double estimate, double variance);
 
-/// estimate ± quantile of t × standard error, with a confidence of @p level, for instance 0.95.
-/// std::nullopt if the degrees of freedom are not defined.
+/// The confidence interval at @p level, for instance 0.95: estimate ± quantile of t × standard
+/// error. std::nullopt if the degrees of freedom are not defined.
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level);
 
-/// estimate ± quantile of the normal law × standard error.
+/// The confidence interval at @p level: estimate ± normal quantile × standard error.
 /// @throws std::invalid_argument  as above.
 Interval confidenceInterval(const WaldEstimate& estimate, double level);
-/// The same of the odds ratio: its ends are the exponentials of those of the estimate.
+/// The confidence interval of the odds ratio: the exponential of the interval of the estimate.
 Interval oddsRatioInterval(const WaldEstimate& estimate, double level);
 
 }  // namespace analysis

@@ -19,9 +19,9 @@ Reason whyFixedAreNotDefined(const FixedEffects& fixed) {
   return {};
 }
 
-/// The first column that is a combination of the ones before it, as where two methods were each
-/// used in one round only. By Gram & Schmidt with every projection done twice, since the first
-/// leaves rounding errors of the size of the column.
+/// Finds the first column that is a linear combination of those before it, for instance because two
+/// methods were each used in one round only. Uses Gram–Schmidt orthogonalisation with every
+/// projection done twice, because the first one leaves rounding errors of the size of the column.
 Reason whyColumnsDepend(const FixedEffects& fixed) {
   constexpr double kNothing = 1e-9;  // of a column's length
   const auto rows = static_cast<Eigen::Index>(fixed.answers());
@@ -79,7 +79,7 @@ const Factor& FixedEffects::factor(std::string_view name) const {
 std::vector<double> FixedEffects::difference(
     std::string_view name, std::string_view level1, std::string_view level2) const {
   const Factor& factor = this->factor(name);
-  std::size_t base = 0;  // the column before those of the factor
+  std::size_t base = 0;  // index of the column before those of the factor
   for (const Factor* before = factors_.data(); before != &factor; ++before) {
     base += before->levels.size() - 1;
   }
@@ -130,7 +130,7 @@ Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) 
   if (auto why = whyColumnsDepend(fixed); !why.empty()) return why;
   for (std::size_t k = 0; k < random.size(); ++k) {
     if (auto why = whyRandomIsNotDefined(random[k]); !why.empty()) return why;
-    // Two random factors are confounded where no level of one occurs with two levels of the other.
+    // Two random factors are confounded if no level of either occurs with two levels of the other.
     for (std::size_t l = 0; l < k; ++l) {
       const std::size_t pairs = crossing(random[k], random[l]).levels.size();
       if (pairs == random[k].levels.size() && pairs == random[l].levels.size()) {

@@ -11,18 +11,19 @@
 
 namespace analysis {
 
-/// The fixed effects of a model as the columns of a design matrix, one row per answer: an
-/// intercept, then what is added.
+/// The fixed effects of a model as the columns of a design matrix, with one row per answer. The
+/// first column is the intercept; add() appends the columns of a factor.
 ///
-/// A factor is coded by treatment: its first level is the base, and each other level has a column
-/// that is one for its answers and zero for all others. The coefficient of that column is the
-/// difference of the level from the base.
+/// Factors have treatment coding: the first level is the reference level, and each other level has
+/// a column that is 1 for its answers and 0 for all others. The coefficient of this column is the
+/// difference of the level from the reference level.
 class FixedEffects {
  public:
-  /// The intercept alone.
+  /// A design matrix with the intercept only.
   explicit FixedEffects(std::size_t answers);
 
-  /// @throws std::invalid_argument  for another number of answers, or a name that is there.
+  /// @throws std::invalid_argument  if the factor has another number of answers, or the name of one
+  ///     already added.
   void add(const Factor& factor);
 
   std::size_t answers() const noexcept { return answers_; }
@@ -34,14 +35,14 @@ class FixedEffects {
   /// @throws std::invalid_argument  for a factor that has not been added.
   const Factor& factor(std::string_view name) const;
 
-  /// The weights of the coefficients in level 1 − level 2, one for each column: 1 and −1 in the
-  /// columns of the two levels, of which the base has none.
+  /// The weights of the contrast level 1 − level 2, one for each column: 1 and −1 in the columns of
+  /// the two levels (the reference level has no column), otherwise 0.
   /// @throws std::invalid_argument  for a factor or level that is not there.
   std::vector<double> difference(
       std::string_view factor, std::string_view level1, std::string_view level2) const;
 
-  /// The design of an answer at one level of a factor: a row of columns for each combination of the
-  /// levels of all other factors; one row where there are none.
+  /// The rows of the design matrix for an answer at one level of a factor: one row for each
+  /// combination of the levels of the other factors, or one row if there are no others.
   /// @throws std::invalid_argument  for a factor or level that is not there.
   std::vector<std::vector<double>> combinations(
       std::string_view factor, std::string_view level) const;
@@ -57,9 +58,9 @@ class FixedEffects {
   std::vector<Factor> factors_;
 };
 
-/// Why a model with these fixed effects and random intercepts is not defined for these answers:
-/// too few of them, a factor of one level, linearly dependent columns, random intercepts that
-/// cannot be told apart from each other or from the single answers. Empty where it is defined.
+/// Why a model with these fixed effects and random intercepts is not defined for these answers: too
+/// few answers, a factor with one level, linearly dependent columns, or random intercepts that are
+/// confounded with each other or with the residuals. Empty if the model is defined.
 ///
 /// @throws std::invalid_argument  if a factor has another number of answers.
 Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random);

@@ -14,11 +14,11 @@ using Eigen::VectorXd;
 
 constexpr int kMostSteps = 100;
 constexpr int kMostHalvings = 40;
-constexpr double kNoFallLeft = 1e-18;  // of the penalised likelihood: u is right to 1e-9, and
-                                       // Newton's last step squares that
-constexpr double kRounding = 1e-13;    // by which a sum of logarithms may seem to rise
-// For the Hessian, by central differences: the error of the formula, about the square of this,
-// equals that of the gradient's rounding, about 1e-14 divided by this.
+constexpr double kNoFallLeft = 1e-18;  // of the penalised likelihood: u is accurate to 1e-9, and
+                                       // Newton's last step squares the error
+constexpr double kRounding = 1e-13;    // by which rounding can make a sum of logarithms rise
+// Step of the central differences for the Hessian. Their truncation error, about the square of the
+// step, is then about as large as the rounding error, 1e-14 divided by the step.
 constexpr double kDifference = 5e-5;
 
 /// ln F(x), without overflow.
@@ -26,7 +26,7 @@ double logLogistic(double x) {
   return x > 0.0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
 }
 
-/// One number of each answer as a vector.
+/// The member @p number of all answers, as a vector.
 VectorXd each(const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
   VectorXd numbers(static_cast<Index>(answers.size()));
   for (Index i = 0; const auto& answer : answers) numbers(i++) = answer.*number;
@@ -99,8 +99,8 @@ std::optional<double> LaplaceLikelihood::value(const VectorXd& parameters) {
 }
 
 /// With D⁻¹ = RᵀR, A = RZ and A_k = RZ_k of one intercept, h_i = z_iᵀD⁻¹z_i is the square of A's
-/// column i, and z_ikᵀD⁻¹z_i its product with that of A_k. The value changes with w_i by ½ h_i, and
-/// with the mode, which itself moves by D⁻¹ times the change of its gradient.
+/// column i, and z_ikᵀD⁻¹z_i its product with that of A_k. The derivative of the value by w_i is ½
+/// h_i. The value also changes with the mode, which moves by D⁻¹ times the change of its gradient.
 std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) 
   const Sparse root = rootOfInverse();
   const Sparse half = root * mode->z;  // A
   const VectorXd leverage = half.cwiseProduct(half).transpose() * VectorXd::Ones(u_.size());
-  // D⁻¹ times the slope of ln |D| in u: twice what the mode moves by.
+  // D⁻¹ times the gradient of ln |D| in u: twice the movement of the mode.
   const VectorXd push = root.transpose() * (root * (mode->z * weightSlope.cwiseProduct(leverage)));
   const VectorXd shift = mode->z.transpose() * push;
   const VectorXd ofPredictor =
@@ -183,7 +183,8 @@ std::vector<CumulativeLogit> LaplaceLikelihood::answersAt(
   return answers;
 }
 
-/// Factorises D; the step is D⁻¹ times the gradient, or nothing where that promises no fall.
+/// Factorises D. Returns D⁻¹ times the gradient, or an empty vector if that step would not decrease
+/// the function.
 VectorXd LaplaceLikelihood::newtonStep(const Mode& mode) {
   if (u_.size() == 0) return u_;
   const VectorXd weight = each(mode.answers, &CumulativeLogit::weight);

@@ -12,16 +12,17 @@
 
 namespace analysis {
 
-/// F(x) = 1 / (1 + e^−x), without loss for a very negative x.
+/// F(x) = 1 / (1 + e^−x), to full precision also for a very negative x.
 double logistic(double x);
 
-/// ln π of one answer between two thresholds a and b of the logistic law, and its derivatives.
+/// The log probability ln π of one answer in a cumulative logit model, and its derivatives.
 ///
 /// With η the linear predictor, a = θ_y − η above and b = θ_{y−1} − η below the answer,
 ///
 ///     π = F(a) − F(b) = F(a) (1 − F(b)) (1 − e^{b−a}),   F(x) = 1 / (1 + e^{−x}),
 ///
-/// where the last factor does not depend on η; nothing cancels however small π is.
+/// where the last factor does not depend on η. This form has no cancellation even for a very small
+/// π.
 struct CumulativeLogit {
   /// @param above  a, +infinity for the highest level.
   /// @param below  b < a, −infinity for the lowest level.
@@ -46,10 +47,10 @@ struct CumulativeLogit {
 ///
 ///     −ln L ≈ −Σ ln π_i(û) + ½ ûᵀû + ½ ln |D|,   D = I + Σ w_i z_i z_iᵀ,
 ///
-/// with w_i the curvature of −ln π_i and z_i the σ_k at the places of answer i (Christensen, R
-/// package ordinal; Pinheiro & Bates 1995, J. Comput. Graph. Stat. 4, 12–35). Without random
-/// intercepts it is exact. The gradient is analytic, that of û included. D is sparse, and so is its
-/// Cholesky factor.
+/// with w_i the curvature of −ln π_i, and z_i the vector that holds σ_k at the level of intercept k
+/// that answer i has (Christensen, R package ordinal; Pinheiro & Bates 1995, J. Comput. Graph.
+/// Stat. 4, 12–35). Without random intercepts the value is exact. The gradient is analytic and
+/// includes the change of û. D and its Cholesky factor are sparse.
 ///
 /// The parameters are θ_1 < … < θ_{K−1}, β, σ, in this order. The value is even in each σ.
 class LaplaceLikelihood {
@@ -67,7 +68,7 @@ class LaplaceLikelihood {
   /// std::nullopt if the thresholds are not in order, or û is not found in 100 steps.
   std::optional<double> value(const Eigen::VectorXd& parameters);
   std::optional<Eigen::VectorXd> gradient(const Eigen::VectorXd& parameters);
-  /// With the Hessian by central differences of the gradient.
+  /// The gradient, and the Hessian computed by central differences of the gradient.
   std::optional<Derivatives> derivatives(const Eigen::VectorXd& parameters);
 
  private:
@@ -92,9 +93,10 @@ class LaplaceLikelihood {
   std::vector<std::size_t> y_;
   std::size_t thresholds_;
   Eigen::MatrixXd x_;
-  std::vector<Sparse> indicators_;  ///< of each intercept: 1 at the level of answer i in column i
+  /// For each intercept, a matrix whose column i is 1 at the level of answer i.
+  std::vector<Sparse> indicators_;
   Eigen::SimplicialLLT<Sparse> system_;  ///< D at the last mode
-  Eigen::VectorXd u_;                    ///< the last mode, from which the next is sought
+  Eigen::VectorXd u_;  ///< the last mode, where the search for the next one starts
 };
 
 }  // namespace analysis

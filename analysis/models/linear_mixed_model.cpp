@@ -18,12 +18,12 @@ namespace {
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::VectorXd;
 
-constexpr double kSingular = 1e-4;        // standard deviation, of that of the residuals
+constexpr double kSingular = 1e-4;        // standard deviation relative to that of the residuals
 constexpr double kLargestLog = 40.0;      // e^40: beyond it no residual variance is left
 constexpr double kFlat = 1e-14;           // reciprocal condition of a Hessian that has no inverse
 constexpr double kStarts[] = {0.5, 2.0};  // two, since the deviance may have a second minimum
 
-/// weightsᵀ matrix weights, of a matrix kept row by row.
+/// The quadratic form weightsᵀ · matrix · weights.
 double form(const VectorXd& weights, const std::vector<double>& matrix) {
   return weights.dot(Matrix::Map(matrix.data(), weights.size(), weights.size()) * weights);
 }
@@ -33,7 +33,7 @@ std::vector<double> rowByRow(const Matrix& matrix) {
 }
 
 /// The deviance as a function of s_k = ln(1 + m_k φ_k), with m_k the mean number of answers per
-/// level. With one intercept and balanced data it is convex in s, which it is not in φ.
+/// level. With one intercept and balanced data the deviance is convex in s, but not in φ.
 class LogScale {
  public:
   LogScale(const RestrictedDeviance& deviance, std::span<const Factor> random)
@@ -94,8 +94,8 @@ Reason whyNotDefinedHere(const RestrictedDeviance& deviance, std::span<const Fac
   return {};
 }
 
-/// Twice the inverse Hessian in the variances that are not zero; a variance estimated as zero
-/// counts as known. Empty where the deviance does not curve upwards.
+/// Twice the inverse Hessian in the variances that are not zero; a variance estimated as zero is
+/// treated as known. Empty if the Hessian is not positive definite.
 Matrix varianceCovariance(const RestrictedSolution& solution, const VectorXd& relative) {
   std::vector<Eigen::Index> used;
   for (Eigen::Index k = 0; k < relative.size(); ++k) {

@@ -13,17 +13,18 @@
 
 namespace analysis {
 
-/// How much the levels of a random intercept vary.
+/// The variance of a random intercept between its levels.
 struct VarianceComponent {
   std::string name;
   std::size_t levels = 0;
   double variance = 0.0;
   double standardDeviation = 0.0;
-  /// Estimated as zero: the answers vary no more between the levels than chance makes them.
+  /// Whether the variance is estimated as zero: the answers vary no more between the levels than
+  /// expected by chance.
   bool isSingular = false;
 };
 
-/// A linear mixed model that has been fitted.
+/// A fitted linear mixed model.
 struct LinearMixedFit {
   std::size_t answers = 0;
   std::vector<TEstimate> fixedEffects;  ///< one for each column of the design
@@ -35,7 +36,8 @@ struct LinearMixedFit {
   std::vector<double> covariance;  ///< of the p fixed effects, p × p, row by row
   /// ∂covariance / ∂variance, for each component and then for the residuals.
   std::vector<std::vector<double>> covarianceDerivatives;
-  /// Of the variance estimates in that order, row by row; empty where it is not defined.
+  /// Covariance matrix of the variance estimates in the order of covarianceDerivatives, row by row;
+  /// empty if it is not defined.
   std::vector<double> varianceCovariance;
 };
 
@@ -44,22 +46,22 @@ struct LinearMixedResult {
   Reason reason;  ///< why there is no fit
 };
 
-/// Fits y = fixed effects + random intercepts + residual by restricted maximum likelihood
-/// (Bates et al. 2015), the intercepts nested or crossed; for the published study
+/// Fits y = fixed effects + random intercepts + residual by restricted maximum likelihood (Bates et
+/// al. 2015), with nested or crossed random intercepts. The model of the published study is
 ///
 ///     score ~ method + round + (1 | participant) + (1 | participant:method)
 ///
-/// The relative variances are found by Newton's method, bounded below by zero, from two starts
-/// (see RestrictedDeviance). Degrees of freedom of a contrast c: Satterthwaite's
+/// Newton's method finds the relative variances (see RestrictedDeviance), bounded below by zero,
+/// from two starting points. Degrees of freedom of a contrast c: Satterthwaite's
 ///
 ///     ν = 2 (cᵀΦc)² / (gᵀ A g),
 ///
 /// with Φ the covariance of the fixed effects, g the gradient of cᵀΦc in the variances, and A twice
 /// the inverse Hessian of the restricted deviance in them (Kuznetsova, Brockhoff & Christensen
-/// 2017, J. Stat. Softw. 82(13), section 2.1). A variance estimated as zero counts as known.
+/// 2017, J. Stat. Softw. 82(13), section 2.1). A variance estimated as zero is treated as known.
 ///
-/// Nothing is fitted, and the reason says why, where the model is not defined: too few answers, a
-/// factor of one level, effects that cannot be told apart, answers that do not vary.
+/// There is no fit, and `reason` says why, if the model is not defined: too few answers, a factor
+/// with one level, confounded effects, or answers that do not vary.
 ///
 /// @throws std::invalid_argument  if y has another number of answers or a value that is not finite.
 LinearMixedResult fitLinearMixedModel(

@@ -11,7 +11,7 @@
 namespace analysis {
 namespace {
 
-/// For each value the sum of all others, without a difference in which digits are lost.
+/// For each value the sum of all others, computed without subtraction, which would lose digits.
 std::vector<double> sumsOfOthers(const std::vector<double>& values) {
   std::vector<double> sums(values.size(), 0.0);
   double before = 0.0;
@@ -44,8 +44,8 @@ class Weighted {
   double mean() const noexcept { return mean_; }
   double weight() const noexcept { return weight_; }
   double df() const noexcept { return static_cast<double>(sites_.size()) - 1.0; }
-  /// The trace of P = W − w wᵀ / Σ w, and of its square: sums of what is not negative, so that one
-  /// weight may be far above all others.
+  /// The trace of P = W − w wᵀ / Σ w, and of its square: sums without negative terms, which stay
+  /// accurate if one weight is far above all others.
   double trace() const {
     const auto others = sumsOfOthers(weights_);
     double sum = 0.0;
@@ -73,9 +73,9 @@ class Weighted {
     }
     return sum;
   }
-  /// −2 log restricted likelihood, but for a constant.
+  /// −2 log restricted likelihood, up to a constant.
   double restrictedDeviance() const { return logVariance_ + std::log(weight_) + deviation(1); }
-  /// The variance of a typical site (Higgins & Thompson 2002); τ² has to be 0.
+  /// The variance of a typical site (Higgins & Thompson 2002). @pre τ² = 0
   double typicalVariance() const { return df() / trace(); }
 
  private:
@@ -92,7 +92,8 @@ double derSimonianLaird(const Weighted& equal) {
 
 constexpr double kExact = 4.0 * std::numeric_limits<double>::epsilon();
 
-/// Fisher's scoring. The likelihood of few sites may have a second maximum at 0, which is compared.
+/// τ² of REML by Fisher scoring. The likelihood of few sites may have a second maximum at 0:
+/// compares the two.
 double remlFrom(std::span<const EstimateWithError> sites, double start, double precision) {
   constexpr int kMostScorings = 10'000;
   double smallest = std::numeric_limits<double>::infinity();
@@ -104,8 +105,8 @@ double remlFrom(std::span<const EstimateWithError> sites, double start, double p
     const Weighted weighted(sites, tauSquared);
     const double change = (weighted.deviation(2) - weighted.trace()) / weighted.traceOfSquare();
     const double next = std::max(0.0, tauSquared + change);
-    // The change is a difference of sums in 1 / (variance + τ²): beside a smaller τ² its last
-    // digits are noise, and would go on for ever.
+    // The change is a difference of sums in 1 / (variance + τ²). Relative to a small τ² its last
+    // digits are rounding noise, and the loop would never end.
     const bool isStill = std::abs(next - tauSquared) <= precision * (next + smallest);
     tauSquared = next;
     if (isStill) break;
@@ -115,7 +116,7 @@ double remlFrom(std::span<const EstimateWithError> sites, double start, double p
   return isZeroBetter ? 0.0 : tauSquared;
 }
 
-/// The mean square of the estimates around their mean: τ² if each were exact.
+/// The mean square of the estimates around their mean: τ² if the standard errors were zero.
 double spreadOf(std::span<const EstimateWithError> sites) {
   double mean = 0.0;
   double squares = 0.0;

@@ -14,19 +14,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNothing = 1e-12;  // of a sum of squares: what rounding leaves of it
+constexpr double kNothing =
+    1e-12;  // relative to a sum of squares: smaller values are rounding errors
 
 }  // namespace
 
-/// Everything at one φ that does not need a derivative. With Λ = diag(√φ):
-/// L Lᵀ = I + ΛZᵀZΛ, and V⁻¹ = I − ZΛ (L Lᵀ)⁻¹ ΛZᵀ.
+/// The quantities at one φ that need no derivative. With Λ = diag(√φ): L Lᵀ = I + ΛZᵀZΛ, and V⁻¹ =
+/// I − ZΛ (L Lᵀ)⁻¹ ΛZᵀ.
 struct RestrictedDeviance::Profile {
   VectorXd root;  // √φ of each random effect
   Eigen::LLT<MatrixXd> system;
   MatrixXd reducedX;  // L⁻¹ΛZᵀX
   VectorXd reducedY;
   Eigen::LLT<MatrixXd> information;  // XᵀV⁻¹X
-  VectorXd shift;                    // of the coefficients from those of least squares
+  VectorXd shift;                    // difference of the coefficients from those of least squares
   double residual = 0.0;             // r²
   double deviance = 0.0;
 };
@@ -70,7 +71,7 @@ void RestrictedDeviance::addFixed(
   sumOfSquares_ = (rest_.array() - rest_.mean()).matrix().squaredNorm();
   coefficients_ = x.transpose() * rest_;
   rest_ -= x * coefficients_;
-  // Once more, since rounding left some of X in the residuals.
+  // Projects a second time, because rounding left a part of X in the residuals.
   const VectorXd correction = x.transpose() * rest_;
   coefficients_ += correction;
   rest_ -= x * correction;

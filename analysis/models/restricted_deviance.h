@@ -13,7 +13,7 @@
 
 namespace analysis {
 
-/// What a linear mixed model is at given variances, with p fixed effects.
+/// The solution of a linear mixed model with p fixed effects at given relative variances.
 struct RestrictedSolution {
   double deviance = 0.0;          ///< −2 × the restricted log likelihood
   double residualVariance = 0.0;  ///< σ²
@@ -21,7 +21,7 @@ struct RestrictedSolution {
   Eigen::MatrixXd covariance;     ///< of the coefficients, p × p
   /// ∂covariance / ∂variance for the variance of each random intercept, then of the residuals.
   std::vector<Eigen::MatrixXd> covarianceDerivatives;
-  /// Second derivatives of the deviance in the same variances.
+  /// Second derivatives of the deviance by these variances.
   Eigen::MatrixXd hessian;
 };
 
@@ -34,19 +34,19 @@ struct RestrictedSolution {
 ///
 ///     ∂d/∂φ_k = tr(Z_kᵀPZ_k) − |Z_kᵀPy|² / σ²
 ///
-/// Only ZᵀZ, ZᵀX and Zᵀy are kept, with X made orthonormal and y without its projection on X, so
-/// that neither the scale of a covariate nor an offset of y costs digits.
+/// Stores only ZᵀZ, ZᵀX and Zᵀy, with X orthonormalised and y minus its projection on X, so that
+/// neither the scale of a covariate nor an offset of y costs accuracy.
 class RestrictedDeviance {
  public:
-  /// @param y      finite.
-  /// @param fixed  of full rank, with fewer columns than answers.
+  /// @param y      must be finite.
+  /// @param fixed  must have full rank and fewer columns than answers.
   RestrictedDeviance(
       std::span<const double> y, const FixedEffects& fixed, std::span<const Factor> random);
 
-  /// Whether y lies in the space of the fixed effects, but for rounding.
+  /// Whether y is, up to rounding, a linear combination of the fixed effects.
   bool isExplainedByFixedEffects() const;
-  /// Whether the fixed effects leave nothing of a random intercept, as those of participants would
-  /// of the participants'.
+  /// Whether the fixed effects explain the levels of a random intercept completely, as participant
+  /// as a fixed effect would explain participant as a random intercept.
   bool isExplainedByFixedEffects(std::size_t intercept) const;
 
   /// std::nullopt if no residual variance is left.
@@ -71,8 +71,8 @@ class RestrictedDeviance {
   Eigen::Index answers_;
   Eigen::Index columns_;
   std::vector<Eigen::Index> levels_;  ///< of each intercept
-  std::vector<Eigen::Index> from_;    ///< its first level among the random effects
-  double offset_ = 0.0;               ///< y of the first answer, taken from all
+  std::vector<Eigen::Index> from_;    ///< index of its first level among the random effects
+  double offset_ = 0.0;               ///< y of the first answer, subtracted from all
   double sumOfSquares_ = 0.0;         ///< of y around its mean
   double leastSquares_ = 0.0;         ///< sum of squares of rest_
   Eigen::VectorXd rest_;              ///< y without the fixed effects

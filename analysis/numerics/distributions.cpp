@@ -28,7 +28,7 @@ constexpr double kSmallT = 0.6;    // P(|T| < 0.6) is below one half for every �
 /// that nothing cancels where x is nearly one.
 class TailFraction {
  public:
-  using result_type = std::pair<double, double>;  // what Boost looks for
+  using result_type = std::pair<double, double>;  // name required by Boost
 
   TailFraction(double a, double y) : a_(a), y_(y) {}
 
@@ -51,7 +51,7 @@ class TailFraction {
   double m_ = 0.0;
 };
 
-/// ln I_x(ν/2, 1/2), x = ν / (ν + t²), for a t far out.
+/// ln I_x(ν/2, 1/2), x = ν / (ν + t²), for a large t.
 double logTail(double t, double degreesOfFreedom) {
   const double a = 0.5 * degreesOfFreedom;
   const double root = t / std::sqrt(degreesOfFreedom);
@@ -59,13 +59,13 @@ double logTail(double t, double degreesOfFreedom) {
   const double rootOfY = root / std::hypot(1.0, root);
 
   TailFraction fraction(a, rootOfY * rootOfY);
-  std::uintmax_t terms = 1000;  // a limit: some ten are used
+  std::uintmax_t terms = 1000;  // upper limit; about ten are used
   const double under = boost::math::tools::continued_fraction_b(fraction, 1e-15, terms);
   const double beta = std::sqrt(std::numbers::pi) * boost::math::tgamma_delta_ratio(a, 0.5);
   return a * logX + std::log(rootOfY) - std::log(beta) - std::log(under);
 }
 
-/// P(|T| < |t|), to full precision where it is the smaller part.
+/// P(|T| < |t|), to full precision where it is below one half.
 double centre(double t, double degreesOfFreedom) {
   return boost::math::ibeta(0.5, 0.5 * degreesOfFreedom, t * t / (degreesOfFreedom + t * t));
 }
@@ -79,11 +79,12 @@ void check(double t, double degreesOfFreedom, double noncentrality) {
   }
 }
 
-/// P(T ≤ t) for t and δ far above 0.
+/// P(T ≤ t) for large t and δ.
 double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality) {
   constexpr double kNormalReach = 9.0;  // Φ(−9) = 1e-19
   const double half = 0.5 * degreesOfFreedom;
-  const double spread = 10.5 / std::sqrt(degreesOfFreedom);  // beyond it, S has less than e^−45
+  const double spread =
+      10.5 / std::sqrt(degreesOfFreedom);  // |S − 1| is larger with a probability below e^−45
 
   // y = t s − δ
   const double low = std::max(-kNormalReach, t * std::max(0.0, 1.0 - spread) - noncentrality);
@@ -101,7 +102,8 @@ double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality
     return density * normalUpperP(-y);
   };
   constexpr unsigned kDepth = 6;
-  constexpr double kTolerance = 1e-14;  // of a probability: some units in its last place
+  constexpr double kTolerance =
+      1e-14;  // absolute error of the probability: a few units in the last place
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   const double above = boost::math::gamma_q(half, squareOfS(high));
   return std::min(1.0, above + Rule::integrate(integrand, low, high, kDepth, kTolerance));
@@ -113,7 +115,7 @@ double upperLimit(double t, double degreesOfFreedom, double tail) {
   const auto excess = [&](double noncentrality) {
     return noncentralTProbability(t, degreesOfFreedom, noncentrality) - tail;
   };
-  // Brackets the root, doubling the reach, before the solver divides the bracket.
+  // Brackets the root by steps of doubling length; then the solver narrows the bracket.
   double low = t;
   for (double reach = 1.0; excess(low) < 0.0; reach *= 2.0) low -= reach;
   double high = low + 1.0;
@@ -122,7 +124,7 @@ double upperLimit(double t, double degreesOfFreedom, double tail) {
     high += reach;
   }
 
-  std::uintmax_t steps = 200;  // a limit: some ten are used
+  std::uintmax_t steps = 200;  // upper limit; about ten are used
   const boost::math::tools::eps_tolerance<double> allDigits(52);
   const auto bracket = boost::math::tools::toms748_solve(excess, low, high, allDigits, steps);
   return 0.5 * (bracket.first + bracket.second);
@@ -139,7 +141,7 @@ StudentDistribution::StudentDistribution(double degreesOfFreedom)
 
 double StudentDistribution::twoSidedP(double t) const {
   if (std::abs(t) >= kLargeT) return std::exp(logTail(std::abs(t), degreesOfFreedom_));
-  // Near zero the centre is the smaller part, and keeps the digits that Boost's tail loses there.
+  // Near zero the central probability is the smaller one, and keeps digits that Boost's tail loses.
   if (std::abs(t) < kSmallT) return 1.0 - centre(t, degreesOfFreedom_);
   const boost::math::students_t distribution(degreesOfFreedom_);
   return 2.0 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
@@ -192,7 +194,7 @@ void check(double f) {
   if (!(f >= 0.0) || !std::isfinite(f)) throw std::invalid_argument("F is finite and not negative");
 }
 
-/// P(F < f), to full precision where it is the smaller part; ratio = ν₁ f / ν₂.
+/// P(F < f), to full precision where it is below one half; ratio = ν₁ f / ν₂.
 double lowerP(double ratio, double degreesOfFreedom1, double degreesOfFreedom2) {
   const double y = ratio / (1.0 + ratio);
   return boost::math::ibeta(0.5 * degreesOfFreedom1, 0.5 * degreesOfFreedom2, y);
@@ -208,7 +210,8 @@ double logTail(double a, double b, double logOdds) {
   const double x = 1.0 / (1.0 + odds);
   const double logX = std::isfinite(odds) ? -std::log1p(odds) : -logOdds;
 
-  constexpr double kNegligible = 1e-17;  // of the sum: less than half of its last place
+  constexpr double kNegligible =
+      1e-17;  // relative to the sum: less than half a unit in its last place
   double term = 1.0;
   double sum = 1.0;
   for (double n = 0.0; term > kNegligible * sum; ++n) {
@@ -234,7 +237,7 @@ double FisherDistribution::upperP(double f) const {
   const double ratio = degreesOfFreedom1_ / degreesOfFreedom2_ * f;
   const double a = 0.5 * degreesOfFreedom2_;
   const double b = 0.5 * degreesOfFreedom1_;
-  // The argument of the smaller of x and 1 − x, so that neither is rounded to one.
+  // Passes the smaller one of x and 1 − x, because the larger one may be rounded to one.
   if (ratio < 1.0) return boost::math::ibetac(b, a, ratio / (1.0 + ratio));
   return boost::math::ibeta(a, b, 1.0 / (1.0 + ratio));
 }

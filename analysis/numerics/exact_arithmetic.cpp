@@ -14,11 +14,12 @@ DoubleDouble orderedSum(double a, double b) noexcept {
 }
 
 constexpr Wide kOne = 1;
-constexpr int kDigits = 120;  // binary; a double-double has 106 or a few more
+constexpr int kDigits = 120;  // binary digits; a double-double has at least 106
 
 constexpr std::int64_t kMostParts = 1000;
-constexpr double kNoise = 1e-12;        // of the largest number
-constexpr double kMostMultiples = 1e6;  // beyond it, any numbers would have a unit by chance
+constexpr double kNoise = 1e-12;  // relative to the largest number
+constexpr double kMostMultiples =
+    1e6;  // for larger multiples, any numbers would have a common unit by chance
 
 double largestOf(std::span<const double> numbers) {
   double largest = 0.0;
@@ -34,7 +35,7 @@ double largestOf(std::span<const double> numbers) {
 
 }  // namespace
 
-/// Knuth's sum: the rounding error of a + b is itself a double, computed without a comparison of a
+/// Knuth's two-sum: the rounding error of a + b is itself a double, computed without comparing a
 /// and b. The order of operations matters, and -ffast-math would destroy it.
 DoubleDouble DoubleDouble::sum(double a, double b) noexcept {
   const double sum = a + b;
@@ -64,7 +65,7 @@ DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
   return orderedSum(highs.high, highs.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Long division in base 2^53: each step divides what the ones before left.
+/// Long division in base 2^53: each step divides the remainder of the step before.
 DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noexcept {
   const double first = a.high / b.high;
   DoubleDouble rest = a - b * first;

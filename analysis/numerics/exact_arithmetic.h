@@ -8,10 +8,10 @@
 namespace analysis {
 
 /// A number of about 31 digits, as the unevaluated sum of two doubles: high is the double nearest
-/// to it, low is what is left.
+/// to it, low is the remainder.
 ///
 /// Sums and products keep the digits that a double would lose (Dekker 1971; Hida, Li & Bailey
-/// 2001). The range is that of a double: scale numbers first that may overflow.
+/// 2001). The range is that of a double: scale numbers that may overflow.
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -46,34 +46,33 @@ DoubleDouble scaled(const DoubleDouble& number, int exponent) noexcept;
 /// 2.2e-308, lose digits.
 std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcept;
 
-/// A whole number of 128 bits: what sums of squares of very many answers need.
+/// A 128-bit integer, for sums of squares of very many answers.
 __extension__ using Wide = __int128;
 
-/// The quotient of two whole numbers. Its high part is the correctly rounded double, and both parts
-/// together have all the digits of a DoubleDouble.
+/// The quotient of two whole numbers, to the precision of a DoubleDouble; `high` is the correctly
+/// rounded double.
 ///
-/// @param numerator    of less than 2^127
+/// @param numerator    less than 2^127 in magnitude
 /// @param denominator  between 1 and 2^126
 DoubleDouble exactQuotient(Wide numerator, Wide denominator);
 
-/// Numbers as whole multiples of 1/denominator.
+/// Numbers represented as multiples / denominator.
 struct ScaledIntegers {
   std::vector<std::int64_t> multiples;
   std::int64_t denominator = 1;
 };
 
-/// The smallest q ≤ 1000 such that all numbers are whole multiples of 1/q, but for the rounding of
-/// their last digits (1e-12 of the largest). std::nullopt if there is no such q, as for measured
-/// values.
+/// Finds the smallest q ≤ 1000 such that all numbers are whole multiples of 1/q, up to rounding
+/// errors (1e-12 of the largest). std::nullopt if there is no such q, as for measured values.
 ///
-/// The means of a few answers are such multiples: three answers give thirds. Computed as doubles,
-/// two means that should be equal often differ in the last digit, and are then not seen as ties.
+/// For instance, the means of three answers are multiples of 1/3. Two means that should be equal
+/// often differ in the last digit of a double; rank tests would then miss the tie.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers);
 
-/// The numbers as the doubles nearest to their multiples of a common unit, so that what should be
-/// equal is equal; as they are if there is no such unit.
+/// The numbers rounded to multiples of their common unit (see commonUnitOf()), so that values that
+/// should be equal are equal; unchanged if there is no common unit.
 /// @throws std::invalid_argument  as above.
 std::vector<double> withoutRoundingNoise(std::span<const double> numbers);
 

@@ -19,7 +19,7 @@ struct Scaled {
 };
 
 /// C(n, k), for k ≤ n/2. Every partial product is itself a binomial coefficient; powers of two are
-/// split off before it overflows.
+/// factored out before a product overflows.
 Scaled binomial(double n, double k) {
   constexpr int kStep = 500;
   Scaled result{.number = 1.0, .exponent = 0};
@@ -39,13 +39,13 @@ SmallProbability probabilityOf(const Scaled& scaledP) {
                 (std::numbers::ln10 / std::numbers::ln2)};
 }
 
-/// P(heads ≤ k), k ≤ n/2: the last term times the sum of all in units of it.
+/// P(heads ≤ k) for k ≤ n/2: the last term C(n, k) / 2ⁿ times the sum of all terms relative to it.
 Scaled lowerTail(std::uint64_t heads, std::uint64_t tosses) {
   const auto n = static_cast<double>(tosses);
   const auto k = static_cast<double>(heads);
   DoubleDouble sum = 1.0;
   DoubleDouble term = 1.0;
-  // Terms fall at least as fast as a geometric series; below 1e-40 they have no digit in the sum.
+  // Terms fall at least as fast as a geometric series; terms below 1e-40 do not change the sum.
   for (double i = k; i > 0.0 && term.high > 1e-40; --i) {
     term = term * i / (n - i + 1.0);
     sum = sum + term;
@@ -115,8 +115,8 @@ SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(we
   for (const auto weight : weights) {
     const std::size_t step = weight / unit_;
     reached += step;
-    // Downwards, so that each weight is used once: sums[s − w] does not contain the present weight
-    // yet.
+    // Goes downwards, so that each weight is used once: the entry at sum − step does not contain
+    // the present weight yet.
     for (std::size_t sum = reached; sum >= step; --sum) {
       probabilities_[sum] = halfOf(probabilities_[sum] + probabilities_[sum - step]);
       if (sum == 0) break;
@@ -132,7 +132,7 @@ double SubsetSums::atMost(std::uint64_t sum) const {
   return total.high;
 }
 
-/// Added from the far end of the tail, so that small probabilities come first.
+/// Adds from the far end of the tail, so that small probabilities come first.
 double SubsetSums::atLeast(std::uint64_t sum) const {
   const std::uint64_t first = sum / unit_ + (sum % unit_ == 0 ? 0 : 1);
   DoubleDouble total;

@@ -11,13 +11,13 @@ namespace analysis {
 
 /// A probability that may be too small for a double.
 struct SmallProbability {
-  std::optional<double> p;  ///< nothing below 2.2e-308
+  std::optional<double> p;  ///< std::nullopt below 2.2e-308
   double log10P = 0.0;
 };
 
 constexpr std::uint64_t kMostTosses = std::uint64_t{1} << 24;
 
-/// P(heads ≤ k) of n tosses of a fair coin: Σ C(n, i) / 2ⁿ over i = 0 … k, summed in 31 digits.
+/// P(heads ≤ k) of n tosses of a fair coin: Σ C(n, i) / 2ⁿ over i = 0 … k, summed with 31 digits.
 /// @throws std::invalid_argument  for more heads than tosses, or more than kMostTosses.
 SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses);
 
@@ -25,10 +25,10 @@ SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses);
 /// @throws std::invalid_argument  as above.
 SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses);
 
-/// The exact distribution of Σ wᵢ Bᵢ, where each Bᵢ is 0 or 1 with probability ½: that of a signed
-/// rank or a sign-flip statistic where positive and negative differences are equally likely.
+/// The exact distribution of Σ wᵢ Bᵢ, where each Bᵢ is 0 or 1 with probability ½: the null
+/// distribution of the signed rank and the sign-flip statistic.
 ///
-/// By dynamic programming over the sums, one weight after another, in 31 digits.
+/// Computed by dynamic programming over the sums, one weight after another, with 31 digits.
 class SubsetSums {
  public:
   /// Whether the distribution fits into memory and is computed within about a second: at most 500

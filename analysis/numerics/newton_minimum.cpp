@@ -16,19 +16,21 @@ using Eigen::VectorXd;
 
 constexpr int kMostIterations = 200;
 constexpr int kMostHalvings = 40;
-constexpr int kLastSteps = 3;                 // Newton's method doubles the digits with each
-constexpr double kLongestStep = 2.0;          // both models have parameters of the order of one
-constexpr double kSufficientFall = 1e-4;      // of what the gradient promises (Armijo)
-constexpr double kSmallestCurvature = 1e-10;  // of the largest; below it a direction is flat
-constexpr double kNear = 1e-8;                // what a step still promises, of the value
+constexpr int kLastSteps = 3;         // each step of Newton's method doubles the number of digits
+constexpr double kLongestStep = 2.0;  // both models have parameters of the order of one
+constexpr double kSufficientFall =
+    1e-4;  // relative to the decrease that the gradient predicts (Armijo)
+constexpr double kSmallestCurvature =
+    1e-10;                      // relative to the largest curvature; a direction below it is flat
+constexpr double kNear = 1e-8;  // predicted decrease of a step, relative to the value
 
 struct Step {
   VectorXd move;
-  double promise = 0.0;  ///< −gᵀ move: twice what the function falls by near the minimum
+  double promise = 0.0;  ///< −gᵀ move: near the minimum, twice the decrease of the function
   bool isConvex = true;
 };
 
-/// Among the parameters that the gradient does not push against the bound.
+/// The Newton step in the parameters that the gradient does not push against the bound.
 Step newtonStep(const VectorXd& at, const Derivatives& derivatives, double lowerBound) {
   std::vector<Index> free;
   for (Index i = 0; i < at.size(); ++i) {
@@ -54,13 +56,13 @@ Step newtonStep(const VectorXd& at, const Derivatives& derivatives, double lower
   return step;
 }
 
-/// Goes along the step as long as the function decreases; false if it does not.
+/// Moves along the step, halving it until the function decreases; false if it never does.
 bool descend(const Objective& objective, const Step& step, Minimum& minimum) {
   double part = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
     VectorXd point = (minimum.at + part * step.move).cwiseMax(objective.lowerBound);
     const auto value = objective.value(point);
-    // Of the projected step: the bound may have shortened it.
+    // Uses the projected step, which the bound may have shortened.
     const double wanted = kSufficientFall * minimum.derivatives.gradient.dot(minimum.at - point);
     if (!value || !(*value <= minimum.value - wanted) || !(wanted > 0.0)) continue;
     minimum.at = std::move(point);
@@ -70,8 +72,8 @@ bool descend(const Objective& objective, const Step& step, Minimum& minimum) {
   return false;
 }
 
-/// So near to the minimum the value has too few digits to tell which way is down; Newton's step,
-/// which follows from the gradient, still has them.
+/// Very near the minimum the value has too few digits to show a decrease. Newton's step, computed
+/// from the gradient, is still accurate.
 bool takeLastStep(const Objective& objective, const Step& step, Minimum& minimum) {
   VectorXd point = (minimum.at + step.move).cwiseMax(objective.lowerBound);
   const auto value = objective.value(point);

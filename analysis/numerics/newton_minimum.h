@@ -13,26 +13,26 @@ struct Derivatives {
   Eigen::MatrixXd hessian;   ///< k × k, symmetric
 };
 
-/// A function to be minimised: std::nullopt if it is not defined.
+/// A function to be minimised. value and derivatives return std::nullopt where it is not defined.
 struct Objective {
   std::function<std::optional<double>(const Eigen::VectorXd&)> value;
   std::function<std::optional<Derivatives>(const Eigen::VectorXd&)> derivatives;
   double lowerBound;  ///< of every parameter; −infinity for none
 };
 
-/// Where a function is smallest.
+/// The minimum of a function.
 struct Minimum {
   Eigen::VectorXd at;
   double value = 0.0;
-  Derivatives derivatives;  ///< there
+  Derivatives derivatives;  ///< at the minimum
   int iterations = 0;
-  /// Whether the gradient vanishes (or pushes against the bound) and the curvature is positive.
+  /// Whether the gradient vanishes (or points into the bound) and the curvature is positive.
   bool isFound = false;
 };
 
-/// Minimises by Newton's method: the step is that of the Hessian with the absolute values of its
-/// eigenvalues, projected on the bound, halved until the function falls enough (Armijo), and
-/// never longer than two in any parameter. Ends after 200 iterations in any case.
+/// Minimises by Newton's method. The step uses the Hessian with its eigenvalues replaced by their
+/// absolute values, is projected on the bound, halved until the function decreases enough (Armijo),
+/// and changes no parameter by more than 2. Stops after 200 iterations at the latest.
 ///
 /// (Nocedal & Wright 2006, Numerical Optimization, algorithm 3.2 and section 16.7.)
 Minimum minimise(const Objective& objective, Eigen::VectorXd start);

@@ -45,15 +45,16 @@ void requireChiSquared(double x, double degreesOfFreedom) {
 }
 
 constexpr double kStep = 1.0 / 32.0;
-constexpr double kReach = 12.0;  // beyond it on either side, less than 1e-30 of the normal law
+constexpr double kReach = 12.0;  // |z| > 12 has a probability below 1e-30
 
 /// ln of φ(z) [Φ(z)^m − (Φ(z) − Φ(z − q))^m].
 double logIntegrand(double z, double q, double m) {
-  constexpr double kNegligible = -40.0;  // e^−40 of one
+  constexpr double kNegligible = -40.0;  // e^−40 is negligible beside 1
   const double logPhi = -0.5 * z * z - 0.5 * std::log(2.0 * std::numbers::pi);
   const double logBelow = logNormalCdf(z);
-  const double logShare =
-      std::min(0.0, logNormalCdf(z - q) - logBelow);  // of Φ(z) that lies more than q below
+  const double logShare = std::min(
+      0.0,
+      logNormalCdf(z - q) - logBelow);  // ln of the share of Φ(z) that lies more than q below z
   // Φ(z)^m − (Φ(z) − Φ(z − q))^m = Φ(z)^m (1 − (1 − share)^m); for a tiny share the last is m ·
   // share.
   const double logLoss = logShare < kNegligible

@@ -30,10 +30,10 @@ double twoSidedTPower(double noncentrality, double df, double alpha) {
   const double critical = StudentDistribution(df).twoSidedQuantile(alpha);
   const double shift = std::abs(noncentrality);
   if (shift == 0.0) return alpha;
-  // Beyond this the test misses nothing.
+  // Beyond this shift the power is 1.
   constexpr double kLargestShift = 1000.0;
   if (shift > std::max(kLargestShift, 50.0 * critical)) return 1.0;
-  // The series that follows would take long.
+  // Boost's series below would be slow here.
   constexpr double kFarOut = 100.0;
   if (shift > kFarOut) return 1.0 - noncentralTProbability(critical, df, shift);
   const boost::math::non_central_t law(df, shift);

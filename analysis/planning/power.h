@@ -14,7 +14,7 @@ namespace analysis {
 ///
 /// (Cohen 1988; both tails are counted.)
 ///
-/// @param alpha  of this one test: α / m within a family with Bonferroni's correction.
+/// @param alpha  level of this one test: α / m in a family of m with Bonferroni's correction.
 /// @throws std::invalid_argument  for fewer than two participants, an alpha that is not between 0
 ///     and 1, or an effect that is NaN.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
@@ -34,8 +34,9 @@ inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 ///     below alpha, or an effect that is NaN.
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);
 
-/// The fewest participants from @p least up to kMostParticipants that suffice; more of them suffice
-/// as well.
+/// The fewest participants from @p least up to kMostParticipants for whom @p suffices returns true;
+/// std::nullopt if there are none. @p suffices must be monotonic: true for n implies true for n +
+/// 1.
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, or a power
 ///     below alpha.
 std::optional<std::uint64_t> fewestParticipants(

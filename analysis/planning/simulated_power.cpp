@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kThresholdDistance = 0.8;
 
-/// In (0, 1], from the upper 53 bits.
+/// A uniform number in (0, 1], from the upper 53 bits.
 double uniform(std::mt19937_64& random) {
   return (static_cast<double>(random() >> 11U) + 1.0) * 0x1p-53;
 }
@@ -36,7 +36,7 @@ double LikertModel::deviationOfDifferences() const {
 void LikertModel::check() const {
   const double least = std::min({participantShare, participantByConditionShare, residualShare});
   const double sum = participantShare + participantByConditionShare + residualShare;
-  // Shares are written as decimals, whose sum may be one but for rounding.
+  // Shares are written as decimals; their sum may differ from one by rounding.
   if (!(least >= 0.0 && std::abs(sum - 1.0) < 1e-9)) {
     throw std::invalid_argument("shares of the variance are not negative and add up to one");
   }
@@ -135,15 +135,14 @@ double rankP(const std::vector<int>& differences) {
   const int least = std::min(positive, total - positive);
   if (sizes.size() <= kMostExact) return std::min(1.0, 2.0 * lowerTail(doubled, least));
 
-  double variance = 0.0;  // of the doubled sum: Σ r² / 4, with ties as they are
+  double variance = 0.0;  // of the doubled sum: Σ r² / 4, ties included
   for (const int rank : doubled) variance += 0.25 * rank * rank;
   const double z = std::max(0.0, 0.5 * total - least - 1.0) / std::sqrt(variance);
   return normalTwoSidedP(z);
 }
 
-/// One simulated study and the critical values of its tests. The tests work on sums in whole
-/// numbers and on critical values that are computed once, since a plan simulates thousands of
-/// studies.
+/// One simulated study and the critical values of its tests. For speed, the tests use integer sums
+/// and critical values that are computed once: a power simulation runs thousands of studies.
 class Trial {
  public:
   explicit Trial(const PowerSimulation& s)
@@ -190,7 +189,8 @@ class Trial {
     if (!(va + vb > 0.0)) return false;
     const double df = (n - 1.0) * (va + vb) * (va + vb) / (va * va + vb * vb);
     const double t = std::abs(total_[a] - total_[b]) / n / std::sqrt(va + vb);
-    // t at a level falls with the degrees of freedom: most are decided without computing p.
+    // The critical t falls with the degrees of freedom, so most cases are decided without computing
+    // p.
     if (t < quantileAt(std::ceil(df))) return false;
     return t > quantileAt(std::floor(df)) || StudentDistribution(df).twoSidedP(t) <= level_;
   }

@@ -7,27 +7,29 @@
 
 namespace analysis {
 
-/// A model of how participants answer, for planning a study; it describes no data.
+/// A model of how participants answer, used to simulate data when a study is planned. It is not
+/// fitted to data.
 ///
 /// Every answer comes from a latent number,
 ///
 ///     x = m_c + P + M_c + R,
 ///
-/// the level of the condition, the participant's leniency, the participant's liking of this
-/// condition, and a residual. P, M and R are normal, with variances that add up to one. The
-/// answer is the point of the scale that x falls on: the thresholds lie 0.8 apart around zero, so
-/// that on five points about 12, 23, 31, 23 and 12 % choose each where m_c = 0.
+/// the mean of the condition, the participant's leniency, the participant's liking of this
+/// condition, and a residual. P, M and R are normal, with variances that add up to one. The answer
+/// is the point of the scale that x falls on: the thresholds lie 0.8 apart around zero, so that for
+/// m_c = 0, about 12, 23, 31, 23 and 12 % of answers fall on each of five points.
 struct LikertModel {
-  double participantShare = 0.3;  ///< of the variance
+  double participantShare = 0.3;  ///< share of P in the variance
   double participantByConditionShare = 0.2;
   double residualShare = 0.5;
   int points = 5;
   int conditions = 3;
   int answers = 6;  ///< of each participant to each condition
-  double dz = 1.0;  ///< effect of the first condition against every other [standard deviations]
+  double dz = 1.0;  ///< effect of the first condition against each other one [standard deviations
+                    ///< of the difference]
 
-  /// The difference of levels for which two participants' latent means differ by d_z standard
-  /// deviations of that difference: d_z √(2 (σ_M² + σ_R² / answers)).
+  /// m_c of the first condition (that of the others is 0), such that participants' mean differences
+  /// have an effect size of d_z: d_z √(2 (σ_M² + σ_R² / answers)).
   double levelOfFirst() const;
 
   /// The standard deviation of the participants' latent mean differences of two conditions:
@@ -43,19 +45,18 @@ struct LikertModel {
 using LikertAnswers = std::vector<std::vector<int>>;
 
 /// Draws participants one after the other; the same seed gives the same answers on every computer,
-/// which the normal distribution of the standard library does not promise.
+/// which the normal distribution of the standard library does not guarantee.
 class LikertCohort {
  public:
   /// @throws std::invalid_argument  as LikertModel::check().
   LikertCohort(const LikertModel& model, std::uint64_t seed);
 
   /// The next participant.
-  /// @param shifts  of each condition's level, at the participant's site; empty: none
+  /// @param shifts  added to m_c of each condition at the participant's site; empty: none
   LikertAnswers next(std::span<const double> shifts = {});
 
-  /// How much the level of each condition is shifted at the next site, such that the difference of
-  /// two conditions varies between sites with @p deviation times the standard deviation that it has
-  /// between participants.
+  /// Draws the shifts of all conditions at the next site. The difference of two conditions then
+  /// has, between sites, a standard deviation of @p deviation times that between participants.
   std::vector<double> shiftsOfSite(double deviation);
 
  private:
@@ -65,7 +66,7 @@ class LikertCohort {
   LikertModel model_;
   double levelOfFirst_;
   std::mt19937_64 random_;
-  double spare_ = 0.0;  ///< Box & Muller's method gives two numbers at a time
+  double spare_ = 0.0;  ///< the second number of the pair that Box & Muller's method gives
   bool hasSpare_ = false;
 };
 
@@ -77,12 +78,12 @@ struct DetectionRate {
   static DetectionRate of(std::uint64_t found, std::uint64_t studies);
 };
 
-/// What is simulated.
+/// The parameters of a power simulation.
 struct PowerSimulation {
   LikertModel model;
   std::uint64_t participants = 12;
   double alpha = 0.05;
-  std::uint64_t comparisons = 3;  ///< of the family: pairs are tested at α / comparisons
+  std::uint64_t comparisons = 3;  ///< size of the family: pairs are tested at α / comparisons
   std::uint64_t studies = 2000;
   std::uint64_t seed = 1;
 
@@ -91,22 +92,22 @@ struct PowerSimulation {
   void check() const;
 };
 
-/// How often the same simulated studies are significant by each test. "First pair": the first
-/// condition against the second, where the effect is. "Any pair": at least one of all pairs of
-/// conditions, which is the familywise error if there is no effect.
+/// The share of simulated studies that each test finds significant; all tests use the same studies.
+/// "First pair": the first condition against the second, where the effect is. "Any pair": at least
+/// one of all pairs of conditions, which is the familywise error if there is no effect.
 struct SimulatedPower {
-  DetectionRate pairedT;         ///< first pair, means of participants, at α / m
-  DetectionRate signedRank;      ///< the same by Wilcoxon's signed rank test, exact with ties
-  DetectionRate friedman;        ///< all conditions at once, means of participants, χ², at α
-  DetectionRate anyPairedT;      ///< any pair
-  DetectionRate pooledWelch;     ///< first pair, all answers as if each had its own participant
+  DetectionRate pairedT;     ///< first pair, means of participants, at α / m
+  DetectionRate signedRank;  ///< first pair, by Wilcoxon's signed rank test, exact with ties
+  DetectionRate friedman;    ///< overall test of all conditions, means of participants, χ², at α
+  DetectionRate anyPairedT;  ///< any pair
+  DetectionRate pooledWelch;     ///< first pair, all answers treated as independent
   DetectionRate anyPooledWelch;  ///< any pair
 };
 
-/// The signed rank test drops differences of zero; up to 50 differences its p is exact, given the
-/// ranks, beyond that normal with correction for ties and continuity. Where a test is not defined
-/// (all differences equal), it has found nothing. One thread, one stream of random numbers: the
-/// same arguments give the same result.
+/// Simulates studies. The signed rank test drops differences of zero; its p is exact for up to 50
+/// differences, and otherwise from the normal approximation with correction for ties and
+/// continuity. A test that is not defined (all differences equal) counts as not significant. Runs
+/// in one thread with one stream of random numbers: the same arguments give the same result.
 ///
 /// @throws std::invalid_argument  as PowerSimulation::check().
 SimulatedPower simulatePower(const PowerSimulation& simulation);

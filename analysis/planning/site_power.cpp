@@ -55,7 +55,8 @@ class SiteTrial {
     }
   }
 
-  /// The pooled difference, its interval at 1 − alpha of the family; nothing: too few sites.
+  /// The pooled difference, with its interval at 1 − alpha of the family; std::nullopt for too few
+  /// sites.
   std::optional<PooledEstimate> pooledDifference(std::size_t a, std::size_t b) const {
     std::vector<EstimateWithError> known;
     for (const auto& site : sites_) {
@@ -75,7 +76,7 @@ class SiteTrial {
     return spread > 0.0 && std::abs(mean) > criticalT_ * std::sqrt(spread / (n * (n - 1.0)));
   }
 
-  /// Any pair but the first.
+  /// Whether a test is significant for any pair except the first.
   template <typename Test>
   bool anyOtherPair(const Test& test) const {
     for (std::size_t a = 0; a < conditions_; ++a) {
@@ -90,7 +91,7 @@ class SiteTrial {
   struct DifferenceMoments {
     double n = 0.0;
     double mean = 0.0;    ///< of the participants' mean differences [points]
-    double spread = 0.0;  ///< Σ (D − mean)²; exactly 0 if all are alike
+    double spread = 0.0;  ///< Σ (D − mean)²; exactly 0 if all differences are equal
   };
 
   DifferenceMoments momentsOf(std::span<const SiteSums> sites, std::size_t a, std::size_t b) const {

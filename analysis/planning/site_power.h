@@ -7,30 +7,31 @@
 
 namespace analysis {
 
-/// How participants are spread over sites, and how much sites differ in a difference of two
-/// conditions:
+/// The number of sites of a study, and how much the difference of two conditions varies between
+/// sites:
 ///
 ///     D_ij = d_z + S_j + E_ij,   Var S_j = τ²,   Var E_ij = 1,
 ///
-/// of participant i at site j, in units of the standard deviation of the participants' differences
-/// at one site. Sites that are lenient as a whole need no term: it cancels within people.
+/// is the difference of participant i at site j, in units of the standard deviation of the
+/// participants' differences at one site. A site that is lenient as a whole needs no term, because
+/// leniency cancels in differences within participants.
 struct SitePlan {
   /// Klein et al. 2018 (Adv. Methods Pract. Psychol. Sci. 1(4), 443–490,
-  /// doi:10.1177/2515245918810225) had 28 effects measured again at 125 sites: one had a larger τ,
-  /// eight one of about 0.1.
+  /// doi:10.1177/2515245918810225) replicated 28 effects at 125 sites: τ was larger than this for
+  /// one effect, and about 0.1 for eight.
   static constexpr double kUsualDeviation = 0.2;
 
   std::uint64_t sites = 2;
   double deviation = kUsualDeviation;  ///< τ [d_z]
 
-  /// Of the participants' differences: ρ = τ² / (1 + τ²).
+  /// ρ = τ² / (1 + τ²), of the participants' differences within sites.
   double intraclassCorrelation() const;
 
   /// 1 + (m − 1) ρ for m = participants / sites, the factor by which the variance of the mean
-  /// difference is larger than with each participant at a site of their own (Kish 1965).
+  /// difference is larger than if all participants were at different sites (Kish 1965).
   double designEffect(std::uint64_t participants) const;
 
-  /// The fewest participants that can be pooled: two at each site.
+  /// The fewest participants with whom sites can be pooled: two at each site.
   std::uint64_t fewestParticipants() const { return 2 * sites; }
 
   /// @throws std::invalid_argument  for fewer than two sites, or a τ that is negative or not
@@ -38,41 +39,40 @@ struct SitePlan {
   void check() const;
 };
 
-/// The power of the pooled difference of all sites, each with m = participants / sites of normal
-/// differences: Student's t with k − 1 degrees of freedom on the sites' means, as Knapp and
-/// Hartung's test is for sites of one size,
+/// The power of the test of the pooled difference of k sites, each with m = participants / sites
+/// participants and normal differences. For sites of equal size, Knapp and Hartung's test is a
+/// t-test of the sites' means with k − 1 degrees of freedom:
 ///
 ///     power = P(|T| > t_c),  T noncentral t with ν = k − 1 and δ = d_z / √((τ² + 1/m) / k).
 ///
-/// @param alpha  of this one test.
+/// @param alpha  level of this one test.
 /// @throws std::invalid_argument  as SitePlan::check(); for fewer participants than can be pooled,
 ///     an alpha that is not between 0 and 1, or an effect that is NaN.
 double pooledSitesPower(double dz, std::uint64_t participants, const SitePlan& plan, double alpha);
 
 /// The fewest participants, over all sites, with whom pooledSitesPower() is at least this;
-/// std::nullopt if no number is enough: more people at few sites tell nothing of other sites.
+/// std::nullopt if no number is enough, because the variance between few sites remains.
 /// @throws std::invalid_argument  as pooledSitesPower(), and for a power that is not between alpha
 ///     and 1.
 std::optional<std::uint64_t> participantsForPower(
     double dz, const SitePlan& plan, double alpha, double power);
 
-/// How often the same simulated studies at several sites are significant. "First pair" and "any
-/// pair" as in SimulatedPower.
+/// The share of simulated studies at several sites that each test finds significant; all tests use
+/// the same studies. "First pair" and "any pair" as in SimulatedPower.
 struct SimulatedSitePower {
   DetectionRate pooled;      ///< first pair: the sites' differences, pooled (REML, Knapp–Hartung)
   DetectionRate anyPooled;   ///< any pair
-  DetectionRate pairedT;     ///< first pair, all participants as if of one site
+  DetectionRate pairedT;     ///< first pair, all participants, sites ignored
   DetectionRate anyPairedT;  ///< any pair
   /// Half the width of the first pair's pooled interval at 1 − alpha, median over studies [points];
   /// std::nullopt if nothing could be pooled in half of them.
   std::optional<double> halfWidth;
 };
 
-/// Simulates studies at several sites. Participants are drawn as LikertCohort draws them; at each
-/// site each condition is shifted by a normal number, so that the difference of two has τ times the
-/// standard deviation that it has between the participants of a site. Sites have participants as
-/// evenly as can be. Differences are compared and pooled as compareSites() does it: a site whose
-/// participants all differ alike is left out, and with fewer than two nothing is found.
+/// Simulates studies at several sites. LikertCohort draws the participants and the shifts of each
+/// site. Participants are distributed over sites as evenly as possible. Differences are pooled as
+/// in compareSites(): a site whose participants all have the same difference is left out, and fewer
+/// than two remaining sites count as not significant.
 ///
 /// @throws std::invalid_argument  as simulatePower() and SitePlan::check(), and for fewer
 ///     participants than can be pooled.

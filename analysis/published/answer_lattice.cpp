@@ -37,7 +37,7 @@ AnswerLattice::AnswerLattice(const AnswerScale& scale, std::uint64_t mostAnswers
         "groups of " + std::to_string(mostAnswers) +
         " answers on so fine a scale are too many to count out");
   }
-  // n answers are n − 1 answers and one more, u, which shifts every sum of squares by u².
+  // Adding one answer u to n − 1 answers shifts every sum of squares by u².
   squares_.resize(mostAnswers + 1);
   squares_[0] = {{1}};
   for (std::uint64_t n = 1; n <= mostAnswers; ++n) {
@@ -96,7 +96,8 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
 std::vector<std::uint64_t> AnswerLattice::answersOf(const LatticePoint& point) const {
   std::vector<std::uint64_t> times(steps_ + 1, 0);
   auto [sum, squares] = std::pair(point.sum, point.squares);
-  // What is left after each answer can be made of the answers that are left: so the table was made.
+  // squares_ guarantees that after each answer the remaining sums are attainable with the remaining
+  // answers.
   for (std::uint64_t left = point.n; left > 0; --left) {
     std::uint64_t u = 0;
     while (u > sum || u * u > squares || sum - u > (left - 1) * steps_ ||

@@ -8,8 +8,8 @@
 
 namespace analysis {
 
-/// An answer scale: lowest, lowest + 1/parts … highest. Means of two statements on
-/// 1 … 5 have parts = 2.
+/// An answer scale: lowest, lowest + 1/parts … highest. An answer that is the mean of two
+/// statements on 1 … 5 has parts = 2.
 struct AnswerScale {
   int lowest = 1;
   int highest = 5;
@@ -27,24 +27,24 @@ struct LatticePoint {
   bool operator==(const LatticePoint&) const = default;
 };
 
-/// The pairs of a sum S and a sum of squares Q that n answers on a scale can have at all.
+/// All pairs of a sum S and a sum of squares Q that n answers on a scale can have.
 ///
-/// Not every mean is a number of whole answers divided by n (GRIM, Brown & Heathers 2017), and not
-/// every variance belongs to such a mean (GRIMMER, Anaya 2016). Here the possible pairs are
-/// enumerated, answer by answer: the result is exact, not a necessary condition only.
+/// A printed mean may be impossible for n whole-numbered answers (GRIM, Brown & Heathers 2017), and
+/// so may a variance together with a mean (GRIMMER, Anaya 2016). These tests are necessary
+/// conditions; this class enumerates the possible pairs, so that its result is exact.
 class AnswerLattice {
  public:
   static constexpr int kMostPoints = 101;
-  /// How many combinations of n, S and Q are enumerated at most: a matter of seconds.
+  /// The largest number of combinations of n, S and Q that is enumerated, within some seconds.
   static constexpr double kMostPairs = 1e9;
 
-  /// For groups of up to @p mostAnswers.
+  /// Enumerates the pairs for groups of up to @p mostAnswers answers.
   /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints,
-  ///     for parts that are not positive, and beyond kMostPairs.
+  ///     for parts that are not positive, and for more than kMostPairs combinations.
   AnswerLattice(const AnswerScale& scale, std::uint64_t mostAnswers);
 
-  /// Every S and Q whose mean and variance would be printed as the group's are, in whole numbers
-  /// and without any error.
+  /// All S and Q whose mean and variance would be printed like those of @p group. Computed exactly,
+  /// in whole numbers.
   /// @param n  2 … mostAnswers.
   std::vector<LatticePoint> pointsOf(
       const PublishedGroup& group,
@@ -52,9 +52,9 @@ class AnswerLattice {
       PublishedConvention::Divisor divisor,
       Reading reading) const;
 
-  /// One set of answers with this sum and sum of squares: how often each point of the scale was
-  /// given, from the lowest up.
-  /// @param point  of pointsOf().
+  /// One set of answers with this sum and sum of squares, as the count of each point of the scale
+  /// from the lowest.
+  /// @param point  one that pointsOf() returned.
   std::vector<std::uint64_t> answersOf(const LatticePoint& point) const;
 
  private:

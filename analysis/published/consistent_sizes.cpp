@@ -27,7 +27,7 @@ const TWindow::Limits& TWindow::limitsAt(std::size_t degreesOfFreedom) const {
 }
 
 bool TWindow::holds(const LatticePoint& group1, const LatticePoint& group2) const {
-  constexpr double kMargin = 1e-9;  // of t: what lies nearer to a limit is decided by its p
+  constexpr double kMargin = 1e-9;  // of t: if t is nearer to a limit, p is computed
   const auto spread =
       spreadOfDifference(convention_.test, group1.variance, group1.n, group2.variance, group2.n);
   const double difference = std::abs(group1.mean - group2.mean);
@@ -61,23 +61,25 @@ bool isSet(const Bits& bits, std::size_t i) {
   return ((bits[i / kWordBits] >> (i % kWordBits)) & 1U) != 0;
 }
 
-/// Intersects bits with other; false where nothing is left.
+/// Intersects @p bits with @p other; false if the result is empty.
 bool keep(Bits& bits, const Bits& other) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i < bits.size(); ++i) any |= bits[i] &= other[i];
   return any != 0;
 }
 
-/// Which points of two groups, each of one size, give the printed p: a row for every point.
+/// Which points of two groups of given sizes have the printed p, as a row of bits for each point.
 struct Agreement {
-  std::vector<Bits> forward;   ///< [point of the first group]: points of the second
-  std::vector<Bits> backward;  ///< the other way round
+  /// [point of the first group]: the points of the second group that agree.
+  std::vector<Bits> forward;
+  /// [point of the second group]: the points of the first group that agree.
+  std::vector<Bits> backward;
   bool isEmpty = true;
 };
 
-/// A constraint search: the values of each group are the lattice points that print its mean and
-/// variance; a printed p is a constraint between two groups. Which pairs of points satisfy it is
-/// computed once for each pair of sizes, as bits, and used for all combinations of sizes.
+/// A constraint search: the values of each group are the lattice points that reproduce its mean and
+/// variance; a printed p is a constraint between two groups. The pairs of points that satisfy it
+/// are computed once for each pair of sizes, as bits, and used for all combinations of sizes.
 class SizeSearch {
  public:
   SizeSearch(
@@ -168,7 +170,8 @@ class SizeSearch {
 
   /// Backtracking with forward checking: chooses a point for one group after the other, and keeps
   /// of the later groups the points that agree with it.
-  /// @param chosen  of the groups before; of all of them where that succeeds.
+  /// @param chosen  the points chosen for the groups before @p group; those of all groups on
+  ///     success.
   bool canChoose(
       const std::vector<std::size_t>& at,
       std::size_t group,

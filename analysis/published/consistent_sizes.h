@@ -12,15 +12,16 @@
 
 namespace analysis {
 
-/// Whether two groups have a p between two limits, for very many pairs of groups.
+/// A fast test, for very many pairs of groups, of whether the p value of two groups lies between
+/// two limits.
 ///
-/// Most pairs are decided by their t alone, from the quantiles at the whole degrees of freedom
-/// below and above; a p is computed only for a t between these.
+/// Compares t with the quantiles at the whole degrees of freedom below and above, which decides
+/// most pairs; p is computed only for a t between these.
 class TWindow {
  public:
   TWindow(const Interval& p, const PublishedConvention& convention);
 
-  /// @param group1  and group2: of two answers at least.
+  /// @param group1  and group2: with at least two answers.
   bool holds(const LatticePoint& group1, const LatticePoint& group2) const;
 
  private:
@@ -33,40 +34,41 @@ class TWindow {
 
   Interval p_;
   PublishedConvention convention_;
-  mutable std::vector<Limits> limits_;  ///< [degrees of freedom], as far as they were asked for
+  mutable std::vector<Limits> limits_;  ///< [degrees of freedom], computed on first use
 };
 
 /// The sizes of all groups, in the order of the table.
 using GroupSizes = std::vector<std::uint64_t>;
 
-/// The group sizes for which answers on a scale exist that print the whole row.
+/// The group sizes for which answers exist that reproduce all printed numbers of a row.
 struct ConsistentSizes {
   PublishedConvention convention;
-  std::uint64_t tried = 0;          ///< combinations of sizes
-  std::vector<GroupSizes> fitting;  ///< those for which answers exist that print the whole row
-  /// For every group the sizes that its mean and variance alone allow (GRIM, GRIMMER).
+  std::uint64_t tried = 0;  ///< number of combinations of sizes
+  /// The combinations for which answers exist that reproduce the whole row.
+  std::vector<GroupSizes> fitting;
+  /// For each group, the sizes that its mean and variance alone allow (GRIM, GRIMMER).
   std::vector<std::vector<std::uint64_t>> possible;
-  /// Answers of every group that print the whole row, at the sizes of fewestMissing(): how often
-  /// each point of the scale was given, from the lowest up. Empty where nothing fits.
+  /// Answers that reproduce the whole row at the sizes of fewestMissing(): for each group, the
+  /// count of each point of the scale from the lowest. Empty if no sizes fit.
   std::vector<std::vector<std::uint64_t>> example;
 
-  /// Those that are the same in every group.
+  /// The sizes that fit if all groups have the same size.
   std::vector<std::uint64_t> equalSizes() const;
-  /// The one with most answers in all; the first of several.
+  /// The fitting combination with the largest total; the first one of several.
   std::optional<GroupSizes> fewestMissing() const;
 };
 
-/// How many combinations of sizes may be tried.
+/// The largest number of combinations of sizes that consistentSizes() tries.
 inline constexpr double kMostSizeCombinations = 2e6;
 
-/// Tries every combination of sizes: are there sums and sums of squares, one pair for each group,
-/// that print every mean, variance and p?
+/// Finds all combinations of sizes for which sums and sums of squares exist, one pair for each
+/// group, that reproduce every printed mean, variance and p.
 ///
-/// A p on a border is decided to about 1e-12.
+/// A p is compared with the limits of its printed value to about 1e-12.
 ///
-/// @param sizes  for each group those to be tried, each within the lattice.
-/// @throws std::invalid_argument  for other than one list for every group, an empty list, and
-///     beyond kMostSizeCombinations.
+/// @param sizes  for each group, the sizes to try, each within the lattice.
+/// @throws std::invalid_argument  unless there is one list for each group and none is empty, and
+///     for more than kMostSizeCombinations combinations.
 ConsistentSizes consistentSizes(
     const PublishedTable& table,
     std::span<const std::vector<std::uint64_t>> sizes,

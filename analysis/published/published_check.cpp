@@ -19,15 +19,16 @@ struct Bound {
   double most = 0.0;
 };
 
-/// Numbers that satisfy all bounds, by the shortest paths of Bellman and Ford; std::nullopt if
-/// there are none: then a cycle of bounds has a negative sum, and the numbers fall in every round.
+/// Numbers that satisfy all bounds, by the Bellman–Ford algorithm; std::nullopt if there are none:
+/// then a cycle of bounds has a negative sum, and the numbers fall in every round.
 std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std::size_t nodes) {
   std::vector<double> number(nodes, 0.0);
   for (std::size_t round = 0; round <= nodes; ++round) {
     bool isChanged = false;
     for (const auto& bound : bounds) {
       const double most = number[bound.from] + bound.most;
-      if (most < number[bound.to] - 1e-12) {  // rounding alone must not make a negative cycle
+      if (most <
+          number[bound.to] - 1e-12) {  // tolerance, so that rounding does not make a negative cycle
         number[bound.to] = most;
         isChanged = true;
       }
@@ -37,7 +38,7 @@ std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std:
   return std::nullopt;
 }
 
-/// |m₁ − m₂| for which p is printed as it is.
+/// The range of |m₁ − m₂| that gives the printed p.
 Interval distances(
     const Interval& p, const SpreadOfDifference& spread, PublishedConvention::Tails tails) {
   const double factor = tails == PublishedConvention::Tails::Two ? 1.0 : 2.0;
@@ -111,9 +112,9 @@ class RowSearch {
     return false;
   }
 
-  /// |m₁ − m₂| in a range is two bounds once the larger mean is chosen: adds one comparison after
-  /// the other, each in either direction, and turns back as soon as the bounds contradict each
-  /// other.
+  /// Backtracking search. Once the larger mean is chosen, a range of |m₁ − m₂| becomes two bounds.
+  /// Adds one comparison after another, each in both directions, and backtracks as soon as the
+  /// bounds contradict each other.
   std::optional<std::vector<double>> meansAt(
       const std::vector<std::size_t>& at,
       std::size_t next,
@@ -156,14 +157,14 @@ std::optional<std::vector<MeanAndVariance>> momentsOfRow(
 
 namespace {
 
-constexpr int kStepsOfEdge = 64;  // p bends slightly along an edge: an extreme may lie inside
+constexpr int kStepsOfEdge = 64;  // p may be non-monotonic along an edge: an extreme may lie inside
 
 double between(const Interval& range, int step) {
   if (step == kStepsOfEdge) return range.high;
   return range.low + (range.high - range.low) * step / kStepsOfEdge;
 }
 
-/// The nearest and the furthest that two means may be from each other.
+/// The smallest and the largest distance of two means.
 Interval distanceOf(const Interval& mean1, const Interval& mean2) {
   const double furthest = std::max(mean1.high - mean2.low, mean2.high - mean1.low);
   const double nearest = std::max({mean1.low - mean2.high, mean2.low - mean1.high, 0.0});

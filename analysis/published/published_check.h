@@ -12,33 +12,34 @@
 
 namespace analysis {
 
-/// A group with the mean and the variance (n − 1) that it may have had.
+/// A possible mean and variance (with n − 1) of a group.
 struct MeanAndVariance {
   double mean = 0.0;
   double variance = 0.0;
 };
 
-/// One mean and one variance for each group that give *all* printed p values at once, which is a
+/// One mean and variance for each group that together give *all* printed p values, which is a
 /// stronger condition than each p alone; std::nullopt if none are found.
 ///
 /// The variances are taken from a grid (nine values of each group, down to three where there are
-/// many groups). For given variances a printed p is a range of the difference of two means, and
-/// whether means fulfil all ranges together is a question of shortest paths: answered exactly. So
-/// what is found proves that the row fits, and what is not found may lie between the grid's points.
+/// many groups). For given variances, a printed p is a range of the difference of two means; a
+/// shortest-path algorithm decides exactly whether means exist that satisfy all ranges. A result
+/// therefore proves that the row is possible; std::nullopt proves nothing, because a solution may
+/// lie between the points of the grid.
 ///
-/// @param sizes  of every group, at least 2.
+/// @param sizes  one for each group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
 std::optional<std::vector<MeanAndVariance>> momentsOfRow(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention);
 
-/// Every p that two groups may have, whose means and variances are printed like this.
+/// The range of p of two groups whose means and variances are printed like this.
 ///
-/// p falls with the difference of the means, so the nearest and the furthest two means bound it.
-/// Where the ratio of both variances is held, p rises with their size; so its extremes lie on the
-/// edges of the rectangle of variances, and these are searched, corners included. (Along an edge p
-/// usually rises as well, but Welch's degrees of freedom may bend it.)
+/// p falls with the difference of the means, so the smallest and the largest difference bound it.
+/// At a fixed ratio of the variances, p rises with their size, so the extremes of p lie on the
+/// edges of the rectangle of variances. The edges are searched, corners included. (Along an edge p
+/// usually rises as well, but not always, because Welch's degrees of freedom change.)
 ///
 /// @param n1  and n2: at least 2.
 Interval attainableP(
@@ -48,26 +49,27 @@ Interval attainableP(
     std::uint64_t n2,
     const PublishedConvention& convention);
 
-/// Whether two intervals share a number.
+/// Whether two intervals have a number in common.
 bool overlap(const Interval& a, const Interval& b);
 
-/// One printed p value, and the range of possible ones.
+/// The range of p values that is possible for one printed p value.
 struct ComparisonCheck {
   Interval attainable;
-  bool isAttainable = false;  ///< some attainable p would be printed like this
+  bool isAttainable = false;  ///< whether some attainable p would be printed like the given one
 };
 
-/// A row of a published table at given sizes of the groups, by one convention.
+/// The check of a row of a published table at given group sizes, under one convention.
 struct ConventionCheck {
   PublishedConvention convention;
   GroupSizes sizes;
-  std::vector<ComparisonCheck> comparisons;         ///< in the order of the table
-  std::optional<std::vector<MeanAndVariance>> row;  ///< means and variances that give all p at once
+  std::vector<ComparisonCheck> comparisons;  ///< in the order of the table
+  /// Means and variances that together give all p.
+  std::optional<std::vector<MeanAndVariance>> row;
 
   bool allAttainable() const;
 };
 
-/// @param sizes  of every group, at least 2.
+/// @param sizes  one for each group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
 ConventionCheck checkAt(
     const PublishedTable& table, const GroupSizes& sizes, const PublishedConvention& convention);

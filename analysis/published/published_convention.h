@@ -9,7 +9,7 @@
 
 namespace analysis {
 
-/// How p values were computed, as far as publications often do not say.
+/// The choices in computing p values that publications often do not state.
 struct PublishedConvention {
   enum class Test {
     Welch,
@@ -18,26 +18,25 @@ struct PublishedConvention {
   };
   enum class Tails { Two, One };
   enum class Divisor {
-    Sample,      ///< printed variances have n − 1 (VAR.S)
-    Population,  ///< … n (VAR.P); the test itself has n − 1
+    Sample,      ///< printed variances are divided by n − 1 (VAR.S)
+    Population,  ///< printed variances are divided by n (VAR.P); the test uses n − 1
   };
 
   Test test = Test::Welch;
-  Tails tails = Tails::Two;  ///< one: in the direction of the difference that was found
+  Tails tails = Tails::Two;  ///< One: in the direction of the observed difference
   Divisor divisor = Divisor::Sample;
-  Reading reading = Reading::Rounded;  ///< of means, variances and p alike
+  Reading reading = Reading::Rounded;  ///< of means, variances and p values
 
   bool operator==(const PublishedConvention&) const = default;
 };
 
-/// All 24, the most usual one first.
+/// All 24 conventions, the most usual one first.
 std::vector<PublishedConvention> publishedConventions();
 
-/// "Welch, two-sided, variances with n − 1, rounded"; "Welch (ToolPak)" has rounded degrees of
-/// freedom.
+/// For example "Welch, two-sided, variances with n − 1, rounded".
 std::string describe(const PublishedConvention& convention);
 
-/// The variances with n − 1 that a group may have had, never negative.
+/// The range of the variance (with n − 1) of a group, never negative.
 /// @param n  at least 2.
 Interval varianceBounds(
     const PublishedGroup& group, std::uint64_t n, const PublishedConvention& convention);
@@ -56,7 +55,7 @@ SpreadOfDifference spreadOfDifference(
     double variance2,
     std::uint64_t n2);
 
-/// p of a difference; 0 where the spread is 0 and the difference is not, 1 where both are 0.
+/// p of a difference of means; 0 if only the spread is 0, 1 if the difference is 0, too.
 double pOf(double difference, const SpreadOfDifference& spread, PublishedConvention::Tails tails);
 
 }  // namespace analysis

@@ -52,7 +52,8 @@ Interval ReportedNumber::bounds(Reading reading) const {
 
 bool ReportedNumber::prints(
     std::int64_t numerator, std::int64_t denominator, Reading reading) const {
-  // Both sides times denominator · 10^decimals: whole numbers, which are compared without rounding.
+  // Multiplies both sides by denominator · 10^decimals, and compares whole numbers without
+  // rounding.
   const Wide given = Wide(powerOfTen(decimals)) * numerator;
   const Wide printed = Wide(digits) * denominator;
   if (reading == Reading::Rounded) {
@@ -114,7 +115,7 @@ std::string quoted(const std::string& text) {
   return "'" + text + "'";
 }
 
-/// The cells of a row, and their problems.
+/// Reads the cells of a row and collects their problems.
 class RowReader {
  public:
   RowReader(const CsvTable& table, std::string_view file, std::vector<std::string>& problems)

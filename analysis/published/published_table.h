@@ -12,30 +12,30 @@
 
 namespace analysis {
 
-/// How a number lost the digits that are not printed.
+/// How the digits that are not printed were removed.
 enum class Reading {
-  Rounded,    ///< to the nearest; a half may have gone either way
+  Rounded,    ///< to the nearest; a half may have been rounded up or down
   Truncated,  ///< cut off, towards zero
 };
 
-/// A number as it is printed: its digits, and how many of them are decimals. "4.10" says more than
-/// "4.1".
+/// A number as it is printed: its digits, and how many of them are decimals. "4.10" is more precise
+/// than "4.1".
 struct ReportedNumber {
   static constexpr int kMostDigits = 9;
 
-  std::int64_t digits = 0;  ///< 4.10 has 410
-  int decimals = 0;         ///< and 2
+  std::int64_t digits = 0;  ///< 410 for "4.10"
+  int decimals = 0;         ///< 2 for "4.10"
 
   double value() const;
-  /// With as many decimals as were printed.
+  /// The number with as many decimals as were printed.
   std::string text() const;
 
-  /// Everything that would be printed like this: x ± half a unit of the last digit where it was
-  /// rounded; from x to one unit further from zero where it was truncated.
+  /// The numbers that would be printed like this: x ± half a unit of the last digit if numbers are
+  /// rounded; from x to one unit further from zero if they are truncated.
   Interval bounds(Reading reading) const;
 
-  /// Whether numerator / denominator would be printed like this, in whole numbers and without any
-  /// error.
+  /// Whether numerator / denominator would be printed like this. Computed exactly, in whole
+  /// numbers.
   /// @param denominator  positive.
   bool prints(std::int64_t numerator, std::int64_t denominator, Reading reading) const;
 
@@ -67,13 +67,12 @@ struct PublishedP {
 
   std::string text() const;
 
-  /// The p values that would be printed like this. A threshold is taken as it stands: below .017 is
-  /// 0 … .017.
+  /// The p values that would be printed like this. A threshold is exact: "< .017" gives 0 … .017.
   Interval bounds(Reading reading) const;
 };
 
 struct PublishedComparison {
-  std::size_t first = 0;  ///< in PublishedTable::groups
+  std::size_t first = 0;  ///< index into PublishedTable::groups
   std::size_t second = 0;
   PublishedP p;
 };
@@ -97,10 +96,11 @@ inline constexpr std::uint64_t kMostPublishedAnswers = 1000;
 ///     F,36,2.6,2.6                   I,K,.021
 ///     K,36,3.2,2.4                   K,F,.115
 ///
-/// `n` may be missing, as a column or in a cell; `sd` may stand for `variance`. Numbers are copied
-/// as they are printed, with their last zeros: how many decimals they have decides what follows.
+/// The column `n` or its cells may be missing; a column `sd` may replace `variance`. Numbers must
+/// be copied as they are printed, with trailing zeros: the number of decimals determines their
+/// range.
 ///
-/// @throws UserError  in words, all problems at once.
+/// @throws UserError  listing all problems.
 PublishedTable readPublishedTable(std::string_view groupsCsv, std::string_view comparisonsCsv);
 
 }  // namespace analysis

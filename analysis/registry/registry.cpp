@@ -33,8 +33,8 @@ TestRow welchRow(const TestData& data, const TestSettings& settings) {
   return rowOf(result, confidenceInterval(result, settings.level));
 }
 
-/// What both t-tests of two groups say of the size of the difference.
-/// @param corrected  for small samples
+/// Adds the effect sizes that both t-tests of two groups report.
+/// @param corrected  whether to use the small-sample correction
 void addEffects(
     TestRow& row,
     const MeanEffects& effects,
@@ -60,7 +60,7 @@ Rows welch(const TestData& data, const TestSettings& settings) {
 }
 
 Rows student(const TestData& data, const TestSettings& settings) {
-  // Means, difference and the reason for what is missing are those of Welch's test.
+  // Means, difference and the reason for missing numbers are those of Welch's test.
   auto row = welchRow(data, settings);
   const auto result = rowOf(studentTTest(first(data), second(data)));
   row.standardError = row.log10P = std::nullopt;
@@ -165,7 +165,7 @@ Rows bayesFactorOfPairs(const TestData& data, const TestSettings&) {
   return {rowOf(jzsBayesFactor(result), result.n)};
 }
 
-// A line a participant
+// One line per participant
 
 template <auto kTest>
 Rows ofLines(const TestData& data, const TestSettings&) {
@@ -270,8 +270,8 @@ Rows equalShares(const TestData& data, const TestSettings&) {
 
 constexpr const char* kGroup = "group";
 
-/// value ~ group [+ round] + (1 | cluster) + (1 | cluster:group); the second intercept only where
-/// there are several values to tell it from the residuals.
+/// value ~ group [+ round] + (1 | cluster) + (1 | cluster:group); the second intercept only if some
+/// cluster has several values of a group; otherwise it is confounded with the residuals.
 struct Design {
   FixedEffects fixed;
   std::vector<Factor> random;
@@ -380,50 +380,296 @@ using Icc = IntraclassCorrelations;
 using Shape = DataShape;
 using Use = StudyUse;
 
-// clang-format off
-// Every test: id, title, question, source, data, function, use in a study; kNeedsBound where it
-// needs a bound, kEachPair where it has a row for each pair of groups, kEachGroup for each group.
+// clang-format off All tests: id, title, question, source, data, function, use in a study;
+// kNeedsBound if it needs a bound, kEachPair or kEachGroup if it has a row for each pair of groups
+// or for each group.
 constexpr auto kNeedsBound = StatisticalTest::Form::NeedsBound;
 constexpr auto kEachPair = StatisticalTest::Form::RowOfEachPair;
 constexpr auto kEachGroup = StatisticalTest::Form::RowOfEachGroup;
 constexpr std::array kTests{
-    StatisticalTest{"welch", "Welch's t-test", "Do two groups differ in their mean?", "Welch 1947", Shape::TwoGroups, welch},
-    StatisticalTest{"student", "Student's t-test", "Do two groups of equal variance differ in their mean?", "Student 1908", Shape::TwoGroups, student},
-    StatisticalTest{"mann_whitney", "Mann and Whitney's test", "Does one group tend to larger values? Exact, ties included", "Mann & Whitney 1947", Shape::TwoGroups, mannWhitney, Use::Cohorts},
-    StatisticalTest{"brunner_munzel", "Brunner and Munzel's test", "Does one group tend to larger values, if the scatter may differ?", "Brunner & Munzel 2000", Shape::TwoGroups, brunnerMunzel, Use::Cohorts},
-    StatisticalTest{"tost_groups", "Two one-sided t-tests of two groups", "Is the difference of two means within ±bound?", "Schuirmann 1987", Shape::TwoGroups, equivalenceOfGroups, Use::None, kNeedsBound},
-    StatisticalTest{"bayes_factor_groups", "JZS Bayes factor of two groups", "How much do the data speak for a difference of two means?", "Rouder et al. 2009", Shape::TwoGroups, bayesFactorOfGroups},
-    StatisticalTest{"one_way_anova", "One-way analysis of variance", "Do groups of equal variance differ in their mean?", "Fisher 1925", Shape::Groups, ofGroups<anova>},
-    StatisticalTest{"brown_forsythe", "Brown and Forsythe's test", "Do groups differ in their spread about the median?", "Brown & Forsythe 1974", Shape::Groups, ofGroups<brownForsytheTest>},
-    StatisticalTest{"shapiro_wilk", "Shapiro and Wilk's test", "Could the values come from a normal law?", "Royston 1995", Shape::Values, shapiroWilk},
-    StatisticalTest{"paired_t", "Paired t-test", "Do pairs differ in their mean?", "Student 1908", Shape::Pairs, pairedT, Use::Pairs},
-    StatisticalTest{"sign_flip", "Exact sign-flip test", "Do pairs differ in their mean? All choices of signs", "Fisher 1935", Shape::Pairs, signFlip, Use::Pairs},
-    StatisticalTest{"signed_rank", "Wilcoxon's signed rank test", "Are differences as likely up as down? Exact, zeros dropped", "Wilcoxon 1945", Shape::Pairs, signedRank<Zeros::Dropped>, Use::Pairs},
-    StatisticalTest{"signed_rank_pratt", "Signed rank test with Pratt's zeros", "The same, zeros ranked and then dropped", "Pratt 1959", Shape::Pairs, signedRank<Zeros::RankedThenDropped>},
-    StatisticalTest{"sign_test", "Sign test", "Are there more differences up than down? Exact", "Arbuthnott 1710", Shape::Pairs, sign},
-    StatisticalTest{"bayes_factor", "JZS Bayes factor of pairs", "How much do the data speak for a mean difference?", "Rouder et al. 2009", Shape::Pairs, bayesFactorOfPairs, Use::BesidePairs},
-    StatisticalTest{"tost", "Two one-sided t-tests of pairs", "Is the mean difference within ±bound?", "Schuirmann 1987", Shape::Pairs, equivalenceOfPairs, Use::BesidePairs, kNeedsBound},
-    StatisticalTest{"friedman", "Friedman's test", "Do conditions differ, if every participant ranks them?", "Friedman 1937", Shape::Columns, ofLines<friedmanTest>, Use::Conditions},
-    StatisticalTest{"nemenyi", "Nemenyi's comparisons", "Which conditions differ after Friedman's test? p holds for all pairs", "Nemenyi 1963", Shape::Columns, nemenyi, Use::None, kEachPair},
-    StatisticalTest{"conover", "Conover's comparisons", "Which conditions differ after Friedman's test? p of each pair alone", "Conover 1999", Shape::Columns, conover, Use::None, kEachPair},
-    StatisticalTest{"rm_anova", "Repeated-measures analysis of variance", "Do conditions differ in their mean, all judged by the same people?", "Greenhouse & Geisser 1959", Shape::Columns, ofLines<repeatedMeasuresAnova>, Use::Conditions},
-    StatisticalTest{"cochran_q", "Cochran's Q", "Do options get as many yes (1) of the same people?", "Cochran 1950", Shape::Columns, cochran},
-    StatisticalTest{"icc_1_1", "Intraclass correlation ICC(1,1)", "How alike are ratings of a subject, raters differing between subjects?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::oneWaySingle>},
-    StatisticalTest{"icc_1_k", "Intraclass correlation ICC(1,k)", "The same of the mean of all ratings", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::oneWayAverage>},
-    StatisticalTest{"icc_2_1", "Intraclass correlation ICC(2,1)", "How far do raters agree, drawn at random from many?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayRandomSingle>},
-    StatisticalTest{"icc_2_k", "Intraclass correlation ICC(2,k)", "The same of the mean of all raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayRandomAverage>},
-    StatisticalTest{"icc_3_1", "Intraclass correlation ICC(3,1)", "How consistent are these raters?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedSingle>},
-    StatisticalTest{"icc_3_k", "Intraclass correlation ICC(3,k)", "The same of the mean of these raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedAverage>},
-    StatisticalTest{"cronbach_alpha", "Cronbach's alpha", "Do the items of a scale pull together?", "Cronbach 1951, Feldt 1965", Shape::Columns, cronbach},
-    StatisticalTest{"omega_total", "McDonald's omega", "How much of a sum of items do they have in common?", "McDonald 1999", Shape::Columns, omega},
-    StatisticalTest{"fisher_exact", "Fisher's exact test", "Do two sortings of the same cases have to do with each other?", "Fisher 1935, Freeman & Halton 1951", Shape::Categories, fisher},
-    StatisticalTest{"mcnemar", "McNemar's test", "Do people change from one of two options as often as to it? Exact", "McNemar 1947", Shape::BeforeAfter, mcNemar},
-    StatisticalTest{"stuart_maxwell", "Stuart and Maxwell's test", "Are options chosen as often the second time as the first?", "Stuart 1955, Maxwell 1970", Shape::BeforeAfter, stuartMaxwell},
-    StatisticalTest{"equal_shares", "Exact multinomial test of equal shares", "Are options preferred equally often?", "Pearson 1900", Shape::Votes, equalShares},
-    StatisticalTest{"cluster_robust", "Cluster-robust t-tests (CR2)", "Do groups differ in their mean, if values of a cluster go together?", "Bell & McCaffrey 2002", Shape::Clusters, clusterRobustRows, Use::None, kEachPair},
-    StatisticalTest{"mixed_model", "Linear mixed model", "The same with random intercepts of clusters", "Bates et al. 2015, Kuznetsova et al. 2017", Shape::Clusters, mixedModel, Use::None, kEachPair},
-    StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair},
-    StatisticalTest{"answer_probability", "Probability of a high answer, by the cumulative link mixed model", "How likely is an answer of --from or more, in all clusters?", "Christensen 2022", Shape::Clusters, answerProbabilities, Use::None, kEachGroup},
+    StatisticalTest{
+        "welch",
+        "Welch's t-test",
+        "Do two groups differ in their mean?",
+        "Welch 1947",
+        Shape::TwoGroups,
+        welch},
+    StatisticalTest{
+        "student",
+        "Student's t-test",
+        "Do two groups of equal variance differ in their mean?",
+        "Student 1908",
+        Shape::TwoGroups,
+        student},
+    StatisticalTest{
+        "mann_whitney",
+        "Mann and Whitney's test",
+        "Does one group tend to larger values? Exact, ties included",
+        "Mann & Whitney 1947",
+        Shape::TwoGroups,
+        mannWhitney,
+        Use::Cohorts},
+    StatisticalTest{
+        "brunner_munzel",
+        "Brunner and Munzel's test",
+        "Does one group tend to larger values, if the scatter may differ?",
+        "Brunner & Munzel 2000",
+        Shape::TwoGroups,
+        brunnerMunzel,
+        Use::Cohorts},
+    StatisticalTest{
+        "tost_groups",
+        "Two one-sided t-tests of two groups",
+        "Is the difference of two means within ±bound?",
+        "Schuirmann 1987",
+        Shape::TwoGroups,
+        equivalenceOfGroups,
+        Use::None,
+        kNeedsBound},
+    StatisticalTest{
+        "bayes_factor_groups",
+        "JZS Bayes factor of two groups",
+        "How much do the data speak for a difference of two means?",
+        "Rouder et al. 2009",
+        Shape::TwoGroups,
+        bayesFactorOfGroups},
+    StatisticalTest{
+        "one_way_anova",
+        "One-way analysis of variance",
+        "Do groups of equal variance differ in their mean?",
+        "Fisher 1925",
+        Shape::Groups,
+        ofGroups<anova>},
+    StatisticalTest{
+        "brown_forsythe",
+        "Brown and Forsythe's test",
+        "Do groups differ in their spread about the median?",
+        "Brown & Forsythe 1974",
+        Shape::Groups,
+        ofGroups<brownForsytheTest>},
+    StatisticalTest{
+        "shapiro_wilk",
+        "Shapiro and Wilk's test",
+        "Could the values come from a normal law?",
+        "Royston 1995",
+        Shape::Values,
+        shapiroWilk},
+    StatisticalTest{
+        "paired_t",
+        "Paired t-test",
+        "Do pairs differ in their mean?",
+        "Student 1908",
+        Shape::Pairs,
+        pairedT,
+        Use::Pairs},
+    StatisticalTest{
+        "sign_flip",
+        "Exact sign-flip test",
+        "Do pairs differ in their mean? All choices of signs",
+        "Fisher 1935",
+        Shape::Pairs,
+        signFlip,
+        Use::Pairs},
+    StatisticalTest{
+        "signed_rank",
+        "Wilcoxon's signed rank test",
+        "Are differences as likely up as down? Exact, zeros dropped",
+        "Wilcoxon 1945",
+        Shape::Pairs,
+        signedRank<Zeros::Dropped>,
+        Use::Pairs},
+    StatisticalTest{
+        "signed_rank_pratt",
+        "Signed rank test with Pratt's zeros",
+        "The same, zeros ranked and then dropped",
+        "Pratt 1959",
+        Shape::Pairs,
+        signedRank<Zeros::RankedThenDropped>},
+    StatisticalTest{
+        "sign_test",
+        "Sign test",
+        "Are there more differences up than down? Exact",
+        "Arbuthnott 1710",
+        Shape::Pairs,
+        sign},
+    StatisticalTest{
+        "bayes_factor",
+        "JZS Bayes factor of pairs",
+        "How much do the data speak for a mean difference?",
+        "Rouder et al. 2009",
+        Shape::Pairs,
+        bayesFactorOfPairs,
+        Use::BesidePairs},
+    StatisticalTest{
+        "tost",
+        "Two one-sided t-tests of pairs",
+        "Is the mean difference within ±bound?",
+        "Schuirmann 1987",
+        Shape::Pairs,
+        equivalenceOfPairs,
+        Use::BesidePairs,
+        kNeedsBound},
+    StatisticalTest{
+        "friedman",
+        "Friedman's test",
+        "Do conditions differ, if every participant ranks them?",
+        "Friedman 1937",
+        Shape::Columns,
+        ofLines<friedmanTest>,
+        Use::Conditions},
+    StatisticalTest{
+        "nemenyi",
+        "Nemenyi's comparisons",
+        "Which conditions differ after Friedman's test? p holds for all pairs",
+        "Nemenyi 1963",
+        Shape::Columns,
+        nemenyi,
+        Use::None,
+        kEachPair},
+    StatisticalTest{
+        "conover",
+        "Conover's comparisons",
+        "Which conditions differ after Friedman's test? p of each pair alone",
+        "Conover 1999",
+        Shape::Columns,
+        conover,
+        Use::None,
+        kEachPair},
+    StatisticalTest{
+        "rm_anova",
+        "Repeated-measures analysis of variance",
+        "Do conditions differ in their mean, all judged by the same people?",
+        "Greenhouse & Geisser 1959",
+        Shape::Columns,
+        ofLines<repeatedMeasuresAnova>,
+        Use::Conditions},
+    StatisticalTest{
+        "cochran_q",
+        "Cochran's Q",
+        "Do options get as many yes (1) of the same people?",
+        "Cochran 1950",
+        Shape::Columns,
+        cochran},
+    StatisticalTest{
+        "icc_1_1",
+        "Intraclass correlation ICC(1,1)",
+        "How alike are ratings of a subject, raters differing between subjects?",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::oneWaySingle>},
+    StatisticalTest{
+        "icc_1_k",
+        "Intraclass correlation ICC(1,k)",
+        "The same of the mean of all ratings",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::oneWayAverage>},
+    StatisticalTest{
+        "icc_2_1",
+        "Intraclass correlation ICC(2,1)",
+        "How far do raters agree, drawn at random from many?",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::twoWayRandomSingle>},
+    StatisticalTest{
+        "icc_2_k",
+        "Intraclass correlation ICC(2,k)",
+        "The same of the mean of all raters",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::twoWayRandomAverage>},
+    StatisticalTest{
+        "icc_3_1",
+        "Intraclass correlation ICC(3,1)",
+        "How consistent are these raters?",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::twoWayMixedSingle>},
+    StatisticalTest{
+        "icc_3_k",
+        "Intraclass correlation ICC(3,k)",
+        "The same of the mean of these raters",
+        "Shrout & Fleiss 1979",
+        Shape::Columns,
+        intraclass<&Icc::twoWayMixedAverage>},
+    StatisticalTest{
+        "cronbach_alpha",
+        "Cronbach's alpha",
+        "Do the items of a scale pull together?",
+        "Cronbach 1951, Feldt 1965",
+        Shape::Columns,
+        cronbach},
+    StatisticalTest{
+        "omega_total",
+        "McDonald's omega",
+        "How much of a sum of items do they have in common?",
+        "McDonald 1999",
+        Shape::Columns,
+        omega},
+    StatisticalTest{
+        "fisher_exact",
+        "Fisher's exact test",
+        "Do two sortings of the same cases have to do with each other?",
+        "Fisher 1935, Freeman & Halton 1951",
+        Shape::Categories,
+        fisher},
+    StatisticalTest{
+        "mcnemar",
+        "McNemar's test",
+        "Do people change from one of two options as often as to it? Exact",
+        "McNemar 1947",
+        Shape::BeforeAfter,
+        mcNemar},
+    StatisticalTest{
+        "stuart_maxwell",
+        "Stuart and Maxwell's test",
+        "Are options chosen as often the second time as the first?",
+        "Stuart 1955, Maxwell 1970",
+        Shape::BeforeAfter,
+        stuartMaxwell},
+    StatisticalTest{
+        "equal_shares",
+        "Exact multinomial test of equal shares",
+        "Are options preferred equally often?",
+        "Pearson 1900",
+        Shape::Votes,
+        equalShares},
+    StatisticalTest{
+        "cluster_robust",
+        "Cluster-robust t-tests (CR2)",
+        "Do groups differ in their mean, if values of a cluster go together?",
+        "Bell & McCaffrey 2002",
+        Shape::Clusters,
+        clusterRobustRows,
+        Use::None,
+        kEachPair},
+    StatisticalTest{
+        "mixed_model",
+        "Linear mixed model",
+        "The same with random intercepts of clusters",
+        "Bates et al. 2015, Kuznetsova et al. 2017",
+        Shape::Clusters,
+        mixedModel,
+        Use::None,
+        kEachPair},
+    StatisticalTest{
+        "ordinal_model",
+        "Cumulative link mixed model",
+        "The same of ordered answers, as odds ratios",
+        "Christensen 2022",
+        Shape::Clusters,
+        ordinalModel,
+        Use::None,
+        kEachPair},
+    StatisticalTest{
+        "answer_probability",
+        "Probability of a high answer, by the cumulative link mixed model",
+        "How likely is an answer of --from or more, in all clusters?",
+        "Christensen 2022",
+        Shape::Clusters,
+        answerProbabilities,
+        Use::None,
+        kEachGroup},
 };
 // clang-format on
 

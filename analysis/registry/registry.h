@@ -10,36 +10,39 @@
 
 namespace analysis {
 
-/// What an analyst chooses for a test.
+/// The options of a test.
 struct TestSettings {
   double level = 0.95;                  ///< of confidence intervals, between 0 and 1
-  std::optional<double> adjustedLevel;  ///< of the interval of one of several tests, if wanted
-  std::optional<double> bound;  ///< of tests of equivalence: smaller differences count as none, > 0
-  std::optional<int> from;      ///< of probabilities of answers: this one and all above it
+  std::optional<double> adjustedLevel;  ///< level of the additional interval that is adjusted for
+                                        ///< several tests, if wanted
+  std::optional<double> bound;  ///< equivalence margin: ± this is regarded as no difference; > 0
+  /// Of answer probabilities: the probability of this answer or a higher one.
+  std::optional<int> from;
 };
 
-/// Whether the results of a study have a test, and of what. A test that is used is computed for
-/// every study and stands in its tables, exports and reports.
+/// Whether the results of a study include a test, and what it compares. A test that is used is
+/// computed for every study and appears in its tables, exports and reports.
 enum class StudyUse {
   None,
-  Pairs,        ///< two conditions within people, by participants' means; one of a family of tests
-  BesidePairs,  ///< the same beside the family: its p is not adjusted
-  Conditions,   ///< all conditions within people, by participants' means
+  Pairs,  ///< two conditions within participants, by participants' means; p is adjusted within the
+          ///< family
+  BesidePairs,  ///< like Pairs, but outside the family: p is not adjusted
+  Conditions,   ///< all conditions within participants, by participants' means
   Cohorts,      ///< participants' means of one condition in two cohorts
 };
 
-/// A statistical test that can be asked for by name, of any table.
+/// A statistical test that is selected by name and computed from a table of data.
 struct StatisticalTest {
   enum class Form {
     OneRow,
     NeedsBound,      ///< one row, and TestSettings::bound
-    RowOfEachPair,   ///< of groups or columns
-    RowOfEachGroup,  ///< and TestSettings::from
+    RowOfEachPair,   ///< one row for each pair of groups or columns
+    RowOfEachGroup,  ///< one row for each group; needs TestSettings::from
   };
 
-  std::string_view id;        ///< `palpate stats test ID`, and in tables
+  std::string_view id;        ///< as in `palpate stats test ID` and in tables
   std::string_view title;     ///< "Welch's t-test"
-  std::string_view question;  ///< the question that it answers
+  std::string_view question;  ///< the question that the test answers
   std::string_view source;    ///< author and year
   DataShape shape = DataShape::TwoGroups;
   std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;
@@ -51,16 +54,16 @@ struct StatisticalTest {
   }
 };
 
-/// Every test, by what it needs: two groups, several, pairs, columns, counts, models. A new test is
-/// one line of this table (docs/developing.md).
+/// All tests, ordered by their data: two groups, several groups, pairs, columns, counts, models. To
+/// add a test, add one line to this table (docs/developing.md).
 std::span<const StatisticalTest> statisticalTests() noexcept;
 
-/// @throws UserError  if there is no such test; names the nearest.
+/// @throws UserError  if there is no such test; the message names the most similar one.
 const StatisticalTest& statisticalTest(std::string_view id);
 
-/// The rows of a test, with its id and the names of what is compared.
+/// Computes a test. The rows have its id and the names of the compared groups.
 ///
-/// @throws UserError  for data that the test is not made for, and without the bound that it needs.
+/// @throws UserError  for data that do not fit the test, and if a required bound is missing.
 std::vector<TestRow> computeTest(
     const StatisticalTest& test, const TestData& data, const TestSettings& settings);
 

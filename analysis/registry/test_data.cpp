@@ -59,7 +59,7 @@ void checkTwo(const std::vector<NamedValues>& groups, const std::string& column)
   throw base::UserError("the column '" + column + "' has " + there + "; two are compared");
 }
 
-/// A role and the places of its columns in the file.
+/// A role and the indices of its columns in the file.
 struct Placed {
   const DataColumn* column = nullptr;
   std::vector<std::size_t> places;
@@ -151,7 +151,7 @@ class Reader {
         }
       }
     }
-    // A group that is named without a value is an empty group.
+    // A group whose values are all missing is kept as an empty group.
     if (isGrouped_ && !isMissing(names.front())) group(names.front());
     if (!isComplete) {
       ++data_.missing;

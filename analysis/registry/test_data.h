@@ -12,16 +12,16 @@
 
 namespace analysis {
 
-/// What a test is computed from, as a table holds it.
+/// The layout of a table that a test is computed from.
 enum class DataShape {
   TwoGroups,    ///< a column of group names, two of them, and a column of numbers
-  Groups,       ///< the same with two groups or more
-  Pairs,        ///< two columns of numbers, a pair a line
-  Columns,      ///< a line a participant, a column of numbers a condition, item or rater
+  Groups,       ///< like TwoGroups, with two groups or more
+  Pairs,        ///< two columns of numbers, one pair per line
+  Columns,      ///< one line per participant, one column of numbers per condition, item or rater
   Values,       ///< one column of numbers
-  Categories,   ///< two columns of names, a case a line
-  BeforeAfter,  ///< the same with the same names in both
-  Votes,        ///< one column of names, a vote a line
+  Categories,   ///< two columns of names, one case per line
+  BeforeAfter,  ///< like Categories, with the same names in both columns
+  Votes,        ///< one column of names, one vote per line
   Clusters,     ///< a column of numbers, the group and the cluster (participant) of each
 };
 
@@ -31,14 +31,14 @@ struct DataColumn {
 
   std::string_view role;  ///< "group": the option --group names the column
   Kind kind = Kind::Number;
-  bool isRequired = true;  ///< without its option, the file's first, second, … column
-  std::string_view what;   ///< for people
+  bool isRequired = true;  ///< if the option is not given, the file's next column is used
+  std::string_view what;   ///< description in messages
 };
 
-/// The columns of a shape in the order in which a file has them if nothing else is said.
+/// The columns of a shape, in their default order in a file.
 std::span<const DataColumn> columnsOf(DataShape shape) noexcept;
 
-/// Which column of the file has which role; Numbers may have several.
+/// The names of the chosen columns of the file, by role; a role of kind Numbers may have several.
 using ChosenColumns = std::map<std::string, std::vector<std::string>>;
 
 /// The numbers of one group or column, in the order of the file.
@@ -47,22 +47,22 @@ struct NamedValues {
   std::vector<double> values;
 };
 
-/// The names in one column, one a case.
+/// The names in one column, one per case.
 struct Names {
   std::string role;
   std::vector<std::string> values;
 };
 
-/// What has been read for a test.
+/// The data that were read for a test.
 struct TestData {
-  std::vector<NamedValues> values;    ///< by group; or column by column, of equal length
-  std::vector<Names> names;           ///< column by column
+  std::vector<NamedValues> values;    ///< one entry per group; or one per column, of equal length
+  std::vector<Names> names;           ///< one entry per column
   std::vector<std::uint64_t> counts;  ///< how often each case occurred
   std::size_t missing = 0;            ///< lines left out because a cell is empty or NA
 
   /// The values by line: [line][column].
   std::vector<std::vector<double>> lines() const;
-  /// The names of a role as a factor; no levels where the role has no column.
+  /// The names of a role as a factor; without levels if the role has no column.
   Factor factor(std::string_view role) const;
 };
 
@@ -73,11 +73,12 @@ struct CrossTable {
   std::vector<std::vector<std::uint64_t>> counts;  ///< [row][column]
 };
 
-/// @param isSquare  rows and columns are the names of both, in the order of their appearance.
+/// @param isSquare  rows and columns both list the names of both columns, in the order of their
+///     appearance.
 CrossTable crossTableOf(const TestData& data, bool isSquare);
 
-/// Reads a table of comma-separated values (see readCsv()) for a test. With semicolons between the
-/// cells, a decimal comma is understood.
+/// Reads a table of comma-separated values (see readCsv()) for a test. If semicolons separate the
+/// cells, decimal commas are accepted.
 ///
 /// @throws UserError  in words for the person at the desk: a column that is not there or that the
 /// shape

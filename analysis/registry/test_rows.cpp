@@ -5,7 +5,7 @@
 namespace analysis {
 namespace {
 
-/// A row with what every test has.
+/// A row with the numbers that every test has.
 template <typename Result>
 TestRow rowWithP(const Result& result) {
   TestRow row;
@@ -21,7 +21,7 @@ TestRow rowWithLog10P(const Result& result) {
   return row;
 }
 
-/// An analysis of variance: F, its degrees of freedom, p.
+/// A row with F, its degrees of freedom and p.
 template <typename Result>
 TestRow rowWithF(const Result& result) {
   auto row = rowWithLog10P(result);
@@ -31,7 +31,7 @@ TestRow rowWithF(const Result& result) {
   return row;
 }
 
-/// A mean difference with its standard error and t.
+/// Adds a mean difference with its standard error and t.
 template <typename Result>
 void addDifference(TestRow& row, const Result& result, const std::optional<double>& difference) {
   row.estimate = {"difference", difference};

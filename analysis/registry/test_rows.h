@@ -24,11 +24,11 @@
 #include "analysis/reliability/intraclass_correlation.h"
 #include "analysis/reliability/reliability.h"
 
-// The row of each result. A result holds all that its test can say; the row holds what a table
-// shows of it.
+// Conversions of results into rows. A result holds all numbers of its test; the row holds those
+// that a table shows.
 namespace analysis {
 
-/// A test may give its row itself.
+/// For tests that return a row directly.
 inline TestRow rowOf(TestRow row) {
   return row;
 }
@@ -54,7 +54,7 @@ TestRow rowOf(const BayesFactor& factor, std::size_t pairs);
 TestRow rowOf(const EquivalenceResult& result, const PairedTResult& test);
 TestRow rowOf(const EquivalenceResult& result, const WelchResult& test);
 
-// One participant a line
+// One line per participant
 TestRow rowOf(const FriedmanResult& result);
 TestRow rowOf(const RepeatedMeasuresResult& result);
 TestRow rowOf(const CochranResult& result);
@@ -69,19 +69,19 @@ TestRow rowOf(const StuartMaxwellResult& result);
 TestRow rowOf(const EqualSharesResult& result);
 
 // Models
-/// @param answers  all that the model was fitted to.
+/// @param answers  number of answers that the model was fitted to.
 TestRow rowOf(const TEstimate& estimate, std::size_t answers);
 TestRow rowOf(const WaldEstimate& estimate, std::size_t answers, double level);
 
-/// Which answers are asked for: those to one level of a factor, from one answer on.
+/// An event whose probability is estimated: an answer of at least `from` to one level of a factor.
 struct HighAnswers {
   std::string_view factor;
   std::string_view group;  ///< a level of the factor
   int from = 0;
 };
-/// How likely they are by a model of all @p answers, and the share that was observed. Where the
-/// model cannot tell, the row has the reason.
-/// @param fixed  of the model.
+/// The probability of high answers by a model of all @p answers, and the observed share. If the
+/// model does not give a probability, the row has the reason.
+/// @param fixed  fixed effects of the model.
 /// @param level  of the confidence interval.
 TestRow answerProbabilityRow(
     const CumulativeLinkResult& model,

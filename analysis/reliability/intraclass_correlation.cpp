@@ -35,7 +35,7 @@ void addTest(IntraclassCorrelation& icc, const DoubleDouble& signal, const Doubl
   icc.p = FisherDistribution(icc.degreesOfFreedom1, icc.degreesOfFreedom2).upperP(*icc.f);
 }
 
-/// Where the quotient of the expected mean squares lies.
+/// The confidence interval of the quotient of the expected mean squares.
 std::optional<Interval> quotientInterval(const IntraclassCorrelation& icc, double level) {
   if (!icc.f || !std::isfinite(*icc.f)) return std::nullopt;
   const double tail = 0.5 * (1.0 - level);
@@ -44,7 +44,7 @@ std::optional<Interval> quotientInterval(const IntraclassCorrelation& icc, doubl
       .low = *icc.f / law.upperQuantile(tail), .high = *icc.f / law.upperQuantile(1.0 - tail)};
 }
 
-/// ICC(1,·) and ICC(3,·), which differ only in what they call noise.
+/// ICC(1,·) and ICC(3,·), which differ only in the mean square that they use as noise.
 void addConsistency(
     IntraclassCorrelation& single,
     IntraclassCorrelation& average,
@@ -88,7 +88,7 @@ std::optional<Interval> agreementInterval(const MeanSquares& squares, double icc
       .high = n * (below * subjects - 1.0) / (rest + n * below * subjects)};
 }
 
-/// Spearman & Brown: from one rating to the mean of k.
+/// The reliability of the mean of k ratings from that of one (Spearman–Brown).
 double ofAverage(double single, double k) {
   return k * single / (1.0 + (k - 1.0) * single);
 }

@@ -10,18 +10,18 @@
 
 namespace analysis {
 
-/// One intraclass correlation, its test against 0, and where it lies.
+/// One intraclass correlation with its test against 0 and its confidence interval.
 struct IntraclassCorrelation {
-  std::optional<double> value;  ///< not more than 1; below 0 where raters agree less than by lot
+  std::optional<double> value;       ///< at most 1; below 0 if raters agree less than by chance
   std::optional<Interval> interval;  ///< std::nullopt if F is not finite
-  std::optional<double> f;           ///< +infinity where raters agree in everything
+  std::optional<double> f;           ///< +infinity if raters agree completely
   double degreesOfFreedom1 = 0.0;
   double degreesOfFreedom2 = 0.0;
   std::optional<double> p;  ///< of F, one-sided
 };
 
-/// The six of Shrout & Fleiss 1979. "Single" is the reliability of one rating, "average" that of
-/// the mean of all k ratings of a subject.
+/// The six intraclass correlations of Shrout & Fleiss 1979. "Single" is the reliability of one
+/// rating, "average" that of the mean of all k ratings of a subject.
 struct IntraclassCorrelations {
   std::size_t subjects = 0;
   std::size_t raters = 0;
@@ -37,15 +37,16 @@ struct IntraclassCorrelations {
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
-/// With B, J, E the mean squares of n subjects, k raters and what is left, and W that within
-/// subjects:
+/// With B, J, E the mean squares of n subjects, k raters and residuals, and W that within subjects:
 ///
 ///     ICC(1,1) = (B − W) / (B + (k − 1) W)                       ICC(1,k) = (B − W) / B
-///     ICC(2,1) = (B − E) / (B + (k − 1) E + k (J − E) / n)       ICC(2,k) = (B − E) / (B + (J − E)
-///     / n) ICC(3,1) = (B − E) / (B + (k − 1) E)                       ICC(3,k) = (B − E) / B
+///     ICC(2,1) = (B − E) / (B + (k − 1) E + k (J − E) / n)
+///     ICC(2,k) = (B − E) / (B + (J − E) / n)
+///     ICC(3,1) = (B − E) / (B + (k − 1) E)                       ICC(3,k) = (B − E) / B
 ///
-/// The intervals are theirs, too. With participants as subjects and their repeated answers as
-/// raters, ICC(1,1) tells how much alike one person's answers are: see designEffect().
+/// The intervals are also those of Shrout & Fleiss. With participants as subjects and their
+/// repeated answers as raters, ICC(1,1) is the correlation of answers of one person: see
+/// designEffect().
 ///
 /// @param table  one subject a row, one rater a column.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, a value is
@@ -53,10 +54,11 @@ struct IntraclassCorrelations {
 IntraclassCorrelations intraclassCorrelations(
     std::span<const std::vector<double>> table, double level = 0.95);
 
-/// By how much the variance of a mean grows if its values come in clusters of m that are alike
-/// (Kish 1965): 1 + (m − 1) ICC. The values are worth as many independent ones divided by it.
+/// The design effect 1 + (m − 1) ICC (Kish 1965): the factor by which the variance of a mean grows
+/// if its values come in clusters of m correlated values. N such values are worth N / design effect
+/// independent ones.
 ///
-/// @throws std::invalid_argument  for an ICC outside −1 … 1 or a cluster of less than one.
+/// @throws std::invalid_argument  for an ICC outside −1 … 1 or a cluster size below one.
 double designEffect(double intraclassCorrelation, double clusterSize);
 
 }  // namespace analysis

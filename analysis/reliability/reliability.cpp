@@ -12,8 +12,8 @@
 namespace analysis {
 namespace {
 
-/// Items as columns of deviations from their mean, in units of the root of their sum of squares:
-/// correlations are plain products of them.
+/// Items as columns of deviations from their mean, scaled to length 1, so that correlations are
+/// scalar products.
 struct StandardisedItems {
   std::vector<std::vector<double>> columns;
   std::vector<double> deviations;  ///< standard deviations, in units of the largest
@@ -121,7 +121,7 @@ CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double
 }
 
 OmegaTotal omegaTotal(std::span<const std::vector<double>> answers) {
-  const TwoWayLayout layout = twoWayLayout(answers);  // for its checks
+  const TwoWayLayout layout = twoWayLayout(answers);  // used for its checks and sizes
   OmegaTotal omega;
   omega.respondents = layout.rows;
   omega.items = layout.columns;
@@ -166,12 +166,12 @@ double product(const Loadings& a, const Loadings& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// The first principal component, by power iteration: where to start.
+/// The first principal component by power iteration, used as starting values.
 Loadings principalComponent(Correlations correlations) {
   constexpr int kSteps = 200;
   Loadings component(correlations.size());
   for (std::size_t i = 0; i < component.size(); ++i) {
-    // Slightly uneven: a constant vector may be orthogonal to the component that is sought.
+    // Slightly uneven, because a constant vector may be orthogonal to the principal component.
     component[i] = 1.0 + 0.01 * static_cast<double>(i);
   }
   double length = 0.0;
@@ -187,7 +187,7 @@ Loadings principalComponent(Correlations correlations) {
   return component;
 }
 
-/// The best value of one loading, the others being as they are.
+/// The best value of one loading for given other loadings.
 double bestLoading(Correlations correlations, const Loadings& loadings, std::size_t i) {
   const double squares = product(loadings, loadings) - loadings[i] * loadings[i];
   if (!(squares > 0.0)) return loadings[i];
@@ -199,7 +199,7 @@ double bestLoading(Correlations correlations, const Loadings& loadings, std::siz
 
 OneFactorModel fitOneFactor(std::span<const std::vector<double>> correlations) {
   constexpr int kMostSweeps = 100'000;
-  constexpr double kStill = 4e-15;  // of a loading: some units of its last digit
+  constexpr double kStill = 4e-15;  // change of a loading: a few units in the last place
   check(correlations);
 
   OneFactorModel model;

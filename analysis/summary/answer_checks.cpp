@@ -78,7 +78,7 @@ AnswerDependence dependenceOf(const AnswerTable& table) {
 
 namespace {
 
-/// A mean in the making.
+/// Accumulates a mean.
 struct Sum {
   double sum = 0.0;
   std::size_t count = 0;
@@ -92,7 +92,7 @@ struct Sum {
 
 using ByPosition = std::map<int, Sum>;
 
-/// Every participant's scores by position, without the means of the methods.
+/// Every participant's scores minus the mean of their method, summed by position.
 std::vector<ByPosition> residuals(const AnswerTable& table, double& grandMean) {
   std::vector<Sum> ofMethod(table.methods.size());
   Sum all;
@@ -108,8 +108,8 @@ std::vector<ByPosition> residuals(const AnswerTable& table, double& grandMean) {
   return rows;
 }
 
-/// Of the least-squares line through one participant's averages; std::nullopt for fewer than two
-/// positions.
+/// The slope of the least-squares line through one participant's averages; std::nullopt for fewer
+/// than two positions.
 std::optional<double> slopeOf(const ByPosition& row) {
   if (row.size() < 2) return std::nullopt;
   Sum x;
@@ -128,12 +128,12 @@ std::optional<double> slopeOf(const ByPosition& row) {
   return products / squares;
 }
 
-/// Of the mean of @p values.
+/// Tests the mean of @p values against zero.
 PairedTResult againstNothing(const std::vector<double>& values) {
   return pairedTTest(withoutRoundingNoise(values), std::vector<double>(values.size(), 0.0));
 }
 
-/// Whether some method came at more than one position.
+/// Whether position and method are not confounded: some method came at more than one position.
 bool isApartFromMethods(const AnswerTable& table) {
   std::map<std::size_t, int> positionOf;
   for (const auto& answer : table.answers) {

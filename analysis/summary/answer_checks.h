@@ -13,60 +13,59 @@
 
 namespace analysis {
 
-/// How far answers of one person go together: what pooling them as if they were independent
-/// ignores.
+/// The correlation of answers of one person, which pooled tests ignore.
 struct AnswerDependence {
   std::size_t answers = 0;
   std::size_t participants = 0;
   /// ICC(1) of answers within participant and method (Shrout & Fleiss 1979, case 1), pooled over
-  /// methods, with Searle's n₀ for unequal numbers; may be negative. std::nullopt if there is one
-  /// participant, one answer each, or no scatter.
+  /// methods, with Searle's n₀ for unequal numbers; may be negative. std::nullopt if there is only
+  /// one participant, only one answer each, or no variance.
   std::optional<double> intraclassCorrelation;
   std::optional<double> designEffect;  ///< 1 + (n₀ − 1) ICC (Kish 1965)
 };
 
 AnswerDependence dependenceOf(const AnswerTable& table);
 
-/// How methods were judged that came at one place of the order.
+/// The mean score of methods at one position of the order.
 struct PositionMean {
   int position = 1;
-  std::size_t participants = 0;  ///< who judged a method there
-  double mean = 0.0;             ///< of their scores, as if all methods were alike [points]
+  std::size_t participants = 0;  ///< number who judged a method at this position
+  double mean = 0.0;  ///< of their scores, corrected for differences between methods [points]
   std::optional<Interval> interval;
 };
 
-/// Whether methods are judged otherwise for coming early or late.
+/// The effect of the position of a method in the order on its scores.
 struct PositionEffect {
   std::vector<PositionMean> positions;  ///< ascending
-  PairedTResult slope;                  ///< of participants' slopes against none [points/position]
+  PairedTResult slope;  ///< test of participants' slopes against zero [points/position]
   std::optional<Interval> slopeInterval;
 };
 
-/// The effect of the position within a round. From every score the mean of its method is taken, so
-/// that methods do not pose as positions; what is left is averaged by participant and position, and
-/// a straight line is laid through each participant's averages. Where orders are not balanced, part
-/// of an effect of the position is in the methods' means, and what is found here is too small;
-/// where every method came at one position only, nothing is found, and the slope's reason says so.
+/// Estimates the effect of the position within a round. Subtracts from every score the mean of its
+/// method, averages the residuals by participant and position, and fits a straight line to each
+/// participant's averages. If orders are not balanced, the methods' means absorb a part of the
+/// effect, and the estimate is too small. If every method came at one position only, slope is
+/// undefined, and its reason says so.
 ///
 /// @param level  of the intervals, between 0 and 1.
 PositionEffect positionEffect(const AnswerTable& table, double level = 0.95);
 
-/// What a reader may ask about the scores of one method before believing their mean.
+/// Distribution and reliability of the scores of one method.
 struct MethodChecks {
   std::string method;
   ShapiroWilkResult normality;  ///< of the participants' means
-  CronbachAlpha alpha;          ///< of the statements about it, averaged over rounds
-  OmegaTotal omega;             ///< of the same
+  CronbachAlpha alpha;          ///< of the statements about the method, averaged over rounds
+  OmegaTotal omega;             ///< of the same statements
 };
 
-/// Information, never a switch between tests.
+/// Reported as information; no test is chosen by these checks.
 struct ScaleChecks {
   std::vector<MethodChecks> methods;
   BrownForsytheResult spread;  ///< of participants' means, between methods
 };
 
-/// Distribution and reliability of one cohort's answers. A participant who left out a statement
-/// about a method does not count for that method's reliability.
+/// Distribution and reliability of one cohort's answers. The reliability of a method uses only
+/// participants who answered all statements about it.
 ScaleChecks scaleChecks(const AnswerTable& table);
 
 }  // namespace analysis

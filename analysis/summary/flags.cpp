@@ -14,7 +14,7 @@ namespace {
 
 using base::Message;
 
-/// One of kFlagMessages, with its arguments.
+/// A message of kFlagMessages with its arguments.
 template <typename... Arguments>
 Message text(base::CheckedKey<kFlagMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kFlagMessages>(key, std::forward<Arguments>(arguments)...);
@@ -139,7 +139,7 @@ class FlagFinder {
     for (const auto& answer : table_.answers) {
       seen[answer.round][{answer.method, answer.position}].insert(answer.participant);
     }
-    // All rounds together: a round and its mirror image balance positions.
+    // Sums over all rounds: a round and its mirror image balance positions.
     std::map<std::pair<std::size_t, int>, std::size_t> felt;
     int positions = 0;
     for (const auto& [round, cells] : seen) {
@@ -158,7 +158,7 @@ class FlagFinder {
         most = std::max(most, times);
       }
     }
-    // Rounds are balanced each by itself, and each may be off by one.
+    // Each round is balanced separately, and its counts may differ by one.
     if (table_.methods.size() < 2 || most - least <= seen.size()) return;
     flags_.push_back(
         {"order_not_counterbalanced",
@@ -205,7 +205,7 @@ class FlagFinder {
     }
   }
 
-  /// How many people judged both methods of a pair, in the pair with the most of them.
+  /// The largest number of participants, over all pairs, who judged both methods of the pair.
   std::size_t mostCompletePairs() const {
     std::size_t most = 0;
     for (std::size_t second = 1; second < table_.methods.size(); ++second) {

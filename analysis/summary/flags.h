@@ -12,8 +12,8 @@
 
 namespace analysis {
 
-/// Everything that flags say, once: "id" what was found, "id.why" why it matters, "id.remedy" what
-/// to do, and places in the manual.
+/// All texts of flags: "id" says what was found, "id.why" why it matters, "id.remedy" what to do,
+/// and "source.…" names a place in the manual.
 inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"alpha_rounded", "A p value lies between alpha per test {:.6f} and its rounded form {:.3f}."},
     {"alpha_rounded.remedy", "Compare with the unrounded threshold, as is done here."},
@@ -120,10 +120,10 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"source.trial_verdicts", "Palpate’s manual, Running a study: trial verdicts"},
 });
 
-/// A note that a reader of a result needs.
+/// A caveat that is shown beside a result.
 struct Flag {
   std::string_view id;                ///< "pseudo_replication": as tables and exports name it
-  std::vector<base::Message> what;    ///< what was found: a sentence in parts
+  std::vector<base::Message> what;    ///< what was found: the parts of one sentence
   base::Message why;                  ///< why it matters
   base::Message remedy;               ///< what to do
   std::vector<base::Message> source;  ///< the source of the statement
@@ -133,7 +133,7 @@ struct Flag {
   /// What it is about, as a heading for people.
   base::Message title() const;
 
-  /// What was found.
+  /// The sentence `what` in English.
   std::string inEnglish() const;
 };
 
@@ -146,23 +146,28 @@ struct SaturatedMethod {
 
 /// What an answer table does not know about the study that it comes from.
 struct StudyFacts {
-  bool isPooled = true;  ///< answers are tested as if independent in unpaired tests, too
-  std::vector<std::string> methodTitles;  ///< for people; empty: the names in the table
-  bool isDeclared = true;                 ///< by the protocol, before there were data
-  double alpha = 0.05;                    ///< of the family
-  std::optional<double> threshold;  ///< for the smallest p of the family; alpha / tests if not said
+  bool isPooled =
+      true;  ///< whether the report also has unpaired tests that treat all answers as independent
+  /// Display names; if empty, the names in the table are used.
+  std::vector<std::string> methodTitles;
+  bool isDeclared = true;  ///< whether the protocol declared the comparisons before there were data
+  double alpha = 0.05;     ///< of the family
+  std::optional<double> threshold;  ///< significance level of the smallest p of the family;
+                                    ///< std::nullopt: alpha / tests
   std::size_t tests = 1;            ///< of the family
-  std::vector<std::size_t> relativeStatements;  ///< places; they compare with what was felt before
-  std::vector<double> pValues;                  ///< of the family's tests, unrounded
-  std::vector<std::size_t> expected;  ///< answers of a participant, by method; empty: not known
+  /// Indices of the statements that compare with what was felt before.
+  std::vector<std::size_t> relativeStatements;
+  std::vector<double> pValues;  ///< of the family's tests, unrounded
+  /// Number of answers of a participant, by method; empty: not known.
+  std::vector<std::size_t> expected;
   std::size_t trials = 0;
   std::size_t lateTrials = 0;  ///< whose loop was late more often than the protocol bears
   /// Those whose scene asked for more than the device may give, by method; no others.
   std::vector<SaturatedMethod> saturated;
 };
 
-/// Everything that is to be said about the answers of one cohort, the weightiest first
-/// (docs/statistics.md, "What is to be said against the published analysis").
+/// All flags of the answers of one cohort, the most important first (docs/statistics.md, "What is
+/// to be said against the published analysis").
 std::vector<Flag> flagsOf(const AnswerTable& table, const StudyFacts& facts);
 
 }  // namespace analysis

@@ -24,20 +24,21 @@ struct DeclaredPair {
   std::string second;
 };
 
-/// The family of comparisons that a study declared, each by Welch's test, held to account for
-/// their number.
+/// The family of comparisons that a study declared, each by Welch's test, with p values adjusted
+/// for their number.
 struct PairwiseComparisons {
   double alpha = 0.05;
   Adjustment adjustment = Adjustment::Bonferroni;
-  std::size_t tests = 0;               ///< m: the comparisons that have a p value
-  std::optional<double> alphaPerTest;  ///< alpha / m, of the intervals; std::nullopt for m = 0
-  std::vector<TestRow> rows;           ///< `welch`, with intervals at both levels
+  std::size_t tests = 0;  ///< m: the comparisons that have a p value
+  /// alpha / m, the level of the adjusted intervals; std::nullopt for m = 0.
+  std::optional<double> alphaPerTest;
+  std::vector<TestRow> rows;  ///< `welch`, with intervals at both levels
 };
 
-/// The declared comparisons, in their order.
+/// Computes the declared comparisons, in their order.
 ///
-/// The adjusted intervals are Bonferroni's with every adjustment: the other methods have none
-/// that would always agree with them.
+/// The adjusted intervals are Bonferroni's for every adjustment of p, because the other methods
+/// have no intervals that always agree with their p values.
 ///
 /// @throws std::invalid_argument  if two groups share a name, a pair names a group that is not
 ///     there or the same one twice, a pair is declared twice (also the other way round), or alpha

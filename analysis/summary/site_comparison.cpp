@@ -89,7 +89,7 @@ class ComparingSites {
     return differences;
   }
 
-  /// An error that is nothing but the rounding of means would have all of the weight.
+  /// A standard error that is only rounding of the means would get nearly all of the weight.
   static bool isPooled(const SiteDifference& site) {
     constexpr double kRounding = 1e-9;  // [points]
     return site.test.meanDifference && site.test.standardError.value_or(0.0) > kRounding;

@@ -12,15 +12,16 @@
 
 namespace analysis {
 
-/// The difference of two methods at one site, by its participants' means.
+/// The difference of two methods at one site, from its participants' means.
 struct SiteDifference {
   std::string site;
   PairedTResult test;
   std::optional<Interval> interval;
-  double weight = 0.0;  ///< share in the pooled difference (REML); 0: it is no part of it
+  double weight = 0.0;  ///< weight of the site in the pooled difference (REML), 0 … 1; 0 if the
+                        ///< site is not pooled
 };
 
-/// The answers at one site, by method of the table.
+/// The answers at one site, one sample per method of the table.
 struct SiteAnswers {
   std::string site;
   std::size_t participants = 0;
@@ -33,31 +34,32 @@ struct WithoutSite {
   PooledEstimate pooled;
 };
 
-/// Two methods, compared within people, site by site.
+/// Two methods, compared within participants at each site.
 struct SiteComparison {
   std::string group1;
   std::string group2;
-  std::vector<SiteDifference> sites;  ///< by name
+  std::vector<SiteDifference> sites;  ///< sorted by name
   std::optional<MetaAnalysis> pooled;
   Reason reason;  ///< why nothing is pooled
   std::vector<WithoutSite> withoutEach;
-  TestRow fixedSites;   ///< of the model with site as a fixed effect
-  TestRow randomSites;  ///< of the model whose sites are random
+  TestRow fixedSites;   ///< from the model with site as a fixed effect
+  TestRow randomSites;  ///< from the model with site as a random effect
 };
 
 /// One cohort's answers, site by site: in two stages (the difference at each site, then pooled),
-/// and by mixed models of all single answers, which add to that of compareWithin()
+/// and by two mixed models of all single answers, which add these terms to the model of
+/// compareWithin():
 ///
 ///     + site                                  (fixed: sites differ in level)
 ///     + (1 | site) + (1 | site:method)        (random: they differ in level and in the effect)
 struct SiteAnalysis {
-  std::vector<SiteAnswers> answers;  ///< by name
+  std::vector<SiteAnswers> answers;  ///< sorted by name
   std::vector<SiteComparison> rows;  ///< in the order of the pairs
   LinearMixedResult fixedSites;
   LinearMixedResult randomSites;
 };
 
-/// @param sites  of each participant of the table
+/// @param sites  the site of each participant of the table
 /// @param level  of the intervals
 /// @throws std::invalid_argument  for another number of sites, or a pair of methods that are not
 ///     there.

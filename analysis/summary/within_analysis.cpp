@@ -10,7 +10,7 @@
 namespace analysis {
 namespace {
 
-/// The labels of one column of the answers.
+/// The factor made of one column of the answers.
 template <typename PlaceOf>
 Factor factorBy(
     const std::string& name,
@@ -36,7 +36,7 @@ void adjustOver(
   }
 }
 
-/// One cohort's comparisons in the making.
+/// Computes one cohort's comparisons.
 class Comparing {
  public:
   Comparing(
@@ -124,7 +124,7 @@ class Comparing {
     result_.rows.push_back(std::move(row));
   }
 
-  /// A test of equivalence only where its bound was declared.
+  /// Adds the rows of a test; skips an equivalence test if no bound was declared.
   void addTest(std::vector<TestRow>& rows, const StatisticalTest& test, const TestData& data) {
     const bool needsBound = test.form == StatisticalTest::Form::NeedsBound;
     if (needsBound && !options_.equivalenceBound) return;
@@ -133,7 +133,7 @@ class Comparing {
     if (needsBound) settings.bound = options_.equivalenceBound;
     for (auto& row : computeTest(test, data, settings)) {
       row.isOfFamily = test.use == StudyUse::Pairs;
-      // An exact test of one person is defined (p = 1) and says nothing of how people differ.
+      // An exact test of one participant is defined (p = 1), but meaningless.
       if (row.isOfFamily && row.p && data.values.front().values.size() < 2) {
         row.p.reset();
         row.log10P.reset();

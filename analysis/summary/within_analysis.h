@@ -17,45 +17,47 @@
 
 namespace analysis {
 
-/// Why a study has no ordinal model where the model itself would not mind.
+/// Why a study has no ordinal model although the model could be fitted.
 inline constexpr auto kWithinMessages = std::to_array<base::MessageKind>(
     {{"no_points_to_order", "numbers between points are not modelled as ordered"},
      {"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});
 
-/// A scale of more points has no ordinal model: each point is a parameter.
+/// The largest number of points of a scale with an ordinal model: each point adds a parameter.
 inline constexpr int kMostOrderedPoints = 20;
 
-/// Two methods, compared within people.
+/// Two methods, compared within participants.
 struct WithinComparison {
   std::string group1;
   std::string group2;
   /// The registered tests of pairs (StudyUse) on every participant's mean score of each method,
-  /// those of equivalence where a bound was declared; then `mixed_model` and `ordinal_model`.
+  /// equivalence tests only if a bound was declared; then `mixed_model` and `ordinal_model`.
   std::vector<TestRow> tests;
 
   const TestRow& test(std::string_view id) const { return testNamed(tests, id); }
 };
 
-/// The analysis of one cohort's answers to a family of questions. The unit is the
-/// participant; what has to be pooled is averaged first, or modelled.
+/// The analysis of one cohort's answers to a family of questions. The statistical unit is the
+/// participant: repeated answers are averaged first, or described by a mixed model.
 struct WithinAnalysis {
-  std::size_t participants = 0;  ///< who judged every method
+  std::size_t participants = 0;  ///< number who judged every method
   std::vector<std::string> leftOut;
-  std::size_t tests = 0;  ///< comparisons declared
+  std::size_t tests = 0;  ///< number of declared comparisons
   std::optional<double> alphaPerTest;
   std::vector<TestRow> overall;  ///< the registered tests of all methods at once
   LinearMixedResult mixed;       ///< score ~ method [+ round] + (1 | participant) + (1 | …)
   CumulativeLinkResult ordinal;  ///< the same model of logits
-  /// `answer_probability` of each method: of answers above the middle of the scale, by that model.
+  /// `answer_probability` of each method: the probability of answers above the middle of the scale,
+  /// by `ordinal`.
   std::vector<TestRow> probabilities;
   std::vector<WithinComparison> rows;  ///< in the order of the pairs
 };
 
-/// How the family is held to account, and what counts as no difference.
+/// The level and adjustment of the family, and the equivalence margin.
 struct WithinOptions {
   double alpha = 0.05;
-  std::optional<Adjustment> adjustment = Adjustment::Holm;  ///< nothing: p values are not adjusted
-  std::optional<double> equivalenceBound;                   ///< [points of the scale]
+  std::optional<Adjustment> adjustment =
+      Adjustment::Holm;                    ///< std::nullopt: p values are not adjusted
+  std::optional<double> equivalenceBound;  ///< [points of the scale]
 };
 
 inline constexpr const char* kMethodFactor = "method";
@@ -64,7 +66,8 @@ inline constexpr const char* kMethodFactor = "method";
 ///
 ///     score ~ method [+ round] + (1 | participant) + (1 | participant:method)
 ///
-/// A round, and the second intercept, only where there are several answers to tell them apart.
+/// Round is included only if there are several rounds, the second intercept only if a participant
+/// has several answers about a method.
 struct MixedDesign {
   FixedEffects fixed;
   std::vector<Factor> random;
@@ -75,14 +78,14 @@ MixedDesign mixedDesignOf(const AnswerTable& table);
 /// Whether both methods of the pair have answers in the design.
 bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair);
 
-/// The index of a method. @throws std::invalid_argument  if it is not there.
+/// The index of a method. @throws std::invalid_argument if there is no such method.
 std::size_t placeOfMethod(const AnswerTable& table, const std::string& method);
 
-/// Compares methods within people (docs/statistics.md): the registered tests of pairs and of all
-/// methods on participants' means, and two mixed models of the single answers: one of their means,
-/// one of their order.
+/// Compares methods within participants (docs/statistics.md): the registered tests of pairs and of
+/// all methods on participants' means, and two mixed models of the single answers, a linear and an
+/// ordinal one.
 ///
-/// @param pairs  of the table's methods; first − second.
+/// @param pairs  pairs of the table's methods; the sign is first − second.
 /// @throws std::invalid_argument  if a pair names a method that is not there.
 WithinAnalysis compareWithin(
     const AnswerTable& table, std::span<const DeclaredPair> pairs, const WithinOptions& options);
