@@ -125,8 +125,8 @@ struct Ranking {
   std::vector<Wide> doubledSums;
   Wide inequality = 0;  ///< Σ (doubled sum − its mean)²
   Wide squares = 0;     ///< Σ of squared doubled ranks
-  Wide denominator =
-      0;  ///< b k (k + 1)(k − 1) − Σ(t³ − t): zero if all ranks are tied in every block
+  /// b k (k + 1)(k − 1) − Σ(t³ − t): zero if all ranks are tied in every block.
+  Wide denominator = 0;
 };
 
 Ranking rankingOf(std::span<const std::vector<double>> blocks) {

@@ -28,8 +28,8 @@ struct RankComparison {
   double meanRankDifference = 0.0;  ///< mean rank of the first − mean rank of the second
 
   double nemenyiQ = 0.0;  ///< |difference| / √(k(k + 1)/(6b)) · √2
-  double nemenyiP =
-      1.0;  ///< from the studentized range of k normal values: already adjusted for all pairs
+  /// From the studentized range of k normal values: already adjusted for all pairs.
+  double nemenyiP = 1.0;
   double nemenyiLog10P = 0.0;  ///< also where p is too small for a double
 
   std::optional<double> conoverT;  ///< signed as the difference; std::nullopt if all blocks agree

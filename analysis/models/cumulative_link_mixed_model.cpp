@@ -181,8 +181,7 @@ CumulativeLinkFit fitOf(
   const Index effects = static_cast<Index>(fixed.columns()) - 1;
   Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
   for (Index k = thresholds + effects; k < minimum.at.size(); ++k) {
-    if (minimum.at(k) < 0.0)
-      back(k, k) = -1.0;  // the likelihood is even in every standard deviation
+    if (minimum.at(k) < 0.0) back(k, k) = -1.0;  // the likelihood is even in each deviation
   }
   // Transforms the estimates and their covariance back to the original columns.
   const VectorXd at = back * minimum.at;
@@ -244,8 +243,8 @@ WaldEstimate contrast(
     throw std::invalid_argument(
         "a contrast needs one weight for each column, and none for the intercept");
   }
-  const std::size_t base =
-      fit.thresholds.size();  // index of the first fixed effect in the covariance
+  // Index of the first fixed effect in the covariance.
+  const std::size_t base = fit.thresholds.size();
   // w'β and w'Vw; weights[0] belongs to the intercept, which the model does not have.
   double value = 0.0;
   double variance = 0.0;

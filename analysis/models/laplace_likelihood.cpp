@@ -183,8 +183,8 @@ std::vector<CumulativeLogit> LaplaceLikelihood::answersAt(
   return answers;
 }
 
-/// Factorises D. Returns D⁻¹ times the gradient, or an empty vector if that step would not decrease
-/// the function.
+/// Factorises D. Returns D⁻¹ times the gradient, or zero if that step would not decrease the
+/// function.
 VectorXd LaplaceLikelihood::newtonStep(const Mode& mode) {
   if (u_.size() == 0) return u_;
   const VectorXd weight = each(mode.answers, &CumulativeLogit::weight);

@@ -83,8 +83,8 @@ void check(double t, double degreesOfFreedom, double noncentrality) {
 double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality) {
   constexpr double kNormalReach = 9.0;  // Φ(−9) = 1e-19
   const double half = 0.5 * degreesOfFreedom;
-  const double spread =
-      10.5 / std::sqrt(degreesOfFreedom);  // |S − 1| is larger with a probability below e^−45
+  // |S − 1| is larger with a probability below e^−45.
+  const double spread = 10.5 / std::sqrt(degreesOfFreedom);
 
   // y = t s − δ
   const double low = std::max(-kNormalReach, t * std::max(0.0, 1.0 - spread) - noncentrality);
@@ -102,8 +102,8 @@ double probabilityFarOut(double t, double degreesOfFreedom, double noncentrality
     return density * normalUpperP(-y);
   };
   constexpr unsigned kDepth = 6;
-  constexpr double kTolerance =
-      1e-14;  // absolute error of the probability: a few units in the last place
+  // Absolute error of the probability: a few units in the last place.
+  constexpr double kTolerance = 1e-14;
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   const double above = boost::math::gamma_q(half, squareOfS(high));
   return std::min(1.0, above + Rule::integrate(integrand, low, high, kDepth, kTolerance));
@@ -210,8 +210,8 @@ double logTail(double a, double b, double logOdds) {
   const double x = 1.0 / (1.0 + odds);
   const double logX = std::isfinite(odds) ? -std::log1p(odds) : -logOdds;
 
-  constexpr double kNegligible =
-      1e-17;  // relative to the sum: less than half a unit in its last place
+  // Relative to the sum: less than half a unit in its last place.
+  constexpr double kNegligible = 1e-17;
   double term = 1.0;
   double sum = 1.0;
   for (double n = 0.0; term > kNegligible * sum; ++n) {

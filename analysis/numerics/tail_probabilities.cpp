@@ -52,11 +52,10 @@ double logIntegrand(double z, double q, double m) {
   constexpr double kNegligible = -40.0;  // e^−40 is negligible beside 1
   const double logPhi = -0.5 * z * z - 0.5 * std::log(2.0 * std::numbers::pi);
   const double logBelow = logNormalCdf(z);
-  const double logShare = std::min(
-      0.0,
-      logNormalCdf(z - q) - logBelow);  // ln of the share of Φ(z) that lies more than q below z
-  // Φ(z)^m − (Φ(z) − Φ(z − q))^m = Φ(z)^m (1 − (1 − share)^m); for a tiny share the last is m ·
-  // share.
+  // ln of the share of Φ(z) that lies more than q below z.
+  const double logShare = std::min(0.0, logNormalCdf(z - q) - logBelow);
+  // Φ(z)^m − (Φ(z) − Φ(z − q))^m = Φ(z)^m (1 − (1 − share)^m). For a tiny share, the last factor is
+  // m · share.
   const double logLoss = logShare < kNegligible
                              ? std::log(m) + logShare
                              : std::log(-std::expm1(m * std::log1p(-std::exp(logShare))));

@@ -27,8 +27,8 @@ std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std:
     bool isChanged = false;
     for (const auto& bound : bounds) {
       const double most = number[bound.from] + bound.most;
-      if (most <
-          number[bound.to] - 1e-12) {  // tolerance, so that rounding does not make a negative cycle
+      // With a tolerance, so that rounding alone does not make a negative cycle.
+      if (most < number[bound.to] - 1e-12) {
         number[bound.to] = most;
         isChanged = true;
       }

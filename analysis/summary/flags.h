@@ -146,8 +146,8 @@ struct SaturatedMethod {
 
 /// What an answer table does not know about the study that it comes from.
 struct StudyFacts {
-  bool isPooled =
-      true;  ///< whether the report also has unpaired tests that treat all answers as independent
+  /// Whether the report also has unpaired tests that treat all answers as independent.
+  bool isPooled = true;
   /// Display names; if empty, the names in the table are used.
   std::vector<std::string> methodTitles;
   bool isDeclared = true;  ///< whether the protocol declared the comparisons before there were data

@@ -55,8 +55,8 @@ struct WithinAnalysis {
 /// The level and adjustment of the family, and the equivalence margin.
 struct WithinOptions {
   double alpha = 0.05;
-  std::optional<Adjustment> adjustment =
-      Adjustment::Holm;                    ///< std::nullopt: p values are not adjusted
+  /// std::nullopt: p values are not adjusted.
+  std::optional<Adjustment> adjustment = Adjustment::Holm;
   std::optional<double> equivalenceBound;  ///< [points of the scale]
 };
 
