@@ -16,20 +16,21 @@
 
 namespace questionnaires {
 
-/// How many characters (code points) @p text has; std::nullopt if it is no valid UTF-8.
+/// The number of characters (code points) of @p text; std::nullopt if it is not valid UTF-8.
 ///
-/// Valid as the Unicode standard defines it: no overlong forms, no surrogates, nothing beyond
-/// U+10FFFF. An emoji with a skin tone counts as two, a letter with a combining accent as well.
+/// Validity is that of the Unicode standard: no overlong forms, no surrogates, nothing beyond
+/// U+10FFFF. An emoji with a skin tone and a letter with a combining accent count as two
+/// characters.
 std::optional<std::size_t> charactersIn(std::string_view text) noexcept;
 
-/// What a JSON file says, as a tree of plain values. Keys keep the order of the file.
+/// A JSON value, as a tree. Members keep the order of the file.
 struct Value {
   struct Member;
   using Array = std::vector<Value>;
   using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> data;
-  int line = 0;  ///< of the file, from 0: of its key, or of the value where it has no key
+  int line = 0;  ///< line in the file, from 0: that of the key, or of the value if it has no key
 };
 
 struct Value::Member {
@@ -37,42 +38,40 @@ struct Value::Member {
   Value value;
 };
 
-/// The largest file that is read; what researchers write is far smaller.
+/// The largest file that is read; files written by researchers are far smaller.
 inline constexpr std::size_t kLargestFile = 5'000'000;  ///< [bytes]
 inline constexpr std::size_t kDeepestNesting = 64;
 inline constexpr std::size_t kLongestText = 100'000;  ///< [bytes]
 inline constexpr std::size_t kMostElements = 100'000;
 
-/// Reads JSON from @p text. What a lenient reader lets pass is a problem here: duplicate keys,
-/// NUL characters in texts, nesting deeper than kDeepestNesting, files larger than kLargestFile.
-/// Nothing is returned where the text is no JSON at all.
+/// Parses JSON from @p text. Stricter than most readers: duplicate keys, NUL characters in texts,
+/// nesting deeper than kDeepestNesting and files larger than kLargestFile are problems. Returns
+/// std::nullopt if the text is not JSON.
 std::optional<Value> parseJson(std::string_view text, Problems& problems);
 
-/// The line of @p json, from 0, of what a path means ("$.phases[3].order"); where that is not
-/// there, the line of the nearest thing around it that is. JSON that breaks off is read as far as
-/// it goes.
+/// The line in @p json, from 0, of the value at @p path ("$.phases[3].order"), or of its nearest
+/// existing ancestor. Incomplete JSON is read up to its end.
 int lineOf(std::string_view json, std::string_view path);
 
-/// The whole file as text.
-/// @param most  bytes.
-/// @throws UserError  if it is missing, unreadable, no regular file, or larger than that; in words.
+/// Reads a whole file as text.
+/// @param most  largest size [bytes].
+/// @throws UserError  if the file is missing, unreadable, no regular file, or larger than @p most.
 std::string readTextFile(const std::string& path, std::size_t most = kLargestFile);
 
-/// A name of a choice in a file and what it stands for: {"latinSquare", OrderType::LatinSquare}.
+/// A word in a file and the enumerator that it stands for: {"latinSquare", OrderType::LatinSquare}.
 template <typename Enum>
 struct Choice {
   std::string_view name;
   Enum value;
 };
 
-/// A place in a researcher's file, with its path and the list that problems are added to.
+/// A JSON value in a researcher's file, with its path and the list that problems are added to.
 ///
-/// Every read answers with a value of the right type. Where the file has none, that is a problem in
-/// the list, the fallback goes on, and everything else is read too: so all problems of a file come
-/// out in one reading. nlohmann::json makes an int of 1.5, of true and of 2^32 + 1 without an
-/// error; a Node does not.
+/// Every read function returns a value of the right type. If the file has none, it adds a problem
+/// and returns a fallback, so that reading continues and all problems of a file are found at once.
+/// nlohmann::json converts 1.5, true and 2^32 + 1 to int without an error; a Node does not.
 ///
-/// Values, problems and names outlive their nodes.
+/// The Value and the Problems must outlive the Node.
 class Node {
  public:
   Node(const Value& value, std::string path, Problems& problems)
@@ -82,11 +81,11 @@ class Node {
   std::string pathOf(std::string_view key) const;
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
 
-  /// Whether no problem has been found here or in anything below.
+  /// Whether no problem has been found in this value or anything inside it.
   bool isSound() const;
 
-  /// Refuses every key that is not in @p known, and names the nearest known one. False, and a
-  /// problem, where this is no object at all.
+  /// Reports every key that is not in @p known as a problem, with the most similar known key.
+  /// Returns false and adds a problem if this value is not an object.
   bool isObjectWith(std::initializer_list<std::string_view> known) const {
     return isObjectWith(std::span(known.begin(), known.size()));
   }
@@ -97,52 +96,53 @@ class Node {
   bool isText() const noexcept { return std::holds_alternative<std::string>(value_->data); }
   bool isObject() const noexcept { return std::holds_alternative<Value::Object>(value_->data); }
 
-  /// This value itself as a text; empty, and a problem, if it is none.
+  /// This value as a text; empty, with a problem, if it is not a text.
   std::string asText() const;
 
-  /// Required values: missing or wrong is a problem.
+  /// Required members: a missing or wrong value is a problem. `least` and `most` are allowed.
   std::string text(std::string_view key) const;
   double number(std::string_view key, double least, double most) const;
   std::int64_t wholeNumber(std::string_view key, std::int64_t least, std::int64_t most) const;
 
-  /// Refuses a file that does not say under @p key that it is written in @p format.
-  /// @param fix  what to do with a file of another format; empty: only another release wrote it
+  /// Adds a problem unless the value at @p key is @p format.
+  /// @param fix  what to do with a file of another format; empty if only another release of Palpate
+  ///     can have written it
   void requireFormat(std::string_view key, std::string_view format, std::string fix = {}) const;
 
-  /// A name for people, files and columns: a letter or digit, then up to 63 of letters, digits,
-  /// '.', '_' and '-'.
+  /// A required id, usable in file names and column names: a letter or digit, then up to 63
+  /// letters, digits, '.', '_' or '-'.
   std::string id(std::string_view key) const;
 
-  /// Values that may be left out: wrong is a problem, missing is the fallback.
+  /// Optional members: a wrong value is a problem, a missing one gives the fallback.
   std::string text(std::string_view key, std::string fallback) const;
   double number(std::string_view key, double least, double most, double fallback) const;
   std::int64_t wholeNumber(
       std::string_view key, std::int64_t least, std::int64_t most, std::int64_t fallback) const;
   bool flag(std::string_view key, bool fallback) const;
 
-  /// The object or list behind a key. std::nullopt if the key is missing; a problem where it is
-  /// something else, or where the list has more than @p most entries (and these are left out).
+  /// The object or list at @p key. Missing: std::nullopt or an empty list. A value of another type
+  /// is a problem, and so are more than @p most entries, of which the rest is dropped.
   std::optional<Node> object(std::string_view key) const;
   std::vector<Node> list(std::string_view key, std::size_t most = kMostElements) const;
 
-  /// The same, and a problem where the key is missing (or the list is empty).
+  /// Like object() and list(), but a missing key or an empty list is a problem.
   std::optional<Node> requiredObject(std::string_view key) const;
   std::vector<Node> requiredList(std::string_view key) const;
 
-  /// The value behind a key; std::nullopt if the key is missing.
+  /// The value at @p key, of any type; std::nullopt if the key is missing.
   std::optional<Node> member(std::string_view key) const;
 
   /// The keys of this object with their nodes, in the order of the file.
   std::vector<std::pair<std::string, Node>> members() const;
 
-  /// Texts in a list: ["a", "b"].
+  /// A list of texts: ["a", "b"].
   std::vector<std::string> texts(std::string_view key) const;
-  /// Numbers in a list: [1.5, 2].
+  /// A list of numbers: [1.5, 2].
   std::vector<double> numbers(std::string_view key, double least, double most) const;
-  /// Ids in a list, each once.
+  /// A list of ids; a duplicate is a problem.
   std::vector<std::string> ids(std::string_view key) const;
 
-  /// One of several names; required.
+  /// The value of a required word that must be one of @p choices.
   template <typename Choices>
   auto choice(std::string_view key, const Choices& choices) const {
     std::vector<std::string_view> names;
@@ -151,7 +151,8 @@ class Node {
     return choices[chosenAt(key, names)].value;
   }
 
-  /// The same, where this value itself is the name; std::nullopt if it is none of them.
+  /// Like choice(), for this value itself; std::nullopt, with a problem, if it is none of @p
+  /// choices.
   template <typename Enum, std::size_t kCount>
   std::optional<Enum> chosen(const std::array<Choice<Enum>, kCount>& choices) const {
     std::vector<std::string_view> names;
@@ -161,7 +162,7 @@ class Node {
     return index ? std::optional(choices[*index].value) : std::nullopt;
   }
 
-  /// One of several names, or @p fallback where the key is missing.
+  /// Like choice(), or @p fallback if the key is missing.
   template <typename Choices, typename Value>
   Value choice(std::string_view key, const Choices& choices, Value fallback) const {
     return has(key) ? choice(key, choices) : fallback;
@@ -183,7 +184,7 @@ class Node {
   Problems* problems_;
 };
 
-/// Reads JSON whose root @p read takes as a Node: what it returns; std::nullopt if there are
+/// Parses JSON and returns the result of @p read for the root Node; std::nullopt if there are
 /// errors. All problems are added to @p problems.
 template <typename T, typename Read>
 std::optional<T> readJson(std::string_view text, Problems& problems, Read read) {
@@ -194,23 +195,23 @@ std::optional<T> readJson(std::string_view text, Problems& problems, Read read) 
   return found.hasErrors() ? std::nullopt : std::move(result);
 }
 
-/// Whether @p id is a name for people, files and columns (see Node::id()).
+/// Whether @p id has the form of an id (see Node::id()).
 bool isSoundId(std::string_view id) noexcept;
 
-/// What an id has to look like, as the fix of a problem with one that does not.
+/// The form of an id, used as the fix of a problem.
 inline constexpr std::string_view kIdRule =
     "use a letter or digit, then letters, digits, '.', '_' or '-', at most 64 in all";
 
-/// What kind of value this is: "a number", "a list".
+/// The type of a value for messages: "a number", "a list".
 std::string typeName(const Value& value);
 
-/// @p number as a message may show it, without needless digits: 0.5, 1000000000.
+/// @p number for a message, without needless digits: 0.5, 1000000000.
 std::string shown(double number);
 
-/// @p text as a message may show it: a line without control characters, cut where it is long.
+/// @p text for a message: on one line, without control characters, and truncated if it is long.
 std::string shown(std::string_view text);
 
-/// The one of @p known that @p word is probably a misspelling of.
+/// The word of @p known that @p word is probably a misspelling of; std::nullopt if none is similar.
 std::optional<std::string_view> nearest(
     std::string_view word, std::span<const std::string_view> known);
 

@@ -1,5 +1,5 @@
-// JSON text to plain values, through the library's event interface: what its convenient one would
-// let pass (duplicate keys, any depth) is seen here.
+// Parses JSON with the event (SAX) interface of nlohmann::json, because its tree interface accepts
+// duplicate keys and any depth.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace questionnaires {
 namespace {
 
-/// Reads characters and tells how far it has come.
+/// An iterator over characters that stores its position in a variable of the caller.
 class WatchedCharacters {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -43,7 +43,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   TreeBuilder(std::string_view text, Problems& problems)
       : text_(text), problems_(problems), reached_(text.data()), counted_(text.data()) {}
 
-  /// Whether all of the text is JSON. What was read up to a mistake is in the tree as well.
+  /// Parses the text; false if it is not JSON. The tree then contains what was read before the
+  /// error.
   bool read() {
     const char* begin = text_.data();
     return nlohmann::json::sax_parse(
@@ -117,7 +118,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     std::unordered_set<std::string> keys{};
   };
 
-  /// A mistake in the text itself.
+  /// Adds a problem about the JSON syntax.
   void addProblem(std::size_t position, std::string what, std::string fix) {
     const auto before = text_.substr(0, position);
     problems_.add(
@@ -127,8 +128,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
          .line = static_cast<int>(std::count(before.begin(), before.end(), '\n'))});
   }
 
-  /// Of what has just been read. The character read last is left out: after a number it is the one
-  /// behind it, and may be the end of the line.
+  /// The line of the token that was read last. Ignores the last character read: for a number it is
+  /// the character after it, which may be a line end.
   int line() {
     const char* const end = reached_ > counted_ ? reached_ - 1 : counted_;
     line_ += static_cast<int>(std::count(counted_, end, '\n'));
@@ -143,7 +144,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
   }
 
-  /// The token may hold anything, so only what is plainly printable is repeated.
+  /// The end of a token for a message. Only printable ASCII is shown, because a token may contain
+  /// any bytes.
   static std::string ending(const std::string& token) {
     constexpr std::size_t kShown = 40;
     std::string end = token.substr(token.size() > kShown ? token.size() - kShown : 0);
@@ -220,15 +222,14 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   Problems& problems_;
-  const char* reached_;  ///< by the parser
-  const char* counted_;  ///< up to here, line ends
+  const char* reached_;  ///< position that the parser has reached
+  const char* counted_;  ///< position up to which line ends have been counted
   int line_ = 0;
   Value root_;
   std::vector<Level> open_;
 };
 
-/// The part of a tree that a path leads to, as far as there is one. Keys may hold points
-/// themselves.
+/// The value at @p path, or its nearest existing ancestor. Keys may contain dots.
 const Value& nearest(const Value& value, std::string_view path) {
   const auto next = [&](const Value& part, const std::string& step) -> const Value* {
     if (!path.starts_with(step)) return nullptr;

@@ -11,26 +11,26 @@
 
 namespace questionnaires {
 
-/// Whether a problem stops a file from being used.
+/// The severity of a problem in a file.
 enum class Severity {
   Error,    ///< the file cannot be used
-  Warning,  ///< it can, and its author should know
+  Warning,  ///< the file can be used, but its author should know
 };
 
 /// Something wrong or unusual in a researcher's file, and what to do about it. Errors are in
 /// English, for the researcher; warnings appear in reports as well and are translated by key.
 struct Problem {
   Severity severity = Severity::Error;
-  std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"
-  base::Message what;            ///< what is wrong there
+  std::string path;              ///< JSON path from the root: "$.phases[3].order"
+  base::Message what;            ///< what is wrong
   base::Message fix;             ///< what to do about it; may be empty
-  std::optional<int> line = {};  ///< from 0, where the text is no JSON there
+  std::optional<int> line = {};  ///< line of a JSON syntax error, from 0
 };
 
-/// How many problems are listed; the first ones are enough to start with.
+/// The largest number of problems that are kept; later ones are dropped.
 inline constexpr std::size_t kMostProblems = 1000;
 
-/// All that was found in a file, so that its author learns it in one reading.
+/// All problems of a file, so that its author sees them at once.
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
@@ -58,7 +58,7 @@ class Problems {
   bool hasErrors_ = false;
 };
 
-/// One line a problem, as a person at a terminal reads it.
+/// The problems as text for a terminal, one per line.
 std::string describe(const std::vector<Problem>& problems);
 
 }  // namespace questionnaires

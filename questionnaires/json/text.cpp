@@ -39,7 +39,7 @@ constexpr std::array kLeads{
     Lead{0xF4, 0xF4, 4, 0x80, 0x8F},
 };
 
-/// The length of the valid UTF-8 character that @p text begins with; 0 where there is none.
+/// The length of the valid UTF-8 character at the beginning of @p text [bytes]; 0 if there is none.
 std::size_t soundLength(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   for (const auto& lead : kLeads) {
@@ -97,7 +97,8 @@ std::string readTextFile(const std::string& path, std::size_t most) {
 
 namespace {
 
-/// Edits (insert, delete, replace, swap of neighbours) that lead from one word to the other.
+/// The smallest number of edits (insert, delete, replace, swap of neighbours) from one word to the
+/// other.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -134,7 +135,7 @@ std::string typeName(const Value& value) {
 }
 
 std::string shown(double value) {
-  constexpr double kLargest = 1e15;  // beyond it a row of digits says nothing
+  constexpr double kLargest = 1e15;  // the digits of larger numbers are not helpful
   if (std::abs(value) > kLargest) return "any size";
   std::array<char, 64> digits{};
   const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed);

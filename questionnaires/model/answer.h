@@ -11,47 +11,48 @@
 
 namespace questionnaires {
 
-/// What was answered: a point of a scale; a number; an option's id or a text; several options' ids.
+/// The value of an answer: a point of a scale; a number; the id of an option, or a text; the ids of
+/// several options.
 using Response = std::variant<std::int64_t, double, std::string, std::vector<std::string>>;
 
-/// An item and what was answered to it. Nothing, where it was not.
+/// An answer to an item. The response is std::nullopt if the item was not answered.
 struct Answer {
   std::string itemId;
   std::optional<Response> response;
 };
 
-/// Why @p response is no valid answer to @p item, in words; std::nullopt if it is.
+/// Why @p response is not a valid answer to @p item, as a sentence; std::nullopt if it is valid.
 ///
-/// Alternatives are those that @p alternatives lists, where the item takes its options from there.
-/// Texts may hold any Unicode but the character NUL; a short one has one line.
+/// If the options of the item are alternatives, @p alternatives lists their ids. Texts may contain
+/// any Unicode character except NUL; a short text has one line.
 std::optional<std::string> validationError(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives = {});
 
-/// What @p response is called in @p language: the label of a point or an option, the word at the
-/// end of a slider, the labels of several options with "; " between them; empty where it has none.
+/// The label of @p response in @p language: of a point or an option, of the end of a slider, or of
+/// several options separated by "; "; empty if there is no label.
 std::string labelOf(const Item& item, const Response& response, std::string_view language);
 
 /// The value that is scored: a reverse-keyed item (key -1) gives low + high - x.
 std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
 
-/// Whether @p item, one of @p items, is asked after @p answers: an item with a condition is asked
-/// where the item it names is itself asked, and one of the options it lists was chosen there. An
-/// answer that is there twice counts as the last of them.
+/// Whether @p item, one of @p items, is asked after @p answers: an item with a condition (ShowIf)
+/// is asked if the item that the condition names is itself asked and was answered with one of the
+/// listed options. If there are several answers to an item, the last one counts.
 bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector<Answer>& answers);
 
-/// The required items among @p items that are asked and have no answer in @p answers, or an empty
-/// one: a blank text, no option of several. Who may choose none of them is offered that as an
-/// option.
+/// The ids of the required items among @p items that are asked and have no answer in @p answers, or
+/// an empty one: a blank text, or no option of several. (To allow "none", an item offers it as an
+/// option.)
 std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 
-/// The answer to @p item as a number, as it was given: the last one where there are several.
-/// std::nullopt if there is none, where it was taken back, where validationError() refuses it, and
-/// where answers to the item are no numbers.
+/// The answer to @p item as a number, not yet reversed; the last one if there are several.
+/// std::nullopt if there is none, if it was withdrawn or is not valid (validationError()), and if
+/// answers to the item are not numbers.
 std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>& answers);
 
-/// @p number as it counts for @p item: low + high - x where the key is -1. A number item has no
-/// key and is left alone.
+/// The value of @p number for scoring: low + high - x if the key of @p item is -1. Answers to a
+/// number item, which has no key, are returned unchanged.
 double keyedNumber(const Item& item, double number);
 
 }  // namespace questionnaires

@@ -15,14 +15,14 @@
 
 namespace questionnaires {
 
-/// A text in the languages its author wrote it in, by language tag ("en", "de", "nb").
+/// A text in several languages, by language tag ("en", "de", "nb").
 class LocalizedText {
  public:
   LocalizedText() = default;
   explicit LocalizedText(std::map<std::string, std::string> byLanguage)
       : byLanguage_(std::move(byLanguage)) {}
 
-  /// The text in @p language, or in English if there is none; empty where there is neither.
+  /// The text in @p language, or in English if there is none; empty if there is neither.
   const std::string& in(std::string_view language) const;
 
   bool has(std::string_view language) const { return byLanguage_.count(std::string(language)) > 0; }
@@ -37,8 +37,8 @@ class LocalizedText {
 /// How an item is answered.
 enum class ItemType {
   Likert,                ///< agreement with a statement, on a scale of points
-  SemanticDifferential,  ///< between two opposite words, on a scale of points
-  Slider,                ///< anywhere between two ends; shows no handle until it is touched
+  SemanticDifferential,  ///< a point of a scale between two opposite words
+  Slider,                ///< a value between two ends; shows no handle until it is touched
   SingleChoice,          ///< one of several options
   MultipleChoice,        ///< any number of several options, none included
   Number,
@@ -47,16 +47,16 @@ enum class ItemType {
   PairwiseChoice,  ///< one of two
 };
 
-/// What the answer to an item is.
+/// The kind of value that answers an item.
 enum class AnswerKind {
-  Point,    ///< of its scale
-  Number,   ///< between its least and most
+  Point,    ///< a point of its scale
+  Number,   ///< a number from `least` to `most`
   Option,   ///< the id of one of its options
-  Options,  ///< the ids of any number of them
+  Options,  ///< the ids of any number of its options
   Text,
 };
 
-/// A type of items: its name in files and exports, and what is answered.
+/// A type of items: its name in files and exports, and the kind of its answers.
 struct ItemTypeFacts {
   std::string_view name;
   ItemType value;
@@ -86,7 +86,7 @@ static_assert(
 AnswerKind answerKindOf(ItemType type) noexcept;
 std::string_view nameOf(ItemType type) noexcept;
 
-/// Points to choose from, from `lowest` up, one apart.
+/// A scale of whole-numbered points, from `lowest` to highest().
 struct Scale {
   int lowest = 1;
   int points = 5;
@@ -98,48 +98,48 @@ struct Scale {
   bool operator==(const Scale& other) const = default;
 };
 
-/// How few and how many points a scale may have.
+/// The smallest and largest number of points of a scale.
 inline constexpr int kFewestPoints = 2;
 inline constexpr int kMostPoints = 101;
 
-/// How much a file may ask.
+/// The largest sizes of an instrument.
 inline constexpr std::size_t kMostItems = 1000;
 inline constexpr std::size_t kMostScores = 1000;
 inline constexpr std::size_t kMostOptions = 1000;
 
-/// How long an answer in words may be where its item does not say so [characters].
+/// The default maximum length of a text answer [characters].
 inline constexpr std::int64_t kLongestShortText = 500;
 inline constexpr std::int64_t kLongestLongText = 100'000;
 
-/// One of the things that may be chosen.
+/// An option of a choice.
 struct Option {
   std::string id;
   LocalizedText text;
 };
 
-/// Where an item's options come from.
+/// The origin of an item's options.
 enum class OptionSource {
-  Listed,        ///< from the instrument
-  Alternatives,  ///< they are the alternatives that the participant has felt in a block
+  Listed,        ///< listed in the instrument
+  Alternatives,  ///< the alternatives that the participant has felt in a block
 };
 
 /// What a statement compares with.
 enum class Reference {
   None,
-  Previous,  ///< with what was felt just before ("than the previous cut")
+  Previous,  ///< what was felt just before ("than the previous cut")
 };
 
-/// What in a study a question asks about. Where the study has no such thing the question is left
-/// out.
+/// What a question asks about. If a study lacks it, the question cannot be answered, and the
+/// protocol check reports it.
 enum class Referent {
   None,
-  Benchmark,  ///< cuts with the physical tool, made before
+  Benchmark,  ///< cuts with the physical tool in an earlier phase
   Vibration,  ///< vibration and chatter of the tool
   Pace,       ///< how fast material is removed
-  ForceSize,  ///< how large the forces are, against those of an operation
+  ForceSize,  ///< how large the forces are, compared with those of an operation
 };
 
-/// The words for what a question is about, in files and messages.
+/// The names of referents in files and messages.
 inline constexpr std::array kReferents{
     Choice<Referent>{"benchmark", Referent::Benchmark},
     Choice<Referent>{"vibration", Referent::Vibration},
@@ -147,13 +147,13 @@ inline constexpr std::array kReferents{
     Choice<Referent>{"force_size", Referent::ForceSize},
 };
 
-/// A text of an item that its instrument may leave to a wording file.
+/// The texts of an item that may be withheld from its instrument and supplied by a wording file.
 enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
 
-/// Which answer to an earlier item makes a question one that is asked.
+/// The condition of an item: it is asked only after certain answers to an earlier item.
 struct ShowIf {
-  std::string item;               ///< a choice; empty: the question is always asked
-  std::vector<std::string> isIn;  ///< ids of its options, any of which will do
+  std::string item;  ///< id of an earlier choice item; empty if the question is always asked
+  std::vector<std::string> isIn;  ///< ids of its options; any of them fulfils the condition
 
   bool isSet() const noexcept { return !item.empty(); }
 };
@@ -162,39 +162,44 @@ struct ShowIf {
 struct Item {
   std::string id;
   ItemType type = ItemType::Likert;
-  LocalizedText text;  ///< empty where two opposite words say it all
-  std::string set;     ///< of the items that are asked together where a step asks for a set only
-  int key = 1;         ///< +1: a high answer is good; -1: a low one is
+  LocalizedText text;  ///< may be empty for a SemanticDifferential
+  /// Name of the set of items to which it belongs; a phase may ask for one set only.
+  std::string set;
+  int key = 1;  ///< +1: a high answer is good; -1: a low answer is good (reverse-keyed)
   bool isRequired = true;
-  bool isIdentifying = false;  ///< names a person: kept in identity.db, never exported
-  bool startsPage = false;     ///< participants see it at the top of a new page
+  /// The answer identifies a person: stored in identity.db, never exported.
+  bool isIdentifying = false;
+  bool startsPage = false;  ///< whether the item begins a new page
   ShowIf showIf;
   Reference reference = Reference::None;
   Referent refersTo = Referent::None;
 
   Scale scale;              ///< Likert, SemanticDifferential
-  LocalizedText leftText;   ///< SemanticDifferential, Slider: the low end
-  LocalizedText rightText;  ///< SemanticDifferential, Slider: the high end
+  LocalizedText leftText;   ///< SemanticDifferential, Slider: label of the low end
+  LocalizedText rightText;  ///< SemanticDifferential, Slider: label of the high end
   double least = 0.0;       ///< Slider, Number
   double most = 100.0;      ///< Slider, Number
   double step = 1.0;        ///< Slider, Number; 0 for any value
-  std::string unit;         ///< Number: a symbol that is the same in every language
+  std::string unit;         ///< Number: symbol of the unit, the same in every language
   OptionSource optionSource = OptionSource::Listed;
   std::vector<Option> options;  ///< SingleChoice, MultipleChoice, PairwiseChoice
-  std::string consentOption;  ///< SingleChoice: the option that gives consent, if this asks for it
-  std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]; 0: what is usual
+  std::string consentOption;    ///< SingleChoice: id of the option that gives consent; empty if the
+                                ///< item does not ask for consent
+  /// ShortText, LongText [characters]; 0 for kLongestShortText or kLongestLongText.
+  std::int64_t longestAnswer = 0;
 
-  /// The lowest answer, turned round where the key is -1, that counts as acceptable; std::nullopt
-  /// if the study sets no threshold. Likert, SemanticDifferential, Slider, Number.
+  /// The lowest acceptable answer, after reversal by the key; std::nullopt if there is no
+  /// threshold. Likert, SemanticDifferential, Slider, Number.
   std::optional<double> acceptableFrom;
-  /// The texts that may not be shipped: a wording file beside the protocol brings them.
-  /// Likert, SemanticDifferential, Slider.
+  /// The texts that may not be shipped with the instrument, and that a wording file in the
+  /// protocol's folder must supply. Likert, SemanticDifferential, Slider.
   std::vector<WordingField> withheld;
 
   bool withholds(WordingField field) const noexcept;
 };
 
-/// How items become one number. An unanswered item is missing: never the midpoint, never zero.
+/// The computation of one number from the answers to items. An unanswered item is missing, and is
+/// not replaced by the midpoint or zero.
 struct Score {
   enum class Aggregate {
     Mean,   ///< Σ w x / Σ w; without weights w = 1
@@ -206,73 +211,79 @@ struct Score {
   LocalizedText title;
   std::vector<std::string> items;
   Aggregate aggregate = Aggregate::Mean;
-  bool reverseByKey = true;       ///< an answer x to an item with key -1 counts as low + high - x
-  std::size_t leastAnswered = 0;  ///< a mean of fewer is no score; 0: all are needed, as for a sum
-  double offset = 0.0;            ///< added to the aggregate …
-  double factor = 1.0;            ///< … and then multiplied
-  double countFrom = 0.0;         ///< Count
-  std::vector<double> weights;    ///< Mean, Sum: one for each item, from 0 up; or none
-  /// Mean, Sum: pairwise choices whose options bear the ids of the items. An item weighs as often
-  /// as it was chosen.
+  /// Whether an answer x to an item with key -1 is replaced by low + high - x.
+  bool reverseByKey = true;
+  /// Smallest number of answered items of a Mean, or of any score with missingAs; 0 if all are
+  /// needed.
+  std::size_t leastAnswered = 0;
+  double offset = 0.0;          ///< added to the aggregate
+  double factor = 1.0;          ///< multiplies (aggregate + offset)
+  double countFrom = 0.0;       ///< Count: the lowest answer that is counted
+  std::vector<double> weights;  ///< Mean, Sum: one for each item, from 0 up; or none
+  /// Mean, Sum: ids of pairwise choices whose options have the ids of the items. The weight of an
+  /// item is how often it was chosen.
   std::vector<std::string> weightsFrom;
-  /// What an unanswered item counts as, before it is turned round, where the author says so and at
-  /// least leastAnswered items were answered.
+  /// The value (before reversal) that replaces a missing answer, provided that at least
+  /// leastAnswered items were answered; std::nullopt for no replacement.
   std::optional<double> missingAs;
 };
 
-/// When one person's answers to several scores contradict each other too much to be trusted.
+/// The rule by which one person's answers are suspicious because they contradict each other.
 struct ConsistencyRule {
-  std::vector<std::string> scores;  ///< those that are looked at
-  double widestRange = 0.0;  ///< a wider range of keyed answers within a score is a contradiction
-  std::size_t suspiciousFrom = 1;  ///< so many contradictions make the answers suspicious
+  std::vector<std::string> scores;  ///< ids of the scores that are checked
+  /// A wider range of keyed answers to the items of a score is a contradiction.
+  double widestRange = 0.0;
+  /// Smallest number of contradictory scores that makes the answers suspicious.
+  std::size_t suspiciousFrom = 1;
 };
 
-/// How often an instrument is answered to give one result.
+/// The number of times that an instrument is answered for one result.
 enum class Occasions {
   Once,
-  BeforeAndAfter,  ///< what counts is the change
+  BeforeAndAfter,  ///< twice; the result is the change
 };
 
-/// Where an instrument comes from, and what may be done with it.
+/// The source and licence of an instrument.
 struct Source {
   std::string citation;
   std::string doi;
   std::string licence;
-  std::string note;  ///< what else a researcher should know: whose the wording is, what was changed
-  std::string wordingFrom;  ///< where the texts are to be had that are not ours to ship
+  /// Further notes for researchers, for instance who worded it, or what was changed.
+  std::string note;
+  std::string wordingFrom;  ///< where researchers can obtain the withheld texts
 };
 
-/// A questionnaire as its author published it: items, scales, keys, scoring, in several languages.
-/// One without items is information: a text to be read.
+/// A questionnaire as its author published it: items, scales, keys and scoring, in several
+/// languages. An instrument without items is an information text.
 struct Instrument {
   std::string id;
   std::string version;
   LocalizedText title;  ///< participants may see it
-  LocalizedText
-      introduction;  ///< shown above the items; the text of an information or consent form
+  /// Shown above the items; the text of an information or consent form.
+  LocalizedText introduction;
   Source source;
   std::vector<std::string> languages;
-  std::optional<Scale> scale;  ///< of the items that brought none of their own
+  std::optional<Scale> scale;  ///< of items without a scale of their own
   std::vector<Item> items;
   std::vector<Score> scores;
   Occasions occasions = Occasions::Once;
   std::optional<ConsistencyRule> consistency;
 
   const Item* item(std::string_view id) const noexcept;
-  /// The items of @p set in order; all of them where @p set is empty.
+  /// The items of @p set in order; all items if @p set is empty.
   std::vector<Item> itemsOf(std::string_view set) const;
   const Score* score(std::string_view id) const noexcept;
-  /// Whether texts of it come from a wording file (questionnaires/reading/wording.h).
+  /// Whether some of its texts come from a wording file (questionnaires/reading/wording.h).
   bool isWithheld() const noexcept;
 };
 
-/// Everything that is wrong with @p instrument as a whole: ids used twice, scores of items that do
-/// not exist, texts that lack a language. Warnings are for what its author should know: statements
-/// that compare with the previous, placeholders "[[…]]" still to be filled in. Types and the
-/// spelling of keys are the reader's business; whether withheld texts are there is wording.h's.
+/// The problems of @p instrument as a whole: duplicate ids, scores of items that do not exist,
+/// texts that lack a language. Warns of statements that compare with the previous alternative, and
+/// of placeholders "[[…]]" that are not filled in. Does not check what the reader checks (types and
+/// spelling of keys), or whether withheld texts are supplied (see wording.h).
 Problems problemsOf(const Instrument& instrument);
 
-/// From the lowest answer to the highest, both included.
+/// A range of answers, both ends included.
 struct Range {
   double low = 0.0;
   double high = 0.0;
@@ -280,7 +291,7 @@ struct Range {
   bool operator==(const Range& other) const = default;
 };
 
-/// Where the answers to @p item lie; std::nullopt if they are no numbers.
+/// The range of valid answers to @p item; std::nullopt if they are not numbers.
 std::optional<Range> rangeOf(const Item& item) noexcept;
 
 }  // namespace questionnaires

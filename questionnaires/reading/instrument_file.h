@@ -12,25 +12,26 @@
 
 namespace questionnaires {
 
-/// The files of questionnaires/library, as they were when the program was built.
+/// The files of questionnaires/library, embedded when the program was built.
 std::span<const base::EmbeddedFile> libraryFiles();
 
-/// What a laboratory has written for the blanks "[[key]]" in texts that participants read, by key.
+/// The laboratory's texts for the blanks "[[key]]" in texts that participants read, by key.
 using BlankTexts = std::map<std::string, LocalizedText>;
 
-/// Fills in blanks: puts the laboratory's text in place of "[[key]]". A blank for which there is no
-/// text stays as it is.
+/// Replaces blanks "[[key]]" by the laboratory's texts. A blank without a text stays.
 class BlankFiller {
  public:
   BlankFiller() = default;
   explicit BlankFiller(BlankTexts texts) : texts_(std::move(texts)) {}
 
-  /// In every language of @p text, with the words of that language, or else in English.
+  /// Fills in the blanks in every language of @p text, with the laboratory's text in that language
+  /// or, if there is none, in English.
   void fill(LocalizedText& text);
-  /// In all texts that participants see.
+  /// Fills in the blanks of all texts that participants see.
   void fill(Instrument& instrument);
 
-  /// The keys of all blanks that were seen so far, filled or not: each once, in that order.
+  /// The keys of all blanks found so far, filled in or not, without duplicates, in the order in
+  /// which they were found.
   const std::vector<std::string>& keys() const noexcept { return keys_; }
 
  private:
@@ -44,11 +45,11 @@ class BlankFiller {
 /// Reads an instrument from JSON (docs/questionnaire-format.md) and reports all problems, those of
 /// problemsOf() included; std::nullopt if there are errors. Warnings are only reported if there are
 /// no errors.
-/// @param blanks  fills in blanks before the texts are checked; nullptr: they stay.
+/// @param blanks  fills in blanks before the texts are checked; if nullptr, blanks stay.
 std::optional<Instrument> readInstrument(
     std::string_view json, Problems& problems, BlankFiller* blanks = nullptr);
 
-/// The same, from JSON that must be valid.
+/// Reads an instrument that must be valid.
 /// @throws UserError  listing all problems of the instrument called @p name.
 Instrument readSoundInstrument(std::string_view json, const std::string& name);
 

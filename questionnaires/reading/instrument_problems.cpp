@@ -36,7 +36,8 @@ void inspectHead(const Instrument& instrument, const TextProblems& texts, Proble
   if (instrument.scale) inspectScale(*instrument.scale, "$.scale", texts, problems);
 }
 
-/// A condition names a choice that was made before, in the same set, by options that it lists.
+/// Checks the condition of an item: it must name an earlier choice item of the same set, and
+/// existing options of it.
 void inspectCondition(
     const Instrument& instrument, std::size_t index, const std::string& path, Problems& problems) {
   const Item& item = instrument.items[index];

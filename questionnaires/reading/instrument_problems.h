@@ -12,7 +12,7 @@
 
 namespace questionnaires {
 
-/// What an instrument's author is warned of, and what to do about it: "key" and "key.fix".
+/// Warnings for an instrument's author ("key"), and what to do about them ("key.fix").
 inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
     {"compares_with_previous", "this compares with what was felt just before"},
     {"compares_with_previous.fix",
@@ -27,40 +27,42 @@ inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
     {"blank_left.fix", "write it into 'texts' of the protocol, or into this file"},
 });
 
-/// One of them, with its arguments.
+/// A warning of kWarnings with its arguments.
 template <typename... Arguments>
 base::Message warning(
     base::CheckedKey<kWarnings, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kWarnings>(key, std::forward<Arguments>(arguments)...);
 }
 
-/// A text of an instrument that participants see, with a name that no other has.
+/// A text of an instrument that participants see, with a unique name.
 struct TextPlace {
-  std::string name;                   ///< "title", "scale/low_label", "items/1/text"
-  std::vector<LocalizedText*> texts;  ///< the text and its copies: a common scale has many
+  std::string name;  ///< "title", "scale/low_label", "items/1/text"
+  /// The text and its copies; a scale shared by items has a copy in each item.
+  std::vector<LocalizedText*> texts;
 };
 
-/// The texts of @p instrument that participants see, in the order in which they do: those that are
-/// there, and those that are withheld. Pointers are good as long as the instrument stays.
+/// The texts of @p instrument that participants see, including withheld ones, in the order in which
+/// they appear. The pointers are valid as long as the instrument is not changed or moved.
 std::vector<TextPlace> textPlacesOf(Instrument& instrument);
 
-/// Whether a text has nothing but spaces, tabs and line ends.
+/// Whether a text consists only of spaces, tabs and line ends.
 bool isBlank(const std::string& text);
 
-/// The parts of @p text in double square brackets, one after the other: "[[a]], [[b]]".
+/// The placeholders in @p text, as a list: "[[a]], [[b]]".
 std::string placeholdersOf(const std::string& text);
 
-/// Looks over the texts of an instrument, language by language.
+/// Checks that the texts of an instrument exist in all required languages.
 class TextProblems {
  public:
-  /// Both outlive this.
+  /// Both arguments must outlive this object.
   TextProblems(const std::vector<std::string>& languages, Problems& problems)
       : languages_(languages), problems_(problems) {}
 
-  /// A text that participants see: there in English and in every language of the instrument.
+  /// Checks a text that participants see: it must exist in English and every language of the
+  /// instrument.
   void inspect(const std::string& path, const LocalizedText& text) const;
 
-  /// A text that only researchers see: there in English.
+  /// Checks a text that only researchers see: it must exist in English.
   void inspectForResearchers(const std::string& path, const LocalizedText& text) const;
 
  private:
@@ -72,21 +74,19 @@ class TextProblems {
   Problems& problems_;
 };
 
-/// Adds to @p problems what is wrong with @p item, which stands at @p path ("$.items[3]") of
-/// @p instrument.
+/// Adds the problems of @p item, which is at @p path ("$.items[3]") of @p instrument.
 void inspectItem(
     const Instrument& instrument, const Item& item, const std::string& path, Problems& problems);
 
-/// The same for a scale.
+/// Adds the problems of a scale.
 void inspectScale(
     const Scale& scale, const std::string& path, const TextProblems& texts, Problems& problems);
 
-/// Adds to @p problems what is wrong with @p score, which stands at @p path ("$.scores[0]") of
-/// @p instrument.
+/// Adds the problems of @p score, which is at @p path ("$.scores[0]") of @p instrument.
 void inspectScore(
     const Instrument& instrument, const Score& score, const std::string& path, Problems& problems);
 
-/// The same for the consistency rule of @p instrument, where it has one.
+/// Adds the problems of the consistency rule of @p instrument, if it has one.
 void inspectConsistency(const Instrument& instrument, Problems& problems);
 
 }  // namespace questionnaires

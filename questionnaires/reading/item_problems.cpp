@@ -63,7 +63,7 @@ void ItemInspection::inspectHead() const {
   }
 }
 
-/// A text that comes from a wording file may be away.
+/// Checks a text of the item. A withheld text may be missing, because a wording file supplies it.
 void ItemInspection::inspectText(
     const std::string& key, WordingField field, const LocalizedText& text) const {
   if (item_.withholds(field) && text.isEmpty()) return;
@@ -140,7 +140,8 @@ void ItemInspection::inspectRange() const {
     return add("step", "the step is negative or no number", "write 0 for any value");
   }
   if (item_.step == 0.0) return;
-  constexpr double kTolerance = 1e-6;  // of a step: decimal steps are no binary numbers
+  // Relative to a step, because decimal steps have no exact binary representation.
+  constexpr double kTolerance = 1e-6;
   const double steps = range / item_.step;
   if (std::round(steps) < 1.0 || std::abs(steps - std::round(steps)) > kTolerance) {
     add("step",

@@ -11,9 +11,9 @@ namespace questionnaires {
 
 namespace {
 
-constexpr int kFarthestPoint = 1000;  // from zero, either way
+constexpr int kFarthestPoint = 1000;  // largest magnitude of a point
 
-/// The number of points of @p node; 0, and a problem, where it has none.
+/// Reads the number of points of a scale; 0, with a problem, if there is none.
 int readPoints(const Node& node) {
   if (node.has("points")) {
     return static_cast<int>(node.wholeNumber("points", kFewestPoints, kMostPoints, 0));
@@ -78,7 +78,7 @@ constexpr std::array kEndWords{
     Choice<WordingField>{"right_label", WordingField::RightLabel},
 };
 
-/// The keys that items of a type have beside those of every item.
+/// The keys that are specific to items of a type.
 std::vector<std::string_view> keysOf(ItemType type) {
   switch (type) {
     case ItemType::Likert:
@@ -131,7 +131,7 @@ void refuseKeysOfOtherTypes(const Node& node, const ItemTypeFacts& type) {
   }
 }
 
-/// The type named by @p node; a problem if it names none.
+/// Reads the type of an item; std::nullopt, with a problem, if it is unknown or missing.
 std::optional<ItemTypeFacts> typeOf(const Node& node) {
   const auto name = node.member("type");
   if (name && name->isText()) {
@@ -201,7 +201,7 @@ ShowIf readShowIf(const Node& node) {
   return showIf;
 }
 
-/// The texts that a wording file brings, by the names that items of this type have for them.
+/// Reads which texts are withheld, by their keys for this type of item.
 void readWithheld(const Node& node, Item& item) {
   const bool isLikert = item.type == ItemType::Likert;
   for (const auto& name : node.requiredList("wording")) {

@@ -105,7 +105,8 @@ void inspectWeights(const Score& score, const std::string& path, Problems& probl
   problems.add(path + ".weights", "these weights count nothing", "write numbers above 0");
 }
 
-/// The two items that the pair @p id asks to choose from; a problem where it is no such pair.
+/// The ids of the two items between which the pairwise choice @p id decides; std::nullopt, with a
+/// problem, if it is no such item.
 std::optional<std::set<std::string>> pairOf(
     const Instrument& instrument,
     const Score& score,

@@ -7,7 +7,7 @@ namespace questionnaires {
 
 namespace {
 
-/// Collects the places of one instrument.
+/// Collects the texts of one instrument.
 class Places {
  public:
   explicit Places(Instrument& instrument) : instrument_(instrument) {}
@@ -41,7 +41,7 @@ class Places {
     addScale("scale", scales, false, false);
   }
 
-  /// @p scales are alike: one, and its copies.
+  /// Adds the texts of a scale. @p scales contains the scale and its copies.
   void addScale(
       const std::string& name, const std::vector<Scale*>& scales, bool needsLow, bool needsHigh) {
     const std::size_t labels = scales.front()->pointLabels.size();

@@ -8,13 +8,13 @@
 namespace questionnaires {
 namespace {
 
-/// An item that counts: its keyed answer and its weight.
+/// The keyed answer to an item and its weight.
 struct Counted {
   double x = 0.0;
   double weight = 1.0;
 };
 
-/// What was chosen in the pair @p id; std::nullopt if nothing was.
+/// The id of the option chosen in the pairwise choice @p id; std::nullopt if none was chosen.
 std::optional<std::string> chosenIn(
     const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
   const Item* pair = instrument.item(id);
@@ -27,14 +27,14 @@ std::optional<std::string> chosenIn(
   return std::get<std::string>(*last->response);
 }
 
-/// How many items have to be answered.
+/// The number of items that must be answered.
 std::size_t needed(const Score& score) {
   const bool mayMiss = score.aggregate == Score::Aggregate::Mean || score.missingAs.has_value();
   const bool hasMinimum = score.leastAnswered > 0 && score.weightsFrom.empty();
   return mayMiss && hasMinimum ? score.leastAnswered : score.items.size();
 }
 
-/// The items that count, with their weights; @p weights is empty where every item weighs one.
+/// The answered (or replaced) items with their weights; @p weights is empty if every weight is 1.
 std::vector<Counted> countedItems(
     const Instrument& instrument,
     const Score& score,
@@ -143,7 +143,7 @@ Range rangeOf(const Instrument& instrument, const Score& score) {
   if (score.aggregate == Score::Aggregate::Sum) range = sum;
   if (score.aggregate == Score::Aggregate::Sum && !score.weightsFrom.empty() && widest) {
     const auto n = static_cast<double>(score.items.size());
-    const double pairs = n * (n - 1.0) / 2.0;  // the weights sum to their number
+    const double pairs = n * (n - 1.0) / 2.0;  // the weights sum to the number of pairs
     range = {pairs * widest->low, pairs * widest->high};
   }
   if (score.aggregate == Score::Aggregate::Count) {
