@@ -23,7 +23,7 @@ void append(const Problems& found, Problems& problems) {
   }
 }
 
-/// How large a file of this name may be [bytes].
+/// The largest size of a file with this name [bytes].
 std::size_t largestOf(const std::string& name) {
   if (name.ends_with(kPackingEnding)) return kLargestPacking;
   return name.ends_with(kAnatomyEnding) ? kLargestAnatomy : questionnaires::kLargestFile;

@@ -24,22 +24,22 @@ std::optional<LoadedProtocol> loadProtocol(
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 
-/// The same of what a study keeps: all files, and copies of the library's instruments, which are
-/// read in place of the program's.
+/// Like loadProtocol() above, from the copies that a study stores: of all files, and of the
+/// library's instruments, which replace those of the program.
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json,
     const std::vector<SourceFile>& files,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 
-/// The same from a file, or from the library by name ("punch-face-validity"). Referenced files are
-/// searched for beside the file.
+/// Loads a protocol from a file, or from the library by name ("punch-face-validity"). Referenced
+/// files are searched for in the folder of the file.
 /// @throws UserError  if the file cannot be read at all.
 std::optional<LoadedProtocol> loadProtocolFile(
     const std::string& path, questionnaires::Problems& problems);
 
-/// @p loaded as it would be read with @p texts as its "texts", and with the same files.
-/// std::nullopt and problems if a text cannot be used.
+/// A copy of @p loaded with its "texts" replaced by @p texts. std::nullopt and problems if a text
+/// cannot be used.
 std::optional<LoadedProtocol> withTexts(
     const LoadedProtocol& loaded,
     const questionnaires::BlankTexts& texts,

@@ -96,7 +96,7 @@ bool isCapital(char letter) noexcept {
   return letter >= 'A' && letter <= 'Z';
 }
 
-/// As in the middle of a sentence: "Tissue" → "tissue"; "FEM" stays.
+/// The label as in the middle of a sentence: "Tissue" → "tissue"; "FEM" stays.
 std::string inSentence(std::string label) {
   const bool isAbbreviation = label.size() > 1 && isCapital(label[1]);
   if (!label.empty() && isCapital(label[0]) && !isAbbreviation) {

@@ -16,41 +16,43 @@ namespace protocols {
 /// which its protocol was added, so that an update of the program does not change the rendering.
 enum class Defaults {
   /// The parametric cut ends at its largest force; a filter's recording fades out beyond its ends;
-  /// seen tissue follows the force; a reamer removes all that it is pushed through; questions about
-  /// a
-  /// benchmark need none.
+  /// displayed tissue follows the force; a reamer removes all bone that it is pushed through;
+  /// questions about a benchmark are allowed without a benchmark.
   Release01,
-  /// The parametric cut falls to zero; a filter takes no measurement beyond a recording; seen
-  /// tissue
-  /// follows the penetration; a reamer removes what its teeth can take.
+  /// The force of the parametric cut falls to zero after its maximum; a filter uses no measurement
+  /// beyond a recording; displayed tissue follows the penetration; the removal rate of a reamer is
+  /// limited by its teeth.
   Current
 };
 
-/// A source of what conditions render or show, from outside the protocol: a cut, a material, a bone
-/// of spheres, a knee.
+/// Data outside the protocol that conditions render or display: a cut, a material, a bone of
+/// spheres, or a knee.
 struct FeltSource {
   std::string kind;     ///< "cut", "material", "packing" or "anatomy"
   std::string file;     ///< as the protocol names it; empty if it is built into the program
-  base::Message title;  ///< for people
-  std::vector<base::Message> origin;    ///< empty if the file has none
+  base::Message title;  ///< display name
+  /// Where the data come from, in parts; empty if the file does not say it.
+  std::vector<base::Message> origin;
   bool isSynthetic = false;             ///< neither recorded nor measured
-  std::vector<std::string> conditions;  ///< by id
+  std::vector<std::string> conditions;  ///< ids of the conditions that use it
 };
 
-/// Its origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
+/// The origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
 std::string describeOrigin(const FeltSource& source);
 
-/// "Bone of specimen 7 (material 'bone.json'), test set dynamic-1", and its mark.
+/// Title, file and origin in English, marked if synthetic: "Bone of specimen 7 (material
+/// 'bone.json'), test set dynamic-1".
 std::string describe(const FeltSource& source);
 
 /// A file of a protocol as it was read; a study stores it.
 struct SourceFile {
-  std::string name;  ///< as the protocol names it, or kCopiesOfLibrary with the file's name there
+  /// As in the protocol; kCopiesOfLibrary + file name for a copy from the library.
+  std::string name;
   std::string text;
 };
 
-/// How names of copies of the library's instruments begin, "palpate-library/debrief.json": a study
-/// keeps them, so that its words do not change with the program (docs/decisions/0073).
+/// Prefix of the names of copies of the library's instruments, "palpate-library/debrief.json". A
+/// study keeps copies, so that its texts do not change with the program (docs/decisions/0073).
 inline constexpr std::string_view kCopiesOfLibrary = "palpate-library/";
 
 /// A protocol with all files that it refers to, ready for sessions.
@@ -59,7 +61,7 @@ struct LoadedProtocol {
   std::vector<questionnaires::Instrument> instruments;  ///< those that it uses
   std::string text;                                     ///< the protocol's own file
   std::vector<SourceFile> files;    ///< instruments (those of the library, too), cuts and so on
-  std::vector<FeltSource> sources;  ///< of its conditions, each once
+  std::vector<FeltSource> sources;  ///< used by its conditions, without duplicates
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;
 
@@ -69,16 +71,16 @@ struct LoadedProtocol {
 /// Finds the text of a file that a protocol names; std::nullopt if there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// Writes what the protocol calls its alternatives into all texts that a participant may read:
-/// "{Label}" as the prefix is written, "{label}" with a small first letter, unless it is an
-/// abbreviation.
+/// Replaces placeholders in all texts that a participant may read by the protocol's word for an
+/// alternative (Labels::prefix): "{Label}" by the word as written, "{label}" by the word with a
+/// small first letter, unless it is an abbreviation.
 void fillInLabels(LoadedProtocol& loaded);
 
 /// Text in double square brackets that the laboratory has not filled in yet: a participant would
 /// read the brackets.
 struct Placeholder {
-  std::string where;  ///< the instrument, or the place in the protocol; and its languages
-  std::string words;  ///< "[[duration]], [[institution]]", of the first of them
+  std::string where;  ///< the instrument or the place in the protocol, with the languages
+  std::string words;  ///< "[[duration]], [[institution]]", in the first of the languages
 };
 
 /// The placeholders in all texts that a participant may read, in every language of the protocol,
@@ -89,15 +91,15 @@ std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
 /// A blank "[[key]]" in the texts that participants read.
 struct Blank {
   std::string key;
-  base::Message title;  ///< what to write there; for a blank of the laboratory's own, its key
-  LocalizedText text;   ///< what the protocol's "texts" have for it; empty: still blank
+  base::Message title;  ///< what to write there; the key if the laboratory added the blank
+  LocalizedText text;   ///< the entry in the protocol's "texts"; empty if not filled in
 };
 
 /// The key of the duration of a session [minutes], which the program can estimate.
 inline constexpr std::string_view kDurationBlank = "duration";
 
-/// Each blank once, filled in or not: those of the shipped texts in the order of a form, then
-/// others in the order in which they are read.
+/// All blanks, filled in or not, without duplicates: first those of the shipped texts in the order
+/// of a form, then others in the order in which they are read.
 std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
 
 }  // namespace protocols

@@ -141,7 +141,7 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"source.fitted_to", "fitted to '{}'"},
 });
 
-/// One of these messages, with its arguments.
+/// A message of kMessages with its arguments.
 template <typename... Arguments>
 base::Message message(
     base::CheckedKey<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {

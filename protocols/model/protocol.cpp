@@ -27,7 +27,8 @@ std::optional<ComparedScale> scaleOf(const questionnaires::Item& item) {
   if (answerKindOf(item.type) == questionnaires::AnswerKind::Point) {
     return ComparedScale{range->low, range->high, true};
   }
-  constexpr double kFarthest = 1e6;  // that a table of answers counts
+  // The largest magnitude of a point that a table of answers counts.
+  constexpr double kFarthest = 1e6;
   const auto isWhole = [](double value) {
     return value == std::round(value) && std::abs(value) <= kFarthest;
   };
@@ -40,7 +41,7 @@ std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument) {
   if (!family.score.empty()) {
     const auto* score = instrument.score(family.score);
-    if (score == nullptr) return std::nullopt;  // of an earlier version's protocol
+    if (score == nullptr) return std::nullopt;  // possible in protocols of earlier releases
     const auto range = questionnaires::rangeOf(instrument, *score);
     return ComparedScale{range.low, range.high, false};
   }

@@ -41,12 +41,12 @@ struct DeviceNeed {
   const haptics::devices::DeviceKind* kind;
   double maxForce = 0.0;        ///< [N]
   double maxForceRate = 0.0;    ///< [N/s]
-  double maxTorque = 5.0;       ///< about the tool's axis [N·m]
+  double maxTorque = 5.0;       ///< largest torque about the tool's axis [N·m]
   double maxTorqueRate = 50.0;  ///< [N·m/s]
   bool isTorqueAsked = false;   ///< a scene on this device has a torque about the tool's axis
-  double maxVelocity = 300.0;   ///< above it the tool has slipped from the hand [device's travel
-                                ///< unit/s]
-  bool isPassivityControlled = false;  ///< damping is added if a scene generates energy
+  double maxVelocity = 300.0;   ///< at a higher speed the tool is assumed to have slipped from the
+                                ///< hand [travel unit of the device/s]
+  bool isPassivityControlled = false;  ///< whether damping is added if a scene generates energy
 };
 
 /// The name of the built-in cut.
@@ -62,15 +62,14 @@ struct Condition {
   std::string id;
   std::string title;  ///< for researchers; participants see an alternative
   std::string device;
-  /// Complete, with the content of its files. std::nullopt only while a protocol with errors is
-  /// read; every loaded protocol has all models.
+  /// The force model, with the content of its files. std::nullopt only while a protocol with errors
+  /// is read; every condition of a loaded protocol has a model.
   std::optional<haptics::engine::ModelSpec> model;
   bool isVisualised = false;
   haptics::engine::SeenTissue seenTissue = haptics::engine::SeenTissue::Penetration;
-  haptics::engine::Reamer reamer;       ///< of bone that is removed
-  std::optional<std::string> anatomy;   ///< file of the knee that is shown, in place of the
-                                        ///< built-in one
-  std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr: the built-in knee
+  haptics::engine::Reamer reamer;       ///< limits the removal of bone
+  std::optional<std::string> anatomy;   ///< file of a knee that replaces the displayed built-in one
+  std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr for the built-in knee
 
   /// The scene to render and show. @pre model has a value.
   haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue, reamer}; }
@@ -78,16 +77,16 @@ struct Condition {
 
 /// How alternatives are labelled.
 enum class LabelPolicy {
-  Condition,  ///< a condition has the same label for all, as in the punch paper
-  Position,   ///< the first one is Alternative 1
-  Random,     ///< drawn for every participant
+  Condition,  ///< a condition has the same label for all participants, as in the punch paper
+  Position,   ///< labels follow the position: the condition felt first is Alternative 1
+  Random,     ///< drawn separately for every participant
 };
 
 struct Labels {
   LabelPolicy policy = LabelPolicy::Position;
   LocalizedText prefix;  ///< "Alternative"
 
-  /// What an alternative is called: "Alternative 2".
+  /// The label of an alternative, "Alternative 2".
   std::string nameOf(std::string_view number, std::string_view language) const {
     return prefix.in(language) + ' ' + std::string(number);
   }
@@ -95,17 +94,18 @@ struct Labels {
 
 /// How the order of a block's conditions is determined.
 enum class OrderType {
-  Fixed,                ///< as written
-  Reversed,             ///< another block's, reversed
-  Random,               ///< drawn for every participant
+  Fixed,                ///< as written in the protocol
+  Reversed,             ///< the reversed order of another block
+  Random,               ///< drawn separately for every participant
   LatinSquare,          ///< every condition equally often at every position
-  BalancedLatinSquare,  ///< … and equally often after every other (Williams 1949)
+  BalancedLatinSquare,  ///< as LatinSquare, and equally often after every other condition (Williams
+                        ///< 1949)
   Complete,             ///< all orders equally often
 };
 
 struct Order {
   OrderType type = OrderType::Fixed;
-  std::string of;  ///< Reversed: the block
+  std::string of;  ///< Reversed: id of the other block
 };
 
 /// Questions after each condition of a block.
@@ -120,35 +120,36 @@ struct ConditionQuestionnaire {
 /// Trials with every condition once, in the participant's order.
 struct Block {
   std::vector<std::string> conditions;
-  std::optional<bool> isVisualised;  ///< overrides the conditions
+  std::optional<bool> isVisualised;  ///< overrides Condition::isVisualised
   Order order;
-  int minimumCuts = 0;  ///< smallest number of cuts (strokes) in a trial
+  int minimumCuts = 0;  ///< smallest number of cuts or strokes in a trial
   std::vector<ConditionQuestionnaire> questionnaires;  ///< after each condition
 };
 
 enum class PhaseType {
-  Information,  ///< something to read
-  Consent,      ///< consent; no trial is allowed before it
+  Information,  ///< a text to read
+  Consent,      ///< consent form; no trial is allowed before it
   Form,         ///< a questionnaire, once
   Benchmark,    ///< cuts with the physical tool
   Block,        ///< trials
   Preference,   ///< a choice between a block's alternatives
   Break,
-  Interview,  ///< the operator writes
-  Debrief,    ///< something to read at the end
+  Interview,  ///< the operator writes down answers
+  Debrief,    ///< a text to read at the end
 };
 
 /// A part of a session.
 struct Phase {
   std::string id;
   PhaseType type = PhaseType::Information;
-  std::string instrument;     ///< of all but Block, Benchmark and Break
-  LocalizedText text;         ///< Benchmark, Break: what the participant reads
-  int minimumCuts = 0;        ///< Benchmark
-  double seconds = 0.0;       ///< Break: minimum duration [s]; 0: as long as the participant likes
-  Block trials;               ///< Block
-  std::string block;          ///< Preference: between the alternatives of this one
-  bool mayFeelAgain = false;  ///< Preference: each of them is offered once more before the choice
+  std::string instrument;  ///< all types except Block, Benchmark and Break
+  LocalizedText text;      ///< Benchmark, Break: text for the participant
+  int minimumCuts = 0;     ///< Benchmark
+  double seconds = 0.0;    ///< Break: minimum duration [s]; 0 for none
+  Block trials;            ///< Block
+  std::string block;       ///< Preference: id of the block whose alternatives are offered
+  /// Preference: whether each alternative can be felt once more before the choice.
+  bool mayFeelAgain = false;
 };
 
 /// A pair of conditions to compare.
@@ -159,10 +160,10 @@ struct Comparison {
 
 /// Which test a family declares: its result is confirmatory, all others are exploratory.
 enum class TestType {
-  Welch,       ///< of all answers, pooled, as in the punch paper
-  PairedT,     ///< of participants' means
-  SignFlip,    ///< … exact, by all signs of the differences
-  SignedRank,  ///< … Wilcoxon's, exact
+  Welch,       ///< Welch's t-test of all answers, pooled, as in the punch paper
+  PairedT,     ///< paired t-test of participants' means
+  SignFlip,    ///< exact sign-flip test of participants' means
+  SignedRank,  ///< Wilcoxon's exact signed rank test of participants' means
 };
 enum class CorrectionType {
   None,
@@ -179,22 +180,23 @@ enum class CorrectionType {
 struct Family {
   std::string id;
   std::string title;
-  std::string instrument;          ///< its answers are compared, reversed where the key is −1
-  std::vector<std::string> items;  ///< those that are compared, on one scale (see
-                                   ///< comparedItems()); empty: all Likert items
-  std::string
-      score;  ///< of the instrument: compared in place of items, as it is computed; or empty
-  std::vector<std::string> blocks;  ///< those whose answers count; empty: all that ask this
-                                    ///< instrument
+  /// Id of the instrument whose answers are compared, reversed for a key of −1.
+  std::string instrument;
+  std::vector<std::string> items;  ///< ids of the compared items, which share one scale (see
+                                   ///< comparedItems()); empty for all Likert items
+  /// Id of a score of the instrument that is compared instead of items; empty for none.
+  std::string score;
+  std::vector<std::string> blocks;  ///< ids of the blocks whose answers are used; empty for all
+                                    ///< blocks that ask this instrument
   std::vector<Comparison> comparisons;
   TestType test = TestType::Welch;
   CorrectionType correction = CorrectionType::Bonferroni;
   double alpha = 0.05;
-  /// Smaller differences of means are negligible [points of the scale].
+  /// Equivalence margin: smaller differences of means are negligible [points of the scale].
   std::optional<double> equivalenceBound;
 };
 
-/// Those of @p items that @p family compares, in their order; none if it compares a score.
+/// The items among @p items that @p family compares, in their order; empty if it compares a score.
 std::vector<questionnaires::Item> comparedItems(
     const Family& family, const std::vector<questionnaires::Item>& items);
 
@@ -202,21 +204,23 @@ std::vector<questionnaires::Item> comparedItems(
 struct ComparedScale {
   double lowest = 1.0;
   double highest = 5.0;
-  /// Whole numbers that can be counted point by point: both ends and the step are whole, and there
-  /// are at most kMostComparedPoints.
+  /// Whether answers are whole numbers that can be counted point by point: both ends and the step
+  /// are whole, and there are at most kMostComparedPoints points.
   bool isOfPoints = true;
 
   bool operator==(const ComparedScale&) const = default;
 };
 
-/// The most points of a scale that are counted: those of analysis::LikertCounts.
+/// The largest number of points of a scale that can be counted:
+/// analysis::LikertCounts::kMostPoints.
 inline constexpr int kMostComparedPoints = 1024;
 
-/// The points of an item, or the range of a slider or a number; std::nullopt for all others.
+/// The scale of an item with points, or the range of a slider or number item; std::nullopt for
+/// other items.
 std::optional<ComparedScale> scaleOf(const questionnaires::Item& item);
 
-/// The scale of a family: of its score, or of the first of its items; std::nullopt if it has none
-/// of these.
+/// The scale of the score of a family, or of the first of its items; std::nullopt if it has
+/// neither.
 std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument);
 
@@ -224,13 +228,14 @@ struct AnalysisPlan {
   std::vector<Family> families;
 };
 
-/// How a simulated cohort answers, on a scale where 0 is the middle of the questionnaire. Only for
-/// trying a protocol out.
+/// Parameters of simulated answers, in points from the middle of the scale. Used only to try out a
+/// protocol.
 struct SimulationTruth {
   std::vector<std::pair<std::string, double>> realismByCondition;
-  double personDeviation = 0.5;             ///< between participants
-  double personByConditionDeviation = 0.5;  ///< of a participant's opinion on a condition
-  double answerDeviation = 0.8;             ///< between answers
+  double personDeviation = 0.5;  ///< standard deviation between participants
+  /// Standard deviation of a participant's opinion on a condition.
+  double personByConditionDeviation = 0.5;
+  double answerDeviation = 0.8;  ///< standard deviation between answers
 
   double realismOf(std::string_view condition) const;
 };
@@ -240,10 +245,11 @@ struct Protocol {
   StudyMetadata study;
   std::vector<std::string> languages;
   std::optional<std::uint64_t> seed;
-  bool isBlindingOpen = false;  ///< conditions are not hidden from anyone
+  bool isBlindingOpen = false;  ///< whether conditions are not hidden from anyone
   std::vector<Cohort> cohorts;
   std::vector<DeviceNeed> devices;
-  std::vector<std::string> instrumentFiles;  ///< beside the protocol; the library needs no entry
+  /// In the folder of the protocol; instruments of the library need no entry.
+  std::vector<std::string> instrumentFiles;
   /// What the laboratory has written for the blanks "[[key]]" of its texts, by key.
   std::map<std::string, LocalizedText> texts;
   std::vector<Condition> conditions;
@@ -254,7 +260,7 @@ struct Protocol {
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
-  /// The kind of all devices; nullptr if there are several kinds.
+  /// The kind that all devices share; nullptr if there are several kinds.
   const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;
   const Cohort* cohort(std::string_view id) const noexcept;
@@ -263,11 +269,11 @@ struct Protocol {
 /// A place where a protocol names an instrument.
 struct InstrumentUse {
   std::string instrument;
-  std::string path;  ///< of the name: "$.phases[1].instrument"
+  std::string path;  ///< JSON path of the name: "$.phases[1].instrument"
   PhaseType phase = PhaseType::Information;
 };
 
-/// All of them, in the order of the session.
+/// All uses of instruments, in the order of the session.
 std::vector<InstrumentUse> instrumentUses(const Protocol& protocol);
 
 }  // namespace protocols

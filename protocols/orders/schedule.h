@@ -9,12 +9,12 @@
 
 namespace protocols {
 
-/// An order of k things: which comes at each position, counted from 0.
+/// An order of k conditions: the index of the condition at each position, from 0.
 using Row = std::vector<int>;
 
-/// The largest number of conditions of a block …
+/// The largest number of conditions of a block.
 inline constexpr int kMostConditions = 100;
-/// … and of a `complete` one: 6! = 720 orders.
+/// The largest number of conditions of a block with OrderType::Complete: 6! = 720 orders.
 inline constexpr int kMostForComplete = 6;
 
 /// The orders that a design of k conditions uses, each equally often. One row if all have the same
@@ -57,12 +57,13 @@ Schedule scheduleFor(
 
 /// The counts of positions and successions if @p participants of every cohort take part.
 struct Balance {
-  std::size_t multipleOf =
-      1;                    ///< balanced for every multiple of this many; 0: never exactly (drawn)
-  bool isBalanced = false;  ///< with that many participants
+  /// The design is balanced for every multiple of this number of participants; 0 for drawn orders,
+  /// which are never exactly balanced.
+  std::size_t multipleOf = 1;
+  bool isBalanced = false;  ///< with the given number of participants
   std::vector<std::string> conditions;
   std::vector<std::vector<int>> atPosition;  ///< [condition][position]
-  std::vector<std::vector<int>> after;       ///< [condition][the one before it]
+  std::vector<std::vector<int>> after;       ///< [condition][the condition before it]
 };
 
 Balance balanceOf(

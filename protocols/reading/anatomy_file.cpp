@@ -16,10 +16,10 @@ using questionnaires::shown;
 
 constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
 constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
-constexpr float kSmallestKnee = 20.0F;  // of a knee, along its longest axis [mm]
+constexpr float kSmallestKnee = 20.0F;  // along the longest axis [mm]
 constexpr float kLargestKnee = 400.0F;  // [mm]
-constexpr float kFarthestAway = 60.0F;  // of any surface from the punch's mouth [mm]
-constexpr float kMetres = 1.0F;         // a smaller knee is probably given in metres
+constexpr float kFarthestAway = 60.0F;  // distance of any surface from the punch's mouth [mm]
+constexpr float kMetres = 1.0F;         // a knee smaller than this is probably given in metres
 constexpr float kShortest = 0.5F;       // shortest normal that has a direction
 
 template <std::size_t N>
@@ -39,7 +39,7 @@ std::string rounded(float value) {
   return std::to_string(std::lround(value));
 }
 
-/// At each vertex the mean normal of the triangles that share it; upwards if there are none.
+/// The mean normal of the triangles that share each vertex; +y for a vertex without triangles.
 std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface) {
   std::vector<NamedSurface::Triple> normals(surface.places.size());
   for (const auto& [a, b, c] : surface.triangles) {
@@ -119,7 +119,7 @@ class AnatomyReader {
   }
 
   void refuseName(const std::string& name, const std::string& place) {
-    // a name that the importer makes up
+    // no name, or the name that the importer generates
     const bool isOurs = name.empty() || name == "defaultobject";
     problems_.add(
         isOurs ? "object without a name" : place,

@@ -65,7 +65,8 @@ std::optional<ForceCurve> readCurve(const Node& root, const char* key) {
   return ForceCurve(std::move(points));
 }
 
-/// The unit must be given, because a punch would take travel in any unit for travel units.
+/// Reads the unit. It is required, because a punch would interpret travel in any unit as travel
+/// units.
 std::string readUnit(const Node& root) {
   const std::string unit = root.text("unit");
   if (!unit.empty() && unit != kUnit) {

@@ -17,7 +17,7 @@ namespace protocols {
 std::optional<haptics::recordings::Cut> readCut(
     std::string_view json, questionnaires::Problems& problems);
 
-/// A cut as JSON text; numbers read back exactly. @p sha256 is of the recording's bytes, in
+/// A cut as JSON text; numbers read back exactly. @p sha256 is the hash of the recording's bytes in
 /// hexadecimal; empty if there is no recording.
 std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha256);
 

@@ -26,8 +26,9 @@ struct Keys {
 constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
 constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 
-constexpr double kDeepest = 1.0;   // [m]
-constexpr double kFarthest = 1e9;  // reported as a wrong unit, once per file [m]
+constexpr double kDeepest = 1.0;  // [m]
+// Limit of a single depth [m]. Depths beyond kDeepest are reported once per file, as a wrong unit.
+constexpr double kFarthest = 1e9;
 
 reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
   constexpr double kLargest = 1e6;    // [N, N·m]

@@ -18,11 +18,11 @@ std::optional<haptics::reaming::Material> readMaterial(
 /// The origin of a fitted series.
 struct MaterialSource {
   std::string file;    ///< its name without its folder
-  std::string sha256;  ///< of its bytes, in hexadecimal; empty if it is synthetic
+  std::string sha256;  ///< hash of its bytes in hexadecimal; empty if it is synthetic
 };
 
 /// A fit as JSON text, with how it was measured and fitted; numbers read back exactly.
-/// @param sources  of each series, in the order of the fit.
+/// @param sources  the source of each series, in the order of the fit.
 std::string materialAsJson(
     const std::string& name,
     const std::string& title,

@@ -27,7 +27,7 @@ namespace {
 constexpr float kStaysAnEdge = 40.0F;
 
 constexpr std::uintmax_t kLargestMesh = 512 * 1024 * 1024;  // [bytes]
-constexpr double kMostSteps = 1e8;  // of cutting faces into triangles: about 2 s
+constexpr double kMostSteps = 1e8;  // steps of cutting faces into triangles: about 2 s
 
 /// Opens no files: a text stored in a study must not refer to files on the disk.
 class NoFiles final : public Assimp::IOSystem {
@@ -84,8 +84,8 @@ void collect(
   }
 }
 
-/// Whether all vertices are finite. The importer's further steps need that; the caller reports
-/// others.
+/// Whether all vertices are finite, which the importer's further steps require. The caller reports
+/// an error otherwise.
 bool isFiniteMesh(const aiMesh& mesh) {
   const aiVector3D* first = mesh.mVertices;
   return std::all_of(first, first + mesh.mNumVertices, [](const auto& v) {
@@ -97,8 +97,8 @@ bool isFiniteMesh(const aiMesh& mesh) {
 /// @throws UserError  if it is none of them.
 std::string formatOf(std::string_view text) {
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "ply";
-  constexpr std::size_t kHead =
-      80;  // of a binary STL; then follow the number of triangles, and they
+  // A binary STL has a header of 80 bytes, the number of triangles, and 50 bytes per triangle.
+  constexpr std::size_t kHead = 80;
   constexpr std::size_t kTriangle = 50;
   if (text.size() >= kHead + sizeof(std::uint32_t)) {
     std::uint32_t triangles = 0;
@@ -113,7 +113,7 @@ std::string formatOf(std::string_view text) {
   throw base::UserError("it is no STL, OBJ or PLY file");
 }
 
-/// A number of elements in the head of a PLY file. @throws base::UserError  if it is none.
+/// A number of elements in the header of a PLY file. @throws base::UserError if it is not a number.
 double countIn(const std::string& word) {
   constexpr std::size_t kMostDigits = 15;
   const bool isCount = !word.empty() && word.size() <= kMostDigits &&
@@ -122,9 +122,9 @@ double countIn(const std::string& word) {
   throw base::UserError("its head says '" + word + "' where a number of elements should be");
 }
 
-/// The head of a PLY file says how many corners, faces and corners of faces there are, and the
-/// library allocates memory for as many before it reads them. It also reads on for ever if the head
-/// does not end. Only a head that can be read in one way is let through.
+/// Checks the header of a PLY file, because the library trusts it: it allocates memory for as many
+/// vertices and faces as the header announces, and never returns if the header does not end.
+/// Headers that can be read in more than one way are refused.
 void requireAsManyAsFit(std::string_view text) {
   static const std::set<std::string> kStatements{
       "ply", "format", "comment", "obj_info", "element", "property"};
@@ -155,13 +155,13 @@ void requireAsManyAsFit(std::string_view text) {
         "its faces may have thousands of millions of corners ('list " + count +
         "'): save it with 'list uchar'");
   }
-  // What is left is its data.
+  // The rest of the text is the data: each entry needs at least one byte.
   if (entries <= static_cast<double>(text.size())) return;
   throw base::UserError("it says that it has more corners and faces than fit into it");
 }
 
-/// Removes all readers but that of one format. The library has dozens, and takes the one that likes
-/// the text best.
+/// Removes all readers except that of one format. Otherwise the library chooses one of its dozens
+/// of readers by the content.
 void keepOnly(Assimp::Importer& importer, const std::string& format) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     auto* reader = importer.GetImporter(i);
@@ -169,12 +169,12 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
     reader->GetExtensionList(endings);
     if (endings.count(format) != 0) continue;
     importer.UnregisterLoader(reader);
-    const std::unique_ptr<Assimp::BaseImporter> freed(reader);  // it belongs to the caller now
+    const std::unique_ptr<Assimp::BaseImporter> freed(reader);  // the caller owns it now
   }
 }
 
-/// Cutting a face with n corners into triangles takes up to n² steps; at one without corners the
-/// library ends the program.
+/// Refuses faces with too many corners, because cutting a face with n corners into triangles takes
+/// up to n² steps, and faces without corners, at which the library aborts the program.
 void requireFewCorners(const aiScene& scene) {
   double steps = 0.0;
   unsigned most = 0;
@@ -197,7 +197,7 @@ void requireFewCorners(const aiScene& scene) {
 void read(
     Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
   if (format == "ply") requireAsManyAsFit(text);
-  importer.SetIOHandler(new NoFiles);  // the importer owns it from here on
+  importer.SetIOHandler(new NoFiles);  // the importer takes ownership
   keepOnly(importer, format);
   importer.ReadFileFromMemory(
       text.data(), text.size(), aiProcess_ValidateDataStructure | more, format.c_str());

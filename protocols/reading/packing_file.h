@@ -19,14 +19,15 @@ inline constexpr std::string_view kPackingEnding = ".packing";
 
 /// The origin of a packing, for readers; stored with it.
 struct PackingOrigin {
-  std::string mesh;      ///< its file's name without the folder, or "parametric acetabulum"
-  std::string sha256;    ///< of that file; empty if there is none
-  std::string material;  ///< the material it was fitted to, with its test set; empty before
+  std::string mesh;      ///< file name without the folder, or "parametric acetabulum"
+  std::string sha256;    ///< hash of that file in hexadecimal; empty if there is none
+  std::string material;  ///< the material that the packing was fitted to, with its test set; empty
+                         ///< if not fitted
   std::uint64_t seed = 1;
 };
 
-/// A packing as `palpate packing` writes it (docs/protocol-format.md, "Packing files"), and reports
-/// all problems; std::nullopt if there are errors.
+/// Reads a packing as `palpate packing` writes it (docs/protocol-format.md, "Packing files"), and
+/// reports all problems; std::nullopt if there are errors.
 ///
 /// A packing that has been built but not fitted has no densities.
 std::optional<haptics::reaming::PackedBone> readPacking(

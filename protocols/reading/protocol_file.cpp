@@ -48,12 +48,12 @@ constexpr std::array kBlindings{Choice<bool>{"closed", false}, Choice<bool>{"ope
 void requireSchema(const Node& root) {
   const bool isThere = root.has("$schema");
   const std::string schema = isThere ? root.text("$schema") : std::string();
-  const bool isPath = schema.ends_with("/" + std::string(kSchema));  // an editor may need one
+  const bool isPath = schema.ends_with("/" + std::string(kSchema));  // editors may need a path
   if (isThere && (isPath || schema.empty())) return;
   root.requireFormat("$schema", kSchema);
 }
 
-/// A list of texts that are not empty.
+/// Reads a list of texts that must not be empty.
 std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   std::vector<std::string> texts;
   for (const auto& entry : node.list(key)) {
@@ -162,7 +162,7 @@ DeviceNeed readDevice(const Node& node) {
   const std::string id = node.id("id");
   const auto* kind = readKind(node);
   if (kind != nullptr) {
-    device.id = id;  // without a kind the device counts as not read
+    device.id = id;  // a device without a kind keeps an empty id, which marks it as not read
     device.kind = kind;
   }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
@@ -199,8 +199,8 @@ Labels readLabels(const Node& root) {
   return labels;
 }
 
-/// What the laboratory writes for the blanks of its texts. A text with a blank in it would be shown
-/// with the brackets.
+/// Reads the laboratory's texts for blanks. A text that contains a blank itself is refused, because
+/// participants would see its brackets.
 std::map<std::string, LocalizedText> readBlankTexts(const Node& node) {
   std::map<std::string, LocalizedText> texts;
   const questionnaires::TextReader reader({"en"});

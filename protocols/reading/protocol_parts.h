@@ -14,12 +14,12 @@ namespace protocols {
 
 class SceneSources;
 
-/// A text for people, at least in English: "…" or {"en": "…", "de": "…"}. A missing or invalid one
-/// is a problem.
+/// Reads a localized text, at least in English: "…" or {"en": "…", "de": "…"}. A missing or invalid
+/// one is a problem.
 questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
 
-/// The value of the word at @p key; std::nullopt and a problem if it is none of @p choices. For
-/// words that decide how the rest is read.
+/// The value of the word at @p key; std::nullopt and a problem if it is none of @p choices. Used
+/// for words that determine how the rest is read.
 template <typename Choices>
 auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
   const auto value = node.choice(key, choices);
@@ -37,7 +37,7 @@ Phase readPhase(const questionnaires::Node& node);
 
 /// Reads the scene of a condition (docs/protocol-format.md, "Scenes") into @p condition, with the
 /// content of its files from @p sources; problems are added to the node's.
-/// @param protocol  its devices have been read.
+/// @param protocol  its devices must have been read.
 void readScene(
     const questionnaires::Node& scene,
     const Protocol& protocol,
@@ -48,7 +48,7 @@ void readScene(
 /// the node's.
 AnalysisPlan readAnalysis(const questionnaires::Node& node);
 
-/// Reads how a simulated cohort answers ("Simulated participants").
+/// Reads the parameters of simulated answers (docs/protocol-format.md, "Simulated participants").
 SimulationTruth readSimulation(const questionnaires::Node& node);
 
 }  // namespace protocols

@@ -10,28 +10,29 @@
 
 namespace protocols {
 
-/// A calibration file as `palpate recording calibrate` writes it (docs/protocol-format.md,
-/// "Calibration files"), and everything that is wrong with it; nothing where there are errors.
+/// Reads a calibration file as `palpate recording calibrate` writes it (docs/protocol-format.md,
+/// "Calibration files") and reports all problems; std::nullopt if there are errors.
 std::optional<haptics::recordings::ForceCalibration> readCalibration(
     std::string_view json, questionnaires::Problems& problems);
 
-/// The same as JSON text, every number so that it reads back exactly.
+/// A calibration as JSON text; numbers read back exactly.
 ///
-/// @param source  name of the table without its folder. @param sha256  of its bytes.
+/// @param source  name of the table without its folder. @param sha256 hash of its bytes in
+///     hexadecimal.
 std::string calibrationAsJson(
     const haptics::recordings::CalibrationFit& fit,
     const std::string& source,
     std::string_view sha256);
 
-/// What the columns of another laboratory's recordings mean (docs/protocol-format.md, "Columns
+/// The meaning of the columns in another laboratory's recordings (docs/protocol-format.md, "Columns
 /// files").
 struct ColumnsFile {
   haptics::recordings::RecordingColumns columns{};
-  std::string calibrationFile{};  ///< beside the columns file; empty where none is named
+  std::string calibrationFile{};  ///< in the folder of the columns file; empty if none is named
 };
 
-/// A columns file, and everything that is wrong with it; nothing where there are errors. Its
-/// calibration is read by the caller, who can open files.
+/// Reads a columns file and reports all problems; std::nullopt if there are errors. The caller
+/// reads the calibration file.
 std::optional<ColumnsFile> readColumns(std::string_view json, questionnaires::Problems& problems);
 
 }  // namespace protocols

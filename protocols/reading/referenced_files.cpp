@@ -121,7 +121,7 @@ std::optional<Instrument> ReferencedFiles::instrument(
   addProblemsOf(inFile, name);
   if (!instrument) return std::nullopt;
   completeWording(*instrument, path, languages);
-  blanks.fill(*instrument);  // also those that its wording brings
+  blanks.fill(*instrument);  // including those in the wording files
   return instrument;
 }
 
@@ -203,7 +203,8 @@ namespace {
 using base::Message;
 using haptics::recordings::Cut;
 
-/// Over which the force of our own cut falls to nothing [travel units]: as far as 'ramp-out' takes.
+/// The travel over which the force of the parametric cut falls to zero [travel units], equal to
+/// that of 'ramp-out'.
 constexpr double kRelease = 1.5;
 
 std::vector<Message> originOf(const haptics::recordings::Provenance& provenance) {
@@ -334,7 +335,7 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
   return knee;
 }
 
-/// Lists a source that several conditions share once.
+/// Adds a source. If several conditions share it, it is listed once.
 void SceneSources::add(FeltSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;

@@ -19,17 +19,17 @@
 
 namespace protocols {
 
-/// The files that a protocol names. Searches for each once, reads it, and keeps its text for the
-/// study.
+/// Reads the files that a protocol names, each once, and keeps their texts for the study.
 ///
-/// Each function returns the content of the file called @p name. If it cannot be read, a problem is
-/// reported at @p path in the protocol, or in the file with its name before the path, and the
-/// result is empty. An empty name has been reported already. Returned objects live as long as this
-/// object.
+/// Each function returns the content of the file called @p name. If it cannot be read, the result
+/// is empty, and a problem is reported: at @p path in the protocol if the file is missing,
+/// otherwise at a path in the file, after the name of the file. Nothing is reported about an empty
+/// name, which has a problem already. Returned objects live as long as this object.
 class ReferencedFiles {
  public:
   /// All arguments must outlive this object.
-  /// @param copies  of the library's instruments, under kCopiesOfLibrary; empty: there are none.
+  /// @param copies  finds copies of the library's instruments, whose names begin with
+  ///     kCopiesOfLibrary; empty if there are none.
   ReferencedFiles(
       const FileFinder& find,
       const FileFinder& copies,
@@ -50,23 +50,23 @@ class ReferencedFiles {
   const PackingFile* packing(const std::string& name, const std::string& path);
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
-  /// The instrument in a file, with its wording in @p languages, if it has or needs any, and with
-  /// its blanks filled in by @p blanks.
+  /// The instrument in a file. Its wording files in @p languages are added if they exist or are
+  /// needed, and @p blanks fills in its blanks.
   std::optional<questionnaires::Instrument> instrument(
       const std::string& name,
       const std::string& path,
       const std::vector<std::string>& languages,
       questionnaires::BlankFiller& blanks);
 
-  /// The instrument of the library with that @p id, in the same way: its copy, or else what the
-  /// program has; std::nullopt without a problem if there is neither.
+  /// The instrument @p id of the library, completed like that of a file: the study's copy, or else
+  /// the program's instrument; std::nullopt without a problem if there is neither.
   std::optional<questionnaires::Instrument> libraryInstrument(
       const std::string& id,
       const std::string& path,
       const std::vector<std::string>& languages,
       questionnaires::BlankFiller& blanks);
 
-  /// Every file that was found, as it was read.
+  /// All files that were found, as they were read.
   std::vector<SourceFile> takeFiles() { return std::move(files_); }
 
  private:
@@ -105,14 +105,14 @@ class ReferencedFiles {
   ByName<std::shared_ptr<const Anatomy>> anatomies_;
 };
 
-/// Where the scene of one condition takes its data from: reads the files that it names, uses the
-/// built-in data, and lists each of them among the sources of the protocol.
+/// The data of the scene of one condition: reads the files that it names, provides the built-in
+/// data, and adds each to the list of the protocol's sources.
 ///
 /// Results and problems are as in ReferencedFiles.
 class SceneSources {
  public:
   /// All arguments must outlive this object.
-  /// @param condition  its id.
+  /// @param condition  id of the condition.
   SceneSources(ReferencedFiles& files, std::vector<FeltSource>& all, const std::string& condition)
       : files_(files), all_(all), condition_(condition) {}
 
@@ -122,7 +122,7 @@ class SceneSources {
   /// The cut of a file, or the built-in one called kParametricCut.
   const haptics::recordings::Cut* cut(const std::string& name, const std::string& path);
 
-  /// The material of a file, and the curves of one of its test sets; none if it has no such set.
+  /// A material, and the curves of one of its test sets; nullptr if it has no such set.
   struct MaterialChoice {
     const haptics::reaming::Material* material = nullptr;
     const haptics::reaming::MaterialSet* set = nullptr;
@@ -130,7 +130,7 @@ class SceneSources {
   MaterialChoice material(
       const std::string& name, haptics::reaming::TestSet set, const std::string& path);
 
-  /// Notes that the scene uses the built-in material.
+  /// Adds the built-in material to the list of sources.
   void useParametricMaterial();
 
   /// The bone of a file, or the built-in one called kParametricBone.

@@ -26,10 +26,11 @@ namespace models = haptics::models;
 /// What reading a model needs in addition to its JSON.
 struct Context {
   SceneSources& sources;
-  const haptics::devices::DeviceKind* device;  ///< of the condition; nullptr: it has not been read
+  /// Kind of the condition's device; nullptr if it could not be read.
+  const haptics::devices::DeviceKind* device;
 };
 
-/// A complete model, or none and a problem.
+/// A complete model; std::nullopt if a problem has been reported.
 template <typename Spec>
 using Read = std::optional<Spec>;
 
@@ -55,7 +56,7 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
   if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
-/// @param beyond  default, if the file has none.
+/// @param beyond  value if the file has none.
 Read<engine::InterpolationSpec> readInterpolation(
     const Node& node, const Context& context, models::Extrapolation beyond) {
   engine::InterpolationSpec spec;
@@ -119,7 +120,7 @@ Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   return spec;
 }
 
-/// The noise "as printed" cannot be combined with own numbers.
+/// Refuses numbers beside the noise "as printed", which has its own.
 void refuseNumbersBesideAsPrinted(const Node& node) {
   for (const auto* key : {"process_force", "process_covariance", "process_stiffness"}) {
     if (!node.has(key)) continue;
@@ -196,7 +197,7 @@ void refuseWithoutMaterial(const Node& node) {
 bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
-  if (set == TestSet::Static) spec.isRemoved = false;  // it pressed on bone, and removed none
+  if (set == TestSet::Static) spec.isRemoved = false;  // static tests press on bone and remove none
   const bool hasJitter = node.flag("jitter", false);
   spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
   if (node.has("nodes")) {
@@ -320,7 +321,7 @@ Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
   return readPacking(node, context);
 }
 
-/// @param defaults  where the scene says nothing of a reamer.
+/// @param defaults  apply if the scene has no reamer.
 engine::Reamer readReamer(const Node& scene, Defaults defaults) {
   engine::Reamer reamer;
   const auto node = scene.object("reamer");
@@ -346,7 +347,7 @@ constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
 }
 constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 
-/// What models are called elsewhere.
+/// Names of models in the literature, for hints.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOtherNames{
     {{"fem", "finite-elements"}, {"kf", "kalman"}}};
 
@@ -354,8 +355,8 @@ ReadModel readerOf(std::string_view name) {
   return std::ranges::find(kModels, name, &Choice<ReadModel>::name)->value;
 }
 
-/// The reader of a scene's model. An unknown model is a problem, and is read as the one that is
-/// probably meant: the problems of its parameters are then told at once.
+/// The reader of a scene's model. An unknown model is a problem; the most similar one is then used
+/// to read the parameters, so that their problems are reported, too.
 std::optional<ReadModel> readModelName(const Node& scene) {
   const auto name = scene.member("model");
   const auto written = name && name->isText() ? name->asText() : std::string();

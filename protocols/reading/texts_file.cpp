@@ -34,14 +34,14 @@ std::string asJson(const std::map<std::string, LocalizedText>& texts) {
   return json + "\n  }";
 }
 
-/// The place behind the string that begins at @p start.
+/// The index after the string that begins at @p start.
 std::size_t endOfString(std::string_view json, std::size_t start) {
   std::size_t i = start + 1;
   while (i < json.size() && json[i] != '"') i += json[i] == '\\' ? 2 : 1;
   return i + 1;
 }
 
-/// The place behind the value that begins at @p start, or before the space that follows it.
+/// The index after the value that begins at @p start; may include spaces after the value.
 std::size_t endOfValue(std::string_view json, std::size_t start) {
   int depth = 0;
   std::size_t i = start;

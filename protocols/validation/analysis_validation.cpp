@@ -87,7 +87,8 @@ class FamilyCheck {
     }
   }
 
-  /// The score is there, and every condition that is compared is asked all of its items.
+  /// Checks that the score exists, and that all of its items are asked about every compared
+  /// condition.
   void score(const questionnaires::Instrument& asked) {
     if (!isSoundId(family_.score)) return;
     const auto* score = asked.score(family_.score);
@@ -189,7 +190,8 @@ class FamilyCheck {
       if (mayHold(phase.trials, condition)) return true;
       isAskedAtAll = true;
     }
-    return !isAskedAtAll || !draft_.hasAllPhases();  // a missing one has been reported already
+    // A phase that could not be read has been reported already.
+    return !isAskedAtAll || !draft_.hasAllPhases();
   }
 
   bool isCounted(const Phase& phase) const {

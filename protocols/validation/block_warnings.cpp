@@ -67,7 +67,7 @@ class BlockAdvice {
   void balance() {
     const auto k = static_cast<int>(phase_.trials.conditions.size());
     const auto rows = rowsOf(phase_.trials.order.type, k).size();
-    if (rows == 0) return;  // drawn, or taken from another block
+    if (rows == 0) return;  // the order is drawn, or taken from another block
     for (const auto& cohort : protocol_.cohorts) {
       if (static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
       problems_.warn(
@@ -156,14 +156,15 @@ bool isScored(const Instrument& instrument, const std::string& item) {
   });
 }
 
-/// Whether the answers are numbers or choices; those between alternatives are votes.
+/// Whether the answers are numbers or choices that a family could compare. Choices between
+/// alternatives are excluded: they are votes.
 bool isCounted(const Item& item) {
   return questionnaires::answerKindOf(item.type) != questionnaires::AnswerKind::Text &&
          item.optionSource == questionnaires::OptionSource::Listed && item.consentOption.empty() &&
          !item.isIdentifying;
 }
 
-/// The items whose answers are numbers or choices that nothing is computed from: "ease, effort".
+/// The ids of the items with countable answers that no result uses: "ease, effort".
 std::string unusedItems(const Protocol& protocol, const Instrument& instrument) {
   std::string ids;
   for (const auto& item : instrument.items) {
@@ -178,7 +179,7 @@ std::string unusedItems(const Protocol& protocol, const Instrument& instrument) 
 
 void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems) {
   const auto& protocol = loaded.protocol;
-  if (protocol.analysis.families.empty()) return;  // has a warning of its own
+  if (protocol.analysis.families.empty()) return;  // addAnalysisWarnings() reports it
   std::set<std::string> told;
   bool isBefore = true;  // forms before the first block describe participants
   for (const auto& use : instrumentUses(protocol)) {

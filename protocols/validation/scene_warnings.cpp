@@ -55,7 +55,8 @@ void adviseOnBranches(
       message("opening_gives_more.fix"));
 }
 
-/// Warns of a cut with more force than the protocol lets its device give: it is felt as a plateau.
+/// Warns of a cut with more force than the protocol's limit for the device: the excess is felt as a
+/// plateau.
 void adviseOnLimit(
     const engine::InterpolationSpec& spec,
     const DeviceNeed& device,
@@ -123,7 +124,8 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
   for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }
 
-// Questions about what a study need not have: a benchmark, vibration, removal, forces of full size.
+// Warnings about questions whose referent a study may lack: a benchmark, vibration, removal, forces
+// of full size.
 namespace {
 
 using questionnaires::Item;
@@ -180,7 +182,7 @@ std::vector<Asked> askedIn(const LoadedProtocol& loaded, std::size_t index) {
   return all;
 }
 
-/// "'1.1', '3.2'": those of @p items that are about a benchmark.
+/// The ids of the items that ask about a benchmark: "'1.1', '3.2'".
 std::string aboutBenchmark(const std::vector<Item>& items) {
   std::string names;
   for (const auto& item : items) {
@@ -190,7 +192,8 @@ std::string aboutBenchmark(const std::vector<Item>& items) {
   return names;
 }
 
-/// What @p item asks about and the scene of @p condition does not render; nothing where it does.
+/// The message about what @p item asks about and the scene of @p condition does not render;
+/// std::nullopt if it renders it.
 std::optional<base::Message> lackOf(const Condition& condition, const Item& item) {
   const auto parts = engine::partsOf(*condition.model);
   const double scale = parts.material != nullptr  ? parts.material->forceScale

@@ -201,11 +201,12 @@ namespace {
 
 using questionnaires::shown;
 
-/// What hands and fingers stand without pain while they are held or pressed [N]: table A.2 of
-/// ISO/TS 15066:2016, "Robots and robotic devices – Collaborative robots", quasi-static contact.
+/// The largest force that hands and fingers bear without pain while they are held or pressed [N]:
+/// table A.2 of ISO/TS 15066:2016, "Robots and robotic devices – Collaborative robots",
+/// quasi-static contact.
 constexpr double kBearable = 140.0;
 
-constexpr double kTick = 0.001;  // between two forces [s]
+constexpr double kTick = 0.001;  // period of the force loop [s]
 
 }  // namespace
 

@@ -12,9 +12,9 @@
 namespace protocols {
 
 /// Reports inconsistencies of a protocol and the files that it names: names that do not exist, a
-/// trial before consent, orders that refer to each other, a scene that cannot be compiled. Doubtful
-/// but valid designs are left to addWarnings(). Parts that could not be read have been reported
-/// already; nothing is reported about them or their consequences.
+/// trial before consent, orders that refer to each other, a scene that cannot be compiled.
+/// addWarnings() reports doubtful but valid designs. Nothing is reported about parts that could not
+/// be read, or about their consequences, because they have a problem already.
 void validate(const Draft& draft, questionnaires::Problems& problems);
 
 /// Reports problems of a protocol's analysis plan and of its simulation.
@@ -24,19 +24,20 @@ void validateAnalysis(const Draft& draft, questionnaires::Problems& problems);
 /// between their alternatives.
 void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
 
-/// Reports questions about a benchmark that was not cut before. Not for studies of release 0.1,
-/// which keep their protocols.
+/// Reports questions about a benchmark that no earlier phase contains. Not called for studies of
+/// release 0.1, whose protocols stay valid.
 void validateBenchmarks(const Draft& draft, questionnaires::Problems& problems);
 
-/// Reports limits that no hand stands, or that limit nothing, and warns of forces that devices of
-/// the kind do not give. Only of a file: studies keep the limits that they were made with.
+/// Reports force limits above what a hand bears without pain or above what the kind of device
+/// gives, and rate limits too high to have an effect. Called only for protocol files: an existing
+/// study keeps its limits.
 void validateLimits(const Protocol& protocol, questionnaires::Problems& problems);
 
 /// Adds warnings about doubtful designs: a statement about the previous alternative when there is
 /// none, one order for all, a number of participants that does not balance, forms with
 /// placeholders, unused parts.
 ///
-/// @param loaded    passed validate() without problems.
+/// @param loaded    must have passed validate() without problems.
 /// @param defaults  studies of release 0.1 keep the warnings of that release.
 void addWarnings(
     const LoadedProtocol& loaded, questionnaires::Problems& problems, Defaults defaults);
@@ -67,21 +68,19 @@ void addBlindingWarnings(const Protocol& protocol, questionnaires::Problems& pro
 /// an opening that returns more energy than closing took.
 void addSceneWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
-/// A place in a protocol that says which condition an answer is about, even where the condition
-/// bears a code.
+/// A place in a protocol that discloses the condition of an answer although the condition is coded.
 struct Disclosure {
   std::string path;    ///< a JSON path from the root: "$.phases[3].order"
-  base::Message what;  ///< what says it
-  base::Message fix;   ///< how the protocol would keep it
+  base::Message what;  ///< what discloses the condition
+  base::Message fix;   ///< how to change the protocol to prevent it
 };
 
-/// All of them, in the order of the protocol; none: an export of a study can be blinded.
+/// All disclosures, in the order of the protocol. If empty, an export of the study can be blinded.
 ///
-/// A blinded export shows of each answer its block, its position there, the number of the
-/// alternative and the statement. A reader who has the protocol as well must not learn the
-/// condition from these (docs/decisions/0033). What the answers themselves reveal is not judged.
-/// Empty: an export of the study can be blinded.
-/// @param protocol  valid.
+/// For each answer, a blinded export contains the block, the position in it, the number of the
+/// alternative and the statement. From these, a reader who also has the protocol must not be able
+/// to infer the condition (docs/decisions/0033). What the answers themselves reveal is not checked.
+/// @param protocol  must be valid.
 std::vector<Disclosure> disclosuresOf(const Protocol& protocol);
 
 }  // namespace protocols

@@ -115,7 +115,7 @@ class Advice {
     }
   }
 
-  /// Warns if a score that is a change is not asked twice.
+  /// Warns if an instrument whose result is a change is not asked before and after.
   void occasionsOf(const Instrument& instrument, const std::string& path) {
     if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
     const auto uses = instrumentUses(protocol_);
@@ -126,7 +126,7 @@ class Advice {
     problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
   }
 
-  /// Whether the instrument has its own file, which has its own warnings.
+  /// Whether the instrument was read from a file, whose warnings have been reported.
   bool isFromFile(const Instrument& instrument) const {
     const auto files = static_cast<std::ptrdiff_t>(protocol_.instrumentFiles.size());
     return &instrument - loaded_.instruments.data() < files;
