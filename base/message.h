@@ -37,7 +37,7 @@ Argument asArgument(T&& value) {
   }
 }
 
-/// Something to tell a person, such as why a number is missing, a warning about a protocol file, or
+/// A message for a person, such as why a number is missing, a warning about a protocol file, or
 /// what was wrong with a trial. Code compares and stores its kind and arguments; the sentence is
 /// made only for display, in English by describe() and in other languages by study::words::Words.
 class Message {

@@ -41,7 +41,7 @@ struct TextLine {
 /// The lines of @p text, without those that hold only blanks and quotation marks.
 std::vector<TextLine> linesOf(std::string_view text);
 
-/// The first of tab, semicolon and comma that the line contains; a comma where it has none.
+/// The separator of a line: tab if it contains one, else semicolon if it contains one, else comma.
 char separatorOf(std::string_view line);
 
 /// The cells of a line, without blanks and quotation marks around them. With a blank as separator,
@@ -55,7 +55,7 @@ std::optional<double> numberIn(std::string_view cell, char separator);
 /// The heading of a column, split into name and unit: "Weg [mm]", "force_n", "Kraft (kN)".
 struct ColumnHead {
   std::string name;
-  std::string unit;  ///< empty where none is given
+  std::string unit;  ///< empty if none is given
 };
 
 ColumnHead columnHeadOf(std::string_view cell);
