@@ -17,7 +17,7 @@ struct ScoredAnswer {
   std::size_t method = 0;
   std::size_t round = 0;
   std::size_t statement = 0;
-  int position = 0;  ///< of the method among those of its round, from 1
+  int position = 0;  ///< position of the method in the order of its round, from 1
   double score = 0.0;
 };
 

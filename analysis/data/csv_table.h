@@ -33,13 +33,14 @@ struct CsvTable {
 };
 
 /// Reads comma-separated values (RFC 4180) as spreadsheets and people write them: with quotation
-/// marks, any line ends, a byte order mark; rows without any text are skipped, and so are spaces
-/// around a cell that has no quotation marks.
+/// marks, any line ends, or a byte order mark. Skips rows without text, and spaces around cells
+/// without quotation marks.
 ///
-/// The separator is the one that the header has most of: comma, semicolon or tab.
+/// The separator is the most frequent one in the header: comma, semicolon or tab.
 ///
 /// @throws UserError  for a file without a header, in UTF-16, with a quotation mark that is never
-///     closed or closed too early, or with rows of too few or too many cells: all of these at once.
+///     closed or closed too early, or with rows of too few or too many cells. The message lists all
+///     problems.
 CsvTable readCsv(std::string_view text);
 
 /// The name that @p meant is most probably a misspelling of: the one with the smallest edit

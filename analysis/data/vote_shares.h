@@ -60,7 +60,8 @@ std::optional<Interval> wilsonInterval(
 ///     low = B⁻¹((1 − level)/2; v, n − v + 1),   high = B⁻¹((1 + level)/2; v + 1, n − v)
 ///
 /// with B⁻¹ the quantile of the beta distribution. std::nullopt for a total of zero.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  for more votes than the total, or a level that is not between 0
+///     and 1.
 std::optional<Interval> clopperPearsonInterval(
     std::uint64_t votes, std::uint64_t total, double level = 0.95);
 

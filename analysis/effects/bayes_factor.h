@@ -11,11 +11,12 @@ namespace analysis {
 /// The "medium" scale of the Cauchy prior: √2 / 2.
 inline constexpr double kMediumPriorScale = 0.70710678118654752440;
 
-/// How many times more probable the data are if there is a difference than if there is none.
+/// The Bayes factor BF₁₀: the probability of the data if there is a difference, divided by that if
+/// there is none.
 struct BayesFactor {
   double priorScale = kMediumPriorScale;
   std::optional<double> bf10;       ///< above 1: evidence for a difference; below 1: against it
-  std::optional<double> log10Bf10;  ///< also where bf10 is beyond the range of a double
+  std::optional<double> log10Bf10;  ///< defined even if bf10 is beyond a double
   Reason reason;                    ///< why something above is missing; empty if nothing is
 };
 
@@ -32,7 +33,7 @@ BayesFactor jzsBayesFactor(
     double t, double degreesOfFreedom, double effectiveN, double priorScale = kMediumPriorScale);
 
 /// The Bayes factor of two samples, from Student's t. Only `reason` is set if t is not defined.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  for a prior scale that is not finite and above 0.
 BayesFactor jzsBayesFactor(
     const StudentResult& test,
     std::uint64_t n1,
@@ -40,7 +41,7 @@ BayesFactor jzsBayesFactor(
     double priorScale = kMediumPriorScale);
 
 /// The Bayes factor of pairs. Only `reason` is set if the test is not defined.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  for a prior scale that is not finite and above 0.
 BayesFactor jzsBayesFactor(const PairedTResult& test, double priorScale = kMediumPriorScale);
 
 }  // namespace analysis

@@ -16,13 +16,13 @@ struct OneWayAnovaResult {
   std::size_t groups = 0;
   std::uint64_t n = 0;  ///< of all groups together
 
-  std::optional<double> squaresBetween;     ///< sum of squares; nothing beyond a double
-  std::optional<double> squaresWithin;      ///< sum of squares; nothing beyond a double
+  std::optional<double> squaresBetween;     ///< sum of squares; std::nullopt beyond a double
+  std::optional<double> squaresWithin;      ///< sum of squares; std::nullopt beyond a double
   std::optional<double> f;                  ///< +infinity for constant groups that differ
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< n − k
   std::optional<double> p;
-  std::optional<double> log10P;  ///< also where p is too small for a double
+  std::optional<double> log10P;  ///< defined even if p is too small for a double
   /// Sum of squares between groups / total sum of squares, 0 … 1; η².
   std::optional<double> rSquared;
   std::optional<double> residualDeviation;  ///< standard deviation within groups, pooled
@@ -36,8 +36,8 @@ struct OneWayAnovaResult {
 ///
 /// Means and squares are computed with 31 digits, so that a large offset costs no accuracy.
 ///
-/// Not defined for fewer than two groups, for an empty group, where no group has two values, or
-/// where all groups are constant.
+/// Not defined for fewer than two groups, for an empty group, if no group has two values, or if all
+/// groups are constant.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 OneWayAnovaResult oneWayAnova(std::span<const std::vector<double>> groups);
@@ -48,11 +48,11 @@ struct RepeatedMeasuresResult {
   std::size_t participants = 0;
   std::size_t conditions = 0;
 
-  std::optional<double> f;  ///< +infinity where all participants change in the same way
+  std::optional<double> f;  ///< +infinity if all participants change in the same way
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< (k − 1)(n − 1)
   std::optional<double> p;                  ///< valid if the conditions are spherical
-  std::optional<double> log10P;             ///< also where p is too small for a double
+  std::optional<double> log10P;             ///< defined even if p is too small for a double
   std::optional<double> partialEtaSquared;  ///< in 0 … 1
 
   std::optional<double> greenhouseGeisser;   ///< ε, from 1/(k − 1) to 1: how spherical they are

@@ -39,7 +39,7 @@ struct BrownForsytheResult {
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< n − k
   std::optional<double> p;
-  std::optional<double> log10P;  ///< also where p is too small for a double
+  std::optional<double> log10P;  ///< defined even if p is too small for a double
   Reason reason;                 ///< why something above is missing; empty if nothing is
 };
 

@@ -21,7 +21,7 @@ struct AttainableP {
 /// 1 for fewer than two differences.
 AttainableP smallestSignFlipP(std::uint64_t n);
 
-/// Friedman's test where all n participants put k conditions in the same order:
+/// Friedman's test if all n participants rank k conditions in the same order:
 ///
 ///     p = 1 / k!^(n − 1)
 ///
@@ -33,10 +33,10 @@ AttainableP smallestFriedmanP(std::uint64_t n, int k);
 ///
 ///     p = 2 / C(n₁ + n₂, n₁)
 ///
-/// 1 where one group is empty.
+/// 1 if one group is empty.
 AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
 
-/// The exact multinomial test of equal shares where n votes are all for the same of k options:
+/// The exact multinomial test of equal shares if all n votes are for the same one of k options:
 ///
 ///     p = k / kⁿ = k^(1 − n)
 ///

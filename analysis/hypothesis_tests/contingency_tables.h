@@ -15,7 +15,7 @@ struct McNemarResult {
   std::uint64_t changedToNo = 0;
   /// Exact, two-sided: 2 P(B ≤ the rarer change), B binomial with ½, at most 1.
   std::optional<double> p;
-  std::optional<double> log10P;       ///< also where p is too small for a double
+  std::optional<double> log10P;       ///< defined even if p is too small for a double
   std::optional<double> chiSquared;   ///< (b − c)²/(b + c), one degree of freedom, not corrected
   std::optional<double> pAsymptotic;  ///< of χ²
   Reason reason;                      ///< why something above is missing; empty if nothing is
@@ -33,7 +33,7 @@ struct StuartMaxwellResult {
   std::optional<double> chiSquared;
   std::optional<double> degreesOfFreedom;  ///< k − 1 if changes connect all options, or fewer
   std::optional<double> p;                 ///< of χ²
-  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> log10P;            ///< defined even if p is too small for a double
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 

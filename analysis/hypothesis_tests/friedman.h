@@ -30,7 +30,7 @@ struct RankComparison {
   double nemenyiQ = 0.0;  ///< |difference| / √(k(k + 1)/(6b)) · √2
   /// From the studentized range of k normal values: already adjusted for all pairs.
   double nemenyiP = 1.0;
-  double nemenyiLog10P = 0.0;  ///< also where p is too small for a double
+  double nemenyiLog10P = 0.0;  ///< defined even if p is too small for a double
 
   std::optional<double> conoverT;  ///< signed as the difference; std::nullopt if all blocks agree
   std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
@@ -44,17 +44,17 @@ struct FriedmanResult {
 
   std::optional<double> chiSquared;  ///< corrected for ties; k − 1 degrees of freedom
   std::optional<double> p;           ///< of χ²
-  std::optional<double> log10P;      ///< also where p is too small for a double
+  std::optional<double> log10P;      ///< defined even if p is too small for a double
   std::optional<double> kendallW;    ///< 0 … 1: agreement of the blocks
 
   std::optional<double> imanDavenportF;  ///< +infinity if all blocks agree
   std::optional<double> imanDavenportP;  ///< of F with k − 1 and (k − 1)(b − 1); 0 if F is infinite
 
-  std::optional<double> imanDavenportLog10P;  ///< also where p is too small for a double
+  std::optional<double> imanDavenportLog10P;  ///< defined even if p is too small for a double
 
   std::optional<double> exactP;  ///< over all permutations of the midranks within blocks
 
-  std::vector<RankComparison> pairs;  ///< empty where the test is not defined
+  std::vector<RankComparison> pairs;  ///< empty if the test is not defined
   Reason reason;                      ///< why something above is missing; empty if nothing is
 };
 

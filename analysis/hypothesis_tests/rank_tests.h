@@ -36,7 +36,7 @@ class RankSums {
 
   std::int64_t mean_ = 0;  // of 2U
   std::int64_t least_ = 0;
-  std::int64_t step_ = 1;  // negative where group 2 is the smaller one and its sums are counted
+  std::int64_t step_ = 1;  // negative if group 2 is smaller, because its rank sums are then counted
   std::vector<DoubleDouble> probabilities_;
 };
 
@@ -55,7 +55,7 @@ struct MannWhitneyResult {
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
-  std::optional<double> log10PAsymptotic;       ///< also where p is too small for a double
+  std::optional<double> log10PAsymptotic;       ///< defined even if p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with U moved by ½ towards its mean
 
   Reason reason;  ///< why something above is missing; empty if nothing is
@@ -83,7 +83,7 @@ struct BrunnerMunzelResult {
   std::optional<double> w;  ///< positive if group 2 ranks higher; ±infinity without overlap
   std::optional<double> degreesOfFreedom;  ///< as in Welch's test; rarely a whole number
   std::optional<double> p;                 ///< two-sided
-  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> log10P;            ///< defined even if p is too small for a double
   std::optional<double> pLess;             ///< one-sided; alternative: group 1 < group 2
   std::optional<double> pGreater;          ///< one-sided; alternative: group 1 > group 2
   Reason reason;                           ///< why something above is missing; empty if nothing is

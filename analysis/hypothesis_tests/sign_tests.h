@@ -14,7 +14,7 @@ struct SignTestResult {
   std::uint64_t negative = 0;
   std::uint64_t zeros = 0;
   std::optional<double> p;         ///< exact, two-sided
-  std::optional<double> log10P;    ///< also where p is too small for a double
+  std::optional<double> log10P;    ///< defined even if p is too small for a double
   std::optional<double> pLess;     ///< exact, one-sided: P(at most as many positive differences)
   std::optional<double> pGreater;  ///< exact, one-sided: P(at least as many positive differences)
   Reason reason;                   ///< why something above is missing; empty if nothing is
@@ -51,7 +51,7 @@ struct SignedRankResult {
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
-  std::optional<double> log10PAsymptotic;       ///< also where p is too small for a double
+  std::optional<double> log10PAsymptotic;       ///< defined even if p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with V moved by ½ towards its mean
 
   Reason reason;  ///< why something above is missing; empty if nothing is

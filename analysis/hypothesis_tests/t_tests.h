@@ -26,7 +26,7 @@ struct WelchResult {
   std::optional<double> degreesOfFreedom;  ///< Welch–Satterthwaite; rarely a whole number
 
   std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
-  std::optional<double> log10P;    ///< of p; also where p is too small for a double
+  std::optional<double> log10P;    ///< defined even if p is too small for a double
   std::optional<double> pLess;     ///< one-sided; alternative: group 1 < group 2
   std::optional<double> pGreater;  ///< one-sided; alternative: group 1 > group 2
   std::optional<double> pToolpak;  ///< two-sided, as computed by a spreadsheet's Analysis ToolPak
@@ -88,7 +88,7 @@ struct PairedTResult {
   std::optional<double> degreesOfFreedom;
 
   std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
-  std::optional<double> log10P;    ///< of p; also where p is too small for a double
+  std::optional<double> log10P;    ///< defined even if p is too small for a double
   std::optional<double> pLess;     ///< one-sided; alternative: x < y
   std::optional<double> pGreater;  ///< one-sided; alternative: x > y
 
@@ -124,7 +124,7 @@ struct EquivalenceBounds {
 struct OneSidedTest {
   double t = 0.0;  ///< (difference − bound) / standard error; ±infinity beyond a double
   double p = 1.0;
-  std::optional<double> log10P;  ///< also where p is too small for a double
+  std::optional<double> log10P;  ///< defined even if p is too small for a double
 };
 
 /// Whether two conditions are equivalent within the bounds.

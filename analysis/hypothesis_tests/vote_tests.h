@@ -28,7 +28,7 @@ struct EqualSharesResult {
   std::optional<double> chiSquared;        ///< Σ (v − n/k)² / (n/k)
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< from χ²; a rough approximation for a few votes
-  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> log10P;            ///< defined even if p is too small for a double
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
@@ -44,7 +44,7 @@ struct CochranResult {
   std::optional<double> q;
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< of χ²
-  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> log10P;            ///< defined even if p is too small for a double
   std::optional<double> exactP;            ///< over all permutations within persons
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };

@@ -29,7 +29,7 @@ struct AnswerProbability {
 /// 1.
 ///
 /// @param level  may be an answer that was not given: if no answer is 4, "4 or more" is "5 or
-/// more".
+///     more".
 /// @param designs  rows of the design matrix, as FixedEffects::combinations() returns them.
 /// @return std::nullopt if all answers or none are below the level: the model then has no threshold
 ///     there.

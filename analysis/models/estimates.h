@@ -16,7 +16,7 @@ struct TEstimate {
   std::optional<double> degreesOfFreedom;  ///< rarely a whole number
   std::optional<double> t;                 ///< estimate / standard error
   std::optional<double> p;                 ///< two-sided, not yet adjusted
-  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> log10P;            ///< defined even if p is too small for a double
   Reason reason;                           ///< why something above is missing
 };
 
@@ -27,7 +27,7 @@ struct WaldEstimate {
   double standardError = 0.0;
   double z = 0.0;
   double p = 1.0;          ///< two-sided, not yet adjusted
-  double log10P = 0.0;     ///< also where p is too small for a double
+  double log10P = 0.0;     ///< defined even if p is too small for a double
   double oddsRatio = 1.0;  ///< exp(estimate): ratio of the odds of a higher answer
 };
 
@@ -41,7 +41,7 @@ WaldEstimate waldEstimate(std::string name, double estimate, double variance);
 std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level);
 
 /// The confidence interval at @p level: estimate ± normal quantile × standard error.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
 Interval confidenceInterval(const WaldEstimate& estimate, double level);
 /// The confidence interval of the odds ratio: the exponential of the interval of the estimate.
 Interval oddsRatioInterval(const WaldEstimate& estimate, double level);

@@ -21,7 +21,7 @@ class StudentDistribution {
   /// there.
   double twoSidedP(double t) const;
 
-  /// log₁₀ P(|T| ≥ |t|) to full precision, also near p = 1 and where p is too small.
+  /// log₁₀ P(|T| ≥ |t|) to full precision, also near p = 1 and where p is too small for a double.
   double log10TwoSidedP(double t) const;
 
   /// The t that |T| exceeds with a probability of @p p in (0, 1].
@@ -49,7 +49,8 @@ double noncentralTProbability(double t, double degreesOfFreedom, double noncentr
 /// The confidence interval of the noncentrality δ for an observed t (Steiger & Fouladi 1997). At
 /// its lower end P(T ≥ t | δ) = (1 − level) / 2, at its upper end P(T ≤ t | δ) = (1 − level) / 2.
 ///
-/// @throws std::invalid_argument  for t, ν as above, or for a level that is not between 0 and 1.
+/// @throws std::invalid_argument  for ν that is not finite and at least 1, for t that is not
+///     finite, or for a level that is not between 0 and 1.
 Interval noncentralityInterval(double t, double degreesOfFreedom, double level);
 
 /// The F distribution with ν₁ and ν₂ degrees of freedom, which need not be whole numbers.
@@ -68,7 +69,7 @@ class FisherDistribution {
   double upperP(double f) const;
 
   /// log₁₀ P(F ≥ f) to full precision, also near p = 1 and where p is too small for a double.
-  /// @throws std::invalid_argument  as above.
+  /// @throws std::invalid_argument  for an f that is infinite, negative or no number.
   double log10UpperP(double f) const;
 
   /// The f that F exceeds with a probability of @p p in (0, 1); infinity beyond a double.

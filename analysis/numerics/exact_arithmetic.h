@@ -73,7 +73,7 @@ std::optional<ScaledIntegers> commonUnitOf(std::span<const double> numbers);
 
 /// The numbers rounded to multiples of their common unit (see commonUnitOf()), so that values that
 /// should be equal are equal; unchanged if there is no common unit.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 std::vector<double> withoutRoundingNoise(std::span<const double> numbers);
 
 }  // namespace analysis

@@ -22,7 +22,7 @@ constexpr std::uint64_t kMostTosses = std::uint64_t{1} << 24;
 SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses);
 
 /// min(1, 2 min(P(heads ≤ k), P(heads ≥ k))): the two-sided exact binomial test of one half.
-/// @throws std::invalid_argument  as above.
+/// @throws std::invalid_argument  for more heads than tosses, or more than kMostTosses.
 SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses);
 
 /// The exact distribution of Σ wᵢ Bᵢ, where each Bᵢ is 0 or 1 with probability ½: the null

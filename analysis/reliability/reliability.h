@@ -51,8 +51,10 @@ struct OmegaTotal {
 /// estimator. Equals α if all loadings are equal. Needs at least three items, none of them
 /// constant.
 ///
-/// @param answers  as above.
-/// @throws std::invalid_argument  as above.
+/// @param answers  one respondent per row, one item per column, reverse-keyed items already
+///     reversed.
+/// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
+///     infinite or NaN.
 OmegaTotal omegaTotal(std::span<const std::vector<double>> answers);
 
 /// The loadings of several items on one common factor.
