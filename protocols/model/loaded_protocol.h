@@ -58,9 +58,10 @@ inline constexpr std::string_view kCopiesOfLibrary = "palpate-library/";
 /// A protocol with all files that it refers to, ready for sessions.
 struct LoadedProtocol {
   Protocol protocol;
-  std::vector<questionnaires::Instrument> instruments;  ///< those that it uses
+  std::vector<questionnaires::Instrument> instruments;  ///< the instruments that the protocol uses
   std::string text;                                     ///< the protocol's own file
-  std::vector<SourceFile> files;    ///< instruments (those of the library, too), cuts and so on
+  /// All referenced files: instruments, including those of the library, cuts and so on.
+  std::vector<SourceFile> files;
   std::vector<FeltSource> sources;  ///< used by its conditions, without duplicates
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;

@@ -266,7 +266,7 @@ struct Protocol {
   const Cohort* cohort(std::string_view id) const noexcept;
 };
 
-/// A place where a protocol names an instrument.
+/// One use of an instrument in a protocol.
 struct InstrumentUse {
   std::string instrument;
   std::string path;  ///< JSON path of the name: "$.phases[1].instrument"
