@@ -13,8 +13,9 @@ namespace analysis {
 /// The p value of the exact multinomial test of equal shares: the probability, if all options are
 /// equally likely, of outcomes that are not more probable than the observed one.
 ///
-///     p = Σ n! / (v₁! … v_k!) / kⁿ over all outcomes v with a term not larger than that of the
-///     observed outcome
+///     p = Σ n! / (v₁! … v_k!) / kⁿ
+///
+/// summed over all outcomes v with a term not larger than that of the observed outcome.
 ///
 /// Computed in whole numbers, so that equal terms are recognised and p is exactly rounded. Returns
 /// std::nullopt without votes, and for too many outcomes: kⁿ > 2¹²⁶, that is from 127 votes on two

@@ -14,7 +14,7 @@ namespace analysis {
 class StudentDistribution {
  public:
   /// @param degreesOfFreedom  finite and at least 1, as those of Welch's test always are.
-  /// @throws std::invalid_argument  for others.
+  /// @throws std::invalid_argument  for other degrees of freedom.
   explicit StudentDistribution(double degreesOfFreedom);
 
   /// P(|T| ≥ |t|). Below 1e-300 the result loses digits and finally is 0: use log10TwoSidedP()
@@ -25,7 +25,7 @@ class StudentDistribution {
   double log10TwoSidedP(double t) const;
 
   /// The t that |T| exceeds with a probability of @p p in (0, 1].
-  /// @throws std::invalid_argument  for others.
+  /// @throws std::invalid_argument  for another p.
   double twoSidedQuantile(double p) const;
 
  private:
@@ -73,7 +73,7 @@ class FisherDistribution {
   double log10UpperP(double f) const;
 
   /// The f that F exceeds with a probability of @p p in (0, 1); infinity beyond a double.
-  /// @throws std::invalid_argument  for others.
+  /// @throws std::invalid_argument  for another p.
   double upperQuantile(double p) const;
 
  private:

@@ -44,7 +44,7 @@ double chiSquaredUpperQuantile(double p, double degreesOfFreedom);
 ///
 /// @param q  0 … 100 000
 /// @param k  2 … 10 000
-/// @throws std::invalid_argument  for others.
+/// @throws std::invalid_argument  for another q or k.
 double studentizedRangeP(double q, std::size_t k);
 double log10StudentizedRangeP(double q, std::size_t k);
 

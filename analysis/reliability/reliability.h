@@ -22,8 +22,8 @@ struct CronbachAlpha {
 
 /// Cronbach's α (1951) of the sum of k items, with Feldt's interval (1965):
 ///
-///     α = k/(k − 1) · (1 − Σ sᵢ² / s²) = 1 − MS_residual / MS_respondents 1 − (1 − α) F, F the
-///     quantiles with n − 1 and (n − 1)(k − 1) degrees of freedom
+///     α = k/(k − 1) · (1 − Σ sᵢ² / s²) = 1 − MS_residual / MS_respondents
+///     limits: 1 − (1 − α) F,   F the quantiles with n − 1 and (n − 1)(k − 1) degrees of freedom
 ///
 /// @param answers  one respondent per row, one item per column, reverse-keyed items already
 ///     reversed.
