@@ -21,12 +21,12 @@ Cell cellOf(const std::optional<T>& value) {
 /// The heading of a column.
 struct Heading {
   std::string name;         ///< in a file: snake_case, with its unit
-  std::string description;  ///< on paper and in a terminal
+  std::string description;  ///< shown in reports and terminals
   bool isFreeText = false;  ///< entered by people: spreadsheets must not read it as a formula
 };
 
-/// A table of a benchmark or a measurement, for a file, a page or a terminal. Tables of a study
-/// that leave the program have columns with types and units: study/export/column.h.
+/// A table of a benchmark or a measurement, for a file, a page or a terminal. The data of a study
+/// are exported as ExportedTable, whose columns have types and units (study/export/column.h).
 struct DataTable {
   std::string name;  ///< of the file, without its extension
   std::string description;
@@ -71,7 +71,8 @@ std::string asCsv(const Table& table) {
   });
 }
 
-/// A number that reads back exactly, with a point.
+/// The shortest decimal text that parses back to exactly @p value, with a decimal point in every
+/// locale.
 std::string exactly(double value);
 
 }  // namespace study

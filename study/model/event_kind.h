@@ -21,19 +21,20 @@ enum class EventKind {
   Exported,  ///< to which folder; an unblinded or public one also has an event of its own
   MadeBackup,
   RestoredCopy,     ///< an older copy took the study's place
-  NotedIdentities,  ///< what identity.db has, where the trail did not know it
+  NotedIdentities,  ///< rows of identity.db of which the trail had no event
   SignedHead,       ///< a station vouches for all events before this one
   HeadNotSigned,    ///< the station's key could not be used
   Erased,           ///< names, answers or both of a participant
-  CollectedStudy,   ///< a study was put together of what its stations sent
-  ResealedTrail,    ///< the trail of an older format was sealed once, so that it can be erased from
-  ExportedKey,      ///< the key of the conditions left the station, and why
-  ImportedKey,      ///< another station, which signs this, has it now
-  SetPassphrase,    ///< that opens the key
-  DroppedKey,       ///< this station has the key no more
-  TimeStamped,      ///< by an authority, for a head that was signed before
-  SealedNames,      ///< names are behind a passphrase, or behind another one, and why
-  CopiedForms,      ///< of the library, into a study that an older release made
+  CollectedStudy,   ///< the study was assembled from the data of its stations
+  ResealedTrail,  ///< the trail of an older release was sealed, so that participants can be erased
+                  ///< from it
+  ExportedKey,    ///< the study's key was exported from the station, with the reason
+  ImportedKey,    ///< another station, which signs this event, received the key
+  SetPassphrase,  ///< a passphrase for the study's key was set
+  DroppedKey,     ///< this station deleted its copy of the key
+  TimeStamped,    ///< a time-stamp authority stamped a head that was signed earlier
+  SealedNames,    ///< names were sealed with a passphrase, or with a new one; with the reason
+  CopiedForms,    ///< forms of the library were copied into a study of an older release
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,
@@ -51,7 +52,7 @@ enum class EventKind {
   WasRejected,
   GaveUpOnDevice,
 
-  // What else happens in it
+  // Other events of a session
   Enrolled,
   Resumed,   ///< by another run of the program
   TookOver,  ///< from a computer that is gone, with a reason
@@ -70,7 +71,7 @@ enum class EventKind {
   DeviceFault,
   View,
 
-  // What its safety functions did, in the order of SafetyKind
+  // What the safety functions of a trial did, in the order of SafetyKind
   SafetyTooFast,
   SafetyReleased,
   SafetyNoSample,
@@ -91,7 +92,7 @@ enum class EventKind {
 /// "finished_trial", as it is stored; empty for Unknown.
 std::string_view nameOf(EventKind kind) noexcept;
 
-/// Unknown where no kind has this name.
+/// The kind with that stored name; Unknown if there is none.
 EventKind eventKindNamed(std::string_view name) noexcept;
 
 constexpr EventKind kindOf(SessionEvent event) noexcept {
@@ -106,11 +107,11 @@ constexpr EventKind kindOf(SafetyKind kind) noexcept {
 }
 static_assert(kindOf(SafetyKind::TorqueActive) == EventKind::SafetyTorqueActive);
 
-/// How the values of an event read in English, with their names in braces.
+/// Patterns that describe the values of an event in English; names of values are in braces.
 struct EventPattern {
   std::string_view english = {};  ///< empty: events of this kind have no named values
-  std::string_view counted = {};  ///< the value that is one in …
-  std::string_view ofOne = {};
+  std::string_view counted = {};  ///< name of a value; if it is 1, ofOne replaces english
+  std::string_view ofOne = {};    ///< pattern for the singular
 };
 EventPattern patternOf(EventKind kind) noexcept;
 

@@ -29,13 +29,14 @@ namespace {
       code == ENOSPC ? storage::StorageError::Kind::DiskFull : storage::StorageError::Kind::Other);
 }
 
-/// Flushes a file, or the names in a folder.
+/// Flushes a file, or the directory entries of a folder.
 void flush(const std::filesystem::path& what) {
   const int file = open(what.c_str(), O_RDONLY | O_CLOEXEC);
   const bool isFlushed = file >= 0 && fsync(file) == 0;
   const int code = errno;
   if (file >= 0) close(file);
-  // Some file systems cannot flush a folder, and some folders may be written and not be read.
+  // Some file systems cannot flush a folder (EINVAL), and some folders are writable but not
+  // readable (EACCES).
   if (isFlushed || code == EINVAL || code == EACCES) return;
   throw storage::StorageError(
       "Could not write " + what.string() + " to the disk (" +
@@ -62,7 +63,7 @@ void writeNewFile(const std::string& path, const std::string& content) {
     if (count < 0) fail(path, file);
     written += static_cast<std::size_t>(count);
   }
-  // Until here the data may be in memory only; a full or failing disk may show not before now.
+  // Until here the data may be in memory only; a full or failing disk may be noticed only now.
   if (fsync(file) != 0) fail(path, file);
   close(file);
   flush(folderOf(path));

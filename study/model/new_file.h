@@ -5,25 +5,26 @@
 
 namespace study {
 
-/// From now on, files and folders that this process makes are for its own user alone: a study holds
-/// answers of people. The rights of what exists stay. Call it before any thread starts.
+/// Sets the umask: new files and folders of this process can be used by its own user only, because
+/// a study holds answers of people. Permissions of existing files stay. Call it before any thread
+/// starts.
 void keepNewFilesPrivate() noexcept;
 
 /// Writes a new file that its owner alone can read, and returns when content and name are on the
 /// disk.
-/// @throws storage::StorageError  in words, if the file exists already or cannot be written;
-///     nothing is ever overwritten.
+/// @throws storage::StorageError  if the file exists already or cannot be written; nothing is ever
+///     overwritten.
 void writeNewFile(const std::string& path, const std::string& content);
 
 /// A new empty folder beside @p target, for moveIntoPlace() when it is complete. Its owner alone
 /// can read it.
-/// @throws storage::StorageError  in words, if it cannot be made.
+/// @throws storage::StorageError  if it cannot be made.
 std::filesystem::path newFolderBeside(const std::filesystem::path& target);
 
-/// A new folder for this account alone (0700), which the destructor removes with all that is in it.
+/// A new folder for this account alone (0700). The destructor removes it with its content.
 class TemporaryFolder {
  public:
-  /// @throws storage::StorageError  if @p inside takes no folder
+  /// @throws storage::StorageError  if no folder can be made in @p inside
   explicit TemporaryFolder(
       const std::filesystem::path& inside = std::filesystem::temp_directory_path())
       : path_(newFolderBeside(inside / "palpate")) {}
@@ -38,12 +39,13 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Returns when all files in @p folder, their names and its own are on the disk.
-/// @throws storage::StorageError  in words, if the disk fails.
+/// Flushes all files in @p folder, their directory entries and that of the folder to the disk.
+/// @throws storage::StorageError  if the disk fails.
 void flushFolder(const std::filesystem::path& folder);
 
-/// Gives a complete folder its name. After a power cut it is there as a whole or not at all.
-/// @throws storage::StorageError  in words, if it cannot be renamed or the disk fails.
+/// Flushes a complete folder and renames it to @p target. After a power cut the target is complete
+/// or absent.
+/// @throws storage::StorageError  if it cannot be renamed or the disk fails.
 void moveIntoPlace(const std::filesystem::path& folder, const std::filesystem::path& target);
 
 }  // namespace study

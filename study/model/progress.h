@@ -6,8 +6,8 @@
 
 namespace study {
 
-/// Called repeatedly during long work, with the share done and a few words on the present task. May
-/// throw Cancelled: then the work stops and leaves no unfinished files.
+/// Called repeatedly during long work, with the share that is done and a description of the present
+/// task. May throw Cancelled: then the work stops and leaves no unfinished files.
 /// @param share  of the whole, 0 to 1; kUnknownShare if it cannot be known.
 using Progress = std::function<void(double share, const std::string& words)>;
 

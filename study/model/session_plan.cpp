@@ -50,7 +50,7 @@ void addTrials(
   }
 }
 
-/// Adds each alternative once more before a preference, by its label: an optional trial.
+/// Adds an optional trial for each alternative, in the order of labels, before a preference.
 void offerAgain(
     const protocols::Protocol& protocol,
     const Phase& preference,

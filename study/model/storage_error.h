@@ -29,7 +29,7 @@ class StorageError : public std::runtime_error {
 
   Kind kind() const noexcept { return kind_; }
 
-  /// The same as a value; no message if the error was made from words only.
+  /// The text of what() as key and arguments; empty if the error was made from a text only.
   const base::Message& message() const noexcept { return message_; }
 
  private:

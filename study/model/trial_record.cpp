@@ -28,8 +28,8 @@ constexpr std::array<std::string_view, 6> kEndings{
     "finished", "stopped", "aborted_hardware", "trace_lost", "timed_out", "program_ended"};
 constexpr std::array<std::string_view, 3> kVerdicts{"PASS", "WARN", "FAIL"};
 
-// libfranka warns below a success rate of 0.95 and calls 0.90 "not sufficient"; we ask for the
-// same.
+// The limits of libfranka, which warns below a success rate of 0.95 and calls 0.90 "not
+// sufficient".
 constexpr double kWarnRate = 0.95;
 constexpr double kFailRate = 0.90;
 constexpr double kWarnLateShare = 0.01;

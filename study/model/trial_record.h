@@ -24,10 +24,10 @@ struct ViewReport {
       0.0;                  ///< from reading the device to handing the picture to the display [ms]
   double latencyP99 = 0.0;  ///< [ms]
   double period = 0.0;      ///< nominal, of the frames [ms]
-  std::int64_t lostChanges = 0;  ///< changes of a bone that were never drawn
+  std::int64_t lostChanges = 0;  ///< updates of a reamed bone that were never drawn
 };
 
-/// The same as named values: {"frames", 512}, {"dropped", 3}, …
+/// The report as named values: {"frames", 512}, {"dropped", 3}, …
 base::NamedArguments valuesOf(const ViewReport& view);
 
 /// How a trial ended.
@@ -54,13 +54,13 @@ enum class SafetyKind {
   Slewed,           ///< … or for a faster change than the rate limit
   NotFinite,        ///< … or its force was not a number
   Active,           ///< the rendering generated energy
-  Damped,           ///< and was damped for it
+  Damped,           ///< damping was added, because the rendering generated energy
   TorqueSaturated,  ///< the scene asked for more than the torque limit
   TorqueSlewed,     ///< … or for a faster change than its rate limit
-  TorqueActive,     ///< the torque gave energy to the hand, as that of a motor does
+  TorqueActive,     ///< the torque did net work on the hand, as a motor does
 };
 
-/// How often one of these happened in a trial, and for how long.
+/// How often and for how long a safety function acted in a trial.
 struct SafetyEvent {
   SafetyKind kind = SafetyKind::TooFast;
   std::int64_t times = 0;
@@ -75,7 +75,7 @@ std::optional<Verdict> verdictNamed(std::string_view name) noexcept;
 /// Whether the loop was late in more ticks than a trial may have without a warning.
 bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept;
 
-/// The statistics of a device's wire, for the record: {"received", 5000}, {"lost", 2}, …
+/// The statistics of a device's link as named values: {"received", 5000}, {"lost", 2}, …
 base::NamedArguments valuesOf(const haptics::devices::LinkReport& link);
 
 /// The record of a trial: what was rendered, and how well.
@@ -85,7 +85,7 @@ struct TrialRecord {
   std::string device;  ///< its name as shown to people
   std::string travelUnit;
   TrialEnding ending = TrialEnding::Finished;
-  double duration = 0.0;  ///< of the simulation's own time [s]
+  double duration = 0.0;  ///< in simulated time: number of ticks / nominal rate [s]
   std::int64_t ticks = 0;
   double nominalRate = 1000.0;            ///< [Hz]
   std::optional<double> achievedRate;     ///< [Hz]; std::nullopt in simulated time
@@ -93,7 +93,7 @@ struct TrialRecord {
   std::optional<double> latenessP99;      ///< [µs]
   std::optional<double> latenessLargest;  ///< [µs]
   std::optional<std::int64_t> lateTicks;  ///< by more than a period
-  std::optional<std::int64_t> holes;      ///< of these, caused by the machine below this program
+  std::optional<std::int64_t> holes;      ///< of these, caused by the host machine
   std::int64_t lostSamples = 0;           ///< dropped because the recorder's ring was full
   std::int64_t invalidTicks = 0;          ///< the device gave no measurement
   double saturated = 0.0;                 ///< the scene asked for more than the limit [s]
@@ -104,19 +104,19 @@ struct TrialRecord {
   std::int64_t traceSamples = 0;          ///< stored in traces.db
   std::vector<Cut> cuts;
   std::vector<SafetyEvent> safety;       ///< only kinds that occurred
-  haptics::engine::Passivity passivity;  ///< of the rendering: eq. (25)
+  haptics::engine::Passivity passivity;  ///< of the rendering: eq. (25) of the punch paper
   double deviceDamping = 0.0;            ///< physical damping of the mechanism [N·s/travel unit]
   double leastEnergy = 0.0;              ///< smallest energy balance of a contact [N·travel unit]
   haptics::devices::LinkReport link;     ///< statistics of the device's wire, if it has one
-  bool hasTorque = false;                ///< the scene had one about the tool's axis
-  bool isTorqueRendered = false;         ///< and the device rendered it
+  bool hasTorque = false;                ///< the scene has a torque about the tool's axis
+  bool isTorqueRendered = false;         ///< the device rendered that torque
   double torqueSaturated = 0.0;          ///< the scene asked for more torque than the limit [s]
   double largestTorque = 0.0;            ///< commanded [N·m]
-  double leastTurnEnergy = 0.0;          ///< smallest energy balance of a contact's turn [J]
-  std::string deviceFault;               ///< why the device ended the trial, in words; or empty
-  std::optional<ViewReport> view;        ///< how smoothly the scene was shown, if it was
+  double leastTurnEnergy = 0.0;  ///< smallest energy balance of the rotation during a contact [J]
+  std::string deviceFault;  ///< why the device ended the trial, a text for the operator; or empty
+  std::optional<ViewReport> view;  ///< how smoothly the scene was shown, if it was
 
-  /// Whether the rendered trial may be relied on, with the reasons.
+  /// Whether the rendering of the trial was valid, with the reasons.
   struct Judgement {
     Verdict verdict = Verdict::Pass;
     std::vector<base::Message> reasons;
