@@ -24,9 +24,10 @@ constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
 constexpr int kMostDisturbed = 60;    // additional failures allowed while the machine stood still
 constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier rendered nothing
-constexpr int kMostImmediateFailures = 5;  // of those in a row: then the device counts as broken
+// immediate failures in a row after which the device counts as broken
+constexpr int kMostImmediateFailures = 5;
 constexpr std::chrono::milliseconds kBetweenTries{500};
-constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
+constexpr std::chrono::seconds kLongestWait{30};          // for a device to be connected again
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
 using Done = Acknowledged::Kind;
@@ -196,7 +197,7 @@ class SimulatedSession {
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
   int failures_ = 0;           ///< of devices, in a row
   int immediateFailures_ = 0;  ///< of these, before anything was rendered
-  int disturbed_ = 0;          ///< besides, while the machine stood still
+  int disturbed_ = 0;          ///< failures while the machine stood still; not in the other two
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };

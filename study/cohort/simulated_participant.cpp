@@ -14,9 +14,9 @@ using questionnaires::Response;
 
 constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
 
-// The noise of a choice between alternatives, as a share of that of an answer. Ours, not measured:
-// with all alternatives felt, a person compares and needs no scale, so that choices are to follow
-// realism more closely than answers do.
+// Standard deviation of the noise of a choice between alternatives, as a share of that of an
+// answer. An assumption, not a measurement: a person who has felt all alternatives compares them
+// directly, so choices follow realism more closely than answers do.
 constexpr double kNoiseOfAChoice = 0.5;
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace study {
 
 class DeviceSet;
 
-/// Devices for trials in real time, if there are any.
+/// The devices on which trials run in real time; nullptr: trials are simulated.
 struct OnDevices {
   DeviceSet* deviceSet = nullptr;
   haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
@@ -44,7 +44,7 @@ class SimulatedParticipant {
   std::optional<questionnaires::Response> answer(
       const Session& session, const questionnaires::Item& item) const;
 
-  /// The time spent on something [s].
+  /// A random time for the activity @p what, uniform between @p least and @p most [s].
   double secondsFor(const std::string& what, double least, double most) const;
 
   /// The realism of @p condition for this person; 0 is the middle of a scale.
@@ -54,7 +54,8 @@ class SimulatedParticipant {
   base::RandomStream stream(const std::string& purpose) const;
   std::int64_t point(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
-  /// A slider's answer about a condition, which follows its realism as a point does.
+  /// The value of a slider about a condition: computed from realism like a point, rounded to the
+  /// slider's step.
   double between(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   std::string preferred(const Session& session, const std::string& purpose) const;
@@ -72,7 +73,7 @@ struct SimulatedEnding {
   int step = 0;
   int attempts = 1;    ///< at that step
   std::string reason;  ///< empty if there is none
-  int trials = 0;      ///< of the plan that were finished; 0 for sessions that were over before
+  int trials = 0;      ///< trials of its plan; 0 for sessions that were over before
   int trialsFinished = 0;
 };
 
@@ -101,8 +102,8 @@ void simulate(
     const Acknowledge& acknowledge,
     const OnDevices& on = {});
 
-/// The same with simulated devices, but only until the session has come to @p step of its plan,
-/// from 0, or has ended.
+/// Like simulate() with simulated devices, but stops when the session has reached @p step of its
+/// plan (from 0) or has ended.
 void simulateUntil(
     Study& study, Session& session, SimulatedClock& clock, std::uint64_t seed, int step);
 
@@ -110,8 +111,8 @@ void simulateUntil(
 /// in proportion to the plan. Interrupted sessions are resumed first. With a device file the trials
 /// run on its devices in real time; the movement comes from their side, normally from an emulator.
 /// A trial that breaks off is repeated. Five immediate break-offs in a row end the session. If @p
-/// watch is given, those during which the machine stood still for longer than kDevicePatience do
-/// not count.
+/// watch is given, break-offs while the machine stood still for longer than kDevicePatience do not
+/// count.
 /// @return how the session of each simulated participant of the study has ended.
 std::vector<SimulatedEnding> simulateCohorts(
     Study& study,
@@ -122,11 +123,12 @@ std::vector<SimulatedEnding> simulateCohorts(
     const std::string& deviceFile = {},
     haptics::timing::StandstillWatch* watch = nullptr);
 
-/// The seed of hands and answers where none is given: the study's. A station has one of its own, so
-/// that two stations of a study do not simulate the same people.
+/// The default seed of simulated hands and answers: the study's seed; at a station, a seed derived
+/// from it and the station's label, so that two stations do not simulate the same people.
 std::uint64_t simulationSeed(const Study& study);
 
-/// The number of participants that the protocol plans in all; 10 for each cohort without a number.
+/// The total number of participants that the protocol plans; a cohort without a number counts as
+/// 10.
 int plannedParticipants(const protocols::Protocol& protocol);
 
 }  // namespace study
