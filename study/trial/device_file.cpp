@@ -50,8 +50,8 @@ constexpr Choices<haptics::devices::WrenchFrame, 2> kFrames{
     {{"tool", haptics::devices::WrenchFrame::Tool}, {"base", haptics::devices::WrenchFrame::Base}}};
 constexpr Choices<bool, 2> kRenderers{{{"host", false}, {"device", true}}};
 
-/// The value of a key that takes one of several names; @p fallback if it is missing, or unknown and
-/// reported.
+/// The value of a key that takes one of several names. @p fallback if the key is missing, or its
+/// value is unknown, which is reported.
 template <typename Known, typename Value>
 Value choice(const Node& node, std::string_view key, const Known& known, Value fallback) {
   if (!node.has(key)) return fallback;
@@ -74,7 +74,8 @@ Value choice(const Node& node, std::string_view key, const Known& known, Value f
   return fallback;
 }
 
-/// A list of exactly so many numbers; otherwise std::nullopt and a problem.
+/// A list of exactly @p count numbers between @p least and @p most; otherwise std::nullopt, and a
+/// problem is reported.
 std::optional<std::vector<double>> row(
     const Node& node, std::string_view key, std::size_t count, double least, double most) {
   if (!node.has(key)) return std::nullopt;

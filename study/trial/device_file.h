@@ -34,12 +34,12 @@ const haptics::devices::DeviceKind& deviceKindOf(const DeviceEntry& entry) noexc
 /// The device file in a study's folder that is used unless another one is named.
 inline constexpr std::string_view kDeviceFileName = "devices.json";
 
-/// The devices of a laboratory and how they are connected (docs/devices.md), with all problems of
-/// the file; std::nullopt if there are errors.
+/// Parses a device file: the devices of a laboratory and how they are connected (docs/devices.md).
+/// Adds all problems of the file to @p problems; returns std::nullopt if there are errors.
 std::optional<std::vector<DeviceEntry>> readDevices(
     std::string_view json, questionnaires::Problems& problems);
 
-/// Reads the same from a file. @throws UserError  with all problems of the file.
+/// Reads and parses the file @p file. @throws UserError  with all problems of the file.
 std::vector<DeviceEntry> loadDevices(const std::string& file);
 
 /// The text of a device file with these entries, for devices that palpate starts itself.

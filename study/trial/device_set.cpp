@@ -28,8 +28,8 @@ void SimulatedDeviceSet::plugIn(const std::string& id) {
 
 namespace {
 
-/// A person who knows how fast a reamer works: the target of the hand stays below that feed, and
-/// goes on to where bone of most hardnesses has been reamed for a stroke.
+/// Slows a hand to the feed of a reamer: the speed of its target stays below @p mostFeed [m/s]. The
+/// movement is shortened, too, to about the depth at which most bone is reamed in one stroke.
 void keepPace(SimulatedHand::Person& person, double mostFeed) {
   constexpr double kPeakOfMinimumJerk = 1.875;
   constexpr double kShareOfFeed = 0.9;

@@ -56,14 +56,14 @@ class SimulatedDeviceSet final : public DeviceSet {
   std::map<std::string, Held> open_;
 };
 
-/// The slowest feed that a reamer of @p protocol has on @p device [m/s]; infinite where nothing
-/// that is felt on it limits a tool.
+/// The smallest feed limit of the scenes that @p protocol renders on @p device [m/s]; infinity if
+/// none of them limits the feed (only reaming does).
 double feedLimitOn(const protocols::Protocol& protocol, const std::string& device);
 
 /// The hand of a simulated participant, drawn from the study's seed.
 ///
-/// @param mostFeed  that what is felt lets a tool have [m/s]. A hand that would be faster takes its
-///                  time: it stays below that feed, and goes half as deep.
+/// @param mostFeed  feedLimitOn() the device [m/s]. A hand that would be faster is slowed down to
+///     stay below this feed, and moves about half as deep.
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     const protocols::DeviceNeed& need,
     std::uint64_t seed,
@@ -71,9 +71,10 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     std::uint64_t slot,
     double mostFeed = std::numeric_limits<double>::infinity());
 
-/// A hand on a simulated instrument that follows the pointer, and the travel at which the
-/// instrument is fully closed [travel unit].
+/// A hand on a simulated instrument that follows the mouse pointer.
 std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
+
+/// The travel at which that hand has closed the instrument fully [device's travel unit].
 double farthestFor(const protocols::DeviceNeed& need) noexcept;
 
 }  // namespace study

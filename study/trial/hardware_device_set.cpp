@@ -25,7 +25,8 @@ bool isOpen(const Device& device) noexcept {
 struct DeviceMaker {
   const DeviceEntry& entry;
   const SimulatedDeviceSet::HandFor& handFor;
-  std::unique_ptr<haptics::devices::Hand>& hand;  ///< of a simulated device, which it outlives
+  /// Hand of a simulated device; outlives the device.
+  std::unique_ptr<haptics::devices::Hand>& hand;
 
   std::unique_ptr<Device> operator()(const SerialPunchSettings& settings) const {
     return std::make_unique<haptics::devices::PunchDevice>(settings.punch);

@@ -42,7 +42,7 @@ class HardwareDeviceSet final : public DeviceSet {
 
 /// The devices of @p deviceFile; if it is empty, of the study's own device file if there is one;
 /// otherwise simulated ones.
-/// @throws UserError  if the file cannot be used, in words.
+/// @throws UserError  if the file cannot be used.
 std::unique_ptr<DeviceSet> deviceSetFor(
     const std::string& deviceFile,
     const std::filesystem::path& studyFolder,

@@ -67,7 +67,7 @@ class Trial {
   /// Builds the scene and arms the device, which must be open and outlive the trial.
   /// @throws std::invalid_argument  for an invalid scene or limits; the validation of the protocol
   ///     finds those earlier.
-  /// @throws haptics::devices::DeviceError  if the device is not ready, in words.
+  /// @throws haptics::devices::DeviceError  if the device is not ready.
   Trial(haptics::devices::Device& device, Setup setup);
 
   /// Disarms the device.
@@ -90,10 +90,11 @@ class Trial {
   void stop() noexcept { engine_.stop(); }
   bool isStopped() const noexcept { return engine_.isStopped(); }
 
-  /// Any thread: switches the reamer on or off, as a pedal does; on at first.
+  /// May be called by any thread: switches the reamer on or off, as a pedal does. It is on at
+  /// first.
   void switchReamer(bool isOn) noexcept { engine_.switchReamer(isOn); }
 
-  /// Records a tick. @throws storage::StorageError  if a chunk could not be kept.
+  /// Records a tick. @throws storage::StorageError  if a chunk could not be stored.
   void keep(const haptics::engine::TickSample& sample);
 
   /// Stores the remaining samples and returns the record. Call it once, after the last step().
