@@ -58,8 +58,8 @@ class Words {
     return fmt::format(fmt::runtime((*this)(english)), std::forward<Args>(args)...);
   }
 
-  /// The same for a number of things, which is the first argument: @p one for 1, @p many for all
-  /// others.
+  /// Like say(), with the plural forms @p one (for 1) and @p many (for all other numbers). @p
+  /// number is the first argument of either.
   template <typename Number, typename... Args>
   std::string count(
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
