@@ -42,8 +42,8 @@ struct StoredResponse {
   std::optional<std::string> text;
 };
 
-/// The values of an answer for the audit trail: {"item", "1.1"} and {"point", 4}, or "number",
-/// "text"; for a long text its "sha256".
+/// The values of an answer for the audit trail: {"item", "1.1"}, and {"point", 4}, "number" or
+/// "text"; "sha256" in place of a long text.
 base::NamedArguments valuesOf(const GivenAnswer& answer);
 
 StoredResponse stored(const questionnaires::Response& response);

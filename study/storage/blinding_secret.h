@@ -8,13 +8,13 @@
 
 namespace study::storage {
 
-/// What keeps a study blinded, its key: 256 random bits, drawn when the study is made
-/// (docs/decisions/0038). It is not in the study's folder, but with the station that made it
-/// (docs/decisions/0049); studies of before, and those in which nobody is blind, have it in
+/// The key that keeps a study blinded: 256 random bits, drawn when the study is made
+/// (docs/decisions/0038). The station that made the study keeps it, outside of the study's folder
+/// (docs/decisions/0049). Studies of older releases and studies without blinding have it in
 /// identity.db.
 ///
-/// Codes of conditions, and which condition takes which part in the orders, depend on it. Neither
-/// can be computed from the study's seed, its name or its protocol. What is stored of the orders is
+/// The codes of conditions and the assignment of conditions to the drawn orders depend on it.
+/// Neither can be computed from the study's seed, its name or its protocol. Stored orders are
 /// sealed with it.
 class BlindingSecret {
  public:
@@ -25,13 +25,13 @@ class BlindingSecret {
   /// From the operating system's random numbers.
   static BlindingSecret drawn();
 
-  /// The secret of one station (its label), which tells nothing of this one or of another
-  /// station's.
+  /// Derives the secret of the station with that label. It reveals neither this secret nor that of
+  /// another station.
   BlindingSecret of(std::string_view station) const;
 
   const Bytes& bytes() const noexcept { return bytes_; }
 
-  /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
+  /// A keyed hash in hexadecimal that identifies the secret without revealing it.
   std::string commitment() const;
 
   /// The permanent name of a study: 128 bits of a keyed hash, from which the seed cannot be
@@ -39,14 +39,14 @@ class BlindingSecret {
   /// @param protocolHash  storage::sha256() of the protocol with its files
   std::string studyUuid(std::uint64_t seed, const std::string& protocolHash) const;
 
-  /// A secret of its own for fingerprints, which says nothing of this one.
+  /// Derives the secret for fingerprint(). It does not reveal this secret.
   BlindingSecret forFingerprints() const;
 
   /// A keyed hash of a row of identity.db, for the audit trail.
   std::string fingerprint(std::string_view row) const;
 
-  /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): to anyone who does
-  /// not know it, all orders are equally likely. Purposes are independent of each other.
+  /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): without the secret,
+  /// all orders are equally likely. Purposes are independent of each other.
   /// @param ids  distinct; their order does not matter.
   void arrange(std::vector<std::string>& ids, std::string_view purpose) const;
 

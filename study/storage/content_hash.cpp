@@ -38,7 +38,7 @@ constexpr std::array kOfTheStudy{
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
 
-/// Hashed only where there is one: sessions of older formats have the hashes of before.
+/// Hashed only where there is one, so that hashes of sessions of older formats stay the same.
 constexpr const char* kSealedConditions =
     "SELECT step, sealed FROM allocation WHERE session_id = ? AND sealed IS NOT NULL ORDER BY step";
 constexpr const char* kSealedTrials =
@@ -46,8 +46,8 @@ constexpr const char* kSealedTrials =
     "ORDER BY step, attempt";
 constexpr const char* kWrappedKey = "SELECT salt, operations, memory, sealed FROM wrapped_key";
 
-/// Hashed only where there is a row: studies of older formats have the hashes of before. When the
-/// work was finished is left out, because that is no event.
+/// Hashed only where there is a row, so that hashes of studies of older formats stay the same.
+/// finished_utc is left out, because the trail has no event for it.
 constexpr const char* kErasures =
     "SELECT id, participant, level, reason, erased_utc FROM erasure ORDER BY id";
 
@@ -60,7 +60,7 @@ bool hasRows(const Database& database, const char* select, SessionId session) {
   return rows.bind(1, static_cast<std::int64_t>(session)).step();
 }
 
-/// What is sealed of a session: statements that have rows.
+/// The statements on sealed data that have rows for a session.
 std::vector<const char*> sealedParts(const Database& database, SessionId session) {
   std::vector<const char*> parts;
   if (hasFormatOfSealedConditions(database) && hasRows(database, kSealedConditions, session)) {

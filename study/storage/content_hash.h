@@ -7,14 +7,14 @@
 
 namespace study::storage {
 
-/// The hash of everything that the tables hold about a session: its participant, steps, visits,
-/// answers, trials, cuts. It changes with every bit of these.
-/// @param key  the participant's; a hash with it tells nothing of the answers once the key is gone.
-///     nullptr: without.
+/// The hash of all rows of a session: its participant, steps, visits, answers, trials, cuts. It
+/// changes with every bit of these.
+/// @param key  the participant's content key, for a keyed hash: it reveals nothing about the
+///     answers once the key is destroyed. nullptr: a hash without a key.
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key = nullptr);
 
-/// The hash of what the tables hold about the study itself: its head, its protocols, and who was
-/// erased.
+/// The hash of the rows of the study itself: its own row, its protocols, erasures and the key that
+/// a passphrase wraps.
 Hash contentHash(const Database& database);
 
 }  // namespace study::storage

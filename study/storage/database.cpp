@@ -20,8 +20,8 @@ namespace {
 constexpr std::chrono::milliseconds kBusyPause{2};
 constexpr int kMostPauses = 1500;  // about 3 s in all; then the caller gets an error
 
-/// Whether the file cannot be written by anyone: an archive, or a read-only disk. A log beside the
-/// file would have to be read as well, which is impossible without writing.
+/// Whether nobody can write the file (an archive, or a read-only disk) and it has no log. A log
+/// would have to be read as well, which SQLite cannot do without writing.
 bool isSealed(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr auto kAnyWrite =
@@ -37,7 +37,7 @@ bool isSealed(const std::string& path) {
   return isReadOnlyDisk || (!mayWrite(path) && !mayWrite(folder) && !error);
 }
 
-/// The URI with which SQLite takes no locks and looks for no log.
+/// A URI with which SQLite takes no locks and looks for no log ("immutable=1").
 std::string sealedName(const std::string& path) {
   std::string name = "file:";
   for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {

@@ -20,8 +20,8 @@ struct Schema {
   std::int32_t applicationId = 0;
   std::string_view name;                    ///< for people: "a palpate study"
   std::span<const std::string_view> steps;  ///< step n takes a file from version n to n + 1
-  /// The oldest version with all tables and columns of the newest: such a file can be read as it
-  /// is.
+  /// The oldest version with all tables and columns of the newest: such a file can be read without
+  /// a conversion.
   std::size_t oldestReadable = steps.size();
 };
 
@@ -58,14 +58,14 @@ class Database {
   void scheduleRollback() noexcept { isRollbackScheduled_ = true; }
   void rollBackIfScheduled();
 
-  /// False in a file of an older format that is only read.
+  /// False in a file of an older format that was opened for reading only.
   bool hasTable(const std::string& name) const;
   bool hasColumn(const std::string& table, const std::string& column) const;
 
   /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
   std::string integrityProblems();
 
-  /// The same without checking indices and references, in a fraction of the time.
+  /// Like integrityProblems() without checking indices and references, in a fraction of the time.
   std::string quickProblems();
 
   /// Begins a read transaction: this connection sees the file as it is now, whatever others write,
@@ -82,7 +82,7 @@ class Database {
   /// Gives this connection the key of the study, with which conditions and measurements are
   /// sealed and opened (docs/decisions/0049). Studies in which nothing is sealed have none.
   void giveKey(const SealingKey& key) { key_ = key; }
-  /// nullptr: this connection has none.
+  /// nullptr if this connection has no key.
   const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
 
   std::int64_t lastInsertedId() const noexcept;
@@ -93,7 +93,8 @@ class Database {
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:
-  /// With locks and memory that are shared with other programs, or as a file that nobody changes.
+  /// WithOthers: with locks and memory shared with other programs. AsSealed: as an immutable file,
+  /// without locks and log.
   enum class Reading { WithOthers, AsSealed };
 
   Database(std::string path, int flags, Reading reading = Reading::WithOthers);

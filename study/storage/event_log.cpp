@@ -199,7 +199,7 @@ bool revealsCondition(EventKind kind) {
          (kind >= EventKind::SafetyTooFast && kind <= EventKind::SafetyTorqueActive);
 }
 
-/// The triggers that keep events as they are, taken away so that all can be written anew.
+/// Drops the triggers that forbid changes of events, so that the trail can be rewritten.
 class Guards {
  public:
   explicit Guards(Database& database) : database_(database) {
@@ -215,7 +215,7 @@ class Guards {
     select.reset();
     database.execute(removals);
   }
-  /// Without it, the transaction is not to be committed.
+  /// Creates the triggers again. Must be called before the transaction is committed.
   void putBack() { database_.execute(triggers_); }
 
  private:
@@ -279,7 +279,8 @@ std::optional<std::string> openedDetail(
 void EventLog::append(const Event& event) {
   requireText(event);
   Row row = rowOf(event);
-  // That somebody was erased can always be read, and is said of tables that nobody must guess.
+  // An Erased event is never sealed. Its hash of the tables needs no key, because the answers are
+  // deleted.
   const bool isSealed = event.visit && event.kind != EventKind::Erased;
   const auto key = isSealed ? keyOf(event.visit->session) : std::nullopt;
   row.content = asBytes(
@@ -399,7 +400,8 @@ std::int64_t EventLog::last() const {
 }
 
 base::NamedArguments EventLog::madeStudy() const {
-  // The first event, or the second: a trail that was sealed again begins with that.
+  // The first event, or the second if the trail was sealed again: then the first one is
+  // ResealedTrail.
   Statement first(
       database_, "SELECT detail FROM event WHERE seq <= 2 AND kind = ? ORDER BY seq LIMIT 1");
   first.bind(1, study::nameOf(EventKind::MadeStudy));

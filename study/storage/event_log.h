@@ -29,9 +29,10 @@ struct Event {
   /// a sentence instead, which is then in @ref detail (docs/decisions/0019).
   base::NamedArguments values = {};
   std::string unknownName = {};  ///< of a kind that only a later release knows
-  /// What it says is sealed with a key that is gone: its participant was erased.
+  /// The detail cannot be read any more: its participant was erased, and the key destroyed.
   bool isErased = false;
-  /// What it says tells what was rendered, and is sealed with the study's key, which is not here.
+  /// The detail reveals the condition and is sealed with the study's key, which is not available
+  /// here.
   bool isSealed = false;
 
   /// "answered", "finished_step", "note": the kind as it is stored.
@@ -41,7 +42,7 @@ struct Event {
   const base::Argument* value(std::string_view name) const noexcept;
 };
 
-/// An event as it stands in its row. What it says may be sealed.
+/// An event as its row stores it. Its detail may be sealed.
 struct StoredEvent {
   std::int64_t seq = 0;
   std::optional<std::int64_t> session;
@@ -57,7 +58,7 @@ struct StoredEvent {
   std::vector<std::byte> hash;
 };
 
-/// What the event says besides its kind, in English.
+/// Detail and values of the event as English text.
 std::string describe(const Event& event);
 
 /// The audit trail: all events of a study in order. Events are only ever added.
@@ -68,13 +69,14 @@ std::string describe(const Event& event);
 /// tables' content about its session at that time, so that a row which another program changed is
 /// detected as well.
 ///
-/// What an event says of a participant is sealed with that participant's content key, and so is the
-/// hash of the tables; the chain covers what is sealed. Once the key is destroyed, the chain is as
-/// sound as before (docs/decisions/0040). Participants without keys, simulated ones and those of
-/// older releases, have open events.
+/// The detail of a participant's event is sealed with that participant's content key, and the hash
+/// of the tables is keyed with it. The chain covers the sealed bytes, so that it stays valid when
+/// the key is destroyed (docs/decisions/0040). Events of participants without keys (simulated ones,
+/// and those of older releases) are not sealed.
 class EventLog {
  public:
-  /// @param identities  has the keys; without it nothing is sealed, and nothing sealed is read.
+  /// @param identities  has the content keys; nullptr: nothing is sealed, and sealed details cannot
+  ///     be read.
   explicit EventLog(Database& database, const IdentityStore* identities = nullptr)
       : database_(database), identities_(identities) {}
 
@@ -92,7 +94,7 @@ class EventLog {
 
   /// Whether some event has the head @p noted, as headAsText() gave it earlier, with or without
   /// the number of events before it. Then nothing up to that event was cut off or rewritten.
-  /// @throws UserError  if it is no head.
+  /// @throws UserError  if @p noted is not such a text.
   bool extends(const std::string& noted) const;
 
   /// The number of the last event; 0 before the first.
@@ -101,14 +103,14 @@ class EventLog {
   /// The values of the event with which the study was made.
   base::NamedArguments madeStudy() const;
 
-  /// What the first event says of the secret with which the study was made
-  /// (BlindingSecret::commitment()); empty in studies without one.
+  /// The commitment to the study's secret in the first event (BlindingSecret::commitment()); empty
+  /// in studies without one.
   std::string commitment() const;
 
   /// Whether the event with hash @p head is stored.
   bool holds(const std::vector<std::byte>& head) const;
 
-  /// What the last event of a session, or of the study itself, says of the tables.
+  /// The hash of the tables in the last event of a session, or of the study itself.
   struct Content {
     std::vector<std::byte> hash;  ///< empty if format 1 wrote the event
     bool isSealed = false;        ///< hashed with the participant's content key
@@ -119,22 +121,24 @@ class EventLog {
   /// The content key of a session's participant; std::nullopt if there is none (any more).
   std::optional<SealingKey> keyOf(SessionId session) const;
 
-  /// What an event of that kind is sealed with: the participant's content key; what tells what was
-  /// rendered needs the study's key besides, where the study is sealed.
+  /// The key that seals an event of that kind: the participant's content key; if the study is
+  /// sealed, it is joined with the study's key for events that reveal the condition.
   std::optional<SealingKey> keyOf(SessionId session, EventKind kind) const;
 
-  /// The study's key; nullptr: it is not here, or nothing is sealed with it.
+  /// The study's key; nullptr if it is not available here, or nothing is sealed with it.
   const SealingKey* studyKey() const noexcept { return database_.key(); }
 
-  /// Writes the whole trail anew, inside the caller's transaction: @p event comes first, then
-  /// everything else in its order, with what concerns participants who have keys sealed. Of their
-  /// hashes of the tables only the last ones stay; the others would tell something of answers.
+  /// Rewrites the whole trail inside the caller's transaction: first @p event, then all other
+  /// events in their order. Events of participants who have keys are sealed. Of the hashes of
+  /// tables only the last one of each session stays, because earlier ones would reveal something
+  /// about answers.
   void sealAgain(const Event& event);
 
   /// Rows as they are: the first @p most after the event @p after.
   std::vector<StoredEvent> stored(std::int64_t after, std::int64_t most) const;
 
-  /// Stores a row as it is, in an empty trail that is to be checked; its session need not be there.
+  /// Stores a row unchanged, with its number and hash, for a trail that is to be checked. The
+  /// session of the event need not exist.
   void putStored(const StoredEvent& event);
 
   /// Appends what an event of another trail says, as the next event of this one, inside the

@@ -66,10 +66,11 @@ std::string inBase64(std::span<const std::byte> bytes) {
 }
 
 std::optional<std::vector<std::byte>> fromBase64(std::string_view text) {
-  std::vector<std::byte> bytes(text.size() + 1);  // an empty one has no place to write to
+  // one byte more: data() of an empty vector may be null
+  std::vector<std::byte> bytes(text.size() + 1);
   std::size_t size = 0;
   auto* to = reinterpret_cast<unsigned char*>(bytes.data());
-  // Without a place for the end of what was read, anything that is left over is an error.
+  // With nullptr for the end pointer, trailing characters are an error.
   const int code = sodium_base642bin(
       to, bytes.size(), text.data(), text.size(), nullptr, &size, nullptr, kBase64);
   if (code != 0) return std::nullopt;

@@ -23,7 +23,7 @@ class Hasher {
 
   Hash finish() const;
 
-  /// With a key: nobody who lacks it can find the fields by trying.
+  /// A keyed hash: without the key, the fields cannot be found by trying.
   Hash finish(std::span<const unsigned char> key) const;
 
  private:
@@ -41,8 +41,7 @@ std::string inHexadecimal(const Hash& hash);
 /// Bytes as text, for files and events that hold text only (RFC 4648, with padding).
 std::string inBase64(std::span<const std::byte> bytes);
 
-/// std::nullopt if the text is no such text: there is a character that does not belong to it, or
-/// something is missing at its end.
+/// std::nullopt if @p text is not complete, valid Base64.
 std::optional<std::vector<std::byte>> fromBase64(std::string_view text);
 
 }  // namespace study::storage

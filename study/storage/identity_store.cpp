@@ -22,7 +22,7 @@ void bindPlace(Statement& statement, const Place& place, const std::string& item
       .bind(5, item);
 }
 
-/// Where a sealed name belongs.
+/// The associated data of a sealed name: its place.
 std::string asText(const Place& place, const std::string& item) {
   return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
          std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
@@ -130,7 +130,7 @@ std::optional<SealingKey> keyFrom(std::span<const std::byte> stored) {
   return SealingKey(bytes);
 }
 
-/// Where the sealed key of a participant's names belongs.
+/// The associated data of a participant's sealed Identity key.
 std::string placeOf(const std::string& participant) {
   return participant + "/key of names";
 }
@@ -142,7 +142,7 @@ std::vector<std::byte> sealedKey(
   return names.seal(bytes, placeOf(participant));
 }
 
-/// The key of somebody's names, as it is stored.
+/// A participant's Identity key, as it is stored: open or sealed.
 struct StoredKey {
   std::vector<std::byte> open;
   std::vector<std::byte> sealed;
@@ -331,7 +331,7 @@ std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& partic
 }
 
 void IdentityStore::destroy(Key kind, const std::string& participant) {
-  // What is deleted is overwritten with zeros, in the file; Debian's SQLite does so anyway.
+  // SQLite then overwrites deleted content of the file with zeros; in Debian this is the default.
   database_.execute("PRAGMA secure_delete = ON");
   Transaction transaction(database_);
   Statement key(

@@ -29,8 +29,8 @@ std::string thisBoot() {
   return boot;
 }
 
-/// In which process numbers mean what they mean here: containers on one computer have the same boot
-/// id, and different numbers.
+/// The PID namespace of this process. Containers on one computer share the boot id, but not process
+/// numbers.
 std::string thisNamespace() {
   std::error_code ignored;
   return std::filesystem::read_symlink("/proc/self/ns/pid", ignored).string();

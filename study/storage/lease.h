@@ -13,7 +13,7 @@ namespace study::storage {
 /// back. A lease that a crashed program of this computer left, or that could not be given back, is
 /// taken over, also if the computer has got another name since. Whether a program on another
 /// computer is still running cannot be seen from here: its lease is taken over only on request, and
-/// who is asked is told when something was stored there last.
+/// the operator is shown when the session last stored something.
 class Lease {
  public:
   enum class From { EndedPrograms, OtherComputersToo };
@@ -40,7 +40,7 @@ class Lease {
   /// The present holder, without taking the lease; std::nullopt if there is none.
   static std::optional<Holder> holder(const Database& database, SessionId session);
 
-  /// Gives all leases back, of whatever program: in a copy no session runs.
+  /// Removes the leases of all programs: in a copy of a study no session runs.
   static void clear(Database& database);
 
   /// @throws StorageError  (Busy) if another program took it over meanwhile.

@@ -23,7 +23,7 @@
 namespace study::storage {
 namespace {
 
-// Names as in /proc/filesystems, and behind "fuse." as programs call themselves.
+// Names as in /proc/filesystems, and names of programs after "fuse.".
 constexpr auto kShared = std::to_array<std::string_view>(
     {"9p",     "afs",   "beegfs", "ceph",  "cifs",   "coda",     "drvfs", "glusterfs",
      "gfs2",   "gpfs",  "lustre", "ncpfs", "nfs",    "nfs4",     "ocfs2", "orangefs",

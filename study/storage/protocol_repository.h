@@ -25,7 +25,7 @@ struct StoredProtocol {
   protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };
 
-/// Whether that protocol is stored, to the byte of each file.
+/// Whether @p stored equals @p protocol, byte for byte with all files.
 bool isSame(const StoredProtocol& stored, const protocols::LoadedProtocol& protocol);
 
 /// The tables of protocols and their files.
@@ -44,7 +44,7 @@ class ProtocolRepository {
   /// @return how many
   int addForms(ProtocolId id, const std::vector<protocols::SourceFile>& files);
 
-  /// What of a version and its files is not as its hashes say.
+  /// The parts of a version (its text, its files) that do not match their hashes.
   std::vector<std::string> changes(ProtocolId id) const;
 
   /// @throws StorageError  if there is none with that id.

@@ -104,10 +104,11 @@ struct TrialRow {
 /// Everything that happened in a study, in order of time, for analyses.
 class Records {
  public:
-  /// Whether steps have their conditions. Where these are sealed, that needs the study's key.
+  /// Whether records of steps contain the condition. Sealed conditions need the study's key.
   enum class Conditions { Shown, LeftOut };
 
-  /// Functions throw a StorageError that says what to do if the key is needed and not here.
+  /// All functions throw a StorageError that says what to do if the key is needed and not
+  /// available.
   explicit Records(Database& database, Conditions conditions = Conditions::Shown)
       : database_(database), conditions_(conditions) {}
 
@@ -122,7 +123,8 @@ class Records {
   std::vector<TrialRow> trials() const;
   std::vector<CutRecord> cuts() const;
 
-  /// Which condition "Alternative 2" of a block was in a session.
+  /// One labelled alternative ("Alternative 2") of a block in a session; allocation() gives its
+  /// condition.
   struct Alternative {
     SessionId session{};
     std::string block;

@@ -176,7 +176,8 @@ void SessionRepository::add(
 
 void SessionRepository::addSteps(const SessionRow& session, const std::vector<Step>& steps) {
   const auto id = static_cast<std::int64_t>(session.id);
-  // Simulated sessions have nothing to hide, and can be made again from the seed.
+  // Simulated sessions need no blinding and can be reproduced from the seed, so they are not
+  // sealed.
   const auto* key = session.runMode == RunMode::Simulated ? nullptr : database_.key();
   Statement insert(
       database_,

@@ -19,7 +19,7 @@ enum class SlotState {
   Released,  ///< free for another participant
 };
 
-/// A session as it stands in its row.
+/// A session as its row stores it.
 struct SessionRow {
   SessionId id{};
   std::string participant;  ///< code
@@ -58,10 +58,11 @@ class SessionRepository {
       const std::string& cohort,
       const std::string& station = {}) const;
 
-  /// An unused participant's code: P001, or PILOT-001, SIM-001; oslo_P001 at the station "oslo".
+  /// The next unused code of a participant: P001, or PILOT-001, SIM-001; oslo_P001 at the station
+  /// "oslo".
   std::string freeCode(RunMode mode, const std::string& station = {}) const;
   bool hasParticipant(const std::string& code) const;
-  /// When the participant came; empty if there is none of the code.
+  /// When the participant was enrolled; empty if there is none with that code.
   std::string enrolledUtc(const std::string& code) const;
 
   /// Writes participant (if new), session, steps and allocation; fills in the id and the number.
@@ -87,7 +88,7 @@ class SessionRepository {
   /// @throws StorageError  if it is sealed and the key is not here.
   std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
 
-  /// Whether none of these can be read without the study's key.
+  /// Whether all conditions of the session are sealed with the study's key.
   bool isSealed(SessionId session) const;
 
  private:
@@ -105,7 +106,7 @@ std::string_view nameOf(SlotState state) noexcept;
 std::string_view nameOf(VisitStatus status) noexcept;
 std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept;
 
-/// The value whose stored name @p value holds.
+/// @p value, which was looked up by the stored @p name.
 /// @throws StorageError  (Damaged) if this program does not know the name.
 template <typename Value>
 Value known(const std::optional<Value>& value, const std::string& name) {

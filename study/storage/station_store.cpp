@@ -70,7 +70,8 @@ void makeFolder(const fs::path& folder) {
   if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) fail(folder);
 }
 
-/// Draws name and key. If two programs come here together, both go on with the key of one.
+/// Draws uuid and key. If two programs do this at the same time, both use the key that was written
+/// first.
 void makeKey(const fs::path& folder) {
   std::array<unsigned char, kUuidSize> uuid{};
   Seed seed{};
@@ -80,7 +81,7 @@ void makeKey(const fs::path& folder) {
   writeNewFile(
       unfinished.string(),
       std::string(kFirstLine) + "\n" + inHex(uuid) + "\n" + inHex(seed) + "\n");
-  // A link, and no renaming: it never takes the place of a key that is there.
+  // link() and not rename(): it never replaces a key that is there.
   const int code = link(unfinished.c_str(), (folder / kKeyFile).c_str());
   const int reason = code == 0 ? 0 : errno;
   unlink(unfinished.c_str());

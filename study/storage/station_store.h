@@ -20,8 +20,8 @@ class StationStore {
   /// ~/.local/share/palpate/station. Empty if the account has no home folder.
   static std::filesystem::path usualFolder();
 
-  /// Opens the store in @p folder, and makes it on first use.
-  /// @throws StorageError  in words, if it cannot be made or read, or if others may read its key.
+  /// Opens the store in @p folder; makes it if there is none.
+  /// @throws StorageError  if it cannot be made or read, or if others may read its key.
   static StationStore findOrMake(const std::filesystem::path& folder);
 
   /// Opens the store if there is one. @throws StorageError  as above
@@ -36,8 +36,8 @@ class StationStore {
   /// The signature of @p text (Ed25519, 512 bits in hexadecimal).
   std::string sign(std::string_view text) const;
 
-  /// Whether the holder of the key pair with that public half signed @p text. False for what is no
-  /// key or no signature.
+  /// Whether @p signature is a valid signature of @p text by that public key. False also for
+  /// malformed keys and signatures.
   static bool isSigned(
       std::string_view text, const std::string& signature, const std::string& publicKey);
 
@@ -45,7 +45,8 @@ class StationStore {
   /// libsodium). @throws UserError  if that is no key of a station
   static std::vector<std::byte> sealFor(std::string_view text, const std::string& publicKey);
 
-  /// What was sealed for this station; std::nullopt if it was for another one, or was changed.
+  /// The text that was sealed for this station; std::nullopt if it was sealed for another one, or
+  /// was changed.
   std::optional<std::string> openSealed(std::span<const std::byte> sealed) const;
 
   /// Appends a line to a list; it is on the disk on return. Several programs may do so at a time.
@@ -53,7 +54,7 @@ class StationStore {
   /// @throws StorageError
   void append(const std::string& list, const std::string& line) const;
 
-  /// Puts @p lines in the place of a list; it is on the disk on return. @throws StorageError
+  /// Replaces the content of a list by @p lines; it is on the disk on return. @throws StorageError
   void rewrite(const std::string& list, const std::vector<std::string>& lines) const;
 
   /// The lines of a list; none if there is no such list. @throws StorageError  if it cannot be read

@@ -14,8 +14,8 @@ namespace study::storage {
 /// [{"code": "trial.late", "arguments": [30, 4000]}]; an empty text for no message.
 std::string asJson(const std::vector<base::Message>& messages);
 
-/// @param text  by asJson(), of messages of study::kMessages. An unknown code, of a later release,
-///     becomes a verbatim message.
+/// @param text  written by asJson(), with codes of study::kMessages. An unknown code of a later
+///     release becomes a verbatim message.
 std::vector<base::Message> messagesIn(std::string_view text);
 
 /// {"item": "1.1", "point": 4}

@@ -7,7 +7,7 @@ namespace study::storage {
 /// study.db: the protocols, sessions, answers and the audit trail.
 const Schema& studySchema();
 
-/// traces.db: the samples of all trials, a thousand per second.
+/// traces.db: the samples of all trials, one per tick.
 const Schema& traceSchema();
 
 /// identity.db: answers that name a person. Never exported.

@@ -21,7 +21,7 @@ static_assert(kWithoutTorque == 28 && sizeof(TraceSample) == 36, "as documented"
 static_assert(
     std::endian::native == std::endian::little, "samples are written as they lie in memory");
 
-/// Not even a negative zero: every bit comes back.
+/// Compares bits, so that even a negative zero counts as a torque and is restored exactly.
 bool hasTorque(const TraceSample& sample) noexcept {
   return std::bit_cast<std::uint32_t>(sample.desiredTorque) != 0 ||
          std::bit_cast<std::uint32_t>(sample.torque) != 0;
@@ -33,7 +33,7 @@ bool isSealed(std::int64_t layout) noexcept {
   return layout > kSealed;
 }
 
-/// The bytes of a sample in a layout; 0 for one that this program does not know.
+/// The size of a sample in a layout [bytes]; 0 for an unknown layout.
 std::size_t sizeIn(std::int64_t layout) noexcept {
   const auto open = isSealed(layout) ? layout - kSealed : layout;
   return open == 1 ? kWithoutTorque : open == 2 ? sizeof(TraceSample) : 0;
@@ -74,7 +74,8 @@ struct TraceStore::Chunk {
     hash = hashOf(bytes);
   }
 
-  /// The hash is of what is stored: one of the samples could be compared with a simulation.
+  /// Hashes the sealed bytes. A hash of the samples could be compared with that of a simulation,
+  /// and reveal the condition.
   void seal(const SealingKey& key, const std::string& place) {
     bytes = key.sealRepeatably(textOf(bytes), place);
     layout += kSealed;

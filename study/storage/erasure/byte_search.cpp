@@ -85,7 +85,7 @@ bool ByteSearch::isIn(const Reader& read) const {
   for (const auto& text : texts_) longest = std::max(longest, text.size());
   std::string bytes;
   while (true) {
-    // What a part ends with may be the beginning of a text.
+    // A text may lie across two blocks: keep the end of the last one.
     bytes.erase(0, bytes.size() - std::min(bytes.size(), longest - 1));
     const auto kept = bytes.size();
     bytes.resize(kept + kAtATime);

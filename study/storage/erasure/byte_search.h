@@ -12,14 +12,16 @@ struct sqlite3_file;
 
 namespace study::storage {
 
-/// A file of a database, byte by byte, as SQLite itself reads it. The connection must outlive it.
+/// The bytes of a database file, read through the file handle of SQLite. The connection must
+/// outlive this object.
 class RawFile {
  public:
   RawFile(std::string path, sqlite3_file* file);
 
   const std::string& path() const noexcept { return path_; }
 
-  /// Reads on, at most @p most bytes. @return  how many; 0 at the end. @throws StorageError
+  /// Reads the next bytes, at most @p most, into @p to. @return how many; 0 at the end. @throws
+  /// StorageError
   std::size_t read(char* to, std::size_t most);
 
  private:
@@ -36,16 +38,17 @@ std::vector<RawFile> rawFilesOf(const Database& database);
 /// and pages.
 class ByteSearch {
  public:
-  /// Adds what is looked for. Of a text the longest part is taken that every format writes alike
-  /// (without quotes, line ends, '&', '<' and the like); too short a part is left out, because it
-  /// would be found everywhere.
+  /// Adds a text to look for. Only its longest part is used that every file format writes unchanged
+  /// (without quotes, line ends, '&', '<' and the like). If this part is shorter than @p shortest,
+  /// the text is left out, because it would be found everywhere.
   /// @param shortest  [bytes]
   void add(const std::string& text, std::size_t shortest);
 
-  /// The number of texts that are looked for.
+  /// The number of texts to look for.
   std::size_t size() const noexcept { return texts_.size(); }
 
-  /// The files below @p folder that hold one of them, relative to it, in order.
+  /// The files below @p folder that contain one of the texts, as sorted paths relative to @p
+  /// folder.
   /// @param open  databases in that folder that this process has open. They are read through their
   ///     connection: another file handle, once closed, would take their locks away.
   /// @throws StorageError  if a file cannot be read
@@ -53,7 +56,7 @@ class ByteSearch {
       const std::filesystem::path& folder, const std::vector<const Database*>& open) const;
 
  private:
-  /// Reads on, at most so many bytes; 0 at the end.
+  /// Reads the next bytes, at most @p most, into @p to; returns how many, 0 at the end.
   using Reader = std::function<std::size_t(char* to, std::size_t most)>;
   bool isIn(const Reader& read) const;
   bool isIn(const std::filesystem::path& file) const;

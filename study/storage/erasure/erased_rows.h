@@ -9,24 +9,24 @@
 
 namespace study::storage {
 
-/// Deletes the rows of a session that hold what a person did: answers, trials, cuts, visits, the
+/// Deletes the rows of what a participant did in a session: answers, trials, cuts, visits, the
 /// lease. The session itself and its order stay, with the state `erased` and without the reason for
 /// its end; its place is free again. Inside the caller's transaction.
-/// @return  how many answers there were
+/// @return  the number of deleted answers
 std::int64_t eraseAnswers(Database& study, SessionId session, const std::string& utc);
 
 /// Deletes the traces of sessions. One transaction.
 void eraseTraces(Database& traces, const std::vector<SessionId>& sessions);
 
-/// What was written about a participant in words: answers, reasons. Not what others have as well.
+/// The free texts by or about a participant: answers, reasons of visits and sessions. Texts that
+/// other participants' rows contain, too, are left out.
 std::vector<std::string> textsAbout(const Database& study, const std::string& participant);
 
-/// Whether the audit trail says something of a session that is not sealed: an older release wrote
-/// it.
+/// Whether the audit trail has unsealed events of a session, which an older release wrote.
 bool hasUnsealedEvents(const Database& study, SessionId session);
 
-/// Takes what was deleted out of the file: moves the write-ahead log into it, builds it anew
-/// without its free pages, and empties the log.
+/// Removes deleted rows from the bytes of the file: checkpoints the write-ahead log, rebuilds the
+/// file without free pages (VACUUM), and empties the log.
 /// @throws StorageError  (Busy) while another program reads the file
 void purge(Database& database);
 

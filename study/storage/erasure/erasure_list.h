@@ -8,31 +8,31 @@
 
 namespace study::storage {
 
-/// That a participant of a study was erased, as it is told outside of the study: in a list of the
-/// station and in certificates. Every copy of the study has to be erased from, too.
+/// An erasure as it is recorded outside of the study: in the station's list and in certificates. It
+/// has to be repeated in every copy of the study.
 struct ListedErasure {
   std::string study;  ///< uuid
   std::string participant;
-  std::string enrolledUtc;  ///< tells the participant from another one with the same code
+  std::string enrolledUtc;  ///< distinguishes participants with the same code
   ErasureLevel level = ErasureLevel::All;
   std::string utc;  ///< of the erasure
 
   bool operator==(const ListedErasure&) const = default;
 };
 
-/// One line; names nobody.
+/// The erasure as one line of text, without names.
 std::string asLine(const ListedErasure& erasure);
-/// std::nullopt if the line is none of these.
+/// Parses a line of asLine(); std::nullopt for other text.
 std::optional<ListedErasure> listedErasureIn(const std::string& line);
 
-/// What this station has listed of a study; nothing if it has no list. @throws StorageError
+/// The erasures of a study in this station's list; empty if there is no list. @throws StorageError
 std::vector<ListedErasure> listedErasures(const std::string& study);
 
-/// Adds an erasure to the list of this station, unless it stands there. @throws StorageError
+/// Adds an erasure to the list of this station, unless it is listed already. @throws StorageError
 void list(const ListedErasure& erasure);
 
-/// The erasures of @p listed that were not done in the study of this database: those of
-/// participants whom it has, from what it has not erased.
+/// The erasures of @p listed that have to be repeated in this database: it has the participant, and
+/// has not erased what @p listed says.
 std::vector<ListedErasure> missingErasures(
     Database& database, const std::vector<ListedErasure>& listed);
 

@@ -28,14 +28,15 @@ inline constexpr bool erasesAnswers(ErasureLevel level) noexcept {
 std::string_view nameOf(ErasureLevel level) noexcept;
 std::optional<ErasureLevel> erasureLevelNamed(std::string_view name) noexcept;
 
-/// That a participant was erased: what is left of a person besides code, cohort and times.
+/// The record of an erasure. Besides it only code, cohort and times of the participant are left.
 struct Erasure {
   std::int64_t id = 0;
   std::string participant;  ///< code
   ErasureLevel level = ErasureLevel::All;
   std::string reason;
   std::string utc;
-  std::optional<std::string> finishedUtc;  ///< std::nullopt: something is left to do in other files
+  /// std::nullopt: the work in other files is not finished.
+  std::optional<std::string> finishedUtc;
 };
 
 /// The table of erasures in study.db. It is empty in a file of an older format.
@@ -52,7 +53,7 @@ class ErasureRepository {
   std::vector<Erasure> all() const;
   /// Whether the answers of a participant were erased.
   bool hasErasedAnswersOf(const std::string& participant) const;
-  /// Those in which something is left to do.
+  /// Erasures whose work in other files is not finished.
   std::vector<Erasure> unfinished() const;
 
  private:

@@ -7,8 +7,8 @@ namespace study::storage {
 
 /// What a check found.
 struct Findings {
-  std::vector<std::string> problems = {};  ///< something is not as it was written
-  std::vector<std::string> remarks = {};   ///< what a reader has to know; nothing is wrong
+  std::vector<std::string> problems = {};  ///< data that differ from what was written
+  std::vector<std::string> remarks = {};   ///< notes for the reader that are no problems
 };
 
 }  // namespace study::storage

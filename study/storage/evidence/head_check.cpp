@@ -29,7 +29,7 @@ std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
 void addMissing(
     const TrailHeads& trail, const std::vector<NotedHead>& missing, Findings& findings) {
   if (missing.empty()) return;
-  // The first says from where on events are missing, the last how far it had gone.
+  // The first head tells from where on events are missing, the last one how long the trail was.
   findings.problems.push_back(reasonFor(trail, missing.front()));
   if (missing.size() > 1) {
     findings.problems.push_back(
@@ -41,23 +41,23 @@ void addMissing(
       "study restored --reason \"…\"");
 }
 
-/// Whether a station vouched for the first event, too. Nothing that is done with a study day by day
-/// has such a purpose.
+/// Whether @p head proves that the trail began, or was knowingly accepted, at the station that
+/// signed it. Heads of everyday work have other purposes.
 bool vouchesForTheBeginning(const SignedHead& head) {
   using enum EventKind;
   const auto is = [&](EventKind kind) { return head.purpose == study::nameOf(kind); };
   return is(MadeStudy) || is(CollectedStudy) || is(ResealedTrail) || is(RestoredCopy);
 }
 
-/// What a station's list says of one trail. There may be several of a uuid: a study that was made
-/// again, one that was collected, one that was sealed again.
+/// The part of a station's list that concerns one trail. A uuid may have several trails: a study
+/// that was made again, collected, or sealed again.
 struct OwnHeads {
   /// It began, or was taken over on purpose, at this station.
   bool hasBeginning = false;
   /// hasBeginning, or the first head of this study that the station noted, if any, is of this
   /// trail. If false, the trail here is not the one that the station signed.
   bool isKnown = false;
-  std::vector<NotedHead> heads = {};  ///< that the trail has to account for
+  std::vector<NotedHead> heads = {};  ///< heads that the trail must contain or explain
 };
 
 OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) {

@@ -5,7 +5,7 @@
 namespace study::storage {
 
 std::vector<IdentityRow> identityRows(const Database& identities) {
-  // Older formats lack the column of what is sealed.
+  // Older formats lack the column `sealed`.
   Statement sealed(
       identities, "SELECT 1 FROM pragma_table_info('identifying_answer') WHERE name = 'sealed'");
   const std::string columns = std::string("text, saved_utc") + (sealed.step() ? ", sealed" : "");

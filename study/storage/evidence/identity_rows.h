@@ -7,7 +7,7 @@
 
 namespace study::storage {
 
-/// A row of identity.db that names a person, bit by bit as it is stored.
+/// A row of identity.db that names a person, byte for byte as it is stored.
 struct IdentityRow {
   std::string name;        ///< "P001/1/3/1/signature": participant, session, step, attempt, item
   std::string bytes = {};  ///< all of it, sealed or not

@@ -23,7 +23,7 @@ void noteHead(
 /// A station's list of a study.
 struct NotedHeads {
   std::vector<NotedHead> heads = {};  ///< oldest first
-  /// Lines that this station did not sign: somebody changed them, or a full disk cut them off.
+  /// Lines without a valid signature of this station: changed, or cut off by a full disk.
   std::size_t unsound = 0;
 };
 

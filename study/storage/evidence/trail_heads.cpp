@@ -77,7 +77,8 @@ void TrailHeads::readResealed() {
     eventsBefore_ = numberIn(values, "events");
     headBefore_ = textIn(values, "head");
   }
-  // Heads that stations signed are of their trails. They were checked when the study was collected.
+  // In a collected study, heads that stations signed belong to the stations' trails. They were
+  // checked when the study was collected.
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::CollectedStudy))) {
     if (seq != 1) continue;
     eventsBefore_ = numberIn(values, "events");
@@ -118,7 +119,7 @@ void TrailHeads::readSigned() {
 
 void TrailHeads::readAbandonedHeads() {
   for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
-    // The station that signed the heads has to sign that they were given up, too.
+    // Counts only if the station that signed the heads also signed this event.
     const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
       return each.isSound && each.head.events == event.first &&
              each.head.purpose == study::nameOf(EventKind::RestoredCopy);
@@ -135,7 +136,8 @@ bool TrailHeads::holds(const SignedHead& head) const {
       head.purpose == kWitness || head.purpose == study::nameOf(EventKind::MadeStudy);
   return isElsewhereOnly || std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
            const bool isIt = each.seq == head.events + 1 && each.head.signature == head.signature;
-           // A copy of this trail was sealed again, and the station knows that this one went on.
+           // A copy of this trail was sealed again. This trail went on: the same station signed it
+           // later.
            const bool wentOn = isSealedAgain(head) && each.isSound && each.head.key == head.key &&
                                each.head.events > head.events;
            return isIt || wentOn;
@@ -151,8 +153,8 @@ bool TrailHeads::endsBefore(const SignedHead& head) const {
 
 bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
   if (eventsBefore_ == 0 || head.first == first_ || head.events > eventsBefore_) return false;
-  // Any later signature of the station would not do: it signs sessions of a study that somebody
-  // gave another beginning.
+  // Only a signature right after that event counts. A later one would not: the station may sign
+  // sessions of a study whose beginning was replaced.
   const auto purpose =
       study::nameOf(isCollected_ ? EventKind::CollectedStudy : EventKind::ResealedTrail);
   return std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {

@@ -12,8 +12,8 @@
 
 namespace study::storage {
 
-/// What an audit trail says of its own heads: which were signed, and which were given up when an
-/// older copy took its place.
+/// The signed heads in an audit trail, and the heads that were given up when an older copy took the
+/// study's place.
 class TrailHeads {
  public:
   explicit TrailHeads(const Database& study);
@@ -21,7 +21,7 @@ class TrailHeads {
   struct Signed {
     std::int64_t seq = 0;  ///< of the event that holds it
     SignedHead head;
-    bool isSound = false;  ///< the signature, and that it is of the events before it
+    bool isSound = false;  ///< the signature is valid and is of the events before it
   };
 
   const std::vector<Signed>& all() const noexcept { return signed_; }
@@ -29,25 +29,27 @@ class TrailHeads {
   const std::string& study() const noexcept { return study_; }
   const std::string& firstHash() const noexcept { return first_; }
 
-  /// Whether the trail has all events that @p head vouches for, and the event that it was signed
-  /// in.
+  /// Whether the trail has all events that @p head vouches for, and the event that holds this head.
   bool holds(const SignedHead& head) const;
 
-  /// Whether @p head was signed after the trail's last event, as far as that can be seen.
+  /// Whether @p head was signed after the trail's last event, judging by its number of events.
   bool endsBefore(const SignedHead& head) const;
 
   /// Whether @p head is of the trail that was there before this one was sealed again (event
   /// resealed_trail) or collected, and the station that signed it has signed that, too.
   bool belongsToPreviousTrail(const SignedHead& head) const;
 
-  /// Whether @p head is what a station signed of the trail before when it sealed it again.
+  /// Whether @p head is the last head of the previous trail, signed just before that was sealed
+  /// again.
   bool isLastOfPreviousTrail(const SignedHead& head) const;
 
-  /// Whether an event that the same station signed says that @p head was given up.
+  /// Whether an event RestoredCopy lists @p head as given up, and the station of @p head signed
+  /// that event.
   bool gaveUp(const SignedHead& head) const;
 
-  /// Signatures that are wrong, or not of the events before them. Says how much is signed.
-  /// @param key  of this station; empty: it has none
+  /// Reports signatures that are invalid or not of the events before them; remarks say how much is
+  /// signed.
+  /// @param key  public key of this station; empty: it has none
   Findings checkSignatures(const std::string& key) const;
 
  private:
@@ -61,17 +63,19 @@ class TrailHeads {
   std::string study_;
   std::string first_;
   std::int64_t last_ = 0;
-  std::int64_t eventsBefore_ = 0;  ///< that were sealed again; they stand behind the first event
-  std::string headBefore_;         ///< hash of the last of them, until then
-  bool isCollected_ = false;       ///< it repeats the trails of several stations
-  /// The last event before a copy was erased from: those after it are not of the study.
+  /// Events of the previous trail that follow the first event; 0: none.
+  std::int64_t eventsBefore_ = 0;
+  std::string headBefore_;    ///< hash of the last event of the previous trail
+  bool isCollected_ = false;  ///< it repeats the trails of several stations
+  /// The last event that the copy shares with the study: before the first erasure that was repeated
+  /// in this copy only.
   std::int64_t ownEnd_ = 0;
-  std::size_t signedBefore_ = 0;  ///< heads among them, which are of another trail
+  std::size_t signedBefore_ = 0;  ///< signed heads among eventsBefore_
   std::vector<Signed> signed_;
   std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
 };
 
-/// How heads that were given up are named in the event RestoredCopy.
+/// The text by which the event RestoredCopy refers to a head: "812:1a2b3c4d…".
 std::string nameOf(const SignedHead& head);
 
 }  // namespace study::storage

@@ -16,20 +16,21 @@ std::optional<StationStore> thisStation() {
   try {
     return StationStore::findOrMake(StationStore::usualFolder());
   } catch (const StorageError&) {
-    return std::nullopt;  // 'palpate study verify' opens it, too, and says why
+    return std::nullopt;  // 'palpate study verify' reports why the store cannot be opened
   }
 }
 
-/// Whether an event of this purpose says itself why the trail is not the one that was signed
-/// before. The program writes these only when it has looked at that trail, or was told a reason.
+/// Whether an event of this purpose explains why the trail is not the one that was signed before.
+/// The program writes such events only after it has checked that trail, or with a reason of the
+/// operator.
 bool explainsAnotherTrail(std::string_view purpose) {
   using enum EventKind;
   return purpose == nameOf(RestoredCopy) || purpose == nameOf(ResealedTrail) ||
          purpose == nameOf(CollectedStudy);
 }
 
-/// A signature vouches for everything before it. Of a trail that somebody wrote again, or cut, it
-/// would make one that this station signed.
+/// Whether this station may sign the trail. A signature vouches for all events before it, so
+/// signing a trail that was rewritten or cut off would make it look authentic.
 bool maySign(const Database& study, const StationStore& station, std::string_view purpose) {
   if (explainsAnotherTrail(purpose)) return true;
   try {
@@ -71,7 +72,7 @@ void noteNewStudy(const Database& study, const std::filesystem::path& folder, co
     noteHead(
         *station, signHead(study, *station, nameOf(EventKind::MadeStudy), asUtc(now.wall)), folder);
   } catch (const StorageError&) {
-    return;  // the first head that is signed says the same
+    return;  // the first signed head covers this event, too
   }
 }
 

@@ -12,8 +12,8 @@
 namespace study::storage {
 
 /// Signs a study's audit trail with the key of this station, and notes each signed head in the
-/// station's own list. Never throws because of the station: a session that is over must not fail
-/// for that. The trail then says that it was not signed.
+/// station's own list. Problems of the station's store never throw, because a finished session must
+/// not fail for them. The trail then gets an event HeadNotSigned.
 class TrailSigner {
  public:
   explicit TrailSigner(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -23,16 +23,18 @@ class TrailSigner {
   /// @throws StorageError  if the event cannot be appended.
   void sign(Database& study, std::string_view purpose, const Moment& now);
 
-  /// Notes what was signed, after the commit: the list has no head that a trail never had.
+  /// Notes the signed head in the station's list. Call it after the commit, so that the list has no
+  /// head that the trail never had.
   /// @return false if it could not be noted
   bool noteSigned() noexcept;
 
-  /// The transaction was rolled back.
+  /// Drops the head of a transaction that was rolled back.
   void forget() noexcept { signed_.reset(); }
 
  private:
   std::filesystem::path folder_;
-  std::optional<SignedHead> signed_;  ///< and not noted yet; the last one vouches for the others
+  /// The last head that was signed and not noted; it covers earlier ones.
+  std::optional<SignedHead> signed_;
 };
 
 /// Notes the first event of a study that was just made, as TrailSigner does. Nothing is written to

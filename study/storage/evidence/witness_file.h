@@ -8,8 +8,8 @@
 
 namespace study::storage {
 
-/// Writes all heads that were signed in a trail, and one of now, to a new file. Kept where those
-/// who can write the study cannot, it proves later what the study was.
+/// Writes all signed heads of a trail, and one of its present end, to a new file. Kept out of reach
+/// of those who can write the study, the file proves later what the study contained.
 /// @throws StorageError  if the file exists or cannot be written, or this station has no key.
 void writeWitness(const Database& study, const std::string& path, const std::string& utc);
 
@@ -17,7 +17,8 @@ void writeWitness(const Database& study, const std::string& path, const std::str
 /// @throws UserError  if it is no such file, or cannot be read.
 std::vector<NotedHead> readWitness(const std::string& path);
 
-/// Whether a trail goes on from the heads in a file, and whether they are signed and of that study.
+/// Checks that the heads of a file are signed and of that study, and that the trail has the events
+/// up to each.
 Findings checkWitness(const TrailHeads& trail, const std::vector<NotedHead>& witness);
 
 }  // namespace study::storage

@@ -10,21 +10,21 @@
 
 namespace study::storage {
 
-// What tells which condition was felt is sealed with the key of the study (docs/decisions/0049).
+// Data that reveal which condition was felt are sealed with the study's key (docs/decisions/0049).
 
-/// Which condition an alternative is. All conditions have the same size when they are sealed, so
-/// that it does not tell them apart.
+/// Seals the condition of a step. All sealed conditions have the same size, so that the size
+/// reveals nothing.
 std::vector<std::byte> sealedCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 
-/// @param key  nullptr: it is not here
-/// @throws StorageError  if it was sealed with another key, or for another step, or was changed; or
-///     if there is no key, with what to do.
+/// @param key  the study's key; nullptr: it is not available
+/// @throws StorageError  if it was sealed with another key or for another step, or was changed; if
+///     there is no key, the error says what to do.
 std::string openedCondition(
     const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed);
 
-/// What was measured in a trial (columns and values in JSON), sealed in the same way. Its size does
-/// not tell how much was measured, up to about 20 cuts.
+/// Seals the measurements of a trial (JSON of columns and values). The size is the same for up to
+/// about 20 cuts.
 std::vector<std::byte> sealedMeasurements(
     const SealingKey& key, const VisitKey& trial, std::string_view text);
 
@@ -32,8 +32,8 @@ std::vector<std::byte> sealedMeasurements(
 std::string openedMeasurements(
     const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& sealed);
 
-/// What to do where the key of a study is missing.
-/// @param study  its folder, as somebody would type it
+/// Advice for the operator when the key of a study is missing.
+/// @param study  its folder, as typed in a command
 std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase);
 
 }  // namespace study::storage

@@ -11,8 +11,8 @@
 
 namespace study::storage {
 
-/// A key of one participant: 256 random bits (docs/decisions/0040). Once it is destroyed, nobody
-/// reads what was sealed with it, in whatever copy that may be.
+/// A key of one participant: 256 random bits (docs/decisions/0040). Once it is destroyed, nothing
+/// that was sealed with it can be read, in any copy.
 ///
 /// Sealing and hashing use two keys that are derived from it (crypto_kdf of libsodium).
 class SealingKey {
@@ -26,21 +26,22 @@ class SealingKey {
 
   const Bytes& bytes() const noexcept { return bytes_; }
 
-  /// XChaCha20-Poly1305: 24 random bytes, then the sealed text and 16 bytes that prove it.
-  /// @param place  where it will stand ("17/answered"): sealed text that was moved is not opened.
+  /// XChaCha20-Poly1305: a random nonce of 24 bytes, the ciphertext, and a tag of 16 bytes.
+  /// @param place  associated data: where the result is stored ("17/answered"). Sealed text that
+  ///     was moved elsewhere cannot be opened.
   std::vector<std::byte> seal(std::string_view text, std::string_view place) const;
 
-  /// The same bytes for the same text in the same place, for what is stored once there: 24 bytes of
-  /// a keyed hash stand for the random ones.
+  /// Like seal(), but deterministic: the nonce is a keyed hash of text and place. For places to
+  /// which only one text is written.
   std::vector<std::byte> sealRepeatably(std::string_view text, std::string_view place) const;
 
   /// std::nullopt if it was sealed with another key or for another place, or was changed.
   std::optional<std::string> open(std::span<const std::byte> sealed, std::string_view place) const;
 
-  /// A key that only who has both can make.
+  /// A key derived from both keys; it cannot be computed from one of them.
   SealingKey joinedWith(const SealingKey& other) const;
 
-  /// For hashes that tell nothing to anyone without this key.
+  /// The derived key for keyed hashes, which reveal nothing without it.
   Bytes hashingKey() const;
 
  private:

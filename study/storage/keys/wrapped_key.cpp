@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kPlace = "a key behind a passphrase";
 static_assert(WrappedKey::kSalt == crypto_pwhash_SALTBYTES);
 
-// A file of somebody else must not keep the program busy for ever, or take all memory.
+// Limits for files from others, which must not keep the program busy for ever or take all memory.
 constexpr std::uint64_t kMostOperations = 16;
 constexpr std::uint64_t kMostMemory = 1024ULL * 1024 * 1024;  // [bytes]
 

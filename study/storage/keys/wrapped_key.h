@@ -11,7 +11,7 @@
 
 namespace study::storage {
 
-/// How much work it is to try one passphrase (Argon2id of libsodium).
+/// The cost of trying one passphrase (Argon2id of libsodium).
 struct PassphraseCost {
   std::uint64_t operations = 3;
   std::uint64_t memory = 256ULL * 1024 * 1024;  ///< [bytes]
@@ -20,8 +20,8 @@ struct PassphraseCost {
   static constexpr PassphraseCost least() { return {.operations = 1, .memory = 8192}; }
 };
 
-/// A key, sealed with one that is made of a passphrase. Both are needed to open it; it can lie
-/// where anybody reads it, as far as the passphrase cannot be guessed.
+/// A key, sealed with a key that is derived from a passphrase. Others may read the sealed key, as
+/// long as the passphrase cannot be guessed.
 struct WrappedKey {
   static constexpr std::size_t kSalt = 16;
 
@@ -34,7 +34,7 @@ struct WrappedKey {
   static WrappedKey make(
       const SealingKey::Bytes& key, std::string_view passphrase, const PassphraseCost& cost);
 
-  /// std::nullopt if it is another passphrase, or if what is stored was changed.
+  /// The key; std::nullopt if the passphrase is wrong, or if the sealed key was changed.
   /// @throws StorageError  if it wants more memory or time than make() ever asks for.
   std::optional<SealingKey::Bytes> opened(std::string_view passphrase) const;
 };

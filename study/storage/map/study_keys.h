@@ -10,40 +10,41 @@
 
 namespace study::storage {
 
-/// Keeps the key of a study with this station, outside of the study's folder
-/// (docs/decisions/0049). It is on the disk on return. Does nothing if it is kept already.
-/// @param folder  where the study is, for people who look
-/// @return  whether it was not kept before
+/// Stores the key of a study in this station's list, outside of the study's folder
+/// (docs/decisions/0049). It is on the disk on return. Does nothing if it is stored already.
+/// @param folder  the study's folder, noted for people who read the list
+/// @return  false if it was stored already
 /// @throws StorageError  if the station's own folder cannot be used.
 bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder);
 
-/// Holds a key in the memory of this program, until it ends: keptKey() finds it, because windows
-/// open a study more than once.
+/// Holds a key in memory until this program ends, so that keptKey() finds it: windows open a study
+/// more than once.
 void holdKey(const BlindingSecret& key);
 
-/// The same for the key that a passphrase opened, by what it is wrapped in: for names.
+/// Holds the key of names, which a passphrase opened, in memory until this program ends; heldKey()
+/// finds it by @p wrapped.
 void holdOpened(const WrappedKey& wrapped, const SealingKey::Bytes& key);
 std::optional<SealingKey> heldKey(const WrappedKey& wrapped);
 
-/// For tests: what this program holds, as if it began again.
+/// For tests: clears all keys held in memory, as a restart does.
 void forgetHeldKeys();
 
-/// The key of the study that committed to it, if this program holds it or this station keeps it.
+/// The study's key with that commitment, if this program holds it or this station has stored it.
 /// @throws StorageError  if the station's own folder cannot be used.
 std::optional<BlindingSecret> keptKey(const std::string& commitment);
 
-/// Takes the key of a study from this station. @return  whether it was there
+/// Deletes the key of a study from this station. @return  whether it was there
 /// @throws StorageError
 bool dropKey(const std::string& commitment);
 
-/// Writes a key to a new file that its owner alone can read, to be handed over.
+/// Writes a key to a new file that only its owner can read, for use at another station.
 /// @throws StorageError
 void writeKeyFile(const std::string& path, const BlindingSecret& key, const std::string& title);
 
 /// @throws UserError  if it is no such file, or cannot be read.
 BlindingSecret readKeyFile(const std::string& path);
 
-/// What a study's passphrase opens, in study.db.
+/// Stores in study.db the key that the study's passphrase opens.
 void storeWrapped(Database& study, const WrappedKey& key);
 std::optional<WrappedKey> wrappedKeyIn(const Database& study);
 

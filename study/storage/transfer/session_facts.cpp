@@ -17,7 +17,7 @@ namespace {
 struct Table {
   std::string_view name;
   std::string_view columns;
-  std::string_view order;  ///< that makes two files give the same rows
+  std::string_view order;  ///< sort key, so that two files give the rows in the same order
 };
 
 // Of participant and session the columns are written out below: they refer to other tables. What
@@ -79,7 +79,7 @@ std::vector<std::pair<int, std::string>> openAllocation(const Database& study, S
   return conditions;
 }
 
-/// @param key  with which it is sealed here; nullptr: it is not
+/// @param key  seals the conditions in this file; nullptr: they are stored unsealed
 void addAllocation(
     Database& study, SessionId session, const SessionFacts& facts, const SealingKey* key) {
   Statement insert(
@@ -163,7 +163,7 @@ SessionFacts factsOf(const Database& study, SessionId session) {
       columns + ", protocol",
       session);
   onlyRow(facts, "session");
-  // In the open, whatever seals it in this file.
+  // Unsealed, also if it is sealed in this file.
   auto& allocation = facts["allocation"];
   for (const auto& [step, condition] : openAllocation(study, session)) {
     allocation.push_back({{"step", std::int64_t{step}}, {"condition", condition}});

@@ -46,7 +46,7 @@ void addFactsAs(
     const SealingKey* key,
     const std::set<VisitKey>& openTrials);
 
-/// How far the audit trail speaks of a session.
+/// The last event of a session in the audit trail.
 struct SessionMark {
   SessionId session{};
   std::string participant;  ///< code
@@ -54,7 +54,7 @@ struct SessionMark {
   std::string utc;  ///< of that event
 };
 
-/// Of all sessions, in the order of their numbers.
+/// One mark for each session, in the order of their numbers.
 std::vector<SessionMark> sessionMarks(const Database& study);
 
 }  // namespace study::storage
