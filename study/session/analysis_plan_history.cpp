@@ -60,8 +60,8 @@ class PlanTracker {
     }
   }
 
-  /// Lists the families of @p now that were not declared as they are now, and the changes to all
-  /// families.
+  /// Adds to @p history the families of @p now whose present form was not declared, and the changes
+  /// to all families.
   void finish(const AnalysisPlan& now, AnalysisPlanHistory& history) {
     for (const auto& family : now.families) {
       const bool isKept = isAlikeIn(declared_, now, family.id);
@@ -94,7 +94,8 @@ class PlanTracker {
 
   const AnalysisPlan& declared_;
   std::vector<FamilyChange> changes_;
-  /// Families that were not as declared in a version with which a live participant began.
+  /// Families that differed from the declared plan in a version with which a live participant
+  /// began.
   std::set<std::string> usedInOtherForm_;
 };
 

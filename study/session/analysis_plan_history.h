@@ -20,8 +20,9 @@ struct FamilyChange {
   std::vector<std::string_view> keys;  ///< Changed: the keys in the protocol whose values changed
   std::string version;                 ///< of the protocol, as its authors call it
   std::string addedUtc;                ///< when that version was added to the study, ISO 8601
-  /// Changed, Added: true if the family counts as declared because it was restored in time.
-  /// PutBack: true if no live participant had begun with a version in which the family differed.
+  /// Changed, Added: true if the family counts as declared all the same (see isDeclared()), because
+  /// it was restored in time. PutBack: true if no live participant had begun with a version in
+  /// which the family differed.
   bool isHarmless = false;
 };
 
@@ -31,7 +32,7 @@ struct AnalysisPlanHistory {
   std::size_t versionsSinceBegun = 0;   ///< of these, added after the first live participant had
                                         ///< begun
   std::vector<FamilyChange> changes;    ///< the oldest first
-  std::vector<std::string> undeclared;  ///< families that were not declared as they are now
+  std::vector<std::string> undeclared;  ///< families whose present form was not declared in time
 
   /// Whether the declared test of @p family is confirmatory. That is so if no live participant has
   /// begun yet, or if every version with which one began had the family as it is now. A family that

@@ -12,39 +12,40 @@ namespace study {
 struct Arrivals {
   std::int64_t all = 0;
   std::int64_t arrived = 0;
-  /// Since when the oldest that did not arrive waits: its last event; empty: none waits.
+  /// UTC of the last event of the oldest session that has not arrived; empty: all have arrived.
   std::string waitingSince;
 };
 
-/// Of a server that has all events up to @p event.
+/// The arrivals at a server that has all events up to @p event.
 Arrivals arrivalsBy(Study& study, std::int64_t event);
 
-/// What this account noted of its last push of a study, so that the desk can tell without a
+/// The result of the last push of a study, as this account noted it. The desk shows it without a
 /// network.
 struct NotedPush {
-  std::string utc;  ///< empty: it never pushed
+  std::string utc;  ///< of the push; empty: there was none
   std::int64_t have = 0;
-  std::string problem;  ///< why it did not succeed: the name of a refusal, or of a kind of problem;
-                        ///< empty: it did
+  std::string problem;  ///< name of the refusal or kind of error; empty: it succeeded
 };
 
 /// @param study, station  their uuids
 NotedPush lastPush(const std::string& study, const std::string& station);
-/// Does nothing if the account's list cannot be written: the server is asked anyway.
+/// Appends to the account's list. Does nothing if it cannot be written: the next push asks the
+/// server anyway.
 void notePush(const std::string& study, const std::string& station, const NotedPush& push) noexcept;
 
-/// What the server says of a session that this station erased.
+/// The server's confirmation that a session was erased there, too.
 struct ErasureReceipt {
   std::int64_t session = 0;
   std::string participant;
-  std::string utc;        ///< when it was erased there
-  std::int64_t left = 0;  ///< answers, samples and keys that are there all the same
+  std::string utc;        ///< when the server erased it
+  std::int64_t left = 0;  ///< answers, samples and keys that the server still has
 };
 
-/// Keeps a receipt in the account, once. Does nothing if the account's list cannot be written.
+/// Adds a receipt to the account's list, unless it is there. Does nothing if the list cannot be
+/// written.
 void noteReceipt(
     const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept;
-/// All that were kept, the oldest first.
+/// All receipts in the account's list, the oldest first.
 std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station);
 
 }  // namespace study

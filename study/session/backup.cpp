@@ -21,7 +21,7 @@ using storage::Database;
 using storage::StorageError;
 using Access = Database::Access;
 
-constexpr double kShareOfCopying = 0.6;  // of the time, estimated: verifying takes the rest
+constexpr double kShareOfCopying = 0.6;  // estimated share of the time; verifying takes the rest
 
 /// The three databases of a study, all as they were at the same moment.
 class Snapshot {
@@ -149,7 +149,8 @@ void refuseUnlessNew(const fs::path& from, const fs::path& target) {
   }
 }
 
-/// A copy is for another computer, where no program could give the leases back.
+/// Removes the leases: the copy may be used on another computer, where no program would give them
+/// back.
 void clearLeases(const fs::path& copy) {
   const auto file = StudyFiles{copy}.study();
   {
@@ -161,7 +162,8 @@ void clearLeases(const fs::path& copy) {
   storage::Lease::clear(study);
 }
 
-/// The copy has this event as well. A study that cannot be written is copied all the same.
+/// Notes the backup in the study before it is copied, so that the copy has this event, too. A study
+/// that cannot be written is copied without it.
 void noteBackup(const fs::path& from, const fs::path& target) {
   try {
     auto study = Study::open(from);

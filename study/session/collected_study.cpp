@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using storage::Database;
 using storage::Transaction;
 
-constexpr const char* kWaiting = "waiting.db";  ///< in the folder, until its trail is written
+/// File of the EventSpool in the folder, until the trail is written.
+constexpr const char* kWaiting = "waiting.db";
 
 Database made(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
@@ -119,7 +120,7 @@ void CollectedStudy::add(std::int64_t number, const storage::SessionFacts& facts
   if (row.state == SessionState::Erased) noteErasure(row);
 }
 
-/// So that no later opening erases once more what is gone.
+/// Records an erasure of a station as finished, so that Study::open() does not repeat it.
 void CollectedStudy::noteErasure(const storage::SessionRow& row) {
   storage::ErasureRepository erasures(files_->study);
   if (erasures.hasErasedAnswersOf(row.participant)) return;
@@ -178,7 +179,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
        .kind = EventKind::MadeStudy,
        .values = {{"study", protocolName_}, {"secret", secret_.commitment()}}});
   std::size_t place = 0;
-  std::optional<std::int64_t> session;  // whose key is known: its events come together
+  std::optional<std::int64_t> session;  // session of the key; events of a session are adjacent
   std::optional<storage::SealingKey> key;
   events_->forEach([&](const storage::StoredEvent& event) {
     if (event.session != session) {

@@ -20,8 +20,8 @@
 
 namespace study {
 
-/// One study put together of what its stations recorded: an ordinary folder, which can be verified,
-/// evaluated and exported. Its sessions cannot go on.
+/// Builds one study from the data that its stations recorded: an ordinary folder that can be
+/// verified, evaluated and exported. Its sessions cannot be continued.
 ///
 /// What tells conditions is sealed with the study's own key. Sessions get new numbers, and the
 /// audit trails of the stations follow one another in a trail of its own, whose first event says
@@ -32,7 +32,7 @@ class CollectedStudy {
   struct Origin {
     std::string uuid;
     std::uint64_t seed = 0;
-    storage::BlindingSecret secret;  ///< from which those of the stations are made
+    storage::BlindingSecret secret;  ///< the secrets of the stations are derived from it
     std::string createdUtc;
     std::vector<protocols::LoadedProtocol> protocols;  ///< all versions, the oldest first
   };
@@ -56,10 +56,10 @@ class CollectedStudy {
   /// @param chunk  in the open (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);
   void addKey(const std::string& participant, const storage::SealingKey& key);
-  /// Ends a station: its trail, after its sessions.
+  /// Adds the trail of a station, after all its sessions; ends this station.
   void add(const Trail& trail, std::vector<storage::StoredEvent> events);
 
-  /// Writes the trail, signs it, and gives the folder its name.
+  /// Writes and signs the trail, and renames the folder to its final name.
   /// @param reason  why it was collected
   void finish(const std::string& reason);
 
@@ -80,7 +80,8 @@ class CollectedStudy {
   std::size_t sessionCount_ = 0;
   std::vector<Trail> trails_;
   std::unique_ptr<storage::EventSpool> events_;  ///< with the sessions' new numbers
-  /// The place of the last event of each session, and of the stations themselves.
+  /// Index in events_ of the last event of each session; std::nullopt: of the last event without a
+  /// session.
   std::map<std::optional<std::int64_t>, std::size_t> lastOf_;
 };
 

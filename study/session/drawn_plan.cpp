@@ -13,9 +13,10 @@ namespace {
 
 using protocols::Protocol;
 
-// What may change parts is decided here alone and must stay as it is: sessions were drawn by it.
+// The rules of the permutation must never change, because the orders of existing sessions depend on
+// them.
 
-/// Conditions that are felt in the same blocks, by these blocks.
+/// Groups of conditions that are rendered in the same blocks, by the ids of these blocks.
 std::map<std::set<std::string>, std::vector<std::string>> conditionsByBlocks(
     const Protocol& protocol) {
   std::map<std::set<std::string>, std::vector<std::string>> groups;
@@ -37,7 +38,7 @@ bool hasFixedOrder(const Protocol& protocol, const std::set<std::string>& blocks
   });
 }
 
-/// Which condition takes the part of which.
+/// The permutation: the condition that replaces each condition of the seed's schedule.
 std::map<std::string, std::string> exchanged(
     const Protocol& protocol, const storage::BlindingSecret& secret, RunMode mode) {
   std::map<std::string, std::string> parts;
@@ -53,16 +54,17 @@ std::map<std::string, std::string> exchanged(
   return parts;
 }
 
-/// A station has only its own secret. A study that was collected has the one that all are made of.
+/// The secret for a session. A station has only its own; in a collected study it is derived from
+/// the study's secret.
 std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::SessionRow& row) {
   const auto* secret = study.secretFor(row.runMode);
   if (secret == nullptr) return std::nullopt;
   return study.isCollected() && !row.station.empty() ? secret->of(row.station) : *secret;
 }
 
-/// Each station draws from a seed of its own, and is balanced by itself. Without one it is the
-/// study's: a study of one machine draws as before there were stations.
-/// @param secret  of the station; nullptr: the seed alone says it
+/// The seed of a station's orders, so that each station is balanced by itself. Without a station it
+/// is the study's seed, as in releases without stations.
+/// @param secret  of the station; nullptr: the seed is derived from study's seed and label alone
 std::uint64_t seedAt(
     const std::string& station, std::uint64_t seed, const storage::BlindingSecret* secret) {
   if (station.empty()) return seed;
@@ -78,8 +80,8 @@ std::uint64_t seedAt(
   return drawn;
 }
 
-/// A station that says so when it is made. Earlier ones draw as they began; of a collected study it
-/// is not known which are.
+/// Whether the orders are drawn with the station's secret (kOrdersOfStation in its first event).
+/// True for a collected study, which does not record this of each station.
 bool hasOrdersOfItsSecret(Study& study) {
   if (study.isCollected()) return true;
   const auto made = study.events().madeStudy();
@@ -87,8 +89,8 @@ bool hasOrdersOfItsSecret(Study& study) {
       made.begin(), made.end(), [](const auto& value) { return value.first == kOrdersOfStation; });
 }
 
-/// @param isSecret  whether the seed of the station is drawn with its secret; not if the protocol
-///     promises that its seed draws all orders
+/// @param isSecret  whether the station's seed is derived with its secret; ignored if the protocol
+///     has a seed of its own
 protocols::Schedule scheduleOf(
     Study& study,
     const storage::SessionRow& row,

@@ -7,27 +7,28 @@
 
 namespace study {
 
-/// The steps of a session, as they were drawn for it.
+/// The steps of a session, with the conditions that were drawn for it.
 ///
 /// The seed draws a schedule for the session's place. In live and pilot sessions of a study with a
-/// secret, conditions then change parts: one that the seed calls "a" is everywhere "c", for all
-/// participants of that run mode. That keeps every design balanced, and hides from anyone who knows
-/// the seed what was felt. Conditions stay as the seed has them where the protocol itself promises
-/// which is which: with a seed of its own, with labels that stand for conditions, in blocks of a
-/// fixed order. They change parts only with conditions of the same blocks.
-/// @throws storage::StorageError  if the study's secret is not the one that it was made with, or is
-///     kept elsewhere.
+/// secret, conditions are then permuted: the secret replaces, for example, "a" by "c" in the
+/// schedules of all participants of that run mode. That keeps every design balanced, and hides the
+/// conditions from readers who know the seed. Only conditions of the same blocks are exchanged.
+/// They are not permuted if the protocol itself fixes them: by a seed of its own, by labels that
+/// stand for conditions, or in blocks with a fixed order.
+/// @throws storage::StorageError  if the secret is not the one of this study, or is not available
+///     here.
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row);
 
-/// A station draws with its secret, so that no other can compute its orders, and says so in the
-/// first event of its trail. The value's name there:
+/// A station draws its orders with its own secret, so that no other station can compute them. This
+/// value in the first event of its trail says so.
 inline constexpr const char* kOrdersOfStation = "orders";
 
-/// The steps as stations drew them that did not yet: from the study's seed, which all have.
+/// The steps as stations of earlier releases drew them: from the study's seed, which all stations
+/// have.
 std::vector<Step> planOfEarlierStation(Study& study, const storage::SessionRow& row);
 
-/// The same steps for those who only want to know where a session stands: without conditions and
-/// sets of items, which need the secret. @throws storage::StorageError
+/// The steps of a session without conditions and sets of items, which need the secret: to show its
+/// progress. @throws storage::StorageError
 std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row);
 
 }  // namespace study

@@ -23,7 +23,7 @@ using storage::Erasure;
 using storage::StationStore;
 using storage::StorageError;
 
-// Shorter texts stand in other people's answers, too.
+// Shorter texts occur in other people's answers, too, and are not searched for.
 constexpr std::size_t kShortestText = 8;  // [bytes]
 constexpr std::size_t kShortestName = 4;  // [bytes]
 
@@ -83,7 +83,7 @@ bool isSealed(Study& study, const std::string& participant) {
   });
 }
 
-/// Everyone real, by code.
+/// The codes of all participants who are not simulated.
 std::set<std::string> people(Study& study) {
   std::set<std::string> codes;
   for (const auto& row : study.sessions().all()) {
@@ -92,7 +92,7 @@ std::set<std::string> people(Study& study) {
   return codes;
 }
 
-/// Signs that the trail ends here, because it is sealed again now.
+/// Signs the present end of the trail, which is about to be sealed again.
 std::optional<storage::SignedHead> signedEnd(Study& study) {
   try {
     return storage::signHead(
@@ -101,21 +101,22 @@ std::optional<storage::SignedHead> signedEnd(Study& study) {
         nameOf(EventKind::ResealedTrail),
         asUtc(study.clock().now().wall));
   } catch (const StorageError&) {
-    return std::nullopt;  // signTrail() says so
+    return std::nullopt;  // signTrail() then notes HeadNotSigned
   }
 }
 
-/// For this station's list alone: it tells an older copy from the trail that was sealed again.
+/// Notes the last head of the unsealed trail in this station's list only: it distinguishes an older
+/// copy from the trail that was sealed again.
 void noteEnd(Study& study, const storage::SignedHead& head) {
   try {
     storage::noteHead(StationStore::findOrMake(StationStore::usualFolder()), head, study.folder());
   } catch (const StorageError&) {
-    return;  // what is signed of the new trail is noted all the same
+    return;  // the head of the new trail is noted all the same
   }
 }
 
 void sealTrailAgain(Study& study, const ErasureRequest& request) {
-  // What was changed before must not look sound afterwards.
+  // Data that were tampered with must not be sealed and then look sound.
   if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
     throw StorageError(
         "The audit trail is not sealed again, because the study is not sound: 'palpate study "
@@ -125,7 +126,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
   for (const auto& code : people(study)) {
     if (!study.identities().hasDrawnKeys(code)) {
       study.identities().drawKeys(code);
-    } else if (!isSealed(study, code)) {  // only the key of names was drawn, for a passphrase
+    } else if (!isSealed(study, code)) {  // setting a passphrase drew the Identity key only
       study.identities().drawMissingKey(Key::Content, code);
     }
   }
@@ -148,7 +149,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
   if (end) noteEnd(study, *end);
 }
 
-/// What operators typed, notes and reasons, in sessions of a participant and not in those of
+/// Texts that operators typed (notes, reasons) in sessions of a participant and in no session of
 /// others.
 std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   std::set<SessionId> theirs;
@@ -168,7 +169,7 @@ std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   return texts;
 }
 
-/// Everything that the participant wrote, and that was written about the participant.
+/// The texts by and about the participant that the erasure removes.
 storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   storage::ByteSearch search;
   if (erasesNames(request.level) && !study.identities().isLocked()) {
@@ -186,7 +187,8 @@ storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   return search;
 }
 
-/// Inside a transaction: the rows, and that it was done.
+/// Erases the rows and records the erasure, inside a transaction. @return the number of deleted
+/// answers
 std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
   std::int64_t answers = 0;
   const Moment now = study.clock().now();
@@ -210,7 +212,8 @@ std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
     }
   }
   study.events().append(erased);
-  // What the trail said of names that stay can be read no more: it is said again.
+  // Names that stay had their fingerprints in details that can no longer be opened: note these
+  // again.
   const auto kept =
       erasesNames(erasure.level) ? std::string() : fingerprintsOf(study, erasure.participant);
   if (!kept.empty()) {
@@ -230,7 +233,7 @@ storage::ListedErasure asListed(Study& study, const Erasure& erasure) {
       .utc = erasure.utc};
 }
 
-/// @return  why not; empty if it is listed
+/// @return  why the erasure could not be listed; empty if it is
 std::string listOnStation(const storage::ListedErasure& erasure) {
   try {
     storage::list(erasure);
@@ -240,7 +243,8 @@ std::string listOnStation(const storage::ListedErasure& erasure) {
   }
 }
 
-/// What is done in other files, as often as it takes.
+/// The part of an erasure outside of its transaction: keys, traces, bytes of files. May be repeated
+/// after an interruption.
 void finish(Study& study, const Erasure& erasure) {
   if (erasesNames(erasure.level)) study.identities().destroy(Key::Identity, erasure.participant);
   if (erasesAnswers(erasure.level)) {

@@ -31,7 +31,7 @@ bool isExportOf(const fs::path& folder, const std::string& uuid) {
   return false;
 }
 
-/// What says whose the export is goes last: if this is interrupted, it can be done again.
+/// Removes the files that name the study last, so that an interrupted removal can be repeated.
 void removeExport(const fs::path& folder) {
   const std::vector<fs::directory_entry> entries{fs::directory_iterator(folder), {}};
   for (const auto& entry : entries) {
@@ -85,7 +85,7 @@ void requireOwnFile(const fs::path& file, const std::vector<KnownCopy>& known) {
 /// @throws UserError  if it is not proved to be the study's
 void removeFile(const fs::path& file, const std::vector<KnownCopy>& known) {
   requireOwnFile(file, known);
-  fs::remove(fs::canonical(file));  // not only a link to it
+  fs::remove(fs::canonical(file));  // the file itself, if this is a link
 }
 
 /// @throws UserError  if it is no copy of the study
@@ -102,7 +102,7 @@ ErasedCopy eraseFrom(
     return copy;
   }
   if (!fs::exists(StudyFiles{folder}.study())) {
-    // An empty folder is one whose removal was interrupted last.
+    // An empty folder is left if a removal was interrupted at its end.
     if (!fs::is_empty(folder) && !isExportOf(folder, erasure.study)) {
       throw UserError(
           "It is neither a backup nor an export of this study. Public exports do not say whose "

@@ -26,7 +26,8 @@ std::string textOf(const storage::Event& event, std::string_view name) {
   return text == nullptr ? std::string() : *text;
 }
 
-/// What the audit trail says of identity.db: the fingerprint of each row, by its name.
+/// The rows that identity.db must have according to the audit trail: the fingerprint of each, by
+/// its name.
 class SaidOfIdentities {
  public:
   explicit SaidOfIdentities(Study& study) {
@@ -40,8 +41,8 @@ class SaidOfIdentities {
     return erased_.count(row.substr(0, row.find('/'))) > 0;
   }
 
-  /// Whether a session stands at the step of a row: what is missing there is noted when the session
-  /// goes on.
+  /// Whether the row belongs to the present step of an unfinished session. Its differences are
+  /// noted when the session is resumed.
   bool isUnderWay(const std::string& row) const {
     for (const auto& [id, session] : sessions_) {
       if (isOver(session.state)) continue;
@@ -83,7 +84,7 @@ class SaidOfIdentities {
   std::set<std::string> erased_;
 };
 
-/// The fingerprints of the rows that are there, by name.
+/// The fingerprints of the rows of identity.db, by name.
 std::map<std::string, std::string> presentRows(Study& study) {
   const auto secret = study.secretOfFingerprints();
   std::map<std::string, std::string> rows;
@@ -107,7 +108,7 @@ void compare(
   }
 }
 
-/// Notes the rows whose name begins with @p where.
+/// Notes the rows that differ from the trail and whose name begins with @p where.
 void noteRows(Study& study, const std::string& where) {
   if (!study.secretOfFingerprints()) return;
   const auto present = presentRows(study);

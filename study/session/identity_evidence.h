@@ -7,19 +7,19 @@
 
 namespace study {
 
-/// A keyed hash of a row of identity.db as it is stored, for the audit trail: it changes with the
-/// row, and says nothing of it to anyone without the study's secret. Empty if there is no such row,
-/// and in studies that have no secret.
+/// A keyed hash of a stored row of identity.db, for the audit trail: it changes with the row, and
+/// reveals nothing without the study's secret. Empty if there is no such row, and in studies that
+/// have no secret.
 std::string fingerprintOf(
     Study& study, const storage::IdentityStore::Place& place, const std::string& item);
 
-/// Notes in the audit trail what identity.db has and the trail does not know, of the step that a
-/// session stands at. The two are different files: a program that ended between their commits
-/// leaves them different.
+/// Notes in the audit trail how identity.db differs from the trail in the present step of a
+/// session. They are different files, so a program that ended between their commits leaves them
+/// different.
 void noteIdentities(Study& study, const storage::SessionRow& session);
 
-/// The fingerprints of what identity.db has of a participant, as the event NotedIdentities has
-/// them; empty if there is nothing.
+/// The fingerprints of a participant's rows in identity.db, in the format of the event
+/// NotedIdentities ("name=fingerprint …"); empty if there are no rows.
 std::string fingerprintsOf(Study& study, const std::string& participant);
 
 /// Compares identity.db with the audit trail, row by row.

@@ -6,15 +6,15 @@
 
 namespace study {
 
-/// The calibration that 'palpate recording calibrate' has written to @p file.
-/// @throws UserError  where it is wrong.
+/// Reads the calibration that 'palpate recording calibrate' wrote to @p file.
+/// @throws UserError  says where the file is wrong.
 haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
 
-/// A recording of the punch's recorder; or, with a columns file, of another laboratory. A
-/// calibration file that the columns file names lies beside it.
+/// Reads a recording of the punch's recorder; or, with a columns file, of another laboratory. A
+/// calibration file that the columns file names is in the same folder.
 ///
-/// @param columns  a columns file; empty: the recorder's five columns.
-/// @throws UserError  where the columns file, the calibration file or the recording is wrong.
+/// @param columns  path of a columns file; empty: the recorder's five columns.
+/// @throws UserError  says where the columns file, the calibration file or the recording is wrong.
 haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
 
 /// Imports a cut under a name that a protocol can use.
@@ -26,11 +26,11 @@ haptics::recordings::ImportedCut importRecording(
 /// limited for the device.
 haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording);
 
-/// A shipped protocol of the punch, as text, with the cut file @p file in place of the synthetic
-/// cut; its title names the cut recorded.
+/// The text of a shipped protocol of the punch, with the cut file @p file in place of the synthetic
+/// cut; its title calls the cut recorded.
 std::string withRecordedCut(std::string protocol, const std::string& file);
 
-/// The cut file, with the SHA-256 of the recording that it was made from.
+/// The text of the cut file, with the SHA-256 of the recording file that it was made from.
 std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut);
 
 }  // namespace study

@@ -19,7 +19,7 @@ using storage::SlotState;
 using storage::StorageError;
 using storage::VisitStatus;
 
-constexpr double kClockSlack = 2.0;  // [s]: clocks do not drift by more; somebody set the clock
+constexpr double kClockSlack = 2.0;  // [s]: more is no drift: the clock was set
 
 [[noreturn]] void refuseDamaged(const std::string& what) {
   throw StorageError(
@@ -61,7 +61,7 @@ void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
 }
 
-/// Sessions of a study that was collected go on where they were begun.
+/// Sessions of a collected study can be continued at their stations only.
 void requireOwnSessions(const Study& study) {
   if (!study.isCollected()) return;
   throw UserError(
@@ -76,8 +76,8 @@ std::string codeAt(const Station& station, const std::string& code) {
   return station.label + "_" + code;
 }
 
-/// Draws the keys of a new participant. One of an older release, who comes again, has none until
-/// the trail is sealed again: the trail of one person is not sealed in parts.
+/// Draws the keys of a new participant. A returning participant of an older release gets none until
+/// the trail is sealed again, because a person's events are sealed all or not at all.
 void prepareFor(Study& study, const SessionRow& row) {
   if (storage::ErasureRepository(study.database()).hasErasedAnswersOf(row.participant)) {
     throw UserError(
@@ -102,13 +102,13 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   return plan;
 }
 
-/// When something was stored of the session for the last time, on clocks that can be compared with
-/// those of now. Only the computer on which a program crashed, and only until it is restarted, has
-/// the same monotonic clock. Elsewhere the time since is what the wall clocks say, and nothing if
-/// they go back.
+/// When the session last stored something, on clocks that can be compared with the present ones.
+/// The monotonic clock is the same only on the computer on which the program ended, until it is
+/// restarted. Otherwise the time since then is taken from the wall clocks, and is 0 if these go
+/// back.
 std::optional<Moment> lastMomentOf(
     Study& study, const SessionRow& row, const std::optional<storage::Lease::Holder>& holder) {
-  if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is made up anyway
+  if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is simulated
   const auto events = study.events().read(row.id);
   if (events.empty()) return std::nullopt;
   Moment last = events.back().when;
@@ -170,7 +170,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
         id,
         asUtc(study.clock().now().wall),
         takeOver.empty() ? From::EndedPrograms : From::OtherComputersToo);
-    row = study.sessions().load(id);  // read again: only now can no other program change it
+    row = study.sessions().load(id);  // read again: with the lease, no other program can change it
     transaction.commit();
   });
   auto plan = drawnPlan(study, row);
@@ -248,7 +248,7 @@ void Session::transact(const std::function<void()>& action) {
       action();
       study_.sessions().update(row_);
       for (const auto& event : pendingEvents_) study_.events().append(event);
-      // Simulated sessions can be made again from their seed, and are signed together.
+      // Simulated sessions can be reproduced from their seed, and are not signed one by one.
       const bool isSigned = isOver() && runMode() != RunMode::Simulated && !pendingEvents_.empty();
       if (isSigned) study_.signTrail(pendingEvents_.back().name());
     });

@@ -83,8 +83,8 @@ class Session {
   void recordBenchmarkCuts(int cuts);
   int benchmarkCuts() const;
 
-  /// Goes on to the next step. After the consent step the answers decide between consent and
-  /// refusal.
+  /// Finishes this step and moves to the next one. In the consent step the answers decide between
+  /// consent and refusal.
   /// @throws UserError  if something required is missing, or this is a trial.
   void finishStep();
 
@@ -160,7 +160,7 @@ class Session {
 bool allows(
     SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept;
 
-/// Whether the step before is never repeated: there is none, or it is the consent form.
+/// Whether repeatStep() cannot go back a step: there is none before, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept;
 
 }  // namespace study

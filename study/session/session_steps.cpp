@@ -121,7 +121,7 @@ void Session::keepTrial(const TrialRecord& record) {
   }
 }
 
-/// The record of a trial that no longer runs, from its stored trace alone.
+/// The record of a trial of a program that has ended: only the number of stored samples is known.
 TrialRecord Session::abortedRecord(TrialEnding ending) {
   TrialRecord record{.ending = ending};
   record.traceSamples = study_.traces().sampleCount(visit());

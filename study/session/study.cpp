@@ -137,7 +137,7 @@ void Study::findKey() noexcept {
     if (held) identities_.database().giveKey(*held);
     readSecret();
   } catch (const std::exception&) {
-    return;  // much can be done without it; secretFor() says what is missing where it is needed
+    return;  // much can be done without the key; secretFor() reports it when it is needed
   }
 }
 
@@ -219,8 +219,8 @@ void Study::copyForms() {
       try {
         copied += protocols().addForms(id, protocol(id).files);
       } catch (const StorageError& error) {
-        // The program's library has a form no more, or reads the protocol in another way: a later
-        // release may read it.
+        // The library of this program lacks a form, or this release cannot read the protocol; a
+        // later one may.
         if (error.kind() != StorageError::Kind::Damaged) throw;
       }
     }
@@ -303,7 +303,8 @@ void Study::transact(const std::function<void()>& action) {
       if (!isEventStored(head)) throw;
     }
   });
-  // What cannot be noted now is vouched for by the next head; verify() says how many are missing.
+  // A head that cannot be noted now is covered by the next one; verify() reports how many are
+  // missing in the list.
   signer_.noteSigned();
 }
 

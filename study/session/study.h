@@ -31,12 +31,11 @@ class Study {
  public:
   /// Makes a new folder.
   /// @throws storage::StorageError  if it exists already, or cannot be written.
-  /// @param seed  of everything that is drawn; if there is none, the protocol's, or else a random
-  ///     one.
-  /// @param secret  of its blinding; if there is none, a random one. Tests give one, to know codes
-  ///     and orders beforehand, and the enrolment of a station does.
+  /// @param seed  of all random draws; std::nullopt: the protocol's seed, or a random one.
+  /// @param secret  of its blinding; std::nullopt: a random one. The enrolment of a station gives
+  ///     one; tests do, to know codes and orders beforehand.
   /// @param station  where its sessions take place; none: a study of one machine.
-  /// @param uuid  its permanent name; empty: from secret, seed and protocol
+  /// @param uuid  its permanent name; empty: derived from secret, seed and protocol
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
@@ -46,13 +45,13 @@ class Study {
       const Station& station = {},
       const std::string& uuid = {});
 
-  /// Opens an existing folder. Goes on with an erasure that was interrupted, also if the folder is
-  /// only to be read. @throws storage::StorageError
+  /// Opens an existing folder. Finishes interrupted erasures first, also with Access::ReadOnly.
+  /// @throws storage::StorageError
   static Study open(
       const std::filesystem::path& folder,
       Clock& clock,
       storage::Database::Access access = storage::Database::Access::ReadWrite);
-  /// The same with the clocks of this computer.
+  /// As above, with the clocks of this computer.
   static Study open(
       const std::filesystem::path& folder,
       storage::Database::Access access = storage::Database::Access::ReadWrite);
@@ -61,45 +60,47 @@ class Study {
   const std::string& uuid() const noexcept { return uuid_; }
   std::uint64_t seed() const noexcept { return seed_; }
 
-  /// What hides the conditions of that run mode: nullptr for simulated sessions, which have nothing
-  /// to hide and can be made again from the seed, and in studies that an older release made.
-  /// @throws storage::StorageError  if it is not the secret that the study was made with, or if it
-  ///     is kept elsewhere; then with what to do.
+  /// The secret that hides the conditions of that run mode; nullptr for simulated sessions, which
+  /// need no blinding, and in studies of release 0.1.
+  /// @throws storage::StorageError  if it is not the secret of this study, or if it is not
+  ///     available here; what() says what to do.
   const storage::BlindingSecret* secretFor(RunMode mode);
 
   /// Whether the conditions of live and pilot sessions are sealed with a key that is not in the
   /// study's folder (docs/decisions/0049).
   bool isSealed() const noexcept { return isSealed_; }
 
-  /// Whether sealed conditions can be read: this station keeps the key, or it was given.
+  /// Whether sealed conditions can be read: this station has the key, or unlock() or useKey() gave
+  /// it.
   bool hasKey() const noexcept { return database_.key() != nullptr; }
 
   /// Whether a passphrase opens the key.
   bool hasPassphrase() const { return storage::wrappedKeyIn(database_).has_value(); }
 
-  /// Opens the key with the passphrase, for this program until it ends. @return false if it is
-  /// another one
+  /// Opens the study's key with the passphrase; this program holds it until it ends. @return false
+  /// if the passphrase is wrong
   bool unlock(const std::string& passphrase);
 
-  /// Goes on with a key that was handed over. @throws UserError  if it is that of another study.
+  /// Uses an exported key. @throws UserError  if it is the key of another study.
   void useKey(const storage::BlindingSecret& key);
 
-  /// Opens the key of names with their passphrase, for this program until it ends
-  /// (docs/decisions/0062). @return false if it is another one
+  /// Opens the key of names with their passphrase; this program holds it until it ends
+  /// (docs/decisions/0062). @return false if the passphrase is wrong
   bool unlockNames(const std::string& passphrase);
 
-  /// What the fingerprints of identity.db in the audit trail are made with; std::nullopt in studies
+  /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt in studies
   /// that have none. @throws storage::StorageError
   std::optional<storage::BlindingSecret> secretOfFingerprints();
 
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
 
-  /// Where its sessions take place; none in a study of one machine, and in one that was collected.
+  /// The station where its sessions take place; Station::isNone() in a study of one machine and in
+  /// a collected study.
   const Station& station() const noexcept { return station_; }
 
-  /// Whether it was put together of what several stations sent. It can be evaluated and exported;
-  /// its sessions go on at their stations.
+  /// Whether it was collected from several stations (CollectedStudy). It can be evaluated and
+  /// exported; its sessions can be continued at their stations only.
   bool isCollected() const noexcept { return isCollected_; }
 
   /// The protocol that new sessions use, and the one of a given version.
@@ -132,15 +133,15 @@ class Study {
   ///     where it may have.
   void transact(const std::function<void()>& action);
 
-  /// Signs the audit trail with the key of this station: the last change in the action of
-  /// transact(). @param purpose  name of the event's kind that is signed for
+  /// Signs the audit trail with the key of this station. Must be the last change in the action of
+  /// transact(). @param purpose  name of the kind of the event that causes the signature
   void signTrail(std::string_view purpose);
 
   /// Whether it was opened for writing.
   bool isWritable() const noexcept { return isWritable_; }
 
-  /// Appends an event that belongs to no session, an export or an unblinding, and signs the audit
-  /// trail with it.
+  /// Appends an event without a session, such as an export or an unblinding, in a transaction of
+  /// its own, and signs the audit trail.
   void note(EventKind kind, const std::string& words);
   void note(storage::Event event);
 
@@ -176,7 +177,7 @@ class Study {
   std::optional<storage::BlindingSecret> secret_;
 };
 
-/// A random seed that JSON files and scripts can hold exactly.
+/// A random seed below 2^53, so that JSON files and scripts can hold it exactly.
 std::uint64_t drawnSeed();
 
 /// The version of this program, as stored with every session.

@@ -60,8 +60,8 @@ void begin(
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
   storage::IdentityStore identities(Database::create(files.identity(), storage::identitySchema()));
-  // Nobody is kept blind: then everybody may have the secret. Else the station has it, before there
-  // is a study that needs it.
+  // Without blinding, the secret may be in the study's folder. Otherwise the station stores it,
+  // before there is a study that needs it.
   if (protocol.protocol.isBlindingOpen) {
     identities.put(secret);
   } else {

@@ -35,7 +35,7 @@ void requireLong(const std::string& passphrase) {
   }
 }
 
-/// What was changed before must not look sound when it is sealed.
+/// Names that were tampered with must not be sealed and then look sound.
 void requireSoundNames(Study& study) {
   auto& identities = study.identities();
   if (!identities.hasUnsealedNames()) return;
@@ -46,8 +46,8 @@ void requireSoundNames(Study& study) {
       storage::StorageError::Kind::Damaged);
 }
 
-/// An older release kept names in the open, without keys. What it wrote into the trail stays as it
-/// is: no name is in it.
+/// Draws missing Identity keys and seals names that an older release stored unsealed. The trail
+/// stays as it is: it has no names.
 void sealNamesOfOlderReleases(Study& study) {
   auto& identities = study.identities();
   for (const auto& row : study.sessions().all()) {
@@ -125,7 +125,7 @@ void setPassphraseOfNames(
   const auto wrapped = storage::WrappedKey::make(key.bytes(), passphrase, cost);
   study.note(EventKind::SealedNames, reason);
   study.withReservedSpace([&] {
-    // What is replaced is overwritten with zeros, in the file.
+    // SQLite then overwrites replaced content of the file with zeros.
     database.execute("PRAGMA secure_delete = ON");
     sealNamesOfOlderReleases(study);
     storage::Transaction transaction(database);

@@ -37,7 +37,7 @@ void noteReport(
     if (study.isWritable()) return study.note(event);
     Study::open(study.folder(), study.clock()).note(event);
   } catch (const storage::StorageError&) {
-    return;  // as of an export: a full disk must not keep data from being rescued
+    return;  // a full disk must not keep data from being rescued (as for exports)
   }
 }
 

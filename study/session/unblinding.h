@@ -10,19 +10,19 @@
 
 namespace study {
 
-/// Results that name conditions unblind the reader. If real people took part, the reason is written
-/// to the audit trail before anything is shown, also of pilots, whose conditions are sealed as
-/// those of live sessions are. Simulated sessions and studies whose protocol has no blinding need
-/// no reason, and nothing is written.
+/// Results that name conditions unblind the reader. For live and pilot sessions the reason is
+/// written to the audit trail before anything is shown. Simulated sessions and studies whose
+/// protocol has no blinding need no reason, and nothing is written.
 /// @param kind  UnblindedReport or UnblindedResults
-/// @throws storage::StorageError  in words, if sessions of people are shown without a reason.
+/// @throws storage::StorageError  if sessions of people are shown without a reason.
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
 
-/// Notes where a report or its figures are written, before they are: they tell what participants
-/// answered and wrote, and an erasure lists them (knownCopies()). Of simulated sessions nothing is
-/// noted. A study that cannot be written is reported on all the same.
+/// Notes in the audit trail where a report or its figures will be written. They contain answers and
+/// texts of participants, so an erasure lists them (knownCopies()). Nothing is noted for simulated
+/// sessions. Does nothing if the study cannot be written.
 /// @param how  "report" or "figures"
-/// @param content  of the file, so that an erasure deletes this one only; empty: it is a folder
+/// @param content  of the file, for a fingerprint: an erasure deletes only a file with this
+///     content; empty: @p path is a folder
 void noteReport(
     Study& study,
     RunMode mode,
@@ -30,9 +30,9 @@ void noteReport(
     const std::filesystem::path& path,
     std::string_view content = {});
 
-/// A hash of a file that the study writes. It is made with the study's key if conditions are
-/// sealed: otherwise who has the audit trail and no key could compute the report of each possible
-/// order, and know the true one by its hash.
+/// A hash of a file that the program writes, keyed with the study's key if conditions are sealed.
+/// With an unkeyed hash, readers of the audit trail could compute the report of each possible order
+/// and recognise the true one.
 std::string fingerprintOf(Study& study, std::string_view content);
 
 /// How a study must be opened for noteUnblinding().

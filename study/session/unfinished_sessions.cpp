@@ -8,7 +8,7 @@
 namespace study {
 namespace {
 
-/// A step in words for the operator: the label of the alternative, never its condition.
+/// A step as text for the operator: with the label of the alternative, never its condition.
 std::string placeOf(const Step& step, const protocols::Labels& labels) {
   const bool hasLabel = step.kind == StepKind::Trial || step.kind == StepKind::Questionnaire;
   if (!hasLabel) return step.phase;
@@ -16,7 +16,8 @@ std::string placeOf(const Step& step, const protocols::Labels& labels) {
   return step.phase + (step.kind == StepKind::Trial ? ": " : ": questions on ") + label;
 }
 
-/// What the operator does with @p event in @p state; std::nullopt if the participant does it.
+/// The sentence that offers the operator @p event in @p state; std::nullopt if the participant
+/// causes the event.
 std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
   const bool isBroken = state == SessionState::Interrupted;
   switch (event) {

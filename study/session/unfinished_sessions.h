@@ -26,14 +26,14 @@ struct UnfinishedSession {
   std::vector<std::string> choices;  ///< the possible actions, one sentence each; never empty
 
   bool isOpenElsewhere() const noexcept { return holder && holder->isAlive; }
-  /// Whether it is open on another computer: nobody can see from here whether that is gone.
+  /// Whether it is open on another computer, of which this one cannot tell whether it still runs.
   bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isHere; }
 };
 
 /// All unfinished sessions of a study, the oldest first. Changes nothing.
 std::vector<UnfinishedSession> unfinishedSessions(Study& study);
 
-/// The reason why it is unfinished, one sentence.
+/// Why the session is unfinished: one sentence.
 std::string whatHappened(const UnfinishedSession& session);
 
 /// Participant, step and reason: "P003 (live) is in step 5 of 23 …".

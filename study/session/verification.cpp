@@ -26,7 +26,8 @@ namespace {
 using Problems = std::vector<std::string>;
 
 constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
-constexpr double kShareBeforeTraces = 0.2;  // of the time, estimated: reading traces takes the rest
+// estimated share of the time; reading traces takes the rest
+constexpr double kShareBeforeTraces = 0.2;
 
 std::string nameOf(const VisitKey& visit) {
   return "session " + std::to_string(static_cast<std::int64_t>(visit.session)) + ", step " +
@@ -80,7 +81,7 @@ std::vector<std::string> remarksOn(Study& study) {
   }
 }
 
-/// Whether the files are whole; its remarks say who may read them.
+/// Checks that the files are undamaged; remarks say who else may read them.
 storage::Findings filesAndRights(Study& study) {
   storage::Findings findings{.problems = files(study)};
   if (auto remark = describeOtherAccess(study.folder()); !remark.empty()) {
@@ -127,7 +128,7 @@ Problems contents(Study& study) {
   return problems;
 }
 
-/// Without conditions: they are compared where the key is.
+/// Leaves conditions out, so that no key is needed. orders() checks them.
 storage::Records recordsOf(Study& study) {
   return storage::Records(study.database(), storage::Records::Conditions::LeftOut);
 }
@@ -207,7 +208,8 @@ storage::Findings orders(Study& study) {
   storage::Findings findings;
   const bool canRead = !study.isSealed() || study.hasKey();
   if (canRead) {
-    study.secretFor(RunMode::Live);  // throws where it is lost or another, even before a session
+    // throws if the secret is lost or wrong, even without a session
+    study.secretFor(RunMode::Live);
   } else {
     findings.remarks.push_back(
         "those of live and pilot sessions are sealed, and this account has not the key: that they "
@@ -215,7 +217,8 @@ storage::Findings orders(Study& study) {
   }
   for (const auto& row : study.sessions().all()) {
     if (study.isSealed() && row.runMode != RunMode::Simulated) {
-      // Nobody seals without the key: it was simulated, and somebody says that it was not.
+      // Without the key, a simulated session can be relabelled as live, but its order cannot be
+      // sealed.
       if (!study.sessions().isSealed(row.id)) {
         findings.problems.push_back("the order of " + row.participant + " is not sealed");
         continue;
@@ -281,7 +284,8 @@ Problems traces(Study& study, const Progress& progress) {
   return problems;
 }
 
-/// While it exists, the study's connections see its three files as they were at one moment.
+/// While this object exists, the study's connections see its three files in the state of one
+/// moment.
 class OneMoment {
  public:
   explicit OneMoment(Study& study)
@@ -303,8 +307,8 @@ class OneMoment {
  private:
   static constexpr int kMostTries = 1000;
 
-  /// Answers and traces are in different files. What belongs together ends with an event in
-  /// study.db: if there is no new one after the last snapshot, all are of one moment.
+  /// Takes a snapshot of each file. Every change ends with an event in study.db: if there is no new
+  /// event after the last snapshot, all snapshots are of one moment.
   bool isTaken(Study& study) {
     try {
       for (auto* database : databases_) database->beginSnapshot();
@@ -314,7 +318,7 @@ class OneMoment {
           storage::Database::Access::ReadOnly);
       return storage::EventLog(study.database()).last() == storage::EventLog(now).last();
     } catch (const storage::StorageError&) {
-      return true;  // a damaged file: the checks say of each what is wrong
+      return true;  // a damaged file: the checks report it
     }
   }
 
