@@ -29,7 +29,7 @@ const protocols::ConditionQuestionnaire* questionnaireIn(
   return nullptr;
 }
 
-/// What one person answered in one visit.
+/// The answers of one person in one visit.
 struct AnsweredForm {
   OwnedAnswer first;
   std::vector<questionnaires::Answer> answers;

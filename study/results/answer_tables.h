@@ -17,16 +17,16 @@ struct OwnedAnswer {
   const storage::AnswerRecord* record = nullptr;
 };
 
-/// A point or a number that was answered; std::nullopt for options and texts.
+/// The value of a point or a number; std::nullopt for options and texts.
 std::optional<double> numberOf(const questionnaires::Response& response);
 
 /// The conditions that a family compares, in the protocol's order.
 std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family);
 
-/// Which answers a family compares, and their cells in its table. Methods are the conditions that
-/// it compares, rounds the blocks that ask its instrument, statements the items that it compares,
-/// or its score. The protocol must outlive it.
+/// Determines which answers a family compares, and their cells in its table. The table's methods
+/// are the compared conditions, its rounds the blocks that ask the family's instrument, its
+/// statements the compared items or the score. The protocol must outlive this object.
 class FamilyLayout {
  public:
   FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
@@ -60,8 +60,9 @@ class FamilyLayout {
   analysis::AnswerTable table_;
 };
 
-/// The answers to a family's instrument in questionnaires (see FamilyLayout); of a score one for
-/// each form that gives it. The participants are @p people, whether or not they answered anything.
+/// The table of a family's answers (see FamilyLayout); for a score, one value for each form from
+/// which it can be computed. The table's participants are @p people, whether or not they answered
+/// anything.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
@@ -74,7 +75,7 @@ std::vector<std::size_t> expectedAnswers(
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
-/// Indices of the statements that compare with the condition before.
+/// Indices of the statements that compare a condition with the previous one.
 std::vector<std::size_t> relativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

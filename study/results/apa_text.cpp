@@ -16,7 +16,7 @@ std::string freedom(double df) {
   return df == std::floor(df) ? fmt::format("{:.0f}", df) : fmt::format("{:.2f}", df);
 }
 
-/// Larger values are written as powers of ten.
+/// A limit with two decimals; from 1e5 in exponent notation.
 std::string limitInWords(double value) {
   constexpr double kLong = 1e5;
   return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
@@ -120,7 +120,7 @@ class ApaWriter {
     return line;
   }
 
-  /// The sentence of a test without a sentence of its own.
+  /// The sentence of a test that has no special sentence above.
   std::string other(const analysis::TestRow& test, const protocols::Family& family) const {
     const auto title = w_(analysis::statisticalTest(test.id).title);
     if (!test.reason.empty() && !test.p) return title + ": " + w_(test.reason);
@@ -172,7 +172,8 @@ class ApaWriter {
     return study::intervalInWords(interval, wording_, w_);
   }
 
-  /// In brackets: those of APA's interval are its own.
+  /// An interval in brackets: APA's square brackets, or round ones around Vancouver's "0.41 to
+  /// 2.42".
   std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
     const auto words = intervalInWords(interval);
     return wording_ == Wording::Vancouver && interval ? "(" + words + ")" : words;

@@ -14,14 +14,13 @@ namespace study {
 /// infinite. All tables and figures use this function, so that they agree.
 std::string rounded(const std::optional<double>& value, int digits);
 
-/// A Bayes factor to three digits; "> 1000" above, where larger values are not told apart.
+/// A Bayes factor with three significant digits; "> 1000" for all larger values.
 std::string evidenceInWords(double bayesFactor);
 
-/// The part after a letter and its equals sign: "= .021"; "< .001" and "> 1000" keep their own
-/// sign.
+/// @p number with its relation sign: "= .021"; "< .001" and "> 1000" keep their own.
 std::string equalsInWords(const std::string& number);
 
-/// "[0.41, 2.42]"; "–" if there is none.
+/// "[0.41, 2.42]"; "–" if there is no interval.
 std::string intervalInWords(const std::optional<analysis::Interval>& interval);
 
 /// How sentences write numbers: "p = .021, [0.41, 2.42]" as the APA asks (7th edition), or "P =
@@ -31,7 +30,7 @@ enum class Wording { Apa, Vancouver };
 /// A p value: ".021", "< .001"; "0.021", "< 0.001"; "–" if there is none.
 std::string pInWords(const std::optional<double>& p, Wording wording = Wording::Apa);
 
-/// Of "apa" and "vancouver".
+/// The wording named "apa" or "vancouver".
 Wording wordingNamed(std::string_view name) noexcept;
 
 /// "p = .021", "p_Holm < .001"; "P = 0.021", "P_Holm < 0.001".
@@ -40,19 +39,20 @@ std::string pEquals(
     std::string_view correction = {},
     Wording wording = Wording::Apa);
 
-/// "[0.41, 2.42]"; "0.41 to 2.42".
+/// "[0.41, 2.42]" (Apa); "0.41 to 2.42" (Vancouver).
 std::string intervalInWords(
     const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words);
 
 /// The subscript of p: "Holm", "Bonferroni"; empty for none.
 std::string_view nameOf(protocols::CorrectionType correction) noexcept;
 
-/// What a family declares, in words: "paired t-test of participants' means, Holm correction".
+/// A family's declared test and correction: "paired t-test of participants' means, Holm
+/// correction".
 std::string declaredInWords(const protocols::Family& family, const words::Words& words = {});
 
-/// A comparison within people: a line for the paired t-test, one for the
-/// exact tests, and one each for the mixed models and for equivalence if there are any. A result
-/// that is not defined is given with its reason.
+/// A comparison within people: a line for the paired t-test, one for the exact tests, and one each
+/// for the mixed models and for equivalence if there are any. An undefined result is given with the
+/// reason.
 std::vector<std::string> apaLines(
     const analysis::WithinComparison& row,
     const protocols::Family& family,

@@ -8,8 +8,8 @@
 
 namespace study {
 
-/// How often every condition is at every position, and directly after every other, if so many of a
-/// cohort take part: a few lines for each block of a valid protocol.
+/// How often each condition is at each position, and directly after each other one, if @p
+/// participants of a cohort take part: a few lines for each block. The protocol must be valid.
 std::string balanceInWords(
     const protocols::Protocol& protocol, std::size_t participants, std::uint64_t seed);
 

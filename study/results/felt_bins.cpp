@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kBins = 80;                // over the device's whole travel
 constexpr double kOwnSpeed = 0.95;       // quantile of speeds that is taken for the hand's speed
-constexpr double kShareOfOwn = 0.1;      // of that speed: slower samples may be at rest
-constexpr double kSlowestStroke = 16.0;  // [s] over the whole travel: faster is never at rest
+constexpr double kShareOfOwn = 0.1;      // threshold as a share of that speed
+constexpr double kSlowestStroke = 16.0;  // [s] over the whole travel: largest threshold
 
 using haptics::engine::TickSample;
 
@@ -64,7 +64,8 @@ FeltBins::FeltBins(
 void FeltBins::add(std::span<const storage::TraceSample> samples) {
   const double closing = std::min(closing_, kShareOfOwn * ownSpeed(samples));
   Stroke stroke;
-  const storage::TraceSample* before = nullptr;  // the sample before, if the tool closed in it
+  // the previous sample, if the tool was closing there
+  const storage::TraceSample* before = nullptr;
   for (const auto& sample : samples) {
     const auto velocity = static_cast<double>(sample.velocity);
     const bool closes = isFelt(sample) && velocity > 0.0 && velocity >= closing;

@@ -13,15 +13,16 @@
 
 namespace study {
 
-/// Forces while a tool closes or advances, in bins of travel: each an eightieth of the device's
-/// travel. Each stroke counts once in each bin that it passed, with its own median there, however
-/// fast it was. Where it passed a bin between two samples, the force is on the line between them.
+/// Forces while a tool closes or advances, in bins of travel, each 1/80 of the device's travel.
+/// Each stroke counts once in each bin that it passed, with the median of its forces there,
+/// regardless of its speed. In a bin without a sample, the force is interpolated linearly between
+/// the two nearest samples.
 ///
 /// A sample counts as closing if the tool is faster than a threshold. The threshold is a tenth of
-/// the hand's own closing speed in that trial (the 95th percentile of its samples that close
-/// against a force), or a sixteenth of the device's travel per second, whichever is slower. Reaming
-/// at 0.01 mm/s, as in the measurements, therefore counts as well as a stroke of 30 mm/s; a hand at
-/// rest does not.
+/// the hand's own closing speed in that trial (the 95th percentile of the speeds of samples that
+/// close against a force), or a sixteenth of the device's travel per second, whichever is slower.
+/// Therefore both reaming at 0.01 mm/s, as in the measurements, and a stroke of 30 mm/s count as
+/// closing; a hand at rest does not.
 class FeltBins {
  public:
   /// Bins over the device's travel, or over the data of @p scene if these reach farther.
@@ -30,10 +31,10 @@ class FeltBins {
   /// Adds the strokes of a trial; samples without a force are left out.
   void add(std::span<const storage::TraceSample> samples);
 
-  /// The median over strokes in every bin that one passed [N].
+  /// The median over strokes in every bin that a stroke passed, by bin [N].
   std::map<int, double> medians();
 
-  /// The same bins, with percentiles over strokes.
+  /// The same bins with 10th and 90th percentiles over strokes.
   std::vector<FeltCurve::Point> points();
 
  private:
@@ -46,7 +47,7 @@ class FeltBins {
   void endStroke(Stroke& stroke);
 
   double width_;                            ///< [device's travel unit]
-  double closing_;                          ///< threshold; this is its largest value [unit/s]
+  double closing_;                          ///< largest value of the closing threshold [unit/s]
   std::vector<std::vector<float>> forces_;  ///< of each stroke, by bin [N]
 };
 

@@ -15,8 +15,8 @@
 namespace study {
 namespace {
 
-/// The intended force of a bone at the travel of each point: its curve, or its spheres before any
-/// is removed, without jitter. Empty if the force depends on more than travel.
+/// The intended force of a bone at the travel of each point [N]: its force curve, or its spheres
+/// before any is removed, without jitter. Empty if the force depends on more than travel.
 std::vector<double> intendedForces(
     const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
   const auto model = haptics::engine::undisturbed(felt);
@@ -40,7 +40,7 @@ std::vector<double> intendedForces(
 
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   const storage::Records records(study.database());
-  std::map<SessionId, std::string> counted;  // and whose trials these are
+  std::map<SessionId, std::string> counted;  // completed sessions and their participants
   for (const auto& session : records.sessions()) {
     if (session.runMode == mode && session.isCompleted())
       counted.emplace(session.id, session.participant);
@@ -100,7 +100,7 @@ std::set<int> binsOfBoth(const Medians& a, const Medians& b) {
   return bins;
 }
 
-/// The root mean square difference over @p bins, which are of both; std::nullopt if there is none.
+/// The root mean square difference over @p bins, which both have; std::nullopt if there are none.
 std::optional<double> rmsDifference(const Medians& a, const Medians& b, const std::set<int>& bins) {
   if (bins.empty()) return std::nullopt;
   double sum = 0.0;
@@ -111,7 +111,7 @@ std::optional<double> rmsDifference(const Medians& a, const Medians& b, const st
   return std::sqrt(sum / static_cast<double>(bins.size()));
 }
 
-/// The medians of everyone who passed some travel with both alternatives.
+/// The medians of each participant who passed a common bin with both alternatives.
 std::vector<std::pair<const Medians*, const Medians*>> pairsOf(
     const FeltCurve& a, const FeltCurve& b) {
   std::vector<std::pair<const Medians*, const Medians*>> pairs;

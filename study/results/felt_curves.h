@@ -11,23 +11,24 @@
 
 namespace study {
 
-/// The force that a condition really had: the commanded force while the tool closed or advanced,
-/// over travel, in all finished trials of completed sessions. This is a manipulation check: if the
-/// alternatives did not differ at the handle, no questionnaire could tell them apart.
+/// The rendered force of a condition: the commanded force while the tool closed or advanced, over
+/// travel, in all finished trials of completed sessions. This is a manipulation check: if the
+/// forces of alternatives do not differ at the handle, questionnaires cannot differ because of
+/// them.
 struct FeltCurve {
   struct Point {
     double travel = 0.0;  ///< middle of a bin [device's travel unit]
     double low = 0.0;     ///< 10th percentile over strokes [N]
     double median = 0.0;  ///< [N]
     double high = 0.0;    ///< 90th percentile [N]
-    int bin = 0;          ///< its number, as in medians
+    int bin = 0;          ///< number of the bin, the key in FeltCurve::medians
   };
 
   std::string condition;
   std::string device;
   int trials = 0;
   std::vector<Point> points;
-  /// For bone: the force of its material at the travel of each point, moved slowly [N]; otherwise
+  /// For bone: the quasi-static force of its material at the travel of each point [N]; otherwise
   /// empty.
   std::vector<double> intended = {};
   /// The median force in every bin that a participant reached, by participant [N].
@@ -35,8 +36,8 @@ struct FeltCurve {
 };
 
 /// How much the force of two alternatives differed at the handle: the root mean square difference
-/// of median forces [N]. Both values are over the same travel: what everyone who felt both passed
-/// with both.
+/// of median forces [N]. Both values are over the same travel: the bins that every participant with
+/// both alternatives passed with both.
 struct FeltDifference {
   std::string condition1;
   std::string condition2;
@@ -49,8 +50,8 @@ struct FeltDifference {
 /// One curve for every condition that was rendered, in the protocol's order.
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
 
-/// The root mean square difference of the median from the material's force [N]; std::nullopt if
-/// that is not known.
+/// The root mean square difference of the medians from FeltCurve::intended [N]; std::nullopt if
+/// that is empty.
 std::optional<double> rmsFromIntended(const FeltCurve& curve);
 
 /// Every pair of curves of the same device over the same travel.

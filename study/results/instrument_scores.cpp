@@ -79,7 +79,8 @@ class Summarising {
     return all;
   }
 
-  /// For all who answered at least twice: the first and the last score, and last − first.
+  /// Summaries of the first score, the last score and last − first, of participants with at least
+  /// two forms.
   void changesOf(const questionnaires::Score& score, const std::string& cohort) {
     std::map<std::string, std::vector<const Form*>> byParticipant;
     for (const auto& form : forms_) {

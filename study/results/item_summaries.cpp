@@ -97,7 +97,8 @@ class Describing {
     }
   }
 
-  /// In the protocol's order of cohorts and conditions; first what is about no condition.
+  /// Sort key: the protocol's order of cohorts and conditions; items without a condition come
+  /// first.
   std::tuple<std::size_t, std::size_t> placeOf(
       const std::string& cohort, const std::string& condition) const {
     const auto& protocol = loaded_.protocol;
@@ -148,14 +149,14 @@ class Describing {
           text != nullptr && !text->empty() && beforeBlocks_.count(answer.step.phase) == 0;
       if (isTold) quotes.push_back({instrument, item.id, aboutOf(answer), *text});
     });
-    // Sorted by their text, so that their order does not tell who wrote them.
+    // Sorted by text, so that the order does not reveal who wrote what.
     std::ranges::sort(quotes, {}, [&](const Quote& quote) {
       return std::pair(placeOf({}, quote.condition), quote.text);
     });
     std::ranges::move(quotes, std::back_inserter(all));
   }
 
-  /// The condition that an answer is about: of a preference the chosen one.
+  /// The condition that an answer is about; for the phase of a preference the chosen condition.
   const std::string& aboutOf(const AnswerRecord& answer) const {
     const auto chosen = chosen_.find(answer.step.visit);
     return chosen == chosen_.end() ? answer.step.condition : chosen->second;

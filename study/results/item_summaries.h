@@ -12,16 +12,16 @@
 
 namespace study {
 
-/// What one cohort answered to one item about one condition. The unit of numbers is the
+/// The answers of one cohort to one item about one condition. The unit of numbers is the
 /// participant, with the mean of their answers; the unit of options is the answered form.
 struct ItemSummary {
   std::string instrument;
   std::string item;
   std::string cohort;
-  std::string condition;    ///< empty if the question is about none
+  std::string condition;    ///< empty if the item is not about a condition
   std::size_t answers = 0;  ///< forms that answered it
 
-  std::vector<double> values;  ///< of points and numbers as they were given: one a participant
+  std::vector<double> values;  ///< points or numbers, not reversed: one mean for each participant
   std::optional<double> mean;
   std::optional<double> standardDeviation;  ///< with n - 1
   std::optional<double> median;
@@ -32,11 +32,11 @@ struct ItemSummary {
   std::vector<std::pair<std::string, std::uint64_t>> options;
 };
 
-/// What somebody wrote.
+/// A free text of a participant.
 struct Quote {
   std::string instrument;
   std::string item;
-  std::string condition;  ///< of a preference the chosen one; empty if it is about none
+  std::string condition;  ///< the text's condition; for a preference the chosen one; empty: none
   std::string text;
 
   bool operator==(const Quote&) const = default;

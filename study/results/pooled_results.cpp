@@ -24,7 +24,7 @@ void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   }
 }
 
-/// Answers of one person say nothing of how people differ.
+/// Removes the tests: answers of a single participant say nothing about differences between people.
 void withoutTests(analysis::PairwiseComparisons& comparisons) {
   comparisons.tests = 0;
   comparisons.alphaPerTest.reset();

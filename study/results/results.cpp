@@ -23,7 +23,7 @@ using storage::AnswerRecord;
 using storage::Records;
 using storage::SessionRecord;
 
-/// Everything that results are computed from, read once.
+/// Reads all data of the results once, and computes them.
 class Computation {
  public:
   Computation(Study& study, RunMode mode)
@@ -184,7 +184,7 @@ class Computation {
     return answerTable(loaded_, family, people, owned);
   }
 
-  /// The smallest p value of a family is significant if it is not above this.
+  /// The significance threshold for the smallest p value of a family.
   static double thresholdOf(const protocols::Family& family) {
     using enum protocols::CorrectionType;
     const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
@@ -203,7 +203,7 @@ class Computation {
       case Hochberg:
       case Hommel:
       case BenjaminiHochberg:
-        return family.alpha;  // if all p values of the family are as small
+        return family.alpha;  // reached if all p values of the family are at most alpha
     }
     return family.alpha;
   }

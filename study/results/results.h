@@ -21,7 +21,7 @@
 
 namespace study {
 
-/// How many people of a cohort began, completed or left.
+/// How many sessions of a cohort were begun, completed or ended otherwise.
 struct CohortFlow {
   std::string cohort;
   int enrolled = 0;
@@ -46,14 +46,14 @@ struct CohortResult {
   analysis::PairwiseComparisons comparisons;      ///< as in the punch paper
   analysis::WithinAnalysis within;                ///< with the participant as the unit
   analysis::ScaleChecks checks;                   ///< distribution and reliability
-  analysis::PositionEffect position;              ///< of the order
-  std::vector<analysis::Flag> flags;              ///< notes that a reader needs
-  /// Site by site, if participants come from several.
+  analysis::PositionEffect position;              ///< effect of the position in the order
+  std::vector<analysis::Flag> flags;              ///< remarks on data and tests
+  /// Results of each site and pooled over sites, if there are several.
   std::optional<analysis::SiteAnalysis> sites = std::nullopt;
 };
 
-/// The comparison of two cohorts in one condition, by their participants' means. Probabilities and
-/// effects are for larger values in the first cohort.
+/// The comparison of two cohorts in one condition, by participants' means. Positive effects, and
+/// probabilities above 0.5, mean larger values in cohort1.
 struct BetweenResult {
   std::string condition;
   std::string cohort1;
@@ -70,12 +70,13 @@ std::string_view idOf(protocols::TestType test) noexcept;
 
 struct FamilyResult {
   protocols::Family family;
-  /// As it is now, before the first live participant (analysis_plan_history.h).
+  /// Whether its present form was declared before the first live participant
+  /// (analysis_plan_history.h).
   bool isDeclared = true;
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 
-  /// Whether the protocol names the test of this id, declared in time or not.
+  /// Whether the protocol names the test with this id, declared in time or not.
   bool isNamed(std::string_view test) const { return idOf(family.test) == test; }
   /// Whether this test was declared in time. It is then confirmatory; all others are exploratory.
   bool isConfirmatory(std::string_view test) const { return isDeclared && isNamed(test); }
@@ -83,22 +84,22 @@ struct FamilyResult {
 
 /// A way to compute a study's results (docs/statistics.md).
 enum class Profile {
-  Declared,     ///< of each family the one that has its declared test
+  Declared,     ///< for each family, the profile that has its declared test
   AsPublished,  ///< all answers pooled, Welch's t-test, as in the punch paper
   Recommended,  ///< the participant is the unit
 };
 
-/// A kind of flag, and the cohorts that have it.
+/// A kind of flag, with the cohorts that have it.
 struct RaisedFlag {
   const analysis::Flag* flag = nullptr;  ///< of the first cohort that has it
-  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< by cohort
+  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< cohort and its flag
 };
 
 /// Whether a profile shows the pooled tests of a family, and not those within people.
 bool isPooled(Profile profile, const protocols::Family& family) noexcept;
 
-/// The flags of all cohorts of a family, each kind once, in order of first occurrence. Those that
-/// concern pooled tests only are left out unless these are shown.
+/// The flags of all cohorts of a family, each kind once, in order of first occurrence. Flags that
+/// concern pooled tests only are left out unless @p hasPooledTests.
 std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTests);
 
 /// The preferences of one cohort after one block.
@@ -112,13 +113,13 @@ struct VoteResult {
   std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's, of each share, at 95 %
 };
 
-/// The results of a study in both profiles: as in the punch paper, and with the participant as the
-/// unit. Answers to statements with key −1 are reversed. Only completed sessions count, and of
-/// those only steps that were finished and not repeated.
+/// The results of a study in both profiles: as in the punch paper, and tests within participants;
+/// the participant is the unit. Answers to statements with key −1 are reversed. Only completed
+/// sessions count, and of those only steps that were finished and not repeated.
 struct Results {
   RunMode runMode = RunMode::Live;
   std::vector<CohortFlow> flow;
-  /// All cohorts together at each site, by its name; empty if there are not several.
+  /// The flow of all cohorts at each site, by its name; empty if there are fewer than two sites.
   std::vector<std::pair<std::string, CohortFlow>> siteFlow = {};
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;

@@ -12,7 +12,8 @@
 namespace study {
 namespace {
 
-/// The number of columns that a text takes on the screen; continuation bytes of UTF-8 take none.
+/// The number of columns that a text takes on the screen: its bytes without continuation bytes of
+/// UTF-8.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -349,7 +350,7 @@ class Writer {
     }
   }
 
-  /// Every item by itself; of texts only how many there are.
+  /// Every item by itself; of free texts only their number.
   void items() {
     const auto& [items, quotes] = results_.answers;
     if (!items.empty()) {

@@ -82,7 +82,7 @@ std::size_t answersTo(
 
 int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
   constexpr int kUsual = 5;
-  constexpr int kFine = 101;  // stands for numbers between points
+  constexpr int kFine = 101;  // approximates a continuous scale
   const auto scale = protocols::scaleOf(family, *loaded.instrument(family.instrument));
   if (!scale) return kUsual;
   return scale->isOfPoints ? static_cast<int>(scale->highest - scale->lowest) + 1 : kFine;

@@ -16,9 +16,9 @@ namespace study {
 
 /// The options of a plan.
 struct PlanQuestion {
-  std::optional<std::uint64_t> participants;  ///< of every cohort, in place of the planned number
+  std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the planned numbers
   double dz = 1.0;                            ///< the effect to detect: Cohen's d_z
-  std::optional<double> alpha;                ///< of a family, in place of the declared level
+  std::optional<double> alpha;                ///< level of a family; std::nullopt: the declared one
   double power = 0.8;                         ///< the required power
   std::uint64_t studies = 2000;               ///< number of simulated studies; 0: no simulation
   std::uint64_t seed = 1;                     ///< of the simulation
@@ -26,7 +26,7 @@ struct PlanQuestion {
   /// the protocol and from the options above.
   analysis::LikertModel model;
   Pace pace;
-  std::optional<analysis::SitePlan> sites = {};  ///< of each cohort's participants; absent: one
+  std::optional<analysis::SitePlan> sites = {};  ///< sites of each cohort; std::nullopt: one site
 };
 
 /// A block, and the number of participants that balances its orders.
@@ -41,7 +41,7 @@ struct BlockPlan {
 /// What a family of comparisons can detect at several sites.
 struct SiteDetectability {
   double designEffect = 1.0;
-  double power = 0.0;  ///< of the pooled difference for the requested effect, in closed form
+  double power = 0.0;  ///< power for the requested effect, pooled over sites; closed form
   std::optional<analysis::SimulatedSitePower> found;     ///< simulated with that effect
   std::optional<analysis::SimulatedSitePower> invented;  ///< simulated without an effect
 };
@@ -51,7 +51,8 @@ struct Detectability {
   std::uint64_t participants = 0;
   analysis::AttainableP pair;  ///< smallest p of an exact paired test (sign flip, signed rank)
   bool canFindPairs = false;   ///< whether that p reaches alpha per comparison
-  std::optional<analysis::AttainableP> friedman;  ///< of three or more conditions together
+  /// Smallest p of an exact Friedman test; for three or more conditions.
+  std::optional<analysis::AttainableP> friedman;
   std::optional<double> power;  ///< of a paired t-test for the requested effect; needs two people
   std::optional<analysis::SimulatedPower> found;     ///< simulated with that effect
   std::optional<analysis::SimulatedPower> invented;  ///< simulated without an effect
@@ -69,12 +70,14 @@ struct FamilyPlan {
   int points = 5;           ///< of the scale
   double alpha = 0.05;
   double alphaPerTest = 0.05;
-  bool isCorrected = true;                   ///< alphaPerTest is that of the strictest step
-  std::string correction;                    ///< "Holm"
-  std::uint64_t fewestForAnyP = 0;           ///< participants that an exact paired test needs
+  bool isCorrected = true;  ///< alphaPerTest is the level of the strictest step
+  std::string correction;   ///< "Holm"
+  /// Fewest participants with which an exact paired test can be significant.
+  std::uint64_t fewestForAnyP = 0;
   std::optional<std::uint64_t> forPower;     ///< participants for the requested effect and power
   std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
-  /// Participants over all sites for that effect and power; absent also if no number is enough.
+  /// Participants over all sites for that effect and power; std::nullopt also if no number is
+  /// enough.
   std::optional<std::uint64_t> forPowerAtSites = {};
   std::vector<Detectability> prospects = {};  ///< for every cohort, in the protocol's order
 };
@@ -93,14 +96,15 @@ struct VotePlan {
 struct CohortPairPlan {
   std::string first;
   std::string second;
-  analysis::AttainableP smallest;  ///< of an exact Mann–Whitney test
+  analysis::AttainableP smallest;  ///< smallest p of an exact Mann–Whitney test
 };
 
 struct CohortPlan {
   std::string id;
   std::string title;
   std::uint64_t participants = 0;  ///< 0: the protocol does not say
-  bool isBalanced = false;         ///< in every block whose orders can be balanced
+  /// Whether that number balances every block whose orders can be balanced.
+  bool isBalanced = false;
 };
 
 /// What can be computed from a protocol before the study begins.
@@ -108,7 +112,8 @@ struct StudyPlan {
   std::string title;
   PlanQuestion question;
   std::vector<BlockPlan> blocks;
-  std::size_t balancedBy = 1;  ///< a multiple of it balances every block; 1: none to balance
+  /// A multiple of this number balances every block; 1: nothing to balance.
+  std::size_t balancedBy = 1;
   std::vector<CohortPlan> cohorts;
   std::vector<CohortPairPlan> cohortPairs;  ///< for pairs of cohorts of known size
   std::vector<FamilyPlan> families;

@@ -178,7 +178,7 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
   return text;
 }
 
-/// How many participants the requested power takes at these sites.
+/// A sentence on how many participants the requested power needs at these sites.
 std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
   if (!plan.question.sites) return {};
   const auto sites = counted(plan.question.sites->sites, "site");

@@ -10,16 +10,16 @@ namespace study {
 /// The votes of one cohort in all rounds.
 struct CohortVotes {
   std::string cohort;
-  std::vector<const VoteResult*> rounds;  ///< of the results that the table was made of
+  std::vector<const VoteResult*> rounds;  ///< they point into the results given to voteTables()
   analysis::VoteCounts sum;
 };
 
 /// The votes between the same conditions, by cohort and round, with their sums: Table 4 of the
-/// punch paper. A sum counts a participant once a round. Such votes are not independent of each
-/// other, so a sum has no p and no interval.
+/// punch paper. A sum counts a participant once a round. Votes of one participant are not
+/// independent, so a sum has no p and no interval.
 struct VoteTable {
   std::vector<std::string> options;  ///< condition ids
-  std::vector<CohortVotes> cohorts;  ///< in the order of the protocol; those that were asked
+  std::vector<CohortVotes> cohorts;  ///< cohorts that voted, in the protocol's order
   analysis::VoteCounts total;        ///< over all cohorts
 };
 
