@@ -27,8 +27,8 @@ bool isBand(const Option& option) {
   return !option.id.empty() && std::isdigit(static_cast<unsigned char>(option.id.front())) != 0;
 }
 
-/// Groups of @p together neighbouring bands among @p options; every other option is a group of its
-/// own.
+/// Groups of @p together neighbouring bands among @p options; each other option is a group by
+/// itself.
 std::vector<std::vector<Option>> neighbours(
     const std::vector<Option>& options, std::size_t together) {
   std::vector<std::vector<Option>> groups;

@@ -11,17 +11,19 @@
 
 namespace study {
 
-/// How public data tell the answers to an item. Every type of item has to say.
+/// How public data release the answers to an item about the person. Every type of item has one of
+/// these forms.
 enum class PublicForm {
-  None,     ///< no fact about the person that acquaintances may know
-  Bands,    ///< a number about the person, which identifies if it is exact
+  None,     ///< not released as a fact about the person
+  Bands,    ///< a number, released in bands because an exact one may identify
   Options,  ///< one of several options
-  Sets,     ///< several of them, unchanged or not at all
+  Sets,     ///< several options, released unchanged or not at all
 };
-/// Points of scales and sliders are opinions; free text is never released.
+/// The form of an item. Points of scales and sliders are opinions (None); free text is never
+/// released.
 PublicForm publicFormOf(const questionnaires::Item& item) noexcept;
 
-/// Whether answers to @p item are facts about the person that acquaintances may know.
+/// Whether answers to @p item are facts about the person that acquaintances may know, too.
 inline bool isAboutThePerson(const questionnaires::Item& item) noexcept {
   return publicFormOf(item) != PublicForm::None;
 }
@@ -40,9 +42,10 @@ class Coarsening {
 
   std::size_t levelCount() const noexcept { return levels_.size(); }
 
-  /// Of the first level's bands, in the item's unit; std::nullopt: it has no bands.
+  /// The width of the bands of the first level, in the item's unit; std::nullopt: there are no
+  /// bands.
   std::optional<double> bandWidth() const;
-  /// Whether bands are told by their whole steps, "20 to 24", and not as "20 to <25".
+  /// Whether labels of bands name whole steps, "20 to 24", and not "20 to <25".
   bool isWhole() const noexcept { return isWhole_; }
 
   /// The values of a level in order; empty if there is no closed list.

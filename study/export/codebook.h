@@ -12,7 +12,8 @@ namespace study {
 /// question is included, the answers are not.
 ExportedTable itemsTable(Study& study, const Readers& readers);
 
-/// The content of codebookAsJson() as a table, for scripts: one row per column and value.
+/// The columns and values of codebookAsJson() as a table, for scripts: one row per column and
+/// value.
 ExportedTable columnsTable(const std::vector<ExportedTable>& tables);
 
 /// The meaning of every table, column and value, as JSON.

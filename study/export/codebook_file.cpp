@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line about a source of scenes; in a blinded export without names, which may identify a
-/// condition.
+/// A line about a source of scenes. In a blinded export names are left out, because they may reveal
+/// a condition.
 std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
   if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";
@@ -38,7 +38,7 @@ std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) 
   return words;
 }
 
-/// What readers who did not ask for it do not see.
+/// Lines on the details that the options left out.
 std::string detailInWords(const ExportOptions& options) {
   std::string text;
   if (!options.isExact) {
@@ -157,9 +157,9 @@ std::string tracesInWords() {
   return text;
 }
 
-/// Whether the folder says which study it is of, and how far the audit trail was. Simulated
-/// sessions are made again from a seed, and have nothing to prove: nothing in their folder helps
-/// with that of people. A public folder must not lead to its study.
+/// Whether the folder names its study and the head of the audit trail. A public folder must not
+/// lead to its study. A folder of simulated sessions needs no proof, and must not help to identify
+/// a folder of people.
 bool leadsToTheStudy(const ExportOptions& options) {
   return options.runMode != RunMode::Simulated && !options.publicClass;
 }

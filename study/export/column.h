@@ -45,18 +45,19 @@ enum class ValueList {
 /// The values of each list in their natural order.
 using ValueLists = std::map<ValueList, std::vector<Level>>;
 
-/// The readers of a folder. They decide which columns are exported, and how some are described.
+/// The intended readers of an export folder. They determine which columns are exported, and how
+/// some are described.
 struct Readers {
   bool isBlinded = true;  ///< must not learn the condition behind a condition code
   bool isPublic = false;
-  bool seeExact = false;        ///< dates, times of day, and numbers of the background as given
-  bool seeTexts = false;        ///< what participants and operators wrote
+  bool seeExact = false;        ///< exact dates, times of day, and numbers about the person
+  bool seeTexts = false;        ///< free texts of participants and operators
   bool needParticipant = true;  ///< false if the file's name already says whose rows are in it
-  /// The quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
+  /// Names of the quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
   std::set<std::string> told = {};
   ValueLists lists = {};
-  /// The kind of device, if all of the study's devices are of one kind: it may have its own
-  /// descriptions of tables.
+  /// The kind of device, if all of the study's devices are of one kind, which may have its own
+  /// descriptions of tables; otherwise nullptr.
   const haptics::devices::DeviceKind* device = nullptr;
 
   bool hasSites() const { return lists.count(ValueList::Sites) == 1; }
@@ -219,7 +220,8 @@ class Column {
     return std::move(*this);
   }
 
-  /// What somebody wrote, which may name people: left out if the readers did not ask for texts.
+  /// The column has free text, which may name people, and is left out unless the readers asked for
+  /// texts.
   Column onRequest() && {
     isOnRequest_ = true;
     return std::move(*this);
@@ -232,13 +234,14 @@ class Column {
   }
 
   /// The column is part of public folders; other columns are not.
-  /// @param description  for public folders, if it differs; the cells are then no free text.
+  /// @param description  for public folders; empty: as elsewhere. If it is given, the column is not
+  ///     marked as free text.
   Column inPublic(const std::string& description = {}) && {
     public_ = InPublic{.ifTold = {}, .description = description};
     return std::move(*this);
   }
 
-  /// … if the quasi-identifier @p respect is released.
+  /// As inPublic(), but only if the quasi-identifier named @p respect is released.
   Column inPublicIfTold(const std::string& respect, const std::string& description = {}) && {
     public_ = InPublic{.ifTold = respect, .description = description};
     return std::move(*this);
@@ -296,9 +299,9 @@ struct Table {
   std::string name;  ///< of the file, without its extension
   std::string description;
   Columns<Row> columns;
-  /// The whole table identifies conditions by its numbers, and is left out of blinded folders.
+  /// Whether the numbers of the table reveal conditions: it is left out of blinded folders.
   bool revealsCondition = false;
-  /// The whole table is what people wrote.
+  /// Whether the table has free texts only: it is left out unless the readers asked for texts.
   bool isOnRequest = false;
   /// Its description in public folders; std::nullopt: it is not part of them.
   std::optional<std::string> inPublic = std::nullopt;
@@ -309,7 +312,7 @@ struct Table {
   }
 };
 
-/// The table of @p rows with the columns for these readers.
+/// The exported table of @p rows, with the columns for @p readers.
 template <typename Row>
 ExportedTable filled(
     const Table<Row>& table, const std::vector<Row>& rows, const Readers& readers) {

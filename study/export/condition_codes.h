@@ -11,23 +11,23 @@ namespace study {
 /// The codes of conditions in exports: "C2". A condition that a later version of the protocol adds
 /// gets a new code; codes never change.
 ///
-/// Each blinded export of live or pilot sessions has codes of its own (docs/decisions/0050): who
-/// has two of them, or knows one, cannot tell what the codes of the other mean. They follow from
-/// the study's key and the export's @p set. Simulated sessions, and all sessions of studies that
-/// release 0.1 made, have the codes of the seed.
-/// @param set  32 hexadecimal digits; empty: codes of the study itself, which no blinded export has
-/// @throws storage::StorageError  if the key is needed and not here
+/// Each blinded export of live or pilot sessions has different codes (docs/decisions/0050), so that
+/// two exports cannot be matched, and a disclosed code reveals nothing about other exports. The
+/// codes are computed from the study's key and the export's @p set. Codes of simulated sessions,
+/// and of all sessions of studies that release 0.1 made, are computed from the seed.
+/// @param set  32 hexadecimal digits; empty: the study's own codes, which no blinded export uses
+/// @throws storage::StorageError  if the key is needed and not available
 std::map<std::string, std::string> conditionCodes(
     Study& study, RunMode mode, const std::string& set = {});
 
-/// Whether the codes of that run mode are drawn for each export.
+/// Whether each export of that run mode gets new codes.
 bool drawsCodesForEachExport(Study& study, RunMode mode);
 
-/// 128 random bits, the name of a new set of codes.
+/// The random name of a new set of codes: 128 bits in hexadecimal.
 std::string drawnCodeSet();
 
-/// The set of codes that an export used, from its codebook or its document.
-/// @throws UserError  if the folder is no export, or has the codes of the seed.
+/// The name of the set of codes of an existing export, from its codebook or JSON document.
+/// @throws UserError  if the folder is no export, or its codes are computed from the seed.
 std::string codeSetOf(const std::string& folder);
 
 }  // namespace study

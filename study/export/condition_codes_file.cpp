@@ -27,7 +27,7 @@ std::string codesIn(const std::filesystem::path& file) {
   const auto text = base::readAll(stream);
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
-  const auto inside = json.find("palpate");  // as Psych-DS and BIDS have it
+  const auto inside = json.find("palpate");  // the key in files of Psych-DS and BIDS
   const auto& head = inside != json.end() && inside->is_object() ? *inside : json;
   const auto codes = head.find("codes");
   return codes != head.end() && codes->is_string() ? codes->get<std::string>() : std::string();

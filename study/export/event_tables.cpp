@@ -21,7 +21,8 @@ Column<ExportedEvent> utcColumn() {
       .exact();
 }
 
-/// Without the answers themselves, which are in responses.csv: here the time of answering matters.
+/// The columns of events after @p first. Answers are left out of the detail: they are in
+/// responses.csv.
 Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
   auto detail = Column<ExportedEvent>(
                     "detail",
@@ -48,8 +49,8 @@ Table<ExportedEvent> tableOfEvents(Columns<ExportedEvent> columns) {
       .name = "events",
       .description = "Everything that happened, in order.",
       .columns = std::move(columns),
-      // The times of events give the duration of each trial. Events of safety, of devices and notes
-      // of the operator describe it.
+      // The times of events reveal the duration of each trial; events of safety functions and
+      // devices, and notes of the operator, describe the rendering.
       .revealsCondition = true};
 }
 

@@ -32,29 +32,30 @@ struct ExportOptions {
   /// otherwise the day of the study, and bands of five years or more.
   bool isExact = false;
   bool hasTexts = false;  ///< also what participants and operators wrote
-  /// Whose codes conditions have (study/export/condition_codes.h). exportStudy() draws them for
-  /// each export, unless it is to have those of an earlier one. Public ones always have the same.
+  /// The set of codes of conditions (study/export/condition_codes.h); empty: exportStudy() draws a
+  /// new one, except for public exports, which all have the same codes.
   std::string codes = {};
   /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h); everything else that could identify a person is left out.
-  /// std::nullopt: for readers who may see all.
+  /// std::nullopt: not a public export.
   std::optional<std::size_t> publicClass = std::nullopt;
-  /// Called while writing; an exception that it throws stops the export, and no folder is left.
+  /// Called while writing; if it throws, the export stops and leaves no folder.
   Progress progress = {};
 };
 
-/// The smallest k of a public export, and its default.
+/// The smallest allowed k of a public export, and its default.
 inline constexpr std::size_t kSmallestPublicClass = 5;
 
 /// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
 /// export has sessions, responses and texts only, without anything that depends on the rendering;
-/// conditions have codes that are the same in every row of a run mode, and of this export alone.
+/// codes of conditions are the same in all rows of a run mode, and differ from those of other
+/// exports.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
-/// If anything fails, there is no folder. An unblinded export needs a @p reason, which is written
-/// into the audit trail. Every export but that of simulated sessions is noted there, and signed, if
-/// the study may be written.
+/// If anything fails, there is no folder. Notes the export in the audit trail and signs it, except
+/// for simulated sessions, and for blinded exports of a study that cannot be written. An unblinded
+/// export needs a @p reason, which is noted, too.
 /// @return  the number of exported sessions.
 /// @throws storage::StorageError  if the folder exists already or cannot be written, or if too few
 ///     people took part for a public export.
@@ -64,14 +65,15 @@ std::size_t exportStudy(
     const ExportOptions& options,
     const std::string& reason = {});
 
-/// Opens a study so that an export of it can be noted in its audit trail. One that may only be read
-/// (an archive, a full disk, an analyst's rights) is opened all the same for an export that hides
-/// conditions. For one of simulated sessions, which is not noted, nothing is opened for writing.
+/// Opens a study for an export: for writing, so that the export can be noted in the audit trail. A
+/// study that cannot be written (an archive, a full disk, an analyst's rights) is opened for
+/// reading if the export is blinded and not public. For simulated sessions it is always opened for
+/// reading.
 /// @throws storage::StorageError
 Study openForExport(const std::filesystem::path& folder, const ExportOptions& options);
 
-/// What identifies the condition of an answer in spite of its code, in any version of the study's
-/// protocol (protocols/validation/validation.h). If there is anything, an export with codes is not
+/// Everything that reveals the condition of an answer despite its code, in any version of the
+/// study's protocol (protocols/validation/validation.h). If not empty, an export with codes is not
 /// called blinded.
 std::vector<base::Message> disclosuresOf(Study& study);
 

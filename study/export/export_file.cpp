@@ -75,7 +75,7 @@ std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& 
   return writeTables(study, folder, options);
 }
 
-/// @throws storage::StorageError  in words, if @p options contradict each other or need a reason.
+/// @throws storage::StorageError  if @p options contradict each other or need a reason.
 void requireAllowed(const ExportOptions& options, const std::string& reason) {
   if (!options.isBlinded && reason.empty()) {
     throw storage::StorageError(
@@ -104,13 +104,13 @@ void requireAllowed(const ExportOptions& options, const std::string& reason) {
   }
 }
 
-/// Whether there may be no such export that the audit trail does not have.
+/// Whether such an export must fail if it cannot be noted in the audit trail.
 bool isNoteRequired(const ExportOptions& options) {
   return !options.isBlinded || options.publicClass.has_value();
 }
 
-/// Codes of its own for an export of people that is not public: who compares public ones needs the
-/// same in each.
+/// Draws a new set of codes for the export. Public exports keep the same codes, so that readers can
+/// compare them.
 void drawCodes(Study& study, ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
   if (options.publicClass || !drawsCodesForEachExport(study, mode)) {
@@ -121,7 +121,7 @@ void drawCodes(Study& study, ExportOptions& options) {
   if (options.codes.empty()) options.codes = drawnCodeSet();
 }
 
-/// Notes where a copy of the data is. Simulated sessions have nothing to prove.
+/// Notes in the audit trail where a copy of the data is. Not for simulated sessions.
 void noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
   if (!study.isWritable() || options.runMode == RunMode::Simulated) return;
   const std::string how = options.publicClass ? "public"
@@ -138,7 +138,8 @@ void noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
     if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
     study.note(exported);
   } catch (const storage::StorageError&) {
-    if (isNoteRequired(options)) throw;  // else a full disk must not keep data from being rescued
+    // Otherwise a full disk must not keep data from being rescued.
+    if (isNoteRequired(options)) throw;
   }
 }
 

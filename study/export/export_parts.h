@@ -9,11 +9,11 @@
 
 namespace study {
 
-/// The study, the version of the protocol, the program, and whether the export is blinded: a JSON
-/// object.
+/// A JSON object with the study, the version of the protocol, the program, and whether the export
+/// is blinded.
 std::string exportMetadataAsJson(Study& study, const ExportOptions& options);
 
-/// Whether the folder is blinded, as a line of its README.
+/// A line of the README: whether the folder is blinded.
 std::string codesInWords(Study& study, const ExportOptions& options);
 
 /// How the tables of a format are written, as lines of its README.
@@ -43,8 +43,8 @@ Readers readersOf(Study& study, const ExportOptions& options);
 std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options);
 
 /// Writes the study in the Psych-DS layout (psych-ds.github.io): tables with data dictionaries in
-/// data/, the questionnaires in materials/. Unblinded, the protocol is included, which explains the
-/// codes.
+/// data/, the questionnaires in materials/. An unblinded folder includes the protocol, which
+/// explains the codes.
 /// @return  the number of sessions.
 std::size_t writePsychDs(
     Study& study, const std::filesystem::path& folder, const ExportOptions& options);
@@ -55,7 +55,7 @@ std::size_t writePsychDs(
 std::size_t writeBids(
     Study& study, const std::filesystem::path& folder, const ExportOptions& options);
 
-/// A label for names of files: the letters and digits of @p text.
+/// The letters and digits of @p text, as a label in file names.
 std::string bidsLabel(const std::string& text);
 
 /// Writes the scripts for @p options: for R or Python one that reads the tables with their types;

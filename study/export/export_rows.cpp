@@ -18,9 +18,9 @@ namespace {
 using storage::SessionRecord;
 using storage::StepRecord;
 
-/// The time between two events of a session [ns]. The monotonic clock starts again with the
-/// computer, so the time between two runs of the program is taken from the wall clock, less what
-/// that was set by.
+/// The time between two events of a session [ns]. The monotonic clock restarts with the computer,
+/// so the time between two runs of the program is taken from the wall clock. A ClockStepped event
+/// corrects it by the step.
 std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
   const std::int64_t byWallClock = (event.when.wall - last.wall) * 1'000'000;
   if (event.kind == EventKind::Resumed || event.kind == EventKind::TookOver) return byWallClock;
@@ -63,10 +63,10 @@ RowOwner ownerOf(const SessionRecord& session) {
       .runMode = session.runMode};
 }
 
-/// The bands of numbers that people gave about themselves.
+/// The bands that replace numbers about the person.
 class Bands {
  public:
-  /// Empty if @p answer is no such number, or one of a few.
+  /// The band of an answer; empty if it is not a number about the person.
   std::string of(const storage::AnswerRecord& answer, const questionnaires::Item& item) {
     if (answer.step.kind != StepKind::Form || publicFormOf(item) != PublicForm::Bands) return {};
     const auto& bands = known_.try_emplace(&item, item, "").first->second;
@@ -74,10 +74,11 @@ class Bands {
   }
 
  private:
-  std::map<const questionnaires::Item*, Coarsening> known_;  // language: bands have no words
+  // empty language: labels of bands have no words
+  std::map<const questionnaires::Item*, Coarsening> known_;
 };
 
-/// The day of a time as it is stored: "2026-11-23T08:15:00Z".
+/// The day of a stored time such as "2026-11-23T08:15:00Z".
 std::chrono::sys_days dayOf(const std::string& utc) {
   const auto number = [&](std::size_t from, std::size_t count) {
     return from + count <= utc.size() ? std::atoi(utc.substr(from, count).c_str()) : 0;
@@ -92,7 +93,8 @@ Cell responseOf(const questionnaires::Response& response) {
   return stored.text.value_or("");
 }
 
-/// Whether the participant wrote it. What the protocol does not know any more may be a text.
+/// Whether the answer is free text. A string answer to an item that the protocol no longer has
+/// counts as one.
 bool isText(const ExportedAnswer& row) {
   if (row.item == nullptr) return std::holds_alternative<std::string>(row.record->answer.response);
   return questionnaires::answerKindOf(row.item->type) == questionnaires::AnswerKind::Text;
@@ -103,7 +105,7 @@ bool isText(const ExportedAnswer& row) {
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
     : study_(study), isExact_(options.isExact), isBlinded_(options.isBlinded) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
-    // Codes of other modes may need a key that is not here.
+    // Codes of other run modes may need a key that is not available.
     if (options.runMode && *options.runMode != mode) continue;
     codes_.emplace(mode, conditionCodes(study, mode, options.codes));
   }

@@ -29,7 +29,7 @@ struct ExportedSession {
   int day = 1;  ///< since the first of these sessions, by UTC
 };
 
-/// The columns on the step, in rows of answers and trials.
+/// The step of an answer or a trial.
 struct ExportedStep {
   RowOwner owner;
   VisitKey visit;
@@ -44,7 +44,7 @@ struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
   const questionnaires::Item* item = nullptr;  ///< nullptr: the protocol does not have it
   Cell response = {};
-  std::string band = {};  ///< in place of a number about the person; empty: it is given as it is
+  std::string band = {};  ///< replaces a number about the person; empty: the number is exported
   std::string_view labelLanguage = {};
   std::string_view chosen = {};  ///< the condition, or its code, of the alternative in the response
   std::string_view excluded = {};  ///< why the statistics leave it out; empty: they count it
@@ -67,15 +67,15 @@ struct ExportedEvent {
   double onset = 0.0;  ///< since the session's first event [s]
 };
 
-/// Reads a study once, as far as @p options select it, in order of time. The study must
-/// outlive it, and it must outlive its rows.
+/// Reads the data of a study that @p options select, in order of time. The study must outlive this
+/// object, which must outlive its rows.
 class StudyRows {
  public:
   StudyRows(Study& study, const ExportOptions& options);
 
   std::vector<ExportedSession> sessions() const;
   std::vector<ExportedAnswer> answers() const;  ///< without texts
-  std::vector<ExportedAnswer> texts() const;    ///< answers that participants wrote
+  std::vector<ExportedAnswer> texts() const;    ///< answers that are free text
   std::vector<ExportedTrial> trials() const;
   std::vector<ExportedCut> cuts() const;
   std::vector<ExportedEvent> events() const;

@@ -76,7 +76,8 @@ Values withoutRareIn(
   return kept;
 }
 
-/// The level of @p identifier with the most information given @p chosen; the finer one of equals.
+/// The level of @p identifier with the most information after suppression within the classes of @p
+/// chosen; of equal levels the finer one.
 ReleasedColumn bestBeside(
     const std::vector<ReleasedColumn>& chosen, const QuasiIdentifier& identifier, std::size_t k) {
   const std::size_t people = identifier.exact.size();

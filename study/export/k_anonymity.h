@@ -9,7 +9,7 @@
 
 namespace study {
 
-/// One value for each person; empty: suppressed.
+/// One value for each person; an empty value is suppressed.
 using Values = std::vector<std::string>;
 
 /// A fact about people that an acquaintance may know as well: age, role, cohort.
@@ -27,8 +27,8 @@ struct ClassSizes {
   std::size_t inSmall = 0;   ///< people in classes smaller than k
   std::vector<std::pair<std::string, std::string>>
       smallestClass;  ///< the values of the smallest class, by column
-  /// For each column alone, how many people share their value with fewer than k; the largest number
-  /// first, and no column without such people.
+  /// For each single column, how many people have a value that fewer than k people share. The
+  /// largest number first; columns without such people are left out.
   std::vector<std::pair<std::string, std::size_t>> causes;
 };
 
@@ -62,9 +62,9 @@ Values suppressRareValues(const Values& values, std::size_t k);
 /// k-anonymity (Sweeney 2002) by a deterministic greedy search over the quasi-identifiers in the
 /// order given. Each of them divides the present classes further. Values that fewer than k people
 /// of a class share are suppressed there, so that no class is ever smaller than k. The level with
-/// the most information is taken (entropy, and how many people keep a value), or none if there is
-/// no information at any level. Earlier quasi-identifiers therefore lose the least. People are
-/// never left out.
+/// the most information is released (entropy plus the share of people who keep a value), or none if
+/// no level has information. Earlier quasi-identifiers therefore lose the least. People are never
+/// left out.
 /// @return  std::nullopt if there are fewer people than k.
 /// @throws std::invalid_argument  if @p k is below 2, or a column does not have a value for each
 ///     person.

@@ -9,8 +9,8 @@
 namespace study {
 namespace {
 
-constexpr std::size_t kShortest = 3;      // letters: shorter words stand in every text …
-constexpr std::size_t kShortestName = 2;  // … but with a capital: Bo, Øy
+constexpr std::size_t kShortest = 3;      // letters; shorter words occur in every text
+constexpr std::size_t kShortestName = 2;  // letters of a word with a capital: Bo, Øy
 
 /// Letters without case and marks, from À (U+00C0) to ſ (U+017F): "Łódź" and "lodz" are one name.
 /// × and ÷ are none.
@@ -59,7 +59,7 @@ Letter letterIn(std::string_view bytes) {
   return bytes.size() == 2 ? markedLetter(bytes) : Letter{.plain = std::string(bytes)};
 }
 
-/// What is told of people besides their answers.
+/// A line on how many people their cohort and background re-identify.
 std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
   return "- " + std::to_string(classes.inSmall) + " of " +
@@ -144,7 +144,7 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) 
     for (const auto& row : table.rows) {
       for (std::size_t i = 0; i < row.size(); ++i) {
         const auto& column = table.columns[i];
-        // The code may have been typed when the session was made.
+        // The code may have been typed by the operator.
         const bool isTyped = column.isFreeText || column.name == "participant_id";
         if (isTyped && isNaming(row[i])) ++named.cells[table.name];
       }

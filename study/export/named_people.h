@@ -11,28 +11,27 @@
 
 namespace study {
 
-/// The words of @p text of three letters or more, or of two with a capital, without case and marks
-/// of Latin letters: "Åsgård" is "asgard". Letters of other alphabets stay as they are.
+/// The words of @p text with at least three letters, or two if the first is a capital. Latin
+/// letters lose case and diacritics ("Åsgård" becomes "asgard"); other alphabets stay unchanged.
 std::vector<std::string> wordsIn(std::string_view text);
 
-/// Where an export names people.
+/// The result of searching an export for names of participants.
 struct NamedPeople {
   std::size_t names = 0;   ///< words of answers in identity.db that were searched for
-  bool areLocked = false;  ///< names are behind a passphrase, and were not searched for
-  std::map<std::string, std::size_t> cells;  ///< that hold one of them, by table
+  bool areLocked = false;  ///< names are locked by a passphrase and were not searched for
+  std::map<std::string, std::size_t> cells;  ///< number of cells with such a word, by table
 };
 
-/// Searches every text of @p tables that somebody typed, participant codes as well, for the words
-/// of every answer that names a person. What people wrote about others, and nicknames, are not
-/// found.
+/// Searches free texts and participant codes of @p tables for the words of all answers in
+/// identity.db. Nicknames, and names of other people in free texts, are not found.
 NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
 
-/// The people who completed, in classes that are alike in their cohort and in what an export with
-/// @p options tells of them; k is 2, so that people in small classes are alone.
+/// The equivalence classes of people with completed sessions by cohort and the facts that an export
+/// with @p options releases. k is 2: ClassSizes::inSmall counts people who are unique.
 ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options);
 
-/// What an export for colleagues tells of people, in lines of a README: who can be found again, and
-/// whether it names somebody.
+/// Lines of a README on an export that is not public: how many people can be re-identified, and
+/// whether it contains names.
 std::string identifiabilityInWords(Study& study, const ExportOptions& options);
 
 }  // namespace study

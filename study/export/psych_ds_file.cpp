@@ -72,8 +72,8 @@ Json descriptionOf(
   return json;
 }
 
-/// Whether a file may be exported. Published texts of others may not, nor a path that leads out of
-/// the folder.
+/// Whether a file of the protocol may be exported: not texts under third-party copyright
+/// (wording/), and no path that leads out of the folder.
 bool mayBeExported(const fs::path& name) {
   return name.is_relative() && name.begin() != name.end() && *name.begin() != "wording" &&
          std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
@@ -98,7 +98,7 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
   const auto tables = tablesFor(study, options);
   FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
   std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
-  // Files of one site say so. Those of all have a column for it.
+  // File names of a station contain its site. Exports of several sites have a column for it.
   const auto& site = study.station().site;
   if (!site.empty() && !options.publicClass) prefix += "_site-" + bidsLabel(site);
   const auto data = folder / "data";

@@ -14,7 +14,7 @@ namespace {
 /// A public export in the past.
 struct EarlierExport {
   std::size_t k = 0;
-  std::set<SessionId> completed;  ///< until then
+  std::set<SessionId> completed;  ///< sessions that were completed when it was made
 };
 
 std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
@@ -43,8 +43,8 @@ Values ofThese(const Values& values, const std::vector<std::size_t>& people) {
   return these;
 }
 
-/// What an earlier export said of everybody: a column for each of its own. People who were not in
-/// it have a value that no one else has.
+/// A column that says who was in an earlier export, and the columns that it released. People who
+/// were not in it have empty values there.
 std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,
     const PublicPeople& people,

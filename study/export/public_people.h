@@ -23,10 +23,9 @@ struct BackgroundQuestion {
   std::string column() const;
 };
 
-/// The people of a public export, and what acquaintances may know of them: the cohort, the site,
-/// the answers of forms about the person, and the order of conditions (which the protocol and the
-/// place in it reveal). A person is listed once, with the first session that they completed. The
-/// study must outlive it.
+/// The people of a public export, and the facts that acquaintances may know: cohort, site, answers
+/// to forms about the person, and the order of conditions (which protocol and place reveal). A
+/// person is listed once, with their first completed session. The study must outlive this object.
 class PublicPeople {
  public:
   PublicPeople(Study& study, RunMode mode);
@@ -45,7 +44,7 @@ class PublicPeople {
   std::vector<QuasiIdentifier> identifiers() const;
 
  private:
-  /// A fact of each session that is released as it is, or not at all.
+  /// A quasi-identifier from a column of the session: released unchanged or not at all.
   QuasiIdentifier described(const char* name, std::string storage::SessionRecord::*member) const;
   QuasiIdentifier background(const BackgroundQuestion& question) const;
   QuasiIdentifier orders() const;

@@ -50,7 +50,7 @@ bool isWords(const Item& item) {
   return questionnaires::answerKindOf(item.type) == questionnaires::AnswerKind::Text;
 }
 
-/// Makes the released tables.
+/// Computes the released tables.
 class PublicTables {
  public:
   PublicTables(Study& study, const ExportOptions& options)

@@ -8,15 +8,15 @@
 
 namespace study {
 
-/// The quasi-identifiers of a study's people as they may be released. If @p options ask for no
-/// public export, they are only counted.
-/// @throws storage::StorageError  in words, if there are fewer people than the smallest class that
-///     @p options ask for.
+/// The quasi-identifiers of a study's people, generalised for release. ExportOptions::publicClass
+/// must be set.
+/// @throws storage::StorageError  if there are fewer people than the smallest class that @p options
+///     ask for.
 Release publicRelease(Study& study, const ExportOptions& options);
 
 /// The tables of a public export: people with their released quasi-identifiers, and answers without
 /// free text, times, dates or anything else that could identify a person. Ids and the order of rows
-/// come from the system's random numbers, so they cannot be linked to the study.
+/// are random, so that they cannot be linked to the study.
 /// @throws storage::StorageError  as publicRelease()
 std::vector<ExportedTable> publicTables(Study& study, const ExportOptions& options);
 

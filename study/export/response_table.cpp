@@ -64,7 +64,7 @@ Columns<ExportedAnswer> columnsOfAnsweredStep() {
       conditionColumn<ExportedAnswer>().inPublic()};
 }
 
-/// What was asked.
+/// The columns of the item that was asked.
 Columns<ExportedAnswer> columnsOfQuestion() {
   using namespace holds;
   using C = Column<ExportedAnswer>;
@@ -78,7 +78,7 @@ Columns<ExportedAnswer> columnsOfQuestion() {
       C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic()};
 }
 
-/// How it counts.
+/// The columns on how the statistics use an answer.
 Columns<ExportedAnswer> columnsOfUse() {
   using namespace holds;
   return {
@@ -129,7 +129,8 @@ Columns<ExportedAnswer> columnsOfAnswer() {
        howGiven(&GivenAnswer::changes)}};
 }
 
-/// The trial between two answers depends on the rendering, and so does the time between them.
+/// The column is left out of blinded folders: the time between two answers depends on the rendering
+/// of the trial between them.
 Column<ExportedAnswer> savedColumn() {
   return Column<ExportedAnswer>(
              "saved_utc",
@@ -190,8 +191,8 @@ class WideNames {
     return found == names_.end() ? std::string() : found->second;
   }
 
-  /// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program takes. Ids
-  /// that differ in other characters only, or in their case, which SPSS ignores, get a number.
+  /// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program accepts.
+  /// Ids that differ in other characters only, or in their case, which SPSS ignores, get a number.
   void add(const Key& key) {
     auto name = key.instrument + "__" + (key.isScore ? "score_" : "") + key.id;
     std::ranges::replace_if(
@@ -306,7 +307,7 @@ std::vector<ExportedForms> wideRows(
     }
     const auto& instrument = answer.record->step.instrument;
     const auto& item = answer.record->answer.item;
-    // A band of a number about the person is no number.
+    // Only numbers: a band of a number about the person is text.
     if (answer.band.empty()) {
       const auto name = names.ofItem(instrument, item);
       if (!name.empty()) rows[found->second].cells[name] = answer.response;

@@ -15,7 +15,7 @@ std::optional<double> finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A getter of what a test has.
+/// A getter of a member of the row's test.
 template <typename Value>
 auto ofTest(Value TestRow::*member) {
   return [member](const Row& row) { return row.test.*member; };

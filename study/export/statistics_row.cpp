@@ -38,7 +38,7 @@ analysis::TestRow named(std::string_view id, analysis::TestRow test) {
   return test;
 }
 
-/// Moments of one group.
+/// A row with number, mean and variance of the answers to one condition at one site.
 StatisticsRow siteAnswersRow(
     StatisticsRow row,
     const std::string& site,

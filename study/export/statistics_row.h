@@ -14,13 +14,13 @@
 
 namespace study {
 
-/// A row of the statistics table: a test, a score or a check, and what it is about.
+/// A row of the statistics table: the result of a test, a score or a check, and its subject.
 struct StatisticsRow {
   RunMode runMode = RunMode::Live;
   std::string cohort;
-  std::string site;        ///< empty: of all
-  std::string cohort2;     ///< the other one, where two are compared
-  std::string family;      ///< its id; empty where it belongs to none
+  std::string site;        ///< empty: all sites
+  std::string cohort2;     ///< the second cohort of a comparison
+  std::string family;      ///< its id; empty: none
   std::string instrument;  ///< its id
   std::string blocks;      ///< phases whose answers count, separated by spaces
   std::string score;       ///< of a questionnaire
@@ -28,10 +28,10 @@ struct StatisticsRow {
   std::string option;      ///< of a choice: its id
   std::string occasion;    ///< "before", "after", "change"
   std::optional<double> acceptableFrom;
-  std::optional<std::size_t> missing;  ///< forms that gave no score
-  std::string group1;                  ///< condition codes, not what the test calls its groups
+  std::optional<std::size_t> missing;  ///< forms without a score
+  std::string group1;                  ///< condition codes
   std::string group2;
-  std::string groups;  ///< of an overall test, separated by spaces
+  std::string groups;  ///< groups of an overall test, separated by spaces
   std::string_view design;
   std::string_view unit;
   std::optional<std::size_t> tests;  ///< m, in the family
@@ -41,19 +41,20 @@ struct StatisticsRow {
   std::optional<double> alphaPerTest;
   std::optional<double> level;  ///< confidence of the intervals
   std::string flags;            ///< separated by spaces
-  analysis::TestRow test;       ///< what was found
+  analysis::TestRow test;       ///< the result
 };
 
 Columns<StatisticsRow> statisticsColumns();
 
-/// What all rows of a family and cohort have in common: cohort, instrument, blocks, and level of
-/// significance.
+/// A row with the values that all rows of a family and cohort share: cohort, instrument, blocks,
+/// and level of significance.
 StatisticsRow familyRow(
     const protocols::Family& family,
     const protocols::Protocol& protocol,
     const std::string& cohort);
 
-/// Rows on a cohort as a whole: overall tests, order, reliability and distribution.
+/// Rows on a cohort as a whole: overall tests, effect of the position, reliability and
+/// distribution.
 /// @param family  by familyRow()
 /// @param codes  of conditions
 std::vector<StatisticsRow> overallRows(
@@ -74,15 +75,16 @@ std::vector<StatisticsRow> instrumentRows(
     const std::vector<InstrumentSummary>& instruments,
     const std::map<std::string, std::string>& codes);
 
-/// Rows on every answered item by itself: one for each item of numbers, and one for each option of
-/// a choice. Numbers that people gave about themselves are left out unless @p isExact.
+/// Descriptive rows on each answered item: one for each numeric item, and one for each option of a
+/// choice. Numbers about the person are left out unless @p isExact.
 std::vector<StatisticsRow> itemRows(
     const std::vector<ItemSummary>& items,
     const protocols::LoadedProtocol& loaded,
     const std::map<std::string, std::string>& codes,
     bool isExact);
 
-/// The forces of trials, or why they are not known: a damaged trace must not hide the answers.
+/// The forces of trials, or why they cannot be read: a damaged trace must not prevent the export of
+/// answers.
 struct FeltResult {
   std::vector<FeltCurve> curves;
   base::Message reason;  ///< empty, or what is wrong with the traces; then there are no curves
@@ -90,8 +92,8 @@ struct FeltResult {
 
 FeltResult feltResult(Study& study, RunMode mode);
 
-/// The differences of alternatives at the handle: a row for each pair, over all cohorts; one row
-/// with the reason if they are not known.
+/// The differences of rendered forces: a row for each pair of conditions, over all cohorts; a
+/// single row with the reason if traces cannot be read.
 std::vector<StatisticsRow> feltRows(
     const FeltResult& felt, const std::map<std::string, std::string>& codes);
 

@@ -32,7 +32,7 @@ Column<Row> cohortColumn() {
           }};
 }
 
-/// Only where there are several sites.
+/// Exported only if there are several sites.
 template <typename Row>
 Column<Row> siteColumn() {
   return {"site", holds::OneOf{ValueList::Sites}, kSiteInWords, [](const Row& row) {

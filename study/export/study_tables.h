@@ -8,7 +8,7 @@
 #include "study/export/export_rows.h"
 #include "study/storage/trace_store.h"
 
-// The columns of every file on what happened, one table for each file.
+// The tables of recorded data, one for each exported file.
 namespace study {
 
 Table<ExportedSession> sessionTable();
@@ -18,23 +18,23 @@ Table<ExportedTrial> trialTable();
 Table<ExportedCut> cutTable();
 Table<ExportedEvent> eventTable();
 
-/// What a participant answered about one alternative of a block, and what it comes to.
+/// The answers and scores of a participant about one alternative of a block.
 struct ExportedForms : ExportedStep {
   std::map<std::string, Cell> cells;  ///< by the name of their column
 };
 /// One row per participant and alternative with a column for each question and score, as SPSS and
-/// jamovi read repeated measures. Only answers that the statistics count; no texts.
+/// jamovi read repeated measures. Only answers that the statistics include; no free texts.
 Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded);
 std::vector<ExportedForms> wideRows(
     const protocols::LoadedProtocol& loaded, const std::vector<ExportedAnswer>& answers);
 
-/// A sample of a trial, with its time by the nominal rate [s].
+/// A sample of a trial, with the time of its tick at the nominal rate [s].
 struct ExportedTick {
   storage::TraceSample sample;
   double time = 0.0;
 };
 Table<ExportedTick> traceTable();
-/// Of a trial whose scene had none: the columns that release 0.1 wrote.
+/// The table of a trial without torque: the columns that release 0.1 wrote.
 Table<ExportedTick> traceTableWithoutTorque();
 
 /// The tables with other columns, or another order, in BIDS.

@@ -90,8 +90,8 @@ Table<ExportedTrial> trialTable() {
             of(&Trial::lostSamples)},
            {"invalid_ticks", Integer{}, "Ticks without a measurement", of(&Trial::invalidTicks)},
            {"trace_samples", Integer{}, "Samples kept in traces.db", of(&Trial::traceSamples)}},
-      // How long something was felt, how often the force was limited, whether a check failed, even
-      // how late the loop was: each depends on the rendering.
+      // The duration of contact, limited forces, failed checks, and even the lateness of the loop
+      // depend on the rendering.
       .revealsCondition = true};
 }
 

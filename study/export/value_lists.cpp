@@ -75,7 +75,8 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
   if (const auto sites = sitesOf(study, options.runMode); sites.size() > 1) {
     for (const auto& site : sites) addLevel(lists[ValueList::Sites], site, site);
   }
-  // Where rows of several run modes stand together, a code has no one condition.
+  // In an export of several run modes, a code has a different condition in each mode: it gets no
+  // label.
   const auto byCondition =
       conditionCodes(study, options.runMode.value_or(RunMode::Live), options.codes);
   const bool isNamed = !options.isBlinded && options.runMode;
