@@ -11,15 +11,16 @@ class App;
 
 namespace study::collect {
 
-/// The command that was called; returns the exit status.
+/// Runs a command; returns the exit status.
 using Action = std::function<int()>;
 
-/// The command line of palpate-collect, which 'palpate collect' starts. Parsing it sets the action
-/// of the command that was called. @param action  must outlive the program.
+/// The command line of palpate-collect, which 'palpate collect' starts. Parsing it sets @p action
+/// to the command that was called. @param action  must outlive the returned object.
 std::unique_ptr<CLI::App> makeCollectProgram(Action& action);
 
-/// Runs a command of palpate that reads a study: {"stats", "run", "all"}. @return  its exit status
-/// @throws UserError  if it does not know an option
+/// Runs a command of palpate that reads a study, such as {"stats", "run", "all"}. @return  its exit
+/// status
+/// @throws UserError  if the command does not know an option
 int runPalpate(std::vector<std::string> words);
 
 // Each adds its commands to the program.

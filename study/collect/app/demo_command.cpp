@@ -1,4 +1,4 @@
-// All of it on this computer alone: a private server, four stations, simulated participants.
+// A demonstration on this computer alone: a private server, four stations, simulated participants.
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -51,7 +51,7 @@ protocols::LoadedProtocol shippedProtocol() {
   return std::move(*protocol);
 }
 
-/// One site's work: it is enrolled, people come, and it sends what they did.
+/// The work of one site: enrolment, simulated participants, push.
 void runStation(const PrivateServer& postgres, const DemoStation& at, const DemoArguments& given) {
   const fs::path out(given.out);
   const fs::path folder = out / at.label;

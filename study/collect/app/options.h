@@ -14,8 +14,8 @@ namespace study::collect {
 /// --server, with a default from the environment variable PALPATE_SERVER.
 CLI::Option* addServerOption(CLI::App& command, std::string& server);
 
-/// The account of a station in a folder of its own, as long as it exists: on one computer several
-/// act, or one that leaves nothing behind.
+/// Sets the station's own folder (PALPATE_STATION) while this object exists, so that one computer
+/// can act as several stations, or as one whose data are removed afterwards.
 class Account {
  public:
   explicit Account(const std::filesystem::path& folder);

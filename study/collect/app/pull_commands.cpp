@@ -1,4 +1,4 @@
-// What whoever evaluates the study does: get all of it, or see whether all is as it was sent.
+// Commands for the analyst: get the whole study, or check that the server has what stations sent.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -24,7 +24,7 @@ struct PullArguments {
   std::string reason;
 };
 
-/// What was left out, and why. @return  whether all is as the stations signed it
+/// Prints what was left out, and why. @return  whether all data are as the stations signed them
 bool tellProblems(const PullResult& pulled) {
   for (const auto& station : pulled.stations) {
     for (const auto& session : station.incomplete) {
@@ -75,7 +75,7 @@ int pullStudy(const PullArguments& given) {
   return isSound ? 0 : 1;
 }
 
-/// What was pulled for one command; nothing of it stays on this computer.
+/// A study that is pulled for one command, into a temporary folder.
 class PassingPull {
  public:
   explicit PassingPull(const PullArguments& given) : account_(folder_ / "account") {
@@ -94,7 +94,7 @@ class PassingPull {
   PullResult pulled_;
 };
 
-/// @param words  the options of 'palpate stats run', which is run on what came
+/// @param words  the options of 'palpate stats run', which is run on the pulled study
 int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
   const PassingPull all(given);
   const bool isSound = tellProblems(all.pulled());

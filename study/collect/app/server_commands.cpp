@@ -1,4 +1,4 @@
-// What the server's administrator does: a study, its stations, and shutting one out.
+// Commands for the server's administrator: set up a study, take in bundles, revoke stations.
 #include <filesystem>
 #include <memory>
 #include <optional>

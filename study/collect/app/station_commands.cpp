@@ -1,4 +1,4 @@
-// What the person at the desk does: become a station, send, and see what has arrived.
+// Commands for the operator of a station: enrol, push, and see what has arrived.
 #include <memory>
 #include <string>
 #include <vector>
@@ -97,7 +97,7 @@ Pushed pushed(const StationArguments& given, Outbox& outbox) {
   return push(outbox, server);
 }
 
-/// Whether it succeeds or not, it is noted for the desk, which has no connection of its own.
+/// Notes the result, success or not, for the desk, which has no connection of its own.
 int pushStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
@@ -136,7 +136,7 @@ int pushStudy(const StationArguments& given) {
   return 0;
 }
 
-/// What is known without a network, and what the server says if there is one.
+/// Prints what is known without a network, and what the server says if it can be reached.
 int statusOfStation(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
@@ -165,7 +165,7 @@ int statusOfStation(const StationArguments& given) {
   return 1;
 }
 
-/// For whoever may see them.
+/// Prints the newest incidents, if this role may see them.
 void printIncidents(Connection& server) {
   constexpr int kMost = 20;
   std::vector<Incident> incidents;

@@ -58,7 +58,8 @@ storage::BlindingSecret secretOf(const StudyOnServer& study) {
   return storage::BlindingSecret(bytes);
 }
 
-/// What analysts see of a form in bands, as an export tells it (docs/decisions/0048).
+/// The background questions whose answers analysts see, in bands as in an export
+/// (docs/decisions/0048).
 std::vector<BackgroundItem> backgroundOf(const protocols::LoadedProtocol& loaded) {
   std::vector<BackgroundItem> items;
   for (const auto& phase : loaded.protocol.phases) {
@@ -82,7 +83,7 @@ std::string drawnUuid() {
   return storage::BlindingSecret::drawn().commitment().substr(0, kUuidDigits);
 }
 
-/// On the server all of it happens, or nothing.
+/// Runs @p action in one transaction of the server.
 template <typename Action>
 void inTransaction(Connection& server, const Action& action) {
   server.execute("BEGIN");
@@ -95,7 +96,8 @@ void inTransaction(Connection& server, const Action& action) {
   server.execute("COMMIT");
 }
 
-/// What of a bundle that was taken in does not agree with the audit trail of its station.
+/// The first disagreement between the data of a bundle and the audit trail of its station;
+/// std::nullopt: none.
 std::optional<std::string> problemIn(
     Connection& server, const std::string& study, const Bundle& bundle) {
   ServerReader reader(server, study, "a bundle is checked");
@@ -188,7 +190,8 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
   requireName(request.site, "a site");
   const auto label = request.label.empty() ? request.site : request.label;
   requireName(label, "a station");
-  storage::StationStore::sealFor("", request.key);  // is it a key, before anything is written?
+  // throws if it is no key, before anything is written
+  storage::StationStore::sealFor("", request.key);
   if (!request.address.empty()) requireAddress(request.address);
   const auto study = findStudy(server, request.study);
   StationEnrolment enrolment{

@@ -12,26 +12,26 @@
 
 namespace study::collect {
 
-/// Makes a study on the server; for one that is there the protocol becomes its newest version.
-/// @return  whether it was made
-/// @throws UserError  if the name is not sound. @throws ServerError
+/// Makes a study on the server. If the study exists, the protocol is added as its newest version.
+/// @return  whether the study was made
+/// @throws UserError  if the name is not valid. @throws ServerError
 bool putStudy(
     Connection& server,
     const std::string& name,
     const protocols::LoadedProtocol& protocol,
     std::optional<std::uint64_t> seed);
 
-/// What is missing in the server's settings for its log to tell who was denied what; std::nullopt:
-/// nothing. @throws ServerError
+/// Which of the server's settings keeps its log from showing whose requests were denied;
+/// std::nullopt: none. @throws ServerError
 std::optional<std::string> logProblem(Connection& server);
 
 struct StationRequest {
   std::string study;  ///< name; empty: the only one
   std::string site;
-  std::string label;    ///< empty: as the site
+  std::string label;    ///< empty: the site's name
   std::string key;      ///< public key of the station
-  std::string address;  ///< where the station finds the server; empty: as this connection does
-  int days = 30;        ///< for how long the enrolment can be used
+  std::string address;  ///< the server's address for the station; empty: that of this connection
+  int days = 30;        ///< validity of the enrolment [days]
 };
 
 /// A station that was enrolled.
@@ -41,23 +41,23 @@ struct EnrolledStation {
   std::string role;
   std::string expiresUtc;
   std::string file;  ///< content of the enrolment, sealed for the station
-  std::string mark;  ///< to be read out to the station (markOf())
+  std::string mark;  ///< fingerprint to be read out to the station (markOf())
 };
 
-/// @throws UserError  if a name, the key or the address is not sound (it may hold no password), or
-///     the station is there already.
+/// Adds a station to a study of the server. @throws UserError  if a name, the key or the address is
+/// invalid (it must not contain a password), or there is a station of that name already.
 EnrolledStation enrolStation(Connection& server, const StationRequest& request);
 
-/// A bundle that was taken in.
+/// The result of takeBundle().
 struct TakenBundle {
   std::string station;    ///< label
   std::int64_t have = 0;  ///< the server has all events up to this one
   std::vector<ErasureReceipt> erased;
 };
 
-/// Takes in what a station without a network put into a file. Twice is the same as once.
-/// @throws UserError  if it is not whole or not what a station of this server signed, which is kept
-///     as an incident, or if an earlier one is missing. @throws ServerError
+/// Stores the content of a bundle, the file of a station without a network. Can be repeated.
+/// @throws UserError  if the bundle is damaged or was not signed by a station of this server (the
+///     server keeps an incident), or if an earlier bundle is missing. @throws ServerError
 TakenBundle takeBundle(Connection& server, const std::filesystem::path& file);
 
 }  // namespace study::collect

@@ -1,4 +1,4 @@
-// What the server's refusals mean. Their names are those of refuse() in the schema.
+// Messages for the server's refusals. Their names are those of refuse() in the schema.
 #include <array>
 #include <string_view>
 

@@ -11,27 +11,27 @@
 #include "study/storage/trace_store.h"
 #include "study/storage/transfer/session_facts.h"
 
-// What travels between a station and the server, in JSON (docs/decisions/0054). A program that
-// writes another format says so with its number.
+// The messages between a station and the server, in JSON (docs/decisions/0054), with the number of
+// their format.
 namespace study::collect {
 
 inline constexpr int kBatchFormat = 1;
 
-/// The text of one session: the same on the station, on the server and in every study that holds
-/// it, so that its SHA-256 tells whether two of them say the same.
+/// The JSON text of a session. Equal rows give equal text on the station, on the server and in
+/// every study, so that the SHA-256 can be compared.
 std::string asText(const storage::SessionFacts& facts);
 
-/// @throws storage::StorageError  (Damaged) if it is none.
+/// Parses asText(). @throws storage::StorageError  (Damaged) for other text.
 storage::SessionFacts factsIn(const std::string& text);
 
-/// One session, as it stood after its event `asOf`.
+/// A session in its state after its event `asOf`.
 struct SentSession {
   std::int64_t number = 0;
   std::int64_t asOf = 0;
   std::string facts;  ///< asText()
 };
 
-/// The content key of a participant, for the server to read what the audit trail says.
+/// The content key of a participant, with which the server opens details of the audit trail.
 struct SentKey {
   std::string participant;
   storage::SealingKey key;
@@ -42,37 +42,37 @@ struct SentChunk {
   storage::TraceChunk chunk;
 };
 
-/// What is sent in one transaction: events that follow each other, and what belongs to them.
+/// The content of one transaction: consecutive events, and the data that belong to them.
 struct Batch {
   std::string study;    ///< uuid
   std::string station;  ///< uuid
-  std::string after;    ///< hash of the event before the first; empty: there is none
+  std::string after;    ///< hash of the event before the first one; empty: the first one is event 1
   std::vector<storage::StoredEvent> events;
   std::vector<SentSession> sessions;
   std::vector<SentKey> keys;
   std::vector<SentChunk> chunks;
 };
 
-/// All of a batch but the bytes of its chunks.
+/// The JSON text of a batch, without the bytes of its chunks.
 std::string asText(const Batch& batch);
 
-/// What the server says to a batch.
+/// The server's answer to a batch.
 struct Answer {
-  std::int64_t have = 0;     ///< all events up to this one are there
-  std::int64_t pending = 0;  ///< sessions whose rows are still to come
+  std::int64_t have = 0;     ///< the server has all events up to this number
+  std::int64_t pending = 0;  ///< sessions whose rows the server does not have yet
   std::string head;          ///< hash of event `have`, hexadecimal; empty: there is none
-  std::string refused;       ///< why the batch was not taken ("fork"); empty: it was
+  std::string refused;       ///< why the batch was refused ("fork"); empty: it was stored
   std::string detail;
   std::vector<ErasureReceipt> erased = {};  ///< of the batch's sessions
 };
 
-/// @throws storage::StorageError  if it is none.
+/// Parses an answer. @throws storage::StorageError  for other text.
 Answer answerIn(const std::string& text);
 
-/// What a refusal means, and what to do about it.
+/// The message on a refusal: what it means, and what to do.
 std::string wordsFor(const Answer& answer);
 
-/// For the person who erases, and for the participant.
+/// The message on a receipt, for the operator and the participant.
 std::string wordsFor(const ErasureReceipt& receipt);
 
 }  // namespace study::collect

@@ -18,8 +18,8 @@
 namespace study::collect {
 namespace {
 
-// A line that says what it is; the sealed key, and records: a length of eight bytes and so many
-// bytes, of the stream cipher; a line with the signature of all before.
+// File format: a header line; the sealed key of the stream cipher; records, each a length of eight
+// bytes and so many encrypted bytes; a line with the signature of all bytes before it.
 constexpr const char* kFirstWord = "palpate-bundle-1";
 constexpr std::size_t kSignatureDigits = 128;
 constexpr std::uint64_t kLargestRecord = std::uint64_t{256} * 1024 * 1024;  // [bytes]
@@ -33,7 +33,7 @@ using SecretBox = std::array<unsigned char, crypto_box_SECRETKEYBYTES>;
 }
 
 std::pair<PublicBox, SecretBox> boxOf(const storage::BlindingSecret& secret) {
-  // The secret of a "station" that no name can be, as a seed.
+  // A secret derived for a label that no station can have ('/' is not allowed), as a seed.
   const auto seed = secret.of("/bundles").bytes();
   static_assert(std::tuple_size_v<storage::BlindingSecret::Bytes> == crypto_box_SEEDBYTES);
   std::pair<PublicBox, SecretBox> box;
@@ -65,14 +65,14 @@ std::uint64_t numberIn(std::string_view bytes) {
   return number;
 }
 
-/// A hash of everything that is written or read.
+/// A hash of all bytes that were written or read so far.
 class RunningHash {
  public:
   RunningHash() { crypto_generichash_init(&state_, nullptr, 0, crypto_generichash_BYTES); }
   void add(const std::string& bytes) {
     crypto_generichash_update(&state_, bytesOf(bytes), bytes.size());
   }
-  /// What the station signs.
+  /// The text that the station signs.
   std::string statement() {
     std::array<std::byte, crypto_generichash_BYTES> hash{};
     crypto_generichash_final(&state_, reinterpret_cast<unsigned char*>(hash.data()), hash.size());
@@ -155,7 +155,7 @@ std::string asRecord(const Batch& batch) {
   return record;
 }
 
-/// Calls @p part with each of the parts of asRecord(). False if it is none.
+/// Calls @p part with each part of a record (asRecord()). False if the record is malformed.
 template <typename Part>
 bool forEachPart(std::string_view record, const Part& part) {
   while (!record.empty()) {
@@ -291,7 +291,8 @@ Bundle writeBundle(
     bundle.bytes = written(outbox, station, bundleKey, bundle, file);
   } catch (...) {
     std::error_code ignored;
-    std::filesystem::remove(file, ignored);  // half of it is of no use, and would be in the way
+    // an incomplete file is useless and would block a second try
+    std::filesystem::remove(file, ignored);
     throw;
   }
   return bundle;

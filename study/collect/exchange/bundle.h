@@ -13,14 +13,15 @@
 
 namespace study::collect {
 
-// What a station has for the server, as one file for a hospital without a network. It is encrypted
-// (XChaCha20-Poly1305 of libsodium) for whoever has the study's secret, and signed with the
-// station's key (Ed25519).
+// A bundle: the data that a station has for the server in one file, for a hospital without a
+// network. It is encrypted (XChaCha20-Poly1305 of libsodium), can be opened with the study's
+// secret, and is signed with the station's key (Ed25519).
 
-/// The public key for which bundles of a study are sealed, hexadecimal: it goes to all stations.
+/// The public key with which stations seal bundles of a study, hexadecimal. All stations receive
+/// it.
 std::string bundleKeyOf(const storage::BlindingSecret& secret);
 
-/// What a bundle has.
+/// The header of a bundle, and its size.
 struct Bundle {
   std::string study;    ///< uuid
   std::string station;  ///< uuid
@@ -29,7 +30,7 @@ struct Bundle {
   std::uint64_t bytes = 0;
 };
 
-/// Writes everything after the event @p after to a new file.
+/// Writes all data after the event @p after to a new file.
 /// @throws UserError  if there is nothing to be sent. @throws storage::StorageError
 Bundle writeBundle(
     Outbox& outbox,
@@ -38,18 +39,18 @@ Bundle writeBundle(
     std::int64_t after,
     const std::filesystem::path& file);
 
-/// A bundle is not whole, was changed, or is of another station or study than it says.
+/// A bundle is incomplete, was changed, or is not of the station and study that its header names.
 class UnsoundBundle : public UserError {
  public:
   using UserError::UserError;
 };
 
-/// Which study and station a bundle says that it is of. Nothing is checked yet.
+/// Reads the header of a bundle. Its study and station are not verified yet.
 /// @throws UserError  if the file is no bundle.
 Bundle bundleIn(const std::filesystem::path& file);
 
-/// Checks the signature of the whole file, and then gives its batches in their order, each as it
-/// was sent: its text, and the bytes of its chunks. Stops if @p take returns false.
+/// Checks the signature of the whole file, then calls @p take with each batch in order: its text,
+/// and the bytes of its chunks. Stops if @p take returns false.
 /// @param key  the station's public key, as it was enrolled
 /// @throws UnsoundBundle
 void readBundle(

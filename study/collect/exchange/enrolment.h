@@ -13,32 +13,33 @@
 
 namespace study::collect {
 
-/// All that a computer needs to become a station of a study: its protocols, its place, and what its
-/// own orders are drawn from. It travels sealed for that computer.
+/// Everything that a computer needs to become a station of a study: protocols, site and label, and
+/// the secret and seed of its orders. The file is sealed for that computer.
 struct StationEnrolment {
   std::string study;  ///< uuid
   std::string title;
   std::uint64_t seed = 0;
   storage::BlindingSecret secret;  ///< of this station alone
   Station station;
-  std::string server;  ///< where it pushes to, as libpq reads it
+  std::string server;  ///< connection string (libpq) of the server that it pushes to
   std::string role;
-  std::string bundleKey;  ///< for which bundles are sealed (bundleKeyOf())
+  std::string bundleKey;  ///< public key for sealing bundles (bundleKeyOf())
   std::string expiresUtc;
   struct Protocol {
     std::string text;
     std::vector<protocols::SourceFile> files;
   };
-  std::vector<Protocol> protocols;  ///< all versions, the oldest first: the study is named by it
-  std::string mark = {};            ///< of whoever signed the file (markOf()), once it was read
+  /// All versions, the oldest first, from which the study's uuid is computed.
+  std::vector<Protocol> protocols;
+  std::string mark = {};  ///< markOf() the key that signed the file; set by enrolmentIn()
 };
 
-/// What tells one study's signature from all others, to be read out on the telephone: the first 80
-/// bits of a hash of the key with which its enrolments are signed, "1a2b 3c4d 5e6f 7081 92a3".
+/// A short fingerprint of the key that signs a study's enrolments, to be compared on the telephone:
+/// the first 80 bits of its hash, "1a2b 3c4d 5e6f 7081 92a3".
 /// @param secret  of the study, from which that key is derived
 std::string markOf(const storage::BlindingSecret& secret);
 
-/// Sealed for the station, and signed for the study.
+/// The enrolment file: sealed for the station, and signed with the study's key.
 /// @param publicKey  of the station ('palpate collect key'). @param secret  of the study
 /// @throws UserError  if it is no key
 std::string asText(
@@ -46,10 +47,12 @@ std::string asText(
     const std::string& publicKey,
     const storage::BlindingSecret& secret);
 
-/// @throws UserError  in words, if it is none, for another station, or not as it was signed.
+/// Opens an enrolment file. @throws UserError  if it is no enrolment, is for another station, or
+/// has an invalid signature.
 StationEnrolment enrolmentIn(const std::string& text, const storage::StationStore& station);
 
-/// Where a study's station pushes to: collect.json in its folder. Nothing in it is secret.
+/// The server that a station of a study pushes to: collect.json in the study's folder. It has no
+/// secrets.
 struct HomeServer {
   std::string server;
   std::string role;
@@ -59,12 +62,12 @@ void write(const HomeServer& home, const std::filesystem::path& folder);
 /// @throws UserError  if the study was not made by join().
 HomeServer homeServerOf(const std::filesystem::path& folder);
 
-/// Makes the study's folder at a station that was enrolled by the file @p enrolment. A file is used
-/// once. Anybody can seal a file for a station: that it comes from the study tells its mark, which
-/// the account remembers.
-/// @param mark  that the study's administrator read out; empty: nobody compared it
-/// @throws UserError  if it is for another computer, was used, is too old, or has another mark than
-///     @p mark or than an earlier enrolment of the study.
+/// Makes the study's folder at a station from the file @p enrolment, which can be used once.
+/// Anybody can seal a file for a station; only the mark shows that it comes from the study. The
+/// account remembers the mark.
+/// @param mark  as the study's administrator read it out; empty: not compared
+/// @throws UserError  if the file is for another computer, was used, has expired, or has another
+///     mark than @p mark or than an earlier enrolment of the study.
 /// @throws storage::StorageError
 StationEnrolment join(
     const std::filesystem::path& enrolment,

@@ -43,14 +43,14 @@ storage::BlindingSecret secretIn(const json& object) {
   return storage::BlindingSecret(bytes);
 }
 
-/// With which a study signs enrolments.
+/// The key pair with which a study signs enrolments.
 struct SigningKey {
   std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
   std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
 };
 
 SigningKey signingKeyOf(const storage::BlindingSecret& secret) {
-  // The secret of a "station" that no name can be, as a seed.
+  // A secret derived for a label that no station can have ('/' is not allowed), as a seed.
   const auto seed = secret.of("/enrolments").bytes();
   static_assert(std::tuple_size_v<storage::BlindingSecret::Bytes> == crypto_sign_SEEDBYTES);
   SigningKey key;
@@ -70,7 +70,7 @@ std::string markOfKey(const std::string& key) {
   return mark;
 }
 
-/// What is signed: all that the file says.
+/// The signed text: the whole file without the signature.
 std::string statementOf(const json& outside) {
   auto signedPart = outside;
   signedPart.erase("signature");

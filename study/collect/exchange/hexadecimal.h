@@ -9,7 +9,7 @@ namespace study::collect {
 
 std::string hexadecimalOf(std::span<const std::byte> bytes);
 
-/// Of what hexadecimalOf() gave.
+/// The inverse of hexadecimalOf().
 std::vector<std::byte> bytesOfHexadecimal(const std::string& text);
 
 }  // namespace study::collect

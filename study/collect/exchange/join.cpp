@@ -39,7 +39,8 @@ std::string withoutSpaces(std::string text) {
   return text;
 }
 
-/// Who could write a file for this station could take its data: it says where they are sent to.
+/// Checks the mark. The file says where the station sends its data, so a forged file could divert
+/// them.
 void requireMark(
     const StationEnrolment& enrolment,
     const std::string& mark,

@@ -53,7 +53,8 @@ Batch Outbox::sample(std::int64_t event) {
   return batch;
 }
 
-/// The rows of a session travel with its last event, which vouches for them.
+/// Adds the rows of each session whose last event is in the batch, because that event has their
+/// hash.
 void Outbox::addSessions(Batch& batch) {
   for (const auto& mark : storage::sessionMarks(study_.database())) {
     const bool isHere = !batch.events.empty() && mark.lastEvent >= batch.events.front().seq &&
@@ -68,7 +69,7 @@ void Outbox::addSessions(Batch& batch) {
   }
 }
 
-/// The samples of the trials that ended in these events, before the events themselves.
+/// Sends the samples of trials that end in these events, before the events themselves.
 bool Outbox::sendChunks(const Batch& events, const std::function<bool(const Batch&)>& send) {
   Batch part = question();
   std::size_t size = 0;

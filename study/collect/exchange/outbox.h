@@ -13,9 +13,9 @@
 
 namespace study::collect {
 
-/// What a station has for the server: the study's folder itself, as it was when this was made. The
-/// audit trail numbers everything without a gap, in the transaction in which it happened; nothing
-/// is marked as sent. What is to be sent follows from the last number that the server has.
+/// The data that a station has for the server: a snapshot of the study's folder at construction.
+/// The events of the audit trail are numbered without gaps, each in the transaction of its change,
+/// so the last number that the server has determines what is to be sent. Nothing is marked as sent.
 class Outbox {
  public:
   /// @throws UserError  if the folder is no station's. @throws storage::StorageError
@@ -25,27 +25,27 @@ class Outbox {
   const Station& station() const noexcept { return study_.station(); }
   std::int64_t lastEvent() const noexcept { return last_; }
 
-  /// Hexadecimal; empty for event 0.
+  /// The hash of an event, hexadecimal; empty for event 0.
   std::string hashOf(std::int64_t event);
 
-  /// How many of the sessions have all that the server needs in events up to @p event.
+  /// The sessions, and those that have arrived at a server with all events up to @p event.
   Arrivals arrivalsBy(std::int64_t event) { return study::arrivalsBy(study_, event); }
 
-  /// How much is sent in one transaction: what is lost on the way is sent again.
+  /// The largest content of one batch. A batch whose transaction fails is sent again.
   struct Limits {
     std::int64_t events = 2000;
     std::size_t traceBytes = std::size_t{8} * 1024 * 1024;
   };
   void setLimits(const Limits& limits) noexcept { limits_ = limits; }
 
-  /// An empty batch: it asks what the server has.
+  /// An empty batch, which asks the server for its last event.
   Batch question();
 
-  /// One event alone: whether the server has the same.
+  /// A batch of one event, which asks whether the server has the same one.
   Batch sample(std::int64_t event);
 
-  /// Calls @p send with everything after the event @p after, in order, in parts that fit into a
-  /// transaction. Stops if it returns false.
+  /// Calls @p send with all data after the event @p after, in order, in batches within the limits.
+  /// Stops if @p send returns false.
   void forEachBatch(std::int64_t after, const std::function<bool(const Batch&)>& send);
 
  private:

@@ -7,11 +7,11 @@
 
 namespace study::collect {
 
-/// The files of a protocol as the server keeps them: a JSON object, name to text.
+/// The files of a protocol as the server stores them: a JSON object, name to text.
 std::string filesAsText(const std::vector<protocols::SourceFile>& files);
 std::vector<protocols::SourceFile> filesIn(const std::string& text);
 
-/// A protocol of its text and files.
+/// Loads a protocol from its text and files.
 /// @throws UserError  if this version of the program cannot read it.
 protocols::LoadedProtocol protocolOf(
     const std::string& text, const std::vector<protocols::SourceFile>& files);

@@ -32,7 +32,8 @@ protocols::LoadedProtocol protocolOf(
         "the study's administrator:\n" +
         questionnaires::describe(problems.all()));
   }
-  protocol->files = files;  // what is named by their hash everywhere, also without the library's
+  // the hash of a protocol covers these files, without forms of the library
+  protocol->files = files;
   return std::move(*protocol);
 }
 

@@ -21,8 +21,8 @@ bool isErased(const storage::SessionFacts& facts) {
   return storage::textIn(facts, "session", "state") == nameOf(SessionState::Erased);
 }
 
-/// Other copies on this computer, from earlier pulls, forget whom a station erased: they are erased
-/// from when they are opened next.
+/// Adds an erasure of a station to this computer's list, so that copies from earlier pulls are
+/// erased from when they are opened next.
 void listErasure(const std::string& study, const storage::SessionFacts& facts) {
   storage::list(
       {.study = study,
@@ -32,7 +32,7 @@ void listErasure(const std::string& study, const storage::SessionFacts& facts) {
        .utc = storage::textIn(facts, "session", "ended_utc")});
 }
 
-/// Brings one station into the study.
+/// Adds the data of one station to the collected study.
 class StationPull {
  public:
   StationPull(
@@ -136,7 +136,7 @@ class StationPull {
   std::set<std::int64_t> taken_;
 };
 
-/// What 'study verify' finds.
+/// The problems that 'study verify' finds.
 std::vector<std::string> problemsOf(
     const std::filesystem::path& folder, Clock& clock, const Progress& progress) {
   auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);

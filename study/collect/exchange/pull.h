@@ -14,36 +14,37 @@ namespace study::collect {
 struct PullRequest {
   std::string study;  ///< its name; empty: the only one
   std::filesystem::path folder;
-  std::string reason;  ///< kept on the server: what is pulled has the map of conditions in it
+  std::string reason;  ///< noted on the server, because the pulled study reveals conditions
 };
 
-/// What was pulled of one station.
+/// The result for one station.
 struct PulledStation {
   std::string label;
   std::int64_t events = 0;
   std::size_t sessions = 0;
   std::size_t erased = 0;
   std::uint64_t traceBytes = 0;
-  /// Sessions that were left out because their last events have arrived and their rows have not:
-  /// the station was interrupted.
+  /// Sessions that were left out because their rows have not arrived with their last events: the
+  /// push was interrupted.
   std::vector<std::string> incomplete;
-  /// What is not as the station signed it. Sessions that it is of were left out, and named.
+  /// Data that differ from what the station signed. Their sessions were left out; each problem
+  /// names its session.
   std::vector<std::string> problems;
 };
 
-/// What was pulled.
+/// The result of pull().
 struct PullResult {
   std::vector<PulledStation> stations;
-  std::vector<std::string> problems;  ///< that 'study verify' finds in the folder
+  std::vector<std::string> problems;  ///< problems that 'study verify' finds in the folder
 
   bool isSound() const noexcept;
   std::size_t sessions() const noexcept;
 };
 
-/// Makes an ordinary study of all that has arrived, as it is on the server at one moment, and
-/// verifies it. Each station's audit trail is computed again and its signatures are checked, and
-/// all rows and samples are compared with the hashes that the trail has of them (StationTrail).
-/// What a station did not sign is left out and named; the other stations are not stopped by it.
+/// Makes a study folder (CollectedStudy) from all data on the server, in the state of one moment,
+/// and verifies it. Recomputes each station's audit trail, checks its signatures, and compares all
+/// rows and samples with their hashes in the trail (StationTrail). Data that a station did not sign
+/// are left out and reported; other stations are not affected.
 /// @throws ServerError
 /// @throws UserError  if the study is unknown, or there is no reason
 /// @throws storage::StorageError  (Damaged) if seed or protocols on the server are damaged

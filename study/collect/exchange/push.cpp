@@ -13,8 +13,8 @@ namespace {
   throw Refused(answer.refused, wordsFor(answer));
 }
 
-/// What the server has must be what this folder has: else another copy went on. The server keeps an
-/// incident of that.
+/// Requires that the server's last event is in this folder. Otherwise another copy of the folder
+/// was continued, and the server keeps an incident.
 void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
   if (!answer.refused.empty()) refuseIn(answer);
   if (answer.have == 0) return;

@@ -12,10 +12,10 @@
 
 namespace study::collect {
 
-/// What became of a push.
+/// The result of a push.
 struct Pushed {
   std::int64_t before = 0;  ///< the last event that the server had
-  std::int64_t have = 0;    ///< and has now
+  std::int64_t have = 0;    ///< the last event that it has now
   std::uint64_t batches = 0;
   std::uint64_t traceBytes = 0;
   Arrivals sessions;
@@ -27,25 +27,26 @@ class Refused : public UserError {
  public:
   Refused(std::string name, const std::string& what) : UserError(what), name_(std::move(name)) {}
 
-  /// "fork", "revoked"; "older_copy": the server has more of this station than this folder
+  /// the server's name of the refusal: "fork", "revoked"; "older_copy": the server has more events
+  /// of this station than this folder
   const std::string& name() const noexcept { return name_; }
 
  private:
   std::string name_;
 };
 
-/// Sends what the server does not have. Whatever interrupts it, the next push goes on from what the
-/// server then says; what is sent twice changes nothing.
+/// Sends the data that the server does not have. After an interruption, the next push continues
+/// from the last event of the server; data that are sent twice change nothing.
 /// @param sent  called after each batch; an exception that it throws ends the push.
 /// @throws ServerError  (Release) if the server's schema is older or newer than this program's;
 ///     nothing is sent then. @throws Refused
 Pushed push(
     Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent = {});
 
-/// One call of ingest. @throws ServerError
+/// Sends one batch (the server's function ingest). @throws ServerError
 Answer ingest(Connection& server, const Batch& batch);
 
-/// The same of a batch that is a text already, with the bytes of its chunks.
+/// Sends a batch that is text already, with the bytes of its chunks.
 Answer ingest(
     Connection& server, const std::string& text, const std::vector<std::vector<std::byte>>& chunks);
 

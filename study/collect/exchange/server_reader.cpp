@@ -76,7 +76,7 @@ Snapshot::~Snapshot() {
   try {
     server_.execute("ROLLBACK");
   } catch (const ServerError&) {
-    return;  // the connection is gone, and its transaction with it
+    return;  // the connection is lost, which ended its transaction
   }
 }
 

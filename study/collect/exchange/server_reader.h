@@ -14,7 +14,7 @@
 
 namespace study::collect {
 
-/// A station as the server has it.
+/// A station in the server's tables.
 struct StationRow {
   std::int64_t id = 0;
   Station station;
@@ -22,7 +22,7 @@ struct StationRow {
   std::int64_t have = 0;
 };
 
-/// A session's row as the server has it. Nothing of it is checked yet.
+/// A session in the server's tables. It is not verified yet.
 struct SessionOnServer {
   std::int64_t number = 0;
   std::int64_t asOf = 0;
@@ -30,7 +30,8 @@ struct SessionOnServer {
   std::string facts;
 };
 
-/// As long as it exists, all is read as it was at one moment.
+/// A read transaction: while this object exists, all queries see the server in the state of one
+/// moment.
 class Snapshot {
  public:
   explicit Snapshot(Connection& server);
@@ -42,14 +43,14 @@ class Snapshot {
   Connection& server_;
 };
 
-/// Reads a study from the server, as a role that may unblind it.
+/// Reads a study from the server; the connection's role must be allowed to unblind it.
 class ServerReader {
  public:
-  /// @param name  of the study; empty: the only one. @param reason  kept on the server
+  /// @param name  of the study; empty: the only one. @param reason  noted on the server
   /// @throws UserError  if there is no reason, or no such study. @throws ServerError
   ServerReader(Connection& server, const std::string& name, const std::string& reason);
 
-  /// @throws storage::StorageError  (Damaged) if secret or protocols are not what was stored.
+  /// @throws storage::StorageError  (Damaged) if secret or protocols do not match their hashes.
   CollectedStudy::Origin origin();
   std::vector<StationRow> stations();
   std::vector<storage::StoredEvent> events(const StationRow& station);

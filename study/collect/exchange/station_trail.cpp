@@ -20,7 +20,7 @@ namespace {
 
 using storage::Statement;
 
-/// A study without sessions that has these events.
+/// A study in memory with these events and no sessions.
 std::unique_ptr<storage::Database> trailOf(
     const std::string& study, std::span<const storage::StoredEvent> events) {
   auto database =
@@ -126,7 +126,7 @@ void StationTrail::judge(
   const auto upTo = [&](std::int64_t end) {
     return trailOf(study.uuid, std::span(events_).first(static_cast<std::size_t>(end)));
   };
-  // What comes before a break is as the station signed it.
+  // Events before the first break of the chain are as the station signed them.
   const auto isUnbroken = [&](std::int64_t end) {
     return !storage::EventLog(*upTo(end)).firstBreak();
   };
@@ -188,8 +188,8 @@ std::vector<std::string> StationTrail::problemsOf(
   return problems;
 }
 
-/// The trail's hash of a session's rows covers the numbers that participant and protocol have in
-/// the station's file. These do not travel: they count from 1, and are found by trying.
+/// The hash of a session's rows covers the row numbers of participant and protocol in the station's
+/// file. These are not sent. They count from 1 and are found by trying.
 bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& said) {
   if (said.content.empty()) return false;
   Statement row(
@@ -253,7 +253,7 @@ StationTrail::Trials StationTrail::trialsOf(std::int64_t session) const {
   return trials;
 }
 
-/// Samples against their trials, and against the digests in the trail.
+/// Compares samples with their trials and with the digests in the trail.
 std::optional<std::string> StationTrail::firstProblemOfTraces(
     std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& said) {
   std::set<VisitKey> visits;

@@ -17,15 +17,16 @@
 
 namespace study::collect {
 
-/// What the server has of one station, checked by the code that verifies a study: the chain of its
-/// audit trail, its signatures, and all rows and samples against the hashes that the trail has of
-/// them. A person with the station's role, or the server's owner, can change what is there, but
-/// cannot sign it.
+/// Verifies the data that the server has of one station, with the code that verifies a study: the
+/// hash chain of the audit trail, its signatures, and all rows and samples against their hashes in
+/// the trail. Holders of the station's role and the server's owner can change these data, but
+/// cannot sign them.
 class StationTrail {
  public:
-  /// @param events  all that the server has
-  /// @param keys  with which the trail says what it says of people
-  /// @param vouchedUpTo  the station signed everything up to this event in another way, too
+  /// @param events  all events that the server has of the station
+  /// @param keys  content keys of the participants, to open details
+  /// @param vouchedUpTo  a signature outside of the trail (of a bundle) covers all events up to
+  ///     this one
   StationTrail(
       const CollectedStudy::Origin& study,
       const StationRow& station,
@@ -33,21 +34,21 @@ class StationTrail {
       const std::vector<SentKey>& keys,
       std::int64_t vouchedUpTo = 0);
 
-  /// What is wrong: an event that is not of its hash, a signature that is not of the events before
-  /// it or of another key than the station's, a trail that began elsewhere. Empty: nothing.
+  /// The problems of the trail: an event that differs from its hash, a signature that is invalid or
+  /// not of the station's key, a trail that began elsewhere.
   const std::vector<std::string>& problems() const noexcept { return problems_; }
 
-  /// Everything up to this event is vouched for by the station's key: its last signature before
-  /// anything that is wrong. 0: nothing is.
+  /// The last event that the station's valid signatures cover, before the first problem. 0: none.
   std::int64_t signedUpTo() const noexcept { return signedUpTo_; }
 
-  /// Which events after that there are, in words; empty: none.
+  /// A message on the events after signedUpTo(); empty: there are none.
   std::string unsignedPart() const;
 
   /// The last event of each session, as far as it is signed.
   const std::map<std::int64_t, std::int64_t>& lastEvents() const noexcept { return lastEvents_; }
 
-  /// What of a session differs from what the trail says after its event @p asOf. Empty: nothing.
+  /// The differences of a session's rows and samples from their hashes in the trail at event @p
+  /// asOf. Empty: none.
   std::vector<std::string> problemsOf(
       std::int64_t session,
       std::int64_t asOf,
@@ -59,7 +60,7 @@ class StationTrail {
 
   /// The hash of event signedUpTo(), hexadecimal.
   std::string head() const;
-  /// Ends this: the events up to signedUpTo().
+  /// Moves the events up to signedUpTo() out; nothing else may be called afterwards.
   std::vector<storage::StoredEvent> takeEvents();
 
  private:
@@ -75,17 +76,18 @@ class StationTrail {
   Station station_;
   storage::SealingKey key_;
   std::vector<storage::StoredEvent> events_;
-  /// A study without sessions, which has the trail up to signedUpTo(). Sessions are put into it one
-  /// at a time.
+  /// A study with the trail up to signedUpTo() and no sessions. problemsOf() adds one session at a
+  /// time, in a transaction that is rolled back.
   std::unique_ptr<storage::Database> database_;
   storage::IdentityStore identities_;
-  storage::TraceStore traces_;  ///< empty: samples of a session are put into it, and taken out
+  /// Empty; problemsOf() adds samples in a transaction that is rolled back.
+  storage::TraceStore traces_;
   std::vector<std::string> problems_;
   std::int64_t signedUpTo_ = 0;
   std::map<std::int64_t, std::int64_t> lastEvents_;
-  std::int64_t versions_ = 1;                         ///< of the protocol that the station had
-  std::map<std::string, std::int64_t> participants_;  ///< their rows at the station, by code
-  std::map<std::int64_t, std::string> protocols_;     ///< hashes, by their rows at the station
+  std::int64_t versions_ = 1;  ///< number of versions of the protocol at the station
+  std::map<std::string, std::int64_t> participants_;  ///< row numbers at the station, by code
+  std::map<std::int64_t, std::string> protocols_;     ///< hashes, by row number at the station
 };
 
 }  // namespace study::collect

@@ -24,9 +24,9 @@ struct Setting {
   const char* value;
 };
 
-/// Whoever says where the server is may say other values. A network that is gone is noticed while
-/// nothing is sent (30 s + 3 · 10 s) as well as while something is (60 s): else a push would wait
-/// for hours.
+/// Defaults, which the connection string may override. A lost network is noticed within 60 s, both
+/// while the connection is idle (30 s + 3 · 10 s) and while it sends. With the system's defaults a
+/// push would wait for hours.
 constexpr std::array kSettings{
     Setting{"connect_timeout", "10"},      // [s]: of one attempt
     Setting{"keepalives_idle", "30"},      // [s]
@@ -35,10 +35,10 @@ constexpr std::array kSettings{
     Setting{"tcp_user_timeout", "60000"},  // [ms]
     Setting{"fallback_application_name", "palpate"}};
 
-/// libpq's messages end with line feeds, and begin with what it tried.
+/// A message of libpq without its prefix (what it tried) and without line feeds at its end.
 std::string sentence(const char* message) {
   std::string text = message == nullptr ? "" : message;
-  // Ours put their own full stop.
+  // Our messages add their own full stop.
   while (!text.empty() && std::string_view("\n .?").find(text.back()) != std::string_view::npos) {
     text.pop_back();
   }
@@ -55,7 +55,7 @@ void appendNumber(std::string& bytes, std::uint32_t number) {
   }
 }
 
-/// What is wrong, by the SQLSTATE. A server with all its places taken (53300) has one later.
+/// The kind of an error, by its SQLSTATE. Too many connections (53300) is temporary.
 Kind kindOf(std::string_view state, bool isConnected) {
   const bool isGone = !isConnected || state.starts_with("08") || state.starts_with("57P");
   if (isGone || state == "53300") return Kind::Unreachable;
@@ -65,8 +65,8 @@ Kind kindOf(std::string_view state, bool isConnected) {
   return Kind::Other;
 }
 
-/// What libpq and OpenSSL say when a computer is not let in, and what that means at the desk. Their
-/// words are English everywhere; those of a server are in the language of its country.
+/// Messages of libpq and OpenSSL on failed logins, and what to tell the operator. They are always
+/// English, while messages of a server are in its own language.
 struct Cause {
   std::string_view sign;
   std::string_view words;
@@ -110,7 +110,7 @@ constexpr std::array kCauses{
     Cause{"no password supplied", "A password is needed, and ~/.pgpass has none for this server."},
     Cause{"SSL error", "The encryption does not come about."}};
 
-/// Empty: @p said names no cause that we know.
+/// The text for the operator; empty if @p said contains no known message.
 std::string_view causeIn(std::string_view said) {
   for (const auto& cause : kCauses) {
     if (said.find(cause.sign) != std::string_view::npos) return cause.words;
@@ -301,8 +301,8 @@ Connection::Connection(const std::string& server, const std::string& user) {
   PQsetnonblocking(connection_.get(), 1);
 }
 
-/// What a server says when it lets nobody in has no code, but its words are in its own language. So
-/// it is asked once more, for the code.
+/// After a refused login: libpq gives the server's message, in the server's language, without a
+/// code. Connects once more with messages that consist of the SQLSTATE.
 void Connection::connectAgain() {
   auto* connection = connection_.get();
   const auto said = sentence(PQerrorMessage(connection));
@@ -344,7 +344,8 @@ Rows Connection::query(const std::string& statement, const std::vector<Parameter
           0) == 1);
 }
 
-/// Whether more is to be sent, or to come, before there is a result; waits for the network.
+/// Waits for the network. Returns whether data are still to be sent or received before there is a
+/// result.
 bool Connection::isBusy() {
   auto* connection = connection_.get();
   const int unsent = PQflush(connection);
@@ -356,7 +357,7 @@ bool Connection::isBusy() {
   const int ready = poll(&network, 1, static_cast<int>(patience_.count()));
   if (ready == 0) {
     const auto where = description();
-    connection_.reset();  // what may still come belongs to no question any more
+    connection_.reset();  // a late result must not be taken for that of another statement
     throw ServerError(
         Kind::Unreachable,
         wordsFor(
@@ -369,7 +370,7 @@ bool Connection::isBusy() {
   return !hasCome || PQconsumeInput(connection) == 1;
 }
 
-/// What came of it: an error, or the last statement's rows.
+/// Waits for the result: the rows of the last statement. Throws the first error.
 Rows Connection::answer(bool wasSent) {
   std::unique_ptr<pg_result, decltype(&PQclear)> last(nullptr, &PQclear);
   while (wasSent) {

@@ -16,16 +16,15 @@ struct pg_result;
 
 namespace study::collect {
 
-/// The server cannot be reached, or does not do what was asked. what() tells the person at the desk
-/// what to do.
+/// The server cannot be reached, or refused a request. what() tells the operator what to do.
 class ServerError : public std::runtime_error {
  public:
   enum class Kind {
-    Unreachable,  ///< no network, no server, or it was stopped in between: try again later
-    NotLetIn,     ///< it does not know this role, password or certificate
+    Unreachable,  ///< no network, no server, or the server was stopped meanwhile: try again later
+    NotLetIn,     ///< the server rejects this role, password or certificate
     Denied,       ///< this role may not do that
-    Full,         ///< its disk
-    Release,      ///< its schema is older or newer than this program
+    Full,         ///< the server's disk is full
+    Release,      ///< the server's schema is older or newer than this program
     Other,
   };
 
@@ -37,10 +36,11 @@ class ServerError : public std::runtime_error {
   Kind kind_;
 };
 
-/// "unreachable", "not_let_in", "denied", "full", "release", "other": as a station notes it.
+/// "unreachable", "not_let_in", "denied", "full", "release", "other": the name that a station
+/// notes.
 std::string_view nameOf(ServerError::Kind kind) noexcept;
 
-/// A parameter of a statement. Bytes travel as they are, everything else as text.
+/// A parameter of a statement. Bytes are sent in binary format, all others as text.
 class Parameter {
  public:
   Parameter(std::string text) : value_(std::move(text)) {}  // NOLINT(google-explicit-constructor)
@@ -62,7 +62,7 @@ class Parameter {
   bool isBinary_ = false;
 };
 
-/// The rows that a statement gave.
+/// The result rows of a statement.
 class Rows {
  public:
   explicit Rows(pg_result* result);
@@ -86,19 +86,18 @@ class Rows {
 
 /// A connection to PostgreSQL. Belongs to one thread.
 ///
-/// Where the server is, is said as libpq reads it: "service=study" (a section of
-/// ~/.pg_service.conf), "host=… dbname=… user=…" or a postgresql:// address. A password is no part
-/// of it: libpq finds it in ~/.pgpass. docs/collecting.md explains both.
+/// The server is given as a connection string of libpq: "service=study" (a section of
+/// ~/.pg_service.conf), "host=… dbname=… user=…" or a postgresql:// address. It must not contain a
+/// password: libpq finds that in ~/.pgpass. docs/collecting.md explains both.
 class Connection {
  public:
-  /// @throws UserError  if @p server cannot be read, or holds a password.
+  /// @throws UserError  if @p server is malformed, or contains a password.
   /// @throws ServerError  if the server cannot be reached, or does not let this role in.
   explicit Connection(const std::string& server, const std::string& user = {});
 
-  /// How long the server may be silent while it takes, computes or sends something, before it is
-  /// given up as unreachable (10 minutes at first). A network that is gone is noticed within a
-  /// minute in any case; this is for a server that stands still. Afterwards nothing more can be
-  /// asked.
+  /// Sets how long the server may be silent during a statement before that fails as Unreachable
+  /// (default: 10 minutes). This is for a server that hangs; a lost network is noticed within a
+  /// minute in any case. After such a failure the connection cannot be used any more.
   void setPatience(std::chrono::milliseconds patience) noexcept { patience_ = patience; }
 
   /// One or more statements without parameters and rows. @throws ServerError
@@ -107,12 +106,12 @@ class Connection {
   /// One statement with parameters $1, $2, … @throws ServerError
   Rows query(const std::string& statement, const std::vector<Parameter>& parameters = {});
 
-  /// @p name as SQL wants it, in quotation marks if need be.
+  /// @p name as an SQL identifier, quoted.
   std::string quotedName(const std::string& name) const;
-  /// @p text as a literal.
+  /// @p text as an SQL string literal.
   std::string quotedText(const std::string& text) const;
 
-  /// Host, port and database, as another computer would name them: without a role.
+  /// Connection string for another computer: host, port and database, without a role.
   std::string address() const;
 
   /// "postgres@study on /run/postgresql", for messages.
@@ -133,8 +132,8 @@ class Connection {
   std::chrono::milliseconds patience_ = std::chrono::minutes(10);
 };
 
-/// @throws UserError  if @p server cannot be read as libpq does, or holds a password: that belongs
-///     where no other account can read it.
+/// Checks a connection string. @throws UserError  if @p server is malformed, or contains a
+/// password, which belongs into ~/.pgpass.
 void requireAddress(const std::string& server);
 
 /// That @p server's account needs @p role, and how it is given.

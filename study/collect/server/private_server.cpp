@@ -44,16 +44,17 @@ fs::path programs() {
   return newest;
 }
 
-/// The account under which the server runs where this one is root; nullptr: this one.
+/// The account of the server if this program runs as root; nullptr: this account.
 const passwd* otherAccount() {
   if (geteuid() != 0) return nullptr;
-  // NOLINTBEGIN(concurrency-mt-unsafe): no other thread asks
+  // NOLINTBEGIN(concurrency-mt-unsafe): no other thread calls these
   const auto* account = getpwnam("postgres");
   return account != nullptr ? account : getpwnam("nobody");
   // NOLINTEND(concurrency-mt-unsafe)
 }
 
-/// Starts a program under the server's account, with its output in @p log. It ends with this one.
+/// Starts a program under the server's account, with its output in @p log. It ends when this
+/// program ends.
 pid_t spawn(const fs::path& folder, const fs::path& log, std::vector<std::string> words) {
   std::vector<std::string> all{"setpriv", "--pdeathsig", "QUIT"};
   if (const auto* account = otherAccount()) {
@@ -140,7 +141,7 @@ PrivateServer::PrivateServer(Disk disk) {
     set("listen_addresses", "");
     set("unix_socket_directories", folder_.string());
     set("fsync", disk == Disk::Flushed ? "on" : "off");
-    set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // who was denied what
+    set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // shows whose requests were denied
     start();
   } catch (...) {
     stop(Stop::Immediate);

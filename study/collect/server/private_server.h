@@ -7,18 +7,20 @@
 
 namespace study::collect {
 
-/// A PostgreSQL server of its own, for demonstrations and tests: in a folder below /tmp, on a Unix
-/// socket in it that only this account can reach, without a network. No cluster of the system is
-/// touched. As root it runs under the account postgres, or nobody: PostgreSQL refuses to be root.
-/// The destructor stops it, by its process id, and removes the folder.
+/// A temporary PostgreSQL server, for demonstrations and tests: in a folder below /tmp, reachable
+/// by this account only, on a Unix socket in the folder, without a network. Clusters of the system
+/// are not touched. If this program runs as root, the server runs under the account postgres or
+/// nobody, because PostgreSQL refuses to run as root. The destructor stops the server and removes
+/// the folder.
 class PrivateServer {
  public:
   /// Whether PostgreSQL's programs are installed.
   static bool isInstalled();
 
   enum class Disk {
-    Flushed,   ///< as a server in use
-    NotWaited  ///< faster, for tests: what a server that is stopped has written stays all the same
+    Flushed,   ///< fsync on, as on a real server
+    NotWaited  ///< fsync off: faster, for tests. Data survive a stop of the server, but no power
+               ///< failure
   };
 
   /// Makes the folder and starts the server.
@@ -28,20 +30,21 @@ class PrivateServer {
   PrivateServer(const PrivateServer&) = delete;
   PrivateServer& operator=(const PrivateServer&) = delete;
 
-  /// Where it is, for Connection; @param database  that exists.
+  /// The connection string for Connection. @param database  must exist.
   std::string server(const std::string& database = "postgres") const;
 
   enum class Stop {
-    Fast,      ///< ends all connections and writes everything
-    Immediate  ///< as if the power failed: it recovers when it is started next
+    Fast,      ///< closes all connections and writes all data
+    Immediate  ///< as in a power failure: the server recovers at the next start
   };
   void stop(Stop how = Stop::Fast);
-  /// Starts it after stop().
+  /// Starts the server again after stop().
   void start();
 
-  /// A line of its postgresql.conf, from the next start() on.
+  /// Adds a setting to postgresql.conf; it applies from the next start() on.
   void set(const std::string& name, const std::string& value) const;
-  /// From the next start() on it can also be reached at 127.0.0.1, by whom pg_hba.conf lets in.
+  /// From the next start() on, the server also listens at 127.0.0.1; pg_hba.conf says who may
+  /// connect.
   void listenAt(int port);
 
   /// With "data" (pg_hba.conf) and "server.log" in it. Belongs to the server's account.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kUtc = R"('YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')";
 
-/// SQL may have no '-' in a name without quotation marks.
+/// A name in SQL cannot contain '-' without quotation marks.
 std::string roleNamed(const std::string& prefix, std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
   return prefix + name;

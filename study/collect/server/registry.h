@@ -10,7 +10,7 @@
 
 namespace study::collect {
 
-/// A study as the server keeps it. Only its owner and whoever pulls it see seed and secret.
+/// A study in the server's tables. Only the owner and roles that may pull can read seed and secret.
 struct StudyOnServer {
   std::string uuid;
   std::string name;  ///< short, unique on the server
@@ -26,32 +26,32 @@ struct ProtocolOnServer {
   std::string files;
 };
 
-/// What the owner of the schema does. All functions throw ServerError.
+/// The functions below are for the owner of the schema. All throw ServerError.
 
 /// @throws UserError  if there is a study of that name.
 void addStudy(Connection& server, const StudyOnServer& study);
-/// Does nothing if the version is there.
+/// Adds a version of a protocol; does nothing if it is there.
 void addProtocol(Connection& server, const std::string& study, const ProtocolOnServer& protocol);
-/// A question that participants answer about themselves, as analysts may see what was said.
+/// A question about the participant, and how coarse its answers are for analysts.
 struct BackgroundItem {
   std::string phase;
   std::string item;
-  std::optional<double> width;  ///< of the bands of a number, in its unit
+  std::optional<double> width;  ///< width of the bands of a number, in its unit
   bool isWhole = false;         ///< "20 to 24", otherwise "20 to <25"
 };
-/// Replaces all that is stored about these questions.
+/// Replaces the stored background questions of a study.
 void replaceBackground(
     Connection& server, const std::string& study, const std::vector<BackgroundItem>& items);
-/// All versions, the oldest first.
+/// All versions of a study's protocol, the oldest first.
 std::vector<ProtocolOnServer> protocolsOf(Connection& server, const std::string& study);
-/// By its name; the only one if @p name is empty.
+/// The study with that name; the only one if @p name is empty.
 /// @throws UserError  if there is none, or more than one.
 StudyOnServer findStudy(Connection& server, const std::string& name);
 
 struct NewStation {
   Station station;
   std::string key;  ///< the station's public key
-  int days = 30;    ///< until when it has to push for the first time
+  int days = 30;    ///< days in which it has to push for the first time
 };
 /// Adds a station and its role, station_<label>, without a password.
 /// @return  the role, and until when the enrolment may be used (ISO 8601)
@@ -62,7 +62,7 @@ struct AddedStation {
 };
 AddedStation addStation(Connection& server, const std::string& study, const NewStation& station);
 
-/// Nothing is taken from the station any more. What arrived stays.
+/// Revokes a station: the server accepts nothing more from it. Its data stay.
 /// @throws UserError  if there is no such station.
 void revokeStation(
     Connection& server,
@@ -70,8 +70,8 @@ void revokeStation(
     const std::string& label,
     const std::string& reason);
 
-/// Sets aside what is there of a station, because it is not what the station recorded: all of it
-/// stays under another name, is pulled no more, and the station sends everything again.
+/// Sets aside the data of a station that differ from what it recorded: the server keeps them under
+/// another name and no longer pulls them; the station sends everything again.
 /// @throws UserError  if there is no such station.
 void setAsideStation(
     Connection& server,
@@ -79,7 +79,7 @@ void setAsideStation(
     const std::string& label,
     const std::string& reason);
 
-/// What arrived from a station, for its owner, analysts and whoever pulls.
+/// The state of a station's data on the server.
 struct StationStatus {
   std::string site;
   std::string station;
@@ -92,14 +92,15 @@ struct StationStatus {
 };
 std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName);
 
-/// Keeps that something of a station was refused before ingest() saw it. @param station  its uuid
+/// Stores an incident: data of a station that were refused before ingest() was called. @param
+/// station  its uuid
 void addIncident(
     Connection& server,
     const std::string& station,
     const std::string& what,
     const std::string& detail);
 
-/// Something that was refused.
+/// A refused request.
 struct Incident {
   std::string at;
   std::string role;

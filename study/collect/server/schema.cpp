@@ -6,13 +6,13 @@
 namespace study::collect {
 namespace {
 
-/// What a role may do, for whoever is given it. None of them can log in.
+/// Group roles, which are granted to roles that can log in.
 constexpr std::array kRoles{
-    "palpate_owner",      // owns the schema, and nobody is it
+    "palpate_owner",      // owns the schema; granted to nobody
     "palpate_station",    // may call ingest
     "palpate_analyst",    // sees points, without conditions
     "palpate_unblinder",  // may pull all of it, with a reason
-    "palpate_operator",   // sees which sessions of the own site arrived
+    "palpate_operator",   // sees which sessions of its own site have arrived
 };
 
 void makeRoles(Connection& server) {

@@ -16,8 +16,8 @@ int newestSchema();
 /// The version that is installed; 0: none. @throws ServerError
 int installedSchema(Connection& server);
 
-/// Makes the roles of all studies and the schema 'palpate', or brings an older one up to date, in
-/// one transaction. Does nothing if it is there.
+/// Makes the roles and the schema 'palpate', or updates an older schema, in one transaction. Does
+/// nothing if the schema is up to date.
 /// @throws ServerError  Denied, if the role may not create roles and schemas; Other, if the server
 ///     has a newer schema than this program.
 /// @return  the version that was there before
