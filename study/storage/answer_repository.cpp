@@ -56,8 +56,8 @@ questionnaires::Response restored(const StoredResponse& response) {
 
 void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
-  // The first touch stays. After a crash a person may answer the same page faster than they first
-  // touched it before; the later of the two times is kept.
+  // An update keeps the stored first touch. After a crash a person may answer the page sooner than
+  // that; then response_s is set to the first touch.
   Statement put(
       database_,
       "INSERT INTO answer (session_id, step, attempt, " + std::string(kAnswerColumns) +

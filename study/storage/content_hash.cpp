@@ -76,7 +76,7 @@ bool hasWrappedKey(const Database& database) {
   return hasFormatOfSealedConditions(database) && Statement(database, kWrappedKey).step();
 }
 
-/// Hashed only where a session has a station, for the same reason.
+/// Hashed only where a session has a station, so that hashes of other sessions stay the same.
 constexpr const char* kStationOfASession =
     "SELECT site, station FROM session WHERE id = ? AND station <> ''";
 

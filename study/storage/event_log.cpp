@@ -191,7 +191,7 @@ class Keys {
   std::map<std::int64_t, std::optional<SealingKey>> keys_;
 };
 
-/// Whether an event of that kind tells what was rendered.
+/// Whether the detail of an event of that kind reveals the condition.
 bool revealsCondition(EventKind kind) {
   return kind == EventKind::FinishedTrial || kind == EventKind::Passivity ||
          kind == EventKind::Torque || kind == EventKind::DeviceLink ||

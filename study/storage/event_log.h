@@ -151,8 +151,7 @@ class EventLog {
   /// Events of one session, or of all, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
 
-  /// The first place at which the chain of hashes is broken, in words; std::nullopt if it is
-  /// intact.
+  /// A message on the first event at which the hash chain is broken; std::nullopt if it is intact.
   std::optional<std::string> firstBreak() const;
 
  private:

@@ -24,14 +24,15 @@ class IdentityStore {
   /// The two keys of a participant: Identity seals names, Content seals details in the audit trail.
   enum class Key { Identity, Content };
 
+  /// The step and attempt in which an answer was given.
   struct Place {
     std::string participant;
     int sessionNumber = 1;
-    int step = 0;
-    int attempt = 1;
+    int step = 0;     ///< from 0
+    int attempt = 1;  ///< from 1
   };
 
-  /// One transaction.
+  /// Writes an answer, or replaces it. One transaction. @throws StorageError  if names are locked.
   void put(
       const Place& place, const std::string& item, const std::string& text, const std::string& utc);
   /// One transaction.

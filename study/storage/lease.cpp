@@ -50,7 +50,7 @@ std::string processMarkOf(std::int64_t pid) {
   return thisBoot() + "/" + began + "@" + thisNamespace();
 }
 
-/// What the row of a lease says about the program that wrote it.
+/// The program that wrote the row of a lease.
 struct Writer {
   std::string station;
   std::int64_t pid = 0;
@@ -106,7 +106,7 @@ bool isAlive(const Writer& writer) {
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
 }
 
-/// When something was stored of a session last [UTC]. It stands for a heartbeat: a program
+/// When a session last stored an event [UTC]. It is used in place of a heartbeat: a program
 /// elsewhere writes here only while both use one disk, and network drives are refused
 /// (docs/decisions/0063).
 std::string lastStored(const Database& database, SessionId session) {

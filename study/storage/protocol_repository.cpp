@@ -143,8 +143,9 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
 }
 
 protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
-  // Which release stored this version? For the first, the study's own row names the release. For an
-  // amendment its event shows it: release 0.1 stored a sentence, later releases store values.
+  // The release that stored this version: for the first version it is in the study's row; for an
+  // amendment the format of its event shows it (release 0.1 stored a sentence, later releases store
+  // values).
   Statement select(
       database_,
       "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "

@@ -20,7 +20,8 @@ struct StoredProtocol {
   std::string reason;
   std::string addedUtc;
   std::optional<std::string> frozenUtc;
-  /// Whether the copies of the library's forms came later: an older release stored the protocol.
+  /// Whether copies of the library's forms were added later, because an older release stored the
+  /// protocol without them.
   bool areFormsAdded = false;
   protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };

@@ -17,7 +17,7 @@
 
 namespace study::storage {
 
-/// A session with all columns that analyses use.
+/// A session, with the columns that analyses use.
 struct SessionRecord {
   SessionId id{};
   std::string participant;
@@ -75,6 +75,8 @@ struct PointCount {
   std::uint64_t times = 0;
 };
 
+/// The landmarks of a cut: travel in the device's travel unit, forces in N. std::nullopt if a
+/// landmark was not reached.
 struct CutRecord {
   VisitKey visit;
   int number = 1;
@@ -85,6 +87,7 @@ struct CutRecord {
   double peakForce = 0.0;
 };
 
+/// A trial with its step; units as in TrialRecord.
 struct TrialRow {
   StepRecord step;
   std::string device, travelUnit;
@@ -101,7 +104,7 @@ struct TrialRow {
   std::int64_t cuts = 0, traceSamples = 0;
 };
 
-/// Everything that happened in a study, in order of time, for analyses.
+/// Reads the recorded data of a study for analyses, in order of time.
 class Records {
  public:
   /// Whether records of steps contain the condition. Sealed conditions need the study's key.

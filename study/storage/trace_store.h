@@ -35,7 +35,8 @@ class TraceStore {
  public:
   explicit TraceStore(Database database) : database_(std::move(database)) {}
 
-  /// Whether a trace that tells what was rendered is sealed, if the database has the study's key.
+  /// IfThereIsAKey: a trace that reveals the condition is sealed if the database has the study's
+  /// key.
   enum class Sealing { IfThereIsAKey, Never };
 
   /// Stores a chunk in one transaction. Does nothing if this chunk is stored already.
@@ -47,8 +48,8 @@ class TraceStore {
       Sealing sealing = Sealing::IfThereIsAKey);
 
   /// All samples of a trial, in order.
-  /// @throws StorageError  (Damaged) if a chunk differs from what was written; or, in words, if the
-  ///     key is needed and not here.
+  /// @throws StorageError  (Damaged) if a chunk differs from what was written; or if the key is
+  ///     needed and not available.
   std::vector<TraceSample> read(const VisitKey& visit) const;
 
   /// How many samples of a trial are stored as they were written; needs no key.

@@ -29,7 +29,8 @@ std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
 void addMissing(
     const TrailHeads& trail, const std::vector<NotedHead>& missing, Findings& findings) {
   if (missing.empty()) return;
-  // The first head tells from where on events are missing, the last one how long the trail was.
+  // The first missing head shows where events begin to be missing, the last one how long the trail
+  // was.
   findings.problems.push_back(reasonFor(trail, missing.front()));
   if (missing.size() > 1) {
     findings.problems.push_back(

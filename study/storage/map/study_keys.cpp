@@ -58,7 +58,7 @@ std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
   return std::nullopt;
 }
 
-/// Keys that passphrases opened, by commitment or salt, for more than one thread.
+/// The keys held in memory, by commitment (study) or salt (names). Used by several threads.
 struct HeldKeys {
   std::mutex mutex;
   std::map<std::string, BlindingSecret> keys;
@@ -69,7 +69,7 @@ HeldKeys& heldKeys() {
   return held;
 }
 
-/// 128 random bits: no other wrapped key has them.
+/// The salt, which identifies a wrapped key: 128 random bits.
 std::string saltOf(const WrappedKey& wrapped) {
   return {wrapped.salt.begin(), wrapped.salt.end()};
 }

@@ -9,8 +9,8 @@
 
 namespace study::storage {
 
-/// Events that wait in a file of their own, in the order in which they came: those of a large study
-/// do not fit into memory. The file is of no use to anything else, and its owner removes it.
+/// A queue of events in a temporary file, because the events of a large study do not fit into
+/// memory. The owner removes the file.
 class EventSpool {
  public:
   /// Makes the file. @throws StorageError
