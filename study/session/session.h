@@ -30,7 +30,8 @@ struct Enrolment {
 /// When a function returns, its change has been committed. When it throws storage::StorageError,
 /// nothing was committed and nothing has changed: the answers are still on the screen. The
 /// exception is an error of the kind Unknown, where the commit may have succeeded; the next call
-/// reads the row again, and reports it if it did. The study must outlive its sessions.
+/// reads the row again, and reports it if it did. Functions for which allows() returns false throw
+/// UserError. The study must outlive its sessions.
 class Session {
  public:
   /// Reserves the next place of the cohort. The first live participant freezes the protocol.
