@@ -14,7 +14,7 @@
 
 namespace study {
 
-/// The instruments of a session. None is opened before a step needs it.
+/// The instruments of a session. A device is opened when a step first needs it.
 class DeviceSet {
  public:
   virtual ~DeviceSet() = default;
@@ -22,7 +22,8 @@ class DeviceSet {
   DeviceSet(const DeviceSet&) = delete;
   DeviceSet& operator=(const DeviceSet&) = delete;
 
-  /// The device that the protocol calls @p need.id; opened now if it was not open.
+  /// The device that the protocol calls @p need.id; opens it if need be. @throws UserError,
+  /// haptics::devices::DeviceError  if the device is unknown or cannot be opened.
   virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
   virtual bool isOpen(const std::string& id) const = 0;
 
