@@ -54,7 +54,8 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
 /// that is empty.
 std::optional<double> rmsFromIntended(const FeltCurve& curve);
 
-/// Every pair of curves of the same device over the same travel.
+/// The differences between all pairs of curves of the same device. Pairs without a common
+/// bin are left out.
 std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves);
 
 }  // namespace study
