@@ -40,8 +40,8 @@ struct Finding {
   base::Message reason;
 };
 
-/// Warnings are for what a participant may have noticed. Every trial begins with a soft start; it
-/// counts only if it took half of the trial, which then had hardly any force.
+/// Warnings are for what a participant may have noticed. Every trial begins with a soft start: it
+/// causes a warning only if it took half of the trial, which then had hardly any force.
 Finding findingOf(const SafetyEvent& event, double duration) {
   const auto found = [&](Verdict verdict, auto key) {
     return Finding{verdict, message(key, event.times, event.duration)};
@@ -143,7 +143,7 @@ TrialRecord::Judgement TrialRecord::judgement() const {
                          : message("trial.samples_lost", lostSamples));
   }
   if (invalidTicks > 0) {
-    // A single missing sample is extrapolated; on a wire one is lost now and then.
+    // A single missing sample is extrapolated; on a link, single samples are lost now and then.
     const bool isRare = link.isThere && static_cast<double>(invalidTicks) <
                                             kWarnLateShare * static_cast<double>(ticks);
     found(
