@@ -62,7 +62,7 @@ constexpr const char* kColumnsBeforeSealing =
     "NULL";
 constexpr int kAfterEvent = 12;
 
-/// A file of an older format that is only read does not have the last column.
+/// A file of an older format that was opened for reading only lacks the last column.
 const char* columnsIn(const Database& database) {
   return database.hasTable("erasure") ? kEventColumns : kColumnsBeforeSealing;
 }

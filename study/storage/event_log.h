@@ -18,7 +18,7 @@ namespace study::storage {
 
 enum class Actor { Participant, Operator, Program };
 
-/// Something that happened.
+/// An event of the audit trail.
 struct Event {
   std::optional<VisitKey> visit;
   Moment when;

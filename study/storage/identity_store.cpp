@@ -65,7 +65,7 @@ struct NameRow {
 
 std::vector<NameRow> nameRows(
     const Database& database, const std::optional<std::string>& participant) {
-  // A file of an older format that is only read does not have the column.
+  // A file of an older format that was opened for reading only lacks the column.
   const std::string sealed = database.hasTable("participant_key") ? "sealed" : "NULL";
   Statement select(
       database,
@@ -111,7 +111,7 @@ void insertSecret(Database& database, const std::string& table, const BlindingSe
   transaction.commit();
 }
 
-/// A file of an older format that is only read does not have the table.
+/// A file of an older format that was opened for reading only lacks the table.
 std::optional<BlindingSecret> secretIn(const Database& database, const std::string& table) {
   if (!database.hasTable(table)) return std::nullopt;
   Statement select(database, "SELECT bytes FROM " + table + " WHERE id = 1");
@@ -149,7 +149,7 @@ struct StoredKey {
 };
 
 std::optional<StoredKey> storedKey(const Database& database, const std::string& participant) {
-  // A file of an older format that is only read does not have the column.
+  // A file of an older format that was opened for reading only lacks the column.
   const std::string sealed =
       database.hasColumn("participant_key", "sealed_identity") ? "sealed_identity" : "NULL";
   Statement select(
@@ -268,7 +268,7 @@ void IdentityStore::drawMissingKey(Key kind, const std::string& participant) {
 }
 
 bool IdentityStore::hasPassphrase() const {
-  // A file of an older format that is only read does not have the table.
+  // A file of an older format that was opened for reading only lacks the table.
   if (!database_.hasTable("wrapped_key")) return false;
   return Statement(database_, "SELECT 1 FROM wrapped_key").step();
 }

@@ -84,8 +84,8 @@ class IdentityStore {
   /// Seals unsealed names of participants who have an Identity key. One transaction. @return the
   /// codes of these participants @throws StorageError  if names are locked.
   std::set<std::string> sealUnsealedNames();
-  /// Seals the keys of names with @p key. Inside the caller's transaction, which stores the key
-  /// behind its passphrase, too; then it is given to the database.
+  /// Seals the Identity keys with @p key, inside the caller's transaction. The caller also stores
+  /// @p key wrapped with the passphrase, and afterwards gives it to the database.
   void sealKeysWith(const SealingKey& key);
 
   /// One transaction. @throws StorageError  if there is one already.

@@ -136,8 +136,8 @@ void addCuts(
   }
 }
 
-/// The column of the table trial AS x that holds what is sealed; files of older formats that are
-/// only read do not have it.
+/// The column of the table trial AS x with sealed measurements; files of older formats that were
+/// opened for reading only lack it.
 const char* sealedTrialColumn(const Database& database) {
   return database.hasColumn("trial", "sealed") ? "x.sealed" : "NULL";
 }

@@ -85,7 +85,7 @@ class SessionRepository {
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
   /// The condition of every step that has one, as stored when it was drawn.
-  /// @throws StorageError  if it is sealed and the key is not here.
+  /// @throws StorageError  if it is sealed and the key is not available.
   std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
 
   /// Whether all conditions of the session are sealed with the study's key.
@@ -99,7 +99,7 @@ class SessionRepository {
 };
 
 /// The column of the table allocation AS a that holds sealed conditions; a file of an older format
-/// that is only read does not have it.
+/// that was opened for reading only lacks it.
 const char* sealedColumn(const Database& database);
 
 std::string_view nameOf(SlotState state) noexcept;

@@ -35,8 +35,8 @@ class TrailHeads {
   /// Whether @p head was signed after the trail's last event, judging by its number of events.
   bool endsBefore(const SignedHead& head) const;
 
-  /// Whether @p head is of the trail that was there before this one was sealed again (event
-  /// resealed_trail) or collected, and the station that signed it has signed that, too.
+  /// Whether @p head belongs to the trail before it was sealed again (event resealed_trail) or
+  /// collected, and the same station signed that event, too.
   bool belongsToPreviousTrail(const SignedHead& head) const;
 
   /// Whether @p head is the last head of the previous trail, signed just before that was sealed

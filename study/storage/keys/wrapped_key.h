@@ -35,7 +35,7 @@ struct WrappedKey {
       const SealingKey::Bytes& key, std::string_view passphrase, const PassphraseCost& cost);
 
   /// The key; std::nullopt if the passphrase is wrong, or if the sealed key was changed.
-  /// @throws StorageError  if it wants more memory or time than make() ever asks for.
+  /// @throws StorageError  if opening needs more memory or time than any key of make().
   std::optional<SealingKey::Bytes> opened(std::string_view passphrase) const;
 };
 

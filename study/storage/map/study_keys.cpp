@@ -176,7 +176,7 @@ void storeWrapped(Database& study, const WrappedKey& key) {
 }
 
 std::optional<WrappedKey> wrappedKeyIn(const Database& study) {
-  // A file of an older format that is only read does not have the table.
+  // A file of an older format that was opened for reading only lacks the table.
   if (!study.hasTable("wrapped_key")) return std::nullopt;
   Statement select(study, "SELECT salt, operations, memory, sealed FROM wrapped_key WHERE id = 1");
   if (!select.step()) return std::nullopt;
