@@ -33,7 +33,7 @@ class PlanTracker {
  public:
   explicit PlanTracker(const AnalysisPlan& declared) : declared_(declared) {}
 
-  /// What one version did to the plan of the version before it.
+  /// Adds the changes of one version to the plan of the version before it.
   /// @param isUsed  whether a live participant began with this version
   void addVersion(
       const AnalysisPlan& before,

@@ -27,7 +27,7 @@ Database made(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
 }
 
-/// The versions with which somebody took part.
+/// The versions of the protocol that live sessions used.
 std::set<ProtocolId> liveProtocols(const Database& study) {
   storage::Statement live(
       study, "SELECT DISTINCT protocol_id FROM session WHERE run_mode = 'live'");

@@ -44,14 +44,15 @@ class CollectedStudy {
     std::string head;  ///< the hash of its last event, hexadecimal
   };
 
-  /// Makes the folder. Until finish() it has another name beside it; the destructor removes it.
+  /// Makes the folder under a temporary name beside @p folder. finish() renames it; without that
+  /// the destructor removes it.
   /// @throws storage::StorageError  if there is such a folder, or it cannot be made.
   CollectedStudy(std::filesystem::path folder, Clock& clock, const Origin& origin);
   ~CollectedStudy();
   CollectedStudy(const CollectedStudy&) = delete;
   CollectedStudy& operator=(const CollectedStudy&) = delete;
 
-  /// Adds one session of the station. @param number  that it has there
+  /// Adds one session of the station. @param number  its number at the station
   void add(std::int64_t number, const storage::SessionFacts& facts);
   /// @param chunk  in the open (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);

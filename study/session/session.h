@@ -40,7 +40,7 @@ class Session {
 
   /// Continues a session at its present step. A trial that was running counts as broken off.
   /// @param takeOver  why a session is taken from a computer that is gone, for the audit trail;
-  ///     empty: it is not.
+  ///     empty: it is not taken over.
   /// @throws storage::StorageError  (Busy) if another program is running it.
   static Session resume(Study& study, SessionId id, const std::string& takeOver = {});
 

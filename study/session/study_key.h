@@ -32,8 +32,7 @@ void setPassphrase(
 /// passphrase opens (docs/decisions/0062). A later call changes the passphrase; older copies of the
 /// study are not affected.
 /// @throws UserError  without a reason, if the passphrase is shorter than 12 characters, or if
-/// names
-///     are locked
+///     names are locked
 /// @throws storage::StorageError  (Damaged) if unsealed names of an older release were tampered
 ///     with
 void setPassphraseOfNames(

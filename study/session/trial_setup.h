@@ -18,7 +18,7 @@ haptics::engine::SceneSpec sceneFor(const Session& session);
 /// The setup of that trial. Its samples are stored in @p traces, which must outlive it.
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);
 
-/// That trial on its device of @p deviceSet, opened and armed.
+/// That trial, with its device of @p deviceSet opened and armed.
 /// @throws UserError, haptics::devices::DeviceError  if the device is missing or not ready.
 std::unique_ptr<Trial> trialFor(
     const Session& session, DeviceSet& deviceSet, storage::TraceStore& traces);
