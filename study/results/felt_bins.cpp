@@ -85,7 +85,8 @@ std::optional<std::size_t> FeltBins::binOf(double travel) const {
   return static_cast<std::size_t>(bin);
 }
 
-/// The forces in the bins that the tool passed between two samples, on the line between these.
+/// Adds to the bins that the tool passed between two samples a force, interpolated linearly between
+/// these.
 void FeltBins::addBetween(
     const storage::TraceSample& a, const storage::TraceSample& b, Stroke& stroke) const {
   const auto first = binOf(a.travel);

@@ -25,8 +25,9 @@ std::vector<double> intendedForces(
   const double coupling = haptics::engine::couplingOf(felt);
   std::vector<double> forces;
   for (const auto& point : points) {
-    // Where bone is removed, the tool is behind the device by the stretch of the spring between
-    // them. The spring is several times as stiff as any bone, so that this converges.
+    // Where bone is removed, the tool lags behind the device by the stretch of the spring between
+    // them (virtual coupling). The spring is several times as stiff as any bone, so that this
+    // fixed-point iteration converges.
     double force = compiled.respond({.travel = point.travel}).force;
     for (int i = 0; coupling > 0.0 && i < 20; ++i) {
       force = compiled.respond({.travel = point.travel - force / coupling}).force;
