@@ -37,7 +37,7 @@ Table<ExportedTick> traceTable();
 /// The table of a trial without torque: the columns that release 0.1 wrote.
 Table<ExportedTick> traceTableWithoutTorque();
 
-/// The tables with other columns, or another order, in BIDS.
+/// Tables whose columns or order differ in BIDS.
 Table<ExportedSession> bidsParticipantTable();
 Table<ExportedSession> bidsSessionTable();
 Table<ExportedEvent> bidsEventTable();
