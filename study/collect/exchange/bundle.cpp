@@ -83,7 +83,7 @@ class RunningHash {
   crypto_generichash_state state_{};
 };
 
-/// The file while it is written.
+/// Writes the file of a bundle.
 class BundleWriter {
  public:
   explicit BundleWriter(const std::filesystem::path& file)
@@ -169,7 +169,7 @@ bool forEachPart(std::string_view record, const Part& part) {
   return true;
 }
 
-/// The file while it is read.
+/// Reads the file of a bundle.
 class BundleReader {
  public:
   explicit BundleReader(const std::filesystem::path& file)

@@ -27,7 +27,7 @@ Outbox::Outbox(const std::filesystem::path& folder, Clock& clock)
                                : " is a study of this computer alone: it was not made by 'palpate "
                                  "collect join', and nothing of it is collected."));
   }
-  // In this order: a trial's samples are stored before the event that says so.
+  // In this order: a trial's samples are stored before the event of its end.
   study_.database().beginSnapshot();
   last_ = study_.events().last();
   study_.traces().database().beginSnapshot();
