@@ -53,9 +53,9 @@ inline constexpr std::size_t kSmallestPublicClass = 5;
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
-/// If anything fails, there is no folder. Notes the export in the audit trail and signs it, except
-/// for simulated sessions, and for blinded exports of a study that cannot be written. An unblinded
-/// export needs a @p reason, which is noted, too.
+/// If anything fails, there is no folder. Notes the export in the audit trail and signs that.
+/// Blinded exports of simulated sessions, or of a study that cannot be written, are not noted. An
+/// unblinded export needs a @p reason, which is noted, too.
 /// @return  the number of exported sessions.
 /// @throws storage::StorageError  if the folder exists already or cannot be written, or if too few
 ///     people took part for a public export.
@@ -67,8 +67,8 @@ std::size_t exportStudy(
 
 /// Opens a study for an export: for writing, so that the export can be noted in the audit trail. A
 /// study that cannot be written (an archive, a full disk, an analyst's rights) is opened for
-/// reading if the export is blinded and not public. For simulated sessions it is always opened for
-/// reading.
+/// reading if the export is blinded and not public; so is any study for such an export of simulated
+/// sessions.
 /// @throws storage::StorageError
 Study openForExport(const std::filesystem::path& folder, const ExportOptions& options);
 

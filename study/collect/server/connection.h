@@ -133,7 +133,7 @@ class Connection {
 };
 
 /// Checks a connection string. @throws UserError  if @p server is malformed, or contains a
-/// password, which belongs into ~/.pgpass.
+/// password, which belongs in ~/.pgpass.
 void requireAddress(const std::string& server);
 
 /// That @p server's account needs @p role, and how it is given.
