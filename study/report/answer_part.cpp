@@ -116,7 +116,7 @@ class AnswerWriter : HtmlWriter {
     return text + ".";
   }
 
-  /// The method with the higher rating comes first.
+  /// The sentence on one comparison. It names the method with the higher rating first.
   std::string inWords(const FamilyResult& family, const Declared& row) const {
     const bool isTurned = *row.difference->estimate.value < 0.0;
     const double sign = isTurned ? -1.0 : 1.0;
@@ -203,7 +203,8 @@ class AnswerWriter : HtmlWriter {
     }
   }
 
-  /// The confidence of the intervals, if it is the same for all families.
+  /// The heading of the intervals' column, with their confidence level if it is the same for all
+  /// families.
   std::string headingOfIntervals() const {
     const auto percent = say("{:g} % CI", 100.0 * (1.0 - s_.results.families.front().family.alpha));
     const auto mixed = say("CI at 1 − α");
@@ -241,7 +242,7 @@ class AnswerWriter : HtmlWriter {
     endTable();
   }
 
-  /// Welch's test of pooled answers comes without an effect size.
+  /// Whether a declared comparison has an effect size; Welch's test of pooled answers has none.
   bool isAnyEffectKnown() const {
     bool isKnown = false;
     forEachAnswered([&](const auto& family, const auto& part) {
@@ -299,7 +300,7 @@ class AnswerWriter : HtmlWriter {
     endTable();
   }
 
-  // --- What weakens it ---
+  // --- Limitations ---
 
   /// What of the answer is about something else than the methods, before anything that weakens it.
   void asRendered() {

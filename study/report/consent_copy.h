@@ -9,14 +9,14 @@ namespace study::report {
 
 using TextToHtml = std::function<std::string(const std::string& text)>;
 
-/// The HTML of a text without markup: a paragraph after each empty line.
+/// Plain text as HTML. Empty lines separate paragraphs.
 std::string paragraphsOf(const std::string& text);
 
 /// A copy of a person's consent for them to keep, as a page: the information and the terms in the
 /// language that was shown, the answers and their time, and the versions of the texts. The field
 /// for a signature is empty: names stay in identity.db.
 /// @param participant  their code.
-/// @param htmlOf  makes HTML of a text in Markdown (marked_text.h, where Qt is there).
+/// @param htmlOf  converts Markdown to HTML (asHtml() of marked_text.h in builds with Qt).
 /// @throws UserError  if no participant of that code has completed a consent form.
 std::string consentCopy(
     Study& study, const std::string& participant, const TextToHtml& htmlOf = paragraphsOf);

@@ -12,7 +12,7 @@ struct DocumentFigure {
   std::string name;  ///< of its SVG file
   std::string caption;
   Chart chart;
-  std::string svg;  ///< when it has been painted
+  std::string svg;  ///< empty until the chart is painted
 };
 
 /// The content under one heading: text, then figures, then tables. A table's description is its
@@ -31,7 +31,7 @@ struct Document {
   std::vector<DocumentPart> parts;
 };
 
-/// One self-contained page; numbers with four digits.
+/// One self-contained HTML page. Numbers have four significant digits.
 std::string asHtml(const Document& document);
 
 }  // namespace study::report

@@ -113,7 +113,7 @@ class Telling {
   const words::Words& words_;
 };
 
-/// How many characters it has, and not bytes.
+/// The number of characters of a text in UTF-8, not of bytes.
 std::size_t widthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
@@ -137,7 +137,7 @@ std::string asText(const ErasureCertificate& certificate, const words::Words& wo
   for (const auto& [what, value] : rows) {
     text += what + std::string(width + 1 - widthOf(what), ' ') + value + "\n";
   }
-  // The mark is for the program: it stays as it is.
+  // The program reads this line, so it is not translated.
   return text +
          fmt::format("\n{}\n{}{}\n", words(kForOthers), kMark, asLine(certificate.report.listed));
 }

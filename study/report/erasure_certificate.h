@@ -8,24 +8,25 @@
 
 namespace study::report {
 
-/// What a certificate of erasure tells. It names nobody.
+/// The content of a certificate of erasure. It contains no names.
 struct ErasureCertificate {
   std::string title;  ///< of the study
   ErasureReport report;
-  std::vector<ErasedCopy> copies;  ///< that were erased from, too
-  std::vector<KnownCopy> left;     ///< that the study knows, and that were not
+  std::vector<ErasedCopy> copies;  ///< other copies that were named for erasure
+  std::vector<KnownCopy> left;     ///< other known copies, which were not erased from
 
-  /// Whether no text was found any more, and every copy that was named was erased from.
+  /// Whether the search after the erasure found none of the participant's texts, and the erasure
+  /// succeeded in every named copy.
   bool isClean() const;
 };
 
-/// For reading, in the language of @p words; folders, the reason and errors stay as they are. The
-/// last line is for `palpate study erase --by`: it erases from other copies.
+/// Plain text in the language of @p words; folders, the reason and errors are not translated.
+/// `palpate study erase --by` reads the last line to repeat the erasure in another copy.
 std::string asText(const ErasureCertificate& certificate, const words::Words& words = {});
-/// The same as a page.
+/// The certificate as an HTML page.
 std::string asHtml(const ErasureCertificate& certificate, const words::Words& words = {});
 
-/// The erasures that the text of a certificate tells.
+/// Reads the erasures from asText() of a certificate; empty if there is none.
 std::vector<storage::ListedErasure> erasuresIn(const std::string& text);
 
 }  // namespace study::report

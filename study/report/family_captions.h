@@ -6,7 +6,7 @@
 #include "study/report/report_section.h"
 #include "study/report/study_parts.h"
 
-// The figures of a family that may stand beside the answer, with their captions in English.
+// The figures of a family that may be shown beside the answer, with their captions in English.
 namespace study::report {
 
 inline constexpr std::string_view kAnswersCaption =
@@ -22,8 +22,8 @@ inline constexpr std::string_view kFewPeopleCaption =
     "What every participant thought: a dot is the mean of all that one person answered about a "
     "method; the box holds the middle half, with the median; the diamond is the mean.";
 
-/// Whether the figure of people has densities: those of fewer people would look like more than
-/// they said.
+/// Whether the figure of participants shows densities. With fewer than five participants a density
+/// would suggest more data than there are.
 inline bool hasDensities(const FamilyResult& family) {
   constexpr std::size_t kFewest = 5;
   return std::ranges::any_of(family.cohorts, [](const auto& cohort) {
@@ -51,10 +51,10 @@ inline constexpr std::string_view kShadedCorrectedDifferencesCaption =
     "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded are differences that "
     "count as none.";
 
-/// The most points of a scale whose answers are shown by point.
+/// The largest number of points of a scale whose answers are counted point by point.
 inline constexpr int kMostBars = 11;
 
-/// Whether the answers to a family are shown by point.
+/// Whether the answers to a family are counted point by point.
 inline bool isShownByPoint(const FamilyResult& family) {
   const auto& table = family.cohorts.front().table;
   return table.isOfPoints && table.highest - table.lowest < kMostBars;
@@ -63,15 +63,15 @@ inline bool isShownByPoint(const FamilyResult& family) {
 /// The figure beside the answer.
 enum class MainFigure {
   Differences,  ///< of the declared test within people
-  Answers,      ///< by point; of the pooled test, or where nothing is tested
-  People,       ///< the same on a scale of many points
+  Answers,      ///< counts per point; for the pooled test, or if nothing is tested
+  People,       ///< means of participants; in place of Answers if the scale has many points
 };
 
 /// The caption of the figure of differences.
 std::string_view differencesCaption(const FamilyResult& family);
 
-/// The figure that stands beside the answer for @p family; std::nullopt if another family is the
-/// main one.
+/// The figure to show beside the answer for @p family; std::nullopt if another family is the main
+/// one.
 std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family);
 
 }  // namespace study::report

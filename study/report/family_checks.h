@@ -8,7 +8,7 @@ namespace study::report {
 
 /// The reliability of a family's scale, the effect of order, and the notes on its results, each
 /// flag once.
-/// @param figure  of the positions.
+/// @param figure  SVG of the ratings by position.
 std::string checksAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);
 

@@ -39,7 +39,7 @@ class FamilyWriter : HtmlWriter {
   }
 
  private:
-  /// The figure, unless it stands beside the answer.
+  /// The figure; if it is shown beside the answer, a reference to it.
   void figureOrReference(MainFigure kind, const std::string& svg, std::string_view caption) {
     const auto answers = say("The answers:");
     if (mainFigureOf(s_, f_) == kind && !svg.empty()) {
@@ -81,7 +81,7 @@ class FamilyWriter : HtmlWriter {
     cells.push_back(std::to_string(answers.total()));
   }
 
-  /// The table of the punch paper.
+  /// Welch's tests of pooled answers, in the form of the punch paper's table.
   void pooled() {
     const auto isTested = [](const auto& part) {
       return std::ranges::any_of(

@@ -214,7 +214,7 @@ class TestsWriter : HtmlWriter {
            (test.effectInterval ? " " + inBrackets(test.effectInterval) : "");
   }
 
-  /// In brackets: those of APA's interval are its own.
+  /// The interval in brackets. In APA style its text has them already.
   std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
     const auto words = cellOf(interval);
     return s_.wording == Wording::Vancouver ? "(" + words + ")" : words;

@@ -12,7 +12,7 @@ namespace study::report {
 std::string withinAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);
 
-/// The same site by site, and all sites pooled; empty if there are not several.
+/// The differences at each site and pooled over sites; empty if there is only one site.
 /// @param figure  the forest plot.
 std::string sitesAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);

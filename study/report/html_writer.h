@@ -69,7 +69,7 @@ class HtmlWriter {
     for (const auto& cell : cells) all += "<td>" + cell + "</td>";
     put("<tr>{}</tr>", all);
   }
-  /// Cells of a table; empty where nothing is defined.
+  /// The text of a table cell; empty for an undefined value.
   static std::string cellOf(const std::optional<double>& value, int digits) {
     return value ? rounded(value, digits) : std::string();
   }
@@ -79,7 +79,7 @@ class HtmlWriter {
   std::string cellOfP(const std::optional<double>& p) const {
     return p ? escaped(pInWords(p, s_.wording)) : std::string();
   }
-  /// "= .021" after a p, "< .001".
+  /// The part of a sentence that follows "p": "= .021" or "< .001".
   std::string equalsOfP(const std::optional<double>& p) const {
     return equalsInWords(pInWords(p, s_.wording));
   }
@@ -107,7 +107,7 @@ class HtmlWriter {
   /// The number of a table or figure of this study: "Table 3" (numbering.h).
   static std::string reference(const std::string& key) { return "<a href=\"#" + key + "\"></a>"; }
 
-  /// A sentence that refers to captions: each {} stands for one.
+  /// A sentence whose {} are replaced by references to the captions @p keys, in this order.
   std::string withReferences(std::string_view english, const std::vector<std::string>& keys) const {
     std::string text = say(english, "{}", "{}");
     for (const auto& key : keys) {

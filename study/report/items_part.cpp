@@ -47,7 +47,7 @@ class ItemsWriter : HtmlWriter {
     return escaped(instrument.title.in(s_.words.language()));
   }
 
-  /// The question; of two opposite words, both.
+  /// The question; for an item with two opposite words, both words.
   std::string questionOf(
       const questionnaires::Instrument& instrument, const std::string& id) const {
     const auto* item = instrument.item(id);
@@ -110,7 +110,7 @@ class ItemsWriter : HtmlWriter {
     endTable();
   }
 
-  /// The figures of its items, with a sentence that refers to them.
+  /// The figures of an instrument's items, with a sentence that refers to them.
   void figures(const questionnaires::Instrument& instrument) {
     std::string references;
     for (const auto& one : s_.figures.items) {

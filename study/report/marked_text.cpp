@@ -12,13 +12,13 @@ constexpr auto kCommonMarkWithoutHtml =
     QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectCommonMark) |
     QTextDocument::MarkdownNoHTML;
 
-/// Whether Markdown begins something of its own with @p line: a heading, or an entry of a list.
+/// Whether @p line begins a Markdown block: a heading, or an entry of a list.
 bool beginsBlock(const QString& line) {
   static const QRegularExpression kBeginning(QStringLiteral("^\\s*([-*+]\\s|\\d+[.)]\\s|#)"));
   return kBeginning.match(line).hasMatch();
 }
 
-/// A text whose line breaks Markdown keeps: they become line separators within a paragraph.
+/// Replaces line breaks within paragraphs by line separators, which Markdown keeps.
 QString withKeptBreaks(const QString& text) {
   const auto lines = text.split(u'\n');
   QString kept = lines.front();

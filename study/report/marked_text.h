@@ -5,10 +5,10 @@
 namespace study::report {
 
 /// The HTML of a text in the subset of Markdown that instruments and protocols may use: headings,
-/// paragraphs, lists, bold and italics. As in plain text, a line break stays one.
+/// paragraphs, lists, bold and italics. Line breaks are kept.
 ///
-/// Links stay as their words. Pictures and HTML in the text are left out, so that a text can load
-/// nothing.
+/// A link becomes its plain text. Pictures and HTML are left out, so that a text cannot load
+/// anything.
 QString asHtml(const QString& markdown);
 
 }  // namespace study::report

@@ -10,7 +10,7 @@ namespace {
 
 using protocols::PhaseType;
 
-// kind of a source that is shown; all others are rendered
+// the kind of sources that are shown on the screen; all other kinds are felt
 constexpr std::string_view kSeenKind = "anatomy";
 
 class MethodsWriter : HtmlWriter {
@@ -224,7 +224,7 @@ class MethodsWriter : HtmlWriter {
     list("What was seen came from:", true);
   }
 
-  /// The sources of scenes: those that are shown, or those that are rendered.
+  /// A list of the scenes' sources: those that are shown on the screen, or those that are felt.
   void list(std::string_view words, bool isOfSeen) {
     std::string lines;
     for (const auto& source : s_.sources) {

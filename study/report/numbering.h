@@ -6,14 +6,13 @@
 
 namespace study::report {
 
-/// Numbers tables and figures in the order of a page, over several studies; those of appendixes by
-/// themselves, from A1. A caption may have a
-/// key, <caption id="answer">, to which <a href="#answer"></a> of the same text refers. Then the
-/// table has the id "table-3", its caption begins with "Table 3.", and the reference reads
-/// "Table 3". A reference to a key that no caption has is an error of ours.
+/// Numbers tables and figures in the order of a page with several studies; those of appendixes
+/// separately, from A1. A caption may have a key, <caption id="answer">, to which
+/// <a href="#answer"></a> of the same text refers. For example, the table gets the id "table-3",
+/// its caption begins with "Table 3.", and the reference reads "Table 3".
 class Numbering {
  public:
-  /// @throws std::logic_error  for a reference without its caption.
+  /// @throws std::logic_error  if no caption has the key of a reference.
   std::string numbered(const std::string& html, const words::Words& words);
 
  private:

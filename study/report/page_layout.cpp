@@ -26,11 +26,11 @@ struct Item {
   double top = 0.0;
   double bottom = 0.0;        ///< its end
   double figureHeight = 0.0;  ///< of a paragraph with a figure
-  double firstPart = 0.0;     ///< the end of what has to be on the page of its top
+  double firstPart = 0.0;     ///< the end of what has to be on the same page as its top
   bool isHeading = false;
   bool isFigure = false;
 
-  /// Whether the next item belongs to it.
+  /// Whether the next item has to be on the same page.
   bool keepsNext() const { return isHeading || isFigure; }
 };
 
@@ -47,7 +47,8 @@ Item itemOf(const QTextDocument& document, const QTextBlock& block) {
   Item item{.block = block, .top = where.top(), .bottom = where.bottom()};
   item.isHeading = block.blockFormat().headingLevel() > 0;
   item.isFigure = holdsFigure(block);
-  // A figure that does not fit is moved within its paragraph, which then is higher than it.
+  // Qt moves a figure that does not fit down within its paragraph, which is then higher than the
+  // figure.
   if (item.isFigure && lines->lineCount() > 0) item.figureHeight = lines->lineAt(0).height();
   const bool isWhole = item.isHeading || item.isFigure || lines->lineCount() < 4;
   item.firstPart = isWhole ? item.bottom : item.top + lines->lineAt(1).rect().bottom();
@@ -58,7 +59,7 @@ bool spansColumns(const QTextTable& table, int row) {
   return table.columns() > 1 && table.cellAt(row, 0).columnSpan() == table.columns();
 }
 
-/// Whether the page breaks in a table, as it lies now, leave enough rows on each side.
+/// Whether the page breaks of the current layout leave enough rows of a table on each side.
 bool isWellDivided(const QTextDocument& document, const QTextTable& table) {
   const auto pageOf = [&](int row) {
     const auto block = table.cellAt(row, 0).firstCursorPosition().block();
@@ -81,8 +82,8 @@ Item itemOf(const QTextDocument& document, QTextTable* table) {
   const auto after = document.findBlock(table->lastPosition() + 1);
   const bool isEmpty = after.isValid() && after.length() == 1;
   if (isEmpty) {
-    // Qt reports the rows too low by a cell's padding, and draws an empty block beside the last of
-    // them, but before another table below it.
+    // Qt reports the rows too low by a cell's padding. It draws the empty block after a table
+    // beside the last row, or, before another table, below that row.
     const QRectF empty = layout->blockBoundingRect(after);
     const bool isBelow = QTextCursor(after.next()).currentTable() != nullptr;
     where.translate(0.0, (isBelow ? empty.top() : empty.bottom()) - where.bottom());
@@ -107,7 +108,7 @@ double widthOf(const QTextTableCell& cell) {
   return width;
 }
 
-/// Narrows the widest columns to one width, so that all are @p most together.
+/// Narrows the widest columns to one width, so that the sum of all widths is @p most.
 void shareRoom(std::vector<double>& widths, double most) {
   std::vector<double> sorted = widths;
   std::ranges::sort(sorted);
@@ -220,10 +221,10 @@ bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom)
   return true;
 }
 
-/// Begins a page after a table that ends just above the end of its page. Qt rounds the place of
-/// what follows a table to 1/64 of a page: it takes this end for the next page, so that the lines
-/// that follow are cut by the page's end, and a page break leaves an empty page (Qt 6.4). Returns
-/// whether it changed something.
+/// Begins a page after a table that ends just above the end of its page. Qt rounds the position of
+/// the block after a table to 1/64 of a page and therefore puts it on the next page, although it is
+/// still on this one: its lines are cut at the page's end, and a page break leaves an empty page
+/// (Qt 6.4). Returns whether it changed something.
 bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double page) {
   const auto& block = items[at].block;
   if (items[at].table == nullptr || !block.isValid() || at + 1 == items.size()) return false;
@@ -238,8 +239,8 @@ bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double 
   return true;
 }
 
-/// What lies between a figure and the text of its caption, on whichever page. The line that holds a
-/// figure is a little higher than it, also when it is shrunk.
+/// The height between a figure and the text of its caption. The line that holds a figure is a
+/// little higher than the figure, also if the figure is shrunk.
 double gapBelow(const Item& figure, const Item& caption) {
   constexpr double kLine = 5.0;  // [px]
   const double dpi = figure.block.document()->documentLayout()->paintDevice()->logicalDpiY();
@@ -248,20 +249,22 @@ double gapBelow(const Item& figure, const Item& caption) {
   return dpi / 96.0 * (margin + kLine);
 }
 
-/// Whether the page that an item leaves by its break has much room left, and is not the first.
+/// Whether the page before an item's page break has more than 40 % of its height left and is not
+/// the first page.
 bool leavesRoom(const std::vector<Item>& items, std::size_t at, double page) {
   if (at == 0 || !breaksPage(items[at])) return false;
   const double before = items[at - 1].bottom / page;
   return before > 1.0 && before - std::floor(before) < 0.6;
 }
 
-/// Looks at the items that belong together from @p begin on. Returns whether it changed something.
+/// Puts the items from @p begin to @p end, which belong together, on one page: shrinks a figure, or
+/// begins a page. Returns whether it changed something.
 bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, double page) {
   const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
   if (items[end].firstPart <= bottom + kSlack) return false;
   for (std::size_t i = begin; i < end; ++i) {
     if (!items[i].isFigure || isShrunk(items[i])) continue;
-    // The figure may lie on the next page by now; what follows it is as high there as here.
+    // The figure may be on the next page now. What follows it has the same height there.
     const double top = items[i].top < bottom ? items[i].top : items[i - 1].bottom;
     const double below = items[end].firstPart - items[end].top + gapBelow(items[i], items[i + 1]);
     const double factor = (bottom - top - below) / items[i].figureHeight;
@@ -296,11 +299,12 @@ void layOutAgain(QTextDocument& document) {
 
 void breakPages(QTextDocument& document) {
   const double page = document.pageSize().height();
-  // What comes before a change stays where it is, so that each item is mended at most thrice.
+  // A change does not move the items before it, so each item is changed at most three times.
   for (std::size_t begin = 0, looked = 0;;) {
     const auto items = itemsOf(document);
     if (begin >= items.size()) return;
-    // A heading whose break is in the page; those that are set here are not looked at again.
+    // Removes a break that leaves too much of a page empty. Breaks set by this loop are not
+    // checked.
     if (begin > looked && leavesRoom(items, begin, page)) {
       setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
       layOutAgain(document);
@@ -315,7 +319,7 @@ void breakPages(QTextDocument& document) {
       continue;
     }
     if (beginPageAfterTable(items, begin, page)) layOutAgain(document);
-    ++begin;  // what is left of a chain is looked at again: its heading may have filled a page
+    ++begin;  // the rest of a chain is checked again: its heading may have filled a page
   }
 }
 

@@ -5,20 +5,22 @@
 
 namespace study::report {
 
-/// A text object of a document that is a figure.
+/// The object type of a figure in a QTextDocument.
 inline constexpr int kFigure = QTextFormat::UserObject + 1;
-/// Its number, and how far it is shrunk: a factor up to 1, or nothing.
+/// Properties of a figure's character format: its index, and the factor (≤ 1) by which it is
+/// shrunk; without the factor it has its own size.
 inline constexpr int kFigureNumber = QTextFormat::UserProperty + 1;
 inline constexpr int kFigureScale = QTextFormat::UserProperty + 2;
 
-/// Gives the columns of each table the width of their longest cell; where that is too wide, the
-/// widest columns share what the others leave. Qt also counts cells that span columns, captions
-/// among them, and wraps names beside empty room.
+/// Gives the columns of each table the width of their longest cell. If the table is then too wide,
+/// the widest columns share the width that the others leave. Qt's own layout also counts cells that
+/// span columns, such as captions, and therefore wraps names beside empty space.
 void fitColumns(QTextDocument& document);
 
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
-/// its caption. A figure that does not fit below the text is shrunk a little where that is enough.
-/// A table is divided only if some rows are on each page, none of them a heading of rows below.
+/// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
+/// table is divided only if several rows are on each page and the last row of a page is not a
+/// heading of the rows below it.
 void breakPages(QTextDocument& document);
 
 /// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks

@@ -136,10 +136,10 @@ void splitAtPages(QTextDocument& document) {
 /// The font of a report on paper.
 struct TextFont {
   QFont font;
-  double scale;  ///< of the sizes that suit DejaVu Sans, whose small letters are large
+  double scale;  ///< for sizes chosen for DejaVu Sans, whose small letters are large
 };
 
-/// A font made for text if it is installed, as the package asks; DejaVu Sans always is.
+/// Carlito if it is installed (the package depends on it), otherwise DejaVu Sans.
 TextFont textFont() {
   const auto carlito = QStringLiteral("Carlito");
   if (QFontDatabase::families().contains(carlito)) return {QFont(carlito), 1.1};
@@ -191,7 +191,8 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font) {
 
 std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   auto [font, scale] = textFont();
-  // Turns ligatures off, which cannot be searched or copied: few of them are characters (Qt 6.4).
+  // Letter spacing turns ligatures off. Most ligatures are no characters of their own, so that
+  // their words could not be searched or copied (Qt 6.4).
   constexpr double kInvisible = 0.02;  // [px]
   font.setLetterSpacing(QFont::AbsoluteSpacing, kInvisible);
   const auto page = forPrint(html, scale);

@@ -8,11 +8,11 @@ namespace study::report {
 /// The size of a page.
 enum class Paper { A4, Letter };
 
-/// One of our pages (html_report.h, document.h) as a PDF file: text as text, figures as vectors,
-/// numbered pages. Needs a QGuiApplication.
+/// A page of html_report.h or document.h as a PDF file: text as text, figures as vectors, numbered
+/// pages. Needs a QGuiApplication.
 std::string asPdf(std::string_view html, std::string_view title, Paper paper = Paper::A4);
 
-/// One figure in its own size.
+/// One figure as a PDF file whose page has the figure's size.
 /// @param scale  FigureFormat::scale() of the figure.
 std::string figureAsPdf(std::string_view svg, double scale = 1.0);
 

@@ -76,8 +76,8 @@ void dropTags(std::string& html, std::string_view begin, std::string_view end = 
   }
 }
 
-/// Numbers of tables and figures stay, links to them do not: pages on paper have none. What is
-/// folded on the screen is open on paper.
+/// Removes links to tables and figures, but keeps their numbers, and opens parts that are collapsed
+/// on the screen.
 void unlinkAndUnfold(std::string& html) {
   for (const std::string_view element : {"table", "figure"}) {
     const auto open = "<" + std::string(element) + " id=\"" + std::string(element) + "-";

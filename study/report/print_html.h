@@ -12,8 +12,8 @@ struct PrintHtml {
   std::vector<std::string> figures;  ///< SVG; the text has <img src="figure:0">, … for them
 };
 
-/// Takes the figures out of one of our pages and replaces newer markup: captions become rows of
-/// table heads, names are aligned left and numbers right.
+/// Extracts the figures of a page (html_report.h, document.h) and replaces markup that Qt does not
+/// know: captions become rows of table heads, names are aligned left and numbers right.
 /// @param scale  of all font sizes.
 PrintHtml forPrint(std::string_view html, double scale = 1.0);
 

@@ -145,7 +145,7 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
 }
 
 /// @p words with the texts of the devices in @p protocol. If all devices are of one kind, its texts
-///     take precedence over the catalogue's; otherwise they only fill its gaps.
+/// take precedence over the catalogue's; otherwise they are used only where the catalogue has none.
 words::Words withDevices(const words::Words& words, const protocols::Protocol& protocol) {
   auto catalogue = words.catalogue();
   for (const auto& device : protocol.devices) {
@@ -213,7 +213,7 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .history = analysisPlanHistory(study),
       .seed = study.seed(),
       .uuid = study.uuid(),
-      // Simulated sessions are made again from a seed, with the same report.
+      // Simulated sessions can be repeated from a seed and must then give the same report.
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = computeResults(study, mode),

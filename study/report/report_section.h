@@ -65,13 +65,13 @@ struct TrialReasons {
 /// finished and not repeated, without the optional ones before a preference.
 struct TrialQuality {
   int trials = 0;
-  int feltAgain = 0;  ///< besides: optional trials before a preference that were accepted
+  int feltAgain = 0;  ///< accepted optional trials before a preference; not counted in trials
   int pass = 0;
   int warn = 0;
   int fail = 0;
   std::int64_t cuts = 0;
-  double saturated = 0.0;  ///< [s]
-  double contact = 0.0;    ///< [s]
+  double saturated = 0.0;  ///< time in which the scene asked for more than the limit [s]
+  double contact = 0.0;    ///< time in contact with the tissue [s]
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
   std::vector<CutOffTrials> cutOff;   ///< by condition, in the protocol's order
@@ -96,9 +96,9 @@ struct ReportSection {
   AnalysisPlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
-  storage::TrailEnd trail = {};  ///< how far the audit trail was; empty in simulated sessions
-  /// What keeps orders and codes from being chosen afterwards (BlindingSecret::commitment()); empty
-  /// in simulated sessions, and in studies without a secret.
+  storage::TrailEnd trail = {};  ///< its end when read; empty in simulated sessions
+  /// The commitment to the secret that determines orders and codes (BlindingSecret::commitment());
+  /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};
   Results results;
   std::vector<FeltCurve> curves;
@@ -106,7 +106,7 @@ struct ReportSection {
   TrialQuality quality;
   std::vector<LandmarkSummary> landmarks;         ///< condition by condition, of those with cuts
   std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
-  bool hasQuotes = true;                          ///< what participants wrote is shown
+  bool hasQuotes = true;                          ///< whether what participants wrote is shown
   Wording wording = Wording::Apa;                 ///< of the sentences
   Figures figures;
   words::Words words;  ///< in the language of the report
@@ -118,10 +118,12 @@ struct ReportSection {
   const std::string& cohortTitle(const std::string& cohort) const;
 };
 
-/// The figures that were painted, each with a name for its file: "realism-answers".
+/// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 
-/// @throws storage::StorageError
+/// Reads a study and computes what a report shows of its sessions of @p mode. Figures are not
+/// painted.
+/// @throws storage::StorageError  if the study cannot be read.
 ReportSection gather(Study& study, RunMode mode, const words::Words& words = {});
 
 }  // namespace study::report

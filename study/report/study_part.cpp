@@ -120,11 +120,11 @@ class ParticipantWriter : HtmlWriter {
     notes(isShown(kColumns.back()));
   }
 
-  /// The figure's numbers, for a palpate that paints none.
+  /// The figure's numbers as a table, for builds without figures.
   void counts(const std::array<Column, 8>& columns) {
     std::vector<std::string> headings;
     for (const auto& column : columns) {
-      const auto title = say(column.heading);  // also of hidden columns, so that gaps are found
+      const auto title = say(column.heading);  // of all columns: tests find missing translations
       if (isShown(column)) headings.push_back(title);
     }
     const auto begin = [&](std::string_view caption, std::string_view first) {
@@ -170,7 +170,8 @@ class WarningWriter : HtmlWriter {
   }
 
  private:
-  /// Blanks in texts concern the laboratory, and their names would look like results.
+  /// Whether the warning is about a blank in a text. These concern the laboratory only, and their
+  /// names would look like results.
   static bool isBlank(const questionnaires::Problem& warning) {
     return warning.what.key() == "blank_left" || warning.what.key() == "blank_left_in";
   }

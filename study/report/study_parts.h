@@ -13,17 +13,17 @@ namespace study::report {
 /// Whether participants were real or simulated, and what the study asks.
 std::string headAsHtml(const ReportSection& section);
 
-/// How many took part, by cohort.
+/// The number of participants, by cohort.
 std::string participantsAsHtml(const ReportSection& section);
 
-/// The answer: one figure, one table, a sentence for each cohort, and what weakens it.
+/// The answer: one figure, one table, a sentence for each cohort, and its limitations.
 std::string answerAsHtml(const ReportSection& section);
 
-/// The family whose figure stands beside the answer: the first one with answers; nullptr if there
+/// The family whose figure is shown beside the answer: the first one with answers; nullptr if there
 /// is none.
 const FamilyResult* mainFamily(const ReportSection& section);
 
-/// Whether anybody of the cohort answered.
+/// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);
 
 /// The preferences, with their figure.
@@ -50,20 +50,21 @@ std::string validityAsHtml(const ReportSection& section);
 /// The methods: procedure, sources and software.
 std::string methodsAsHtml(const ReportSection& section);
 
-/// A part that is folded on the page.
+/// A part of the appendix, which is collapsed on the page.
 struct AppendixPart {
   std::string heading;
   std::string html;
 };
 
-/// The parts that every study may have, in the order of the page, after one for each family.
+/// The parts of the appendix that every study may have, in the order of the page. They follow the
+/// parts about families.
 struct CommonPart {
   std::string_view heading;  ///< in English
   std::string (*html)(const ReportSection& section);
 };
 std::span<const CommonPart> commonParts() noexcept;
 
-/// All that have something to say, in the order of the page.
+/// All parts that are not empty, in the order of the page.
 std::vector<AppendixPart> appendixOf(const ReportSection& section);
 
 }  // namespace study::report

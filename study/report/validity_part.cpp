@@ -21,7 +21,8 @@ struct Spread {
 };
 
 /// Arranges what a study has found by Messick's five sources of validity evidence, as Cook and
-/// Hatala (2016) describe them for simulators. Says of each source also that there is nothing.
+/// Hatala (2016) describe them for simulators. Also names the sources for which there is no
+/// evidence.
 class ValidityWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;

@@ -8,14 +8,14 @@
 
 namespace study::report {
 
-/// An axis with its ends, which maps values to positions.
+/// Maps the values of an axis to positions along it.
 class AxisScale {
  public:
-  /// @param least, most  of the data; ends that the axis has itself take precedence.
+  /// @param least, most  the range of the data; the axis's own ends take precedence.
   AxisScale(const ChartAxis& axis, double least, double most);
 
   bool shows(double value) const;
-  /// From 0 to 1 within the ends.
+  /// The position of a value: 0 at the lower end of the axis, 1 at the upper end.
   double place(double value) const { return (forward(value) - least_) / (most_ - least_); }
 
   struct Tick {

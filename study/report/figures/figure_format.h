@@ -8,13 +8,13 @@ namespace study::report {
 /// names above its rows and legends below its plot, so that letters keep their size.
 struct FigureFormat {
   std::optional<double> width;  ///< [mm]; std::nullopt: 820 px, as in a report
-  double font = kUsualFont;     ///< of names and titles [pt]; numbers at axes are a thirteenth less
+  double font = kUsualFont;     ///< of names and titles [pt]; numbers at axes have 12/13 of it
 
   static constexpr double kUsualFont = 9.75;    // 13 px at 96 dpi
   static constexpr double kUsualWidth = 820.0;  // [px]
   static constexpr double kNarrow = 600.0;      // [px]
 
-  /// Of the layout's px on paper.
+  /// The size on paper of a px of the layout [1/96 in].
   double scale() const { return font / kUsualFont; }
   double layoutWidth() const { return width ? *width / 25.4 * 96.0 / scale() : kUsualWidth; }
   bool isNarrow() const { return layoutWidth() < kNarrow; }

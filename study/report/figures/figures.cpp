@@ -11,7 +11,7 @@
 namespace study::report {
 namespace {
 
-/// A family without the cohorts that nobody answered in, if there are others.
+/// The family without the cohorts that have no answers; unchanged if no cohort has answers.
 FamilyResult withAnswers(const FamilyResult& family) {
   auto answered = family;
   std::erase_if(answered.cohorts, [](const auto& cohort) { return !hasAnswers(cohort); });

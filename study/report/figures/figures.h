@@ -44,8 +44,8 @@ void paintLikertFigure(
     const FamilyResult& family,
     const FigureFormat& format);
 
-/// Ratings by position (first, second …): means over participants with their 95 % intervals, as if
-/// all methods were alike.
+/// Ratings by position (first, second …): means over participants with their 95 % intervals, all
+/// methods taken together.
 QSizeF positionFigureSize(const FamilyResult& family, const FigureFormat& format);
 void paintPositionFigure(
     QPainter& painter,

@@ -22,7 +22,7 @@ struct FlowRow {
   std::string lost;  ///< between the first two boxes; empty if all completed
 };
 
-/// Those whose answers are compared; std::nullopt if nothing is compared.
+/// The number of participants whose answers are compared; std::nullopt if nothing is compared.
 std::optional<std::size_t> analysedOf(const ReportSection& section, const std::string& cohort) {
   const auto* family = mainFamily(section);
   if (family == nullptr) return std::nullopt;

@@ -21,8 +21,8 @@ double rowHeight(bool isNarrow) {
   return kBar + kGap + (isNarrow ? kNameLine : 0.0);
 }
 
-/// Shares below the middle of the scale go to the left of a line, those above to the right; the
-/// middle point, if there is one, is split.
+/// The share of a bar to the left of the middle line: the points below the middle of the scale, and
+/// half of the middle point if there is one.
 double leftShare(const std::vector<double>& shares) {
   const std::size_t n = shares.size();
   double left = 0.0;

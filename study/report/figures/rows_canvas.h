@@ -8,7 +8,7 @@
 
 namespace study::report {
 
-/// What a figure of rows gives to its parts [px].
+/// The sizes of the parts of a figure of rows [px].
 struct RowMeasures {
   double names;   ///< width, on the left
   double texts;   ///< width, on the right
@@ -40,7 +40,8 @@ class RowsCanvas {
   static double rowHeight(const FigureFormat& format, double height) {
     return height + (format.isNarrow() ? kNameLine : 0.0);
   }
-  /// Where the drawing of a row that begins at @p y begins: below its name in a narrow figure.
+  /// The upper edge of a row's drawing, for a row whose upper edge is @p y: below its name in a
+  /// narrow figure.
   double drawingOf(double y) const { return isNarrow_ ? y + kNameLine : y; }
   bool isNarrow() const noexcept { return isNarrow_; }
 

@@ -22,7 +22,8 @@ void forEachComparison(const FamilyResult& family, Do each) {
 }
 
 /// A scale that covers all differences, the pooled intervals, and zero. The intervals of single
-/// sites are cut off at the width of the answers' scale: of two people they are often wider.
+/// sites are cut off at the width of the answers' scale; with two participants at a site they are
+/// often wider.
 AxisScale siteScale(const FamilyResult& family) {
   double most = 0.0;
   double widest = 0.0;

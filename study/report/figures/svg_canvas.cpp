@@ -10,7 +10,7 @@ namespace study::report {
 
 namespace {
 
-/// The first tag of an SVG with its exact size: Qt rounds it to whole pixels.
+/// Writes the exact size into the first tag of an SVG; Qt rounds it to whole pixels.
 void measure(std::string& svg, const QSizeF& millimetres) {
   const auto replace = [&](const std::string& name, double length) {
     const auto begin = svg.find(name + "=\"");

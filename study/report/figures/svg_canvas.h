@@ -12,7 +12,7 @@ namespace study::report {
 
 /// Calls @p paint with a canvas of @p size [px at 96 dpi] and returns the picture as an SVG element
 /// to embed in a page. Needs a QGuiApplication (the offscreen platform is enough).
-/// @param format  what it measures on paper; its layout has to be that wide.
+/// @param format  the size on paper; its layoutWidth() has to be the width of @p size.
 std::string asSvg(
     const QSizeF& size,
     const std::function<void(QPainter&)>& paint,
