@@ -11,7 +11,7 @@
 
 namespace study::gui {
 
-/// Emits a signal when one of several files changes, also when an editor replaces the file.
+/// Emits a signal when one of several files changes or is replaced, as some editors do.
 class FileWatch final : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class FileWatch final : public QObject {
   void changed();
 
  private:
-  using State = std::pair<qint64, QDateTime>;  ///< size, last written
+  using State = std::pair<qint64, QDateTime>;  ///< size [bytes], last written
   std::map<QString, State> look() const;
   void checkForChanges();
   void watchAll();

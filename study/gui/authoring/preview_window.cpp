@@ -175,7 +175,7 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   layout.addLayout(bar_);
 }
 
-/// Puts all of the bar into one line, or two in a narrow window.
+/// Arranges the bar's controls in one line, or in two in a narrow window.
 void PreviewWindow::resizeEvent(QResizeEvent* event) {
   constexpr int kRoomForOneLine = 1000;  // [px]
   bar_->setDirection(
@@ -202,7 +202,7 @@ void PreviewWindow::goTo(int step) {
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
   if (day_) {
     day_->controller.disconnect(this);
-    place_->takeWidget();  // it belongs to the day
+    place_->takeWidget();  // day_ owns it
   }
   day_.reset();
   const auto id = sessionAt(folder, language(), step);

@@ -19,9 +19,9 @@ class QVBoxLayout;
 
 namespace study::gui {
 
-/// A participant's session, to look at: every page as it will look, in any language and on any size
-/// of screen, with scenes that can be felt with the mouse or the space bar. It runs in a study of
-/// its own in a temporary folder, which is removed with the window: nothing is kept.
+/// Previews a participant's session: every page in any language and for any size of screen, with
+/// scenes that can be felt with the mouse or the space bar. The session runs in a new study in a
+/// temporary folder, which is removed with the window, so nothing is kept.
 class PreviewWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -29,7 +29,8 @@ class PreviewWindow final : public QMainWindow {
   explicit PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* parent = nullptr);
   ~PreviewWindow() override;
 
-  /// Shows the page of a step, from 0. The steps before it are answered by a simulated participant.
+  /// Shows the page of a step, numbered from 0. The steps before it are answered by a simulated
+  /// participant.
   void goTo(int step);
 
   const SessionController& controller() const;
@@ -64,7 +65,7 @@ class PreviewWindow final : public QMainWindow {
   std::unique_ptr<Day> day_;
 };
 
-/// Opens a preview in a window of its own. If it cannot be made, shows the error's message.
+/// Opens a preview in a new window. Shows the error's message if that fails.
 void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent);
 
 }  // namespace study::gui

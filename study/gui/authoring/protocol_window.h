@@ -16,7 +16,8 @@ class TimelinePage;
 class OrdersPage;
 
 /// Shows a protocol to its author: the text, a session's timeline, each participant's order, and
-/// all problems with their places. It reloads the file after each change and never writes it.
+/// all problems with their line in the text. It reloads the file after each change and never writes
+/// it.
 class ProtocolWindow final : public QMainWindow {
   Q_OBJECT
 

@@ -17,7 +17,7 @@
 namespace study::gui {
 namespace {
 
-/// The duration by the timeline, rounded up to five minutes.
+/// The session's duration by the timeline [min], rounded up to a multiple of five.
 std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
   constexpr double kSecondsPerMinute = 60.0;
   constexpr double kRoundedTo = 5.0;  // [min]

@@ -17,20 +17,21 @@ class QPushButton;
 namespace study::gui {
 
 /// A form for the blanks in texts that participants read: institution, contact, ethics reference.
-/// Each is asked once, however many texts have it. A text for one language only is shown where the
-/// others have none.
+/// Each blank has one field, even if several texts contain it. A language without a text of its own
+/// uses the English one.
 class TextsDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  enum class Reason { Needed, NotNeeded };  ///< an amendment needs one once somebody has begun
+  /// Whether a reason has to be given: an amendment needs one once a live session has begun.
+  enum class Reason { Needed, NotNeeded };
 
   explicit TextsDialog(
       const protocols::LoadedProtocol& loaded,
       Reason reason = Reason::NotNeeded,
       QWidget* parent = nullptr);
 
-  /// What the form says, and the protocol's texts for which it has no field.
+  /// The texts of the form, and those of the protocol that have no field in the form.
   questionnaires::BlankTexts texts() const;
   QString reason() const { return reason_->text().trimmed(); }
 

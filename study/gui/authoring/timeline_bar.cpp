@@ -19,7 +19,7 @@ constexpr int kTickLength = 6;
 /// The interval between tick marks [min], chosen so that their numbers have room.
 /// @param perMinute  [px]
 int minutesBetweenMarks(double perMinute) {
-  constexpr double kRoom = 52.0;  // [px]: of "0 min"
+  constexpr double kRoom = 52.0;  // [px]: width of "0 min"
   for (const int step : {1, 2, 5, 10, 15, 30}) {
     if (step * perMinute >= kRoom) return step;
   }

@@ -7,8 +7,9 @@
 
 namespace study::gui {
 
-/// A session as a bar whose segments are as long as the phases last. The time on the device is
-/// filled. A segment has the name of its phase, or only its number where the name has no room.
+/// A session as a bar with a segment for each phase, its length proportional to the duration. The
+/// time on the device is filled. A segment shows the name of its phase, or only the number if the
+/// name does not fit.
 class TimelineBar final : public QWidget {
   Q_OBJECT
 

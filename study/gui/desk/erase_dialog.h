@@ -14,8 +14,8 @@
 
 namespace study::gui {
 
-/// Erases a participant, as `palpate study erase` does. The code has to be typed, so that nobody is
-/// erased by a click.
+/// Erases a participant, as `palpate study erase` does. The code has to be typed, so that a mere
+/// click cannot erase a participant.
 class EraseDialog final : public WorkDialog {
   Q_OBJECT
 

@@ -41,7 +41,7 @@ class ExportDialog final : public WorkDialog {
   QCheckBox* texts_;
   QCheckBox* traces_;
   PathField* target_;
-  PathField* earlier_;  ///< an export whose codes this one has, too
+  PathField* earlier_;  ///< an earlier export whose codes the new one reuses
 };
 
 }  // namespace study::gui

@@ -136,7 +136,7 @@ class HelpKey final : public QObject {
 
 }  // namespace
 
-/// In its page Tab leaves the text, which has many links; Left and Right go from link to link.
+/// The text has many links, so Tab leaves it; Left and Right move from link to link.
 class HelpWindow::Text final : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
@@ -185,8 +185,7 @@ void showHelp(const QString& topic, const QWidget* beside) {
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setAttribute(Qt::WA_QuitOnClose, false);
     // Places the help over the window that asked, so that it never covers the participant's window
-    // on
-    // another screen.
+    // on another screen.
     constexpr QPoint kAside(60, 40);
     if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
     helpWindow() = window;
@@ -241,7 +240,7 @@ bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
-/// Fits the pictures without changing the text at the top.
+/// Fits the pictures. The text at the top of the view stays in place.
 void HelpWindow::fitToWidth() {
   const auto place = text_->cursorForPosition({0, 0});
   const int before = text_->cursorRect(place).top();

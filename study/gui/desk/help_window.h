@@ -12,9 +12,9 @@ namespace study::gui {
 
 /// A window of the program.
 struct ProgramWindow {
-  std::string_view name;   ///< of its class; one of Qt's own, too
-  std::string_view topic;  ///< text from the heading that F1 shows; empty: no help, or that of the
-                           ///< window from which it was opened
+  std::string_view name;   ///< of its class, which may be Qt's own
+  std::string_view topic;  ///< part of the heading that F1 shows; empty: no help, or that of the
+                           ///< window that opened this one
 };
 
 /// Every window and dialog of the program.
@@ -59,7 +59,7 @@ QString helpTopicOf(const QWidget& widget);
 /// The window that F1 opened last; nullptr before the first.
 HelpWindow* openHelp() noexcept;
 
-/// Opens help on a topic, as F1 does in @p beside.
+/// Opens help on a topic, near the window of @p beside if it is not nullptr.
 void showHelp(const QString& topic, const QWidget* beside = nullptr);
 
 }  // namespace study::gui

@@ -46,10 +46,11 @@
 namespace study::gui {
 namespace {
 
-/// Paints how far a study has come below the words of its cell.
+/// Paints a progress bar below the text of a study's cell.
 class ProgressDelegate final : public QStyledItemDelegate {
  public:
-  static constexpr int kShare = Qt::UserRole;  ///< of the planned sessions, 0 to 1; none: no bar
+  /// The role of the share of the planned sessions that are completed, 0 to 1; no bar without it.
+  static constexpr int kShare = Qt::UserRole;
 
   using QStyledItemDelegate::QStyledItemDelegate;
 
@@ -261,7 +262,7 @@ void HomeWindow::openDialog() {
   if (kNeedsNames) askForNamesOf(study->folder, this);
   auto* dialog = new Dialog(*study, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  // It may have written, changed or simulated something that the panel shows.
+  // The dialog may have changed what the panel shows.
   connect(dialog, &QDialog::finished, this, &HomeWindow::refresh);
   dialog->open();
 }

@@ -50,7 +50,7 @@ class HomeWindow final : public QMainWindow {
   struct OpenStudy;
   /// Makes everything that the window shows, in the language of the desk.
   void makeContents();
-  /// Puts list and study side by side, or one above the other in a narrow window.
+  /// Arranges the list and the study side by side, or one above the other in a narrow window.
   void arrange();
   QWidget* makeList();
   void makeMenus();
@@ -74,14 +74,14 @@ class HomeWindow final : public QMainWindow {
   void openTool();  ///< a dialog that needs no study
 
   std::string deviceFile_;
-  /// A study of the list. Its database is opened once its row comes into sight.
+  /// A study of the list. Its database is read when its row first becomes visible.
   struct Row {
     StudySummary summary;
     bool isRead = false;
   };
   std::vector<Row> studies_;  ///< in the order of the list
-  QTimer reading_;            ///< of the next row in sight that was not read yet
-  std::string language_;      ///< of what is shown
+  QTimer reading_;            ///< reads the next visible row that was not read yet
+  std::string language_;      ///< of the present contents
   QBoxLayout* columns_ = nullptr;
   QTableWidget* list_ = nullptr;
   StudyPanel* panel_ = nullptr;

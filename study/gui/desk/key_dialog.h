@@ -12,8 +12,8 @@
 
 namespace study::gui {
 
-/// Saves the key of a study to a file, or takes it from one, as `palpate study key` does; puts
-/// names behind a passphrase, as `palpate study names --set-passphrase` does.
+/// Saves the key of a study to a file or loads it from one, as `palpate study key` does; encrypts
+/// the participants' names with a passphrase, as `palpate study names --set-passphrase` does.
 class KeyDialog final : public WorkDialog {
   Q_OBJECT
 

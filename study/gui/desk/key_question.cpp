@@ -12,7 +12,7 @@
 namespace study::gui {
 namespace {
 
-/// Asks until @p opens says that it is right, or the window is closed.
+/// Asks for a passphrase until @p opens returns true for it or the dialog is closed.
 void ask(
     QWidget* parent,
     const QString& title,

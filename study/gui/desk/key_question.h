@@ -6,12 +6,14 @@ class QWidget;
 
 namespace study::gui {
 
-/// If the conditions of a study are sealed, this account has not the key, and a passphrase opens
-/// it: asks for the passphrase until it is right or the window is closed. The key is held until the
-/// program ends. Without it everything that needs no key is possible.
+/// If the conditions of a study are sealed, this account does not have the key, and the key is
+/// protected by a passphrase: asks for the passphrase until it is right or the dialog is closed.
+/// The key is kept in memory until the program ends. Without the key, everything that needs no key
+/// is possible.
 void askForKeyOf(const std::string& folder, QWidget* parent);
 
-/// The same for names (docs/decisions/0062). Without their passphrase no session goes on.
+/// Asks in the same way for the passphrase of the participants' names (docs/decisions/0062).
+/// Without it no session can be begun or resumed.
 void askForNamesOf(const std::string& folder, QWidget* parent);
 
 }  // namespace study::gui

@@ -22,7 +22,7 @@ class ImportCutDialog final : public WorkDialog {
   void work() override;
 
  private:
-  /// Shows the recording that is chosen, before anything is kept.
+  /// Shows the chosen recording before it is imported.
   void look();
   /// Shows the cut that an import would make of it.
   void preview();

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace reaming = haptics::reaming;
 
-/// Throws before the computation starts if the file could not be written at its end.
+/// Called before the computation. Throws if the result could not be written to @p out.
 void requireNewFile(const std::string& out, std::string_view ending) {
   if (!out.ends_with(ending)) {
     throw UserError(
@@ -63,7 +63,8 @@ std::vector<fs::path> seriesIn(const std::string& folder) {
   return files;
 }
 
-/// Reports progress. Returns false if cancelled, because the caller must not throw.
+/// Reports progress. Returns false if the user has cancelled, because the algorithm that calls it
+/// does not allow exceptions.
 bool onProgress(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
   try {
     tell(

@@ -30,10 +30,11 @@ struct WrittenDocument {
   QDateTime written;
 };
 
-/// Those of a study that still exist, latest first.
+/// The documents of a study that still exist, latest first.
 std::vector<WrittenDocument> documentsOf(const QString& study);
 
-/// Puts a document at the top of the list, which keeps kMostDocuments of all studies.
+/// Puts a document at the top of the list, which keeps the latest kMostDocuments documents of all
+/// studies together.
 void rememberDocument(const QString& study, const QString& path);
 
 inline constexpr int kMostDocuments = 100;

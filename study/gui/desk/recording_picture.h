@@ -14,7 +14,7 @@ class QCustomPlot;
 
 namespace study::gui {
 
-/// A recording as it was read, to look at before anything is kept.
+/// A recording as it was read, to be shown before it is imported.
 struct RecordingLook {
   haptics::recordings::Recording recording;
   haptics::recordings::Trace trace;
@@ -24,15 +24,15 @@ struct RecordingLook {
 /// Reads a recording, with a columns file if it is not empty. Throws as recordingIn() does.
 RecordingLook lookAt(const std::string& recording, const std::string& columns);
 
-/// Draws force and travel over time with the cuts shaded, the chosen one darker, and says in words
-/// what was read: rows, rate, unit, calibration, what the sensor could not measure.
+/// Draws force and travel over time with the cuts shaded, the chosen one darker. A text below
+/// states rows, rate, unit, calibration, and the samples in which the sensor was saturated.
 class RecordingPicture final : public QWidget {
   Q_OBJECT
 
  public:
   explicit RecordingPicture(QWidget* parent = nullptr);
 
-  /// std::nullopt: nothing.
+  /// Shows a recording; std::nullopt: shows none.
   void show(std::optional<RecordingLook> look);
   using QWidget::show;
   /// Marks a cut, from 1; 0: none.

@@ -15,7 +15,7 @@
 namespace study::gui {
 namespace {
 
-/// Throws before the computation starts if the file could not be written at its end.
+/// Called before the computation. Throws if the report could not be written to @p out.
 void requireWritable(const std::string& out) {
   const auto ending = std::filesystem::path(out).extension();
   if (ending != ".html" && ending != ".pdf") {

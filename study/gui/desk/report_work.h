@@ -21,7 +21,7 @@ struct ReportOrder {
   std::string out;              ///< ends in .html or .pdf; an existing file is not overwritten
   std::string figures;          ///< folder for each figure as a file of its own; empty: none
   report::FigureFormat format;  ///< of these files
-  std::string reason;           ///< for naming the conditions in results of people
+  std::string reason;           ///< why results of participants are unblinded, for the audit trail
 };
 
 /// Writes the report as `palpate report` does. Can be called from any thread.

@@ -32,7 +32,7 @@ std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progres
 /// Tests the screens. Call it from the GUI thread.
 std::vector<SelfTestLine> testScreens();
 
-/// Compares measurements with what a study needs.
+/// Compare measurements with what a study needs.
 SelfTestLine judgeClock(
     const haptics::engine::RealtimeLoop::Report& report, bool isRealtime, double rate);
 SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder);

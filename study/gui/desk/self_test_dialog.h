@@ -10,8 +10,8 @@
 
 namespace study::gui {
 
-/// Tests whether this computer is ready for a study: devices, timing, saving and screen. Says for
-/// each in everyday words what was found and what to do, and on demand what was measured.
+/// Tests whether this computer is ready for a study: devices, timing, saving and screen. Shows for
+/// each, in everyday words, the finding and what to do, and on demand the measured values.
 class SelfTestDialog final : public QDialog {
   Q_OBJECT
 

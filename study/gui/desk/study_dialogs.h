@@ -88,7 +88,7 @@ QString describe(const Verification& verification);
 QComboBox* runModeChoice(const StudySummary& study, QWidget* parent);
 RunMode chosenMode(const QComboBox& choice);
 
-/// A path for a new file or folder next to a study, with today's date, at which nothing is yet:
+/// An unused path for a new file or folder next to a study, with today's date:
 /// "/home/a/my-study-report-2026-11-23.html", "…-2026-11-23-2.html".
 QString newPathBeside(
     const std::string& folder, const QString& what, const QString& extension = {});

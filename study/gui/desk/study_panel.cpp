@@ -115,7 +115,8 @@ void StudyPanel::makeButtons() {
   buttons_->setSpacing(4);
 }
 
-/// A row of buttons that starts with the heading of its group, or with as much room.
+/// A row of buttons that starts with the heading of its group, or with an empty space of the same
+/// width.
 QHBoxLayout* StudyPanel::addRow(QWidget* heading, int headingWidth) {
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap);
@@ -159,7 +160,7 @@ void StudyPanel::fitInto(int width) {
   }
 }
 
-/// What can be done without a study.
+/// The buttons for a user without a study.
 QWidget* StudyPanel::makeStart() {
   auto* start = new QWidget(this);
   start->setProperty("role", QStringLiteral("plain"));
@@ -177,7 +178,7 @@ QWidget* StudyPanel::makeStart() {
   return start;
 }
 
-/// Shows what can be done without a study in place of what needs one.
+/// Shows the buttons for a user without a study, or else those for a study.
 void StudyPanel::showStart(bool isEmpty) {
   start_->setVisible(isEmpty);
   open_->setVisible(!isEmpty);
@@ -220,7 +221,7 @@ void StudyPanel::show(const StudySummary& summary) {
   arrivals_->setVisible(!arrivals.isEmpty());
   setRole(*arrivals_, isArrivalOverdue(summary) ? "warn" : "body");
   folder_->setText(shownPath(QString::fromStdString(summary.folder)));
-  folder_->setVisible(!summary.folder.empty());  // it can have the focus
+  folder_->setVisible(!summary.folder.empty());  // hidden if empty, because it can have the focus
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
@@ -301,7 +302,7 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
     auto* button =
         new QPushButton(tr("Open with %1").arg(QString::fromStdString(session.participant)), card);
     button->setProperty("role", QStringLiteral("tool"));
-    layout->insertWidget(0, button, 0, Qt::AlignLeft);  // in sight however long the words are
+    layout->insertWidget(0, button, 0, Qt::AlignLeft);  // visible however long the text is
     const auto id = static_cast<qlonglong>(session.id);
     connect(button, &QPushButton::clicked, this, [this, id] { emit goOnRequested(id); });
   }

@@ -12,8 +12,8 @@
 
 namespace study::gui {
 
-/// One study: what it is, how far each cohort has come, the actions on it, what was written about
-/// it, and its unfinished sessions.
+/// One study: title and protocol, the progress of each cohort, the actions on it, its reports and
+/// exports, and its unfinished sessions.
 class StudyPanel final : public QFrame {
   Q_OBJECT
 
@@ -72,14 +72,14 @@ class StudyPanel final : public QFrame {
     std::vector<QPushButton*> buttons;
   };
   QVBoxLayout* buttons_;  ///< the groups, row by row
-  int width_ = 0;         ///< [px] that they have to fit into
+  int width_ = 0;         ///< the width that the groups have to fit into [px]
   QPushButton* open_;
-  QWidget* start_;  ///< in place of these where there is no study
+  QWidget* start_;  ///< shown in place of the groups if there is no study
   std::vector<Group> groups_;
-  QPushButton* texts_ = nullptr;  ///< one of them; says how many texts are blank
-  QPushButton* key_ = nullptr;    ///< says if no copy of the key was made
+  QPushButton* texts_ = nullptr;  ///< one of the groups' buttons; shows how many texts are blank
+  QPushButton* key_ = nullptr;    ///< shows whether a copy of the key is still missing
   QPushButton* forget_;
-  QWidget* place_;  ///< holds what differs between studies
+  QWidget* place_;  ///< the progress, documents and unfinished sessions
   QVBoxLayout* parts_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace study::gui {
 
-/// How far a cohort has come.
+/// The progress of a cohort.
 struct CohortProgress {
   std::string title;
   int completed = 0;  ///< live sessions: pilots and simulated ones take no planned place
@@ -24,14 +24,14 @@ struct StudySummary {
   std::string title;
   std::string protocol;  ///< "punch-face-validity 1.0, frozen 2026-11-20 …"
   std::map<RunMode, int> completed;
-  std::map<RunMode, int> sessions;  ///< all of them, finished or not
+  std::map<RunMode, int> sessions;  ///< finished or not
   std::vector<CohortProgress> cohorts;
   std::string lastSessionUtc;    ///< when the latest session of likelyRunMode() began; empty: none
                                  ///< has, or the sessions are simulated
   std::size_t blanks = 0;        ///< in texts for participants, still to be filled in
   bool isOnlyCopyOfKey = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
-  std::optional<Arrivals> arrivals;  ///< at the server, of a station's study, as last noted
+  std::optional<Arrivals> arrivals;  ///< at the server, as of the last push; of a station's study
   std::string pushProblem;           ///< why the last push did not succeed (NotedPush::problem)
   bool isGone = false;               ///< the folder no longer exists
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can
@@ -47,7 +47,7 @@ std::string sessionsInWords(const StudySummary& summary);
 /// study of one computer.
 std::string arrivalsInWords(const StudySummary& summary);
 
-/// Whether something has been waiting for more than a day.
+/// Whether data have been waiting for the server for more than a day.
 bool isArrivalOverdue(const StudySummary& summary);
 
 /// The run mode to offer first: live if there are live sessions, else pilot, else simulated; live

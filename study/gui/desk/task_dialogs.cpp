@@ -26,7 +26,7 @@ int countOf(const StudySummary& study, RunMode mode) {
   return found == study.sessions.end() ? 0 : found->second;
 }
 
-/// Details in letters of one width, with room for tables.
+/// Shows the details in a fixed-width font, with space for tables.
 void showAsTables(WorkDialog& dialog) {
   auto* tables = dialog.findChild<QTextBrowser*>(QStringLiteral("more"));
   tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -32,7 +32,7 @@ class AmendDialog final : public WorkDialog {
   void updateButton();
 
   std::string folder_;
-  bool hasBegun_ = false;  ///< a live participant: a change needs a reason
+  bool hasBegun_ = false;  ///< a live session has begun: a change needs a reason
   CheckedProtocol checked_;
   PathField* file_;
   QLineEdit* reason_;
@@ -56,8 +56,8 @@ class SimulateDialog final : public WorkDialog {
   QSpinBox* participants_;
 };
 
-/// Says what a study can find and how long it takes, as `palpate plan` does: balanced orders,
-/// sample sizes, power. Nothing is read but the protocol.
+/// Shows what a study can find and how long it takes, as `palpate plan` does: balanced orders,
+/// sample sizes, power. It reads the protocol only.
 class PlanDialog final : public WorkDialog {
   Q_OBJECT
 

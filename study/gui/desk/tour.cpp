@@ -43,7 +43,7 @@ protocols::LoadedProtocol shippedPunch() {
   return std::move(*loaded);
 }
 
-/// A picture from the program's resources, as large as there is room.
+/// A picture from the program's resources, scaled to the available space.
 class FittedPicture final : public QWidget {
  public:
   FittedPicture(const QString& name, const QString& resource, QWidget* parent)
@@ -165,7 +165,7 @@ QWidget* Tour::makeTrialDemonstration() {
   disableMnemonics(*page_);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
-  // They take the room that there is, and ask for none.
+  // Both fill the available space and request none.
   constexpr int kLeastHeight = 180;  // [px]
   for (QWidget* drawn : {static_cast<QWidget*>(picture), static_cast<QWidget*>(plot_)}) {
     drawn->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);

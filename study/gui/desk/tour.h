@@ -31,7 +31,7 @@ class Tour final : public QDialog {
   ~Tour() override;
 
   int step() const { return steps_->currentIndex(); }
-  /// The record of the trial in the tour; std::nullopt before it.
+  /// The record of the tour's trial; std::nullopt before the trial has ended.
   const std::optional<TrialRecord>& felt() const noexcept { return felt_; }
 
   /// Whether the tour has neither been seen nor dismissed on this computer.

@@ -104,13 +104,15 @@ void WorkDialog::fit() {
   auto* inside = scroll_->widget();
   inside->layout()->activate();
   const auto* buttons = layout()->itemAt(1);
-  // A scrolled widget is never lower than its least size, in which labels have more lines.
+  // A scrolled widget is never lower than its minimum size hint, for which labels wrap into more
+  // lines.
   const int own =
       std::max(inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
   const int needed = own + layout()->spacing() + buttons->sizeHint().height();
   const int most = screen()->availableSize().height() - kFrame;
   if (!isVisible() || more_->isHidden() || height() < needed) {
-    // Beside a scroll bar labels have more lines, so that one that is there once would stay.
+    // Beside a scroll bar labels wrap into more lines and need the bar, so that it would stay for
+    // ever.
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     resize(width(), std::min(needed, most));
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
@@ -124,8 +126,8 @@ void WorkDialog::showEvent(QShowEvent* event) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  fit();  // sizes depend on the theme, which applies only from here on
-  QTimer::singleShot(0, this, &WorkDialog::fit);  // and to some fields only when they are shown
+  fit();  // sizes depend on the theme, which is applied when the dialog is shown
+  QTimer::singleShot(0, this, &WorkDialog::fit);  // some fields get the theme only afterwards
 }
 
 void WorkDialog::clear() {

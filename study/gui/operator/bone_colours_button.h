@@ -12,8 +12,8 @@ namespace study::gui {
 /// colours could reveal the condition. Empty if the operator may see them.
 QString reasonForNoColours(const Session& session);
 
-/// Opens a window that shows the operator the bone in colours while a participant reams a visible
-/// one. The window is created on the click and closes when the trial ends.
+/// Opens a window that shows the operator the bone in colours while a participant reams a bone on
+/// the screen. The window is created on the click and closes when the trial ends.
 class BoneColoursButton final : public QPushButton {
   Q_OBJECT
 

@@ -65,7 +65,7 @@ QWidget* ControlPanel::makeButtons() {
   now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
   countCut_->setProperty("role", QStringLiteral("tool"));
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
-  countCut_->setFocusPolicy(Qt::TabFocus);  // as the button that it shares a place with
+  countCut_->setFocusPolicy(Qt::TabFocus);  // as for the button in whose place it is shown
   now->addWidget(countCut_, 1);
   layout->addWidget(note_);
   addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
@@ -98,7 +98,7 @@ QHBoxLayout* ControlPanel::addGroup(
     for (auto* button : row) {
       button->setProperty("role", QStringLiteral("tool"));
       button->setAccessibleDescription(title);
-      // A click leaves the focus where it was: a space that is typed later presses nothing.
+      // A click does not move the focus, so that a space typed later presses no button.
       button->setFocusPolicy(Qt::TabFocus);
       line->addWidget(button, 1);
     }
@@ -218,7 +218,8 @@ void ControlPanel::refresh() {
   keepFocusOffButtons();
 }
 
-/// A button that is disabled hands its focus to the next one, which may end the session.
+/// A disabled button passes its focus to the next one, which may end the session. Moves it
+/// elsewhere.
 void ControlPanel::keepFocusOffButtons() {
   const auto* focused = window()->focusWidget();
   const bool isOnAButton = qobject_cast<const QPushButton*>(focused) != nullptr;

@@ -62,7 +62,7 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   detector_ = CutDetector(device.stroke);
   rate_ = rate;
   travel_ = travelScaleOf(device);
-  // A cut through a meniscus has landmarks; a stroke in bone has a depth and takes a time.
+  // A cut through a meniscus has landmarks; a stroke in bone has a depth and a duration.
   const bool isCut = device.tissue == haptics::devices::Tissue::Meniscus;
   for (const int column : {kContact, kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
   for (const int column : {kDepth, kTime}) setColumnHidden(column, isCut);

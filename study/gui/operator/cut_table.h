@@ -9,8 +9,9 @@
 
 namespace study::gui {
 
-/// The strokes of a running trial, with what a stroke of the device has. Each landmark of a cut
-/// appears as soon as it is detected, with its force and travel once the cut is complete.
+/// The strokes of a running trial: cuts of a punch with their landmarks, or strokes of a reamer
+/// with depth and time. Each landmark of a cut appears as soon as it is detected, and its force and
+/// travel once the cut is complete.
 class CutTable final : public QTableWidget {
   Q_OBJECT
 

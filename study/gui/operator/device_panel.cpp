@@ -14,8 +14,8 @@ namespace {
 using haptics::devices::Finding;
 using Found = std::vector<FindingsDialog::Found>;
 
-/// The state of a device in the operator's words. Lifecycle::Closed is not called "closed": of a
-/// punch that would mean its jaws.
+/// The state of a device in the operator's words. Lifecycle::Closed is not called "closed", because
+/// a punch also has jaws that close.
 QString describe(const haptics::devices::Device& device, haptics::devices::Wire wire) {
   using haptics::devices::Lifecycle;
   using haptics::devices::Wire;

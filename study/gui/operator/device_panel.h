@@ -20,7 +20,7 @@ class DeviceSet;
 namespace study::gui {
 
 /// The state of the study's devices, one line each, and a button that checks them. For virtual
-/// devices it only says that they are virtual.
+/// devices it only shows that they are virtual.
 class DevicePanel final : public QWidget {
   Q_OBJECT
 
@@ -33,8 +33,8 @@ class DevicePanel final : public QWidget {
   /// Disables checking while a trial runs.
   void setBusy(bool isBusy);
 
-  /// Checks every device before a session. If a device or one of the findings in @p otherwise has
-  /// failed, asks whether to start anyway; Enter cancels.
+  /// Checks every device before a session. If a device or one of the other findings, @p otherwise,
+  /// has failed, asks whether to start anyway; Enter cancels.
   /// @return whether the session may begin. Virtual devices always pass.
   bool mayBegin(const std::vector<FindingsDialog::Found>& otherwise);
 
@@ -44,7 +44,7 @@ class DevicePanel final : public QWidget {
 
  private:
   void refresh();
-  /// Measures for a few seconds. The window is repainted meanwhile but takes no clicks.
+  /// Measures for a few seconds. The window is repainted meanwhile but ignores clicks.
   std::vector<FindingsDialog::Found> checkDevices();
 
   const protocols::Protocol& protocol_;

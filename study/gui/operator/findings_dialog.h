@@ -27,7 +27,7 @@ class FindingsDialog final : public QDialog {
   /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
   enum class Question { Nothing, GoWithout };
 
-  /// Checks once more, for *Check again*; without it there is no such button.
+  /// Called by the button *Check again*; empty: there is no such button.
   using CheckAgain = std::function<std::vector<Found>()>;
 
   FindingsDialog(
@@ -44,7 +44,7 @@ class FindingsDialog final : public QDialog {
 
   QLabel* verdict_;
   class QTableWidget* table_;
-  QPushButton* start_ = nullptr;  ///< where it asks whether to start anyway
+  QPushButton* start_ = nullptr;  ///< nullptr unless the dialog asks whether to start anyway
 };
 
 }  // namespace study::gui

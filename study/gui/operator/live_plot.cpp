@@ -75,7 +75,7 @@ void LivePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// A third axis leaves a narrow plot too little room for its curves.
+/// Hides the velocity in a narrow plot: a third axis would leave too little space for the curves.
 void LivePlot::resizeEvent(QResizeEvent* event) {
   constexpr int kRoomForTheVelocity = 560;  // [px]
   const bool isWide = width() >= kRoomForTheVelocity;

@@ -13,9 +13,9 @@ class QCustomPlot;
 
 namespace study::gui {
 
-/// Plots force, position, velocity and, of a kind of device whose scenes have one, the torque about
-/// the tool's axis over the last ten seconds of a running trial, at its start over fewer, so that
-/// the first strokes are not a narrow line at the edge. The velocity is left out of a narrow plot.
+/// Plots force, position, velocity and, if the device's scenes have one, the torque about the
+/// tool's axis over the last ten seconds of a running trial; over four at its start, so that the
+/// first strokes are not a narrow line at the edge. A narrow plot has no velocity.
 ///
 /// Each slice of 10 ms is drawn as its minimum and maximum, in the order in which they occurred. No
 /// peak is lost, and drawing takes a fifth of the time of drawing every tick. Pens are one pixel
@@ -37,7 +37,7 @@ class LivePlot final : public QWidget {
   void refresh();
 
   /// The points of a channel (0 force [N], 1 travel, 2 velocity, 3 torque [N·m]): x is the time
-  /// [s], y the value, of travel and velocity in the unit of travelScaleOf().
+  /// [s], y the value; travel and velocity are in the unit of travelScaleOf().
   std::vector<QPointF> channel(int index) const;
 
  protected:

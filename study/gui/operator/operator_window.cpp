@@ -165,8 +165,9 @@ void OperatorWindow::resizeEvent(QResizeEvent* event) {
 
 /// Puts the buttons beside the trial, or above it in a narrow window.
 void OperatorWindow::arrange() {
-  // Its lines are wrapped in a narrow window, which the least height of the contents does not tell.
-  constexpr int kAround = 60;  // [px]: margins, and the bar of what is scrolled
+  // In a narrow window the header's lines wrap, which the minimum height of the contents does not
+  // include.
+  constexpr int kAround = 60;  // [px]: margins and scroll bar
   head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
   constexpr int kRoomForTwo = 900;  // [px]
   constexpr int kControlsWidth = 430;
@@ -306,7 +307,7 @@ void OperatorWindow::tile() {
   const auto places = placesOn(screen()->availableGeometry());
   const bool isFree = participant_ && !participant_->lock().isLocked();
   if (!isFree || !places) return;
-  const QSize frame = frameSize() - size();  // the desktop's, around each window
+  const QSize frame = frameSize() - size();  // size of the frame that the desktop adds to a window
   setWindowState(Qt::WindowNoState);
   participant_->setWindowState(Qt::WindowNoState);
   move(places->own.topLeft());
@@ -367,7 +368,7 @@ void OperatorWindow::showInterview() {
       controller_.get(), &SessionController::notSaved, interview_, &QuestionnairePage::markUnsaved);
   middle_->addWidget(interview_);
   middle_->setCurrentWidget(interview_);
-  interview_->setFocus();  // otherwise a button would take it
+  interview_->setFocus();  // otherwise a button would get the focus
 }
 
 void OperatorWindow::endSession() {

@@ -45,7 +45,8 @@ class OperatorWindow final : public QMainWindow {
   /// Begins a session and opens the participant's window.
   void enrol(const Enrolment& enrolment);
   /// Resumes an interrupted session.
-  /// @param takeOver  why it is taken from a computer that is gone; empty: it is not.
+  /// @param takeOver  the reason for taking the session over from a computer that is gone; empty:
+  /// no takeover.
   void resume(SessionId id, const std::string& takeOver = {});
   /// Checks devices and texts, then enrols. If a check fails, the operator decides.
   void enrolIfFit(const Enrolment& enrolment);
@@ -63,7 +64,7 @@ class OperatorWindow final : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
-  /// Makes everything that the window shows, in the language of the desk.
+  /// Creates the window's contents in the language of the desk.
   void makeContents();
   void makeMenus();
   void arrange();
@@ -100,7 +101,7 @@ class OperatorWindow final : public QMainWindow {
   QBoxLayout* columns_ = nullptr;  ///< of the page during a session
   QWidget* head_ = nullptr;
   StationPush push_;
-  std::string language_;              ///< of what is shown
+  std::string language_;              ///< of the present contents
   QMenu* languages_ = nullptr;        ///< to choose from, between sessions
   QStackedWidget* pages_ = nullptr;   ///< between sessions, and during a session
   QStackedWidget* middle_ = nullptr;  ///< during a session: the trial, or the interview

@@ -7,7 +7,8 @@
 
 namespace study::gui {
 
-/// A small window with a picture of what the participant sees, once a second while it is open.
+/// A small window with a picture of what the participant sees, updated once a second while it is
+/// open.
 class PageMirror final : public QWidget {
   Q_OBJECT
 

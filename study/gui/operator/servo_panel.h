@@ -22,7 +22,7 @@ class ServoPanel final : public QWidget {
   /// Clears the panel for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
-  /// Whether the loop has the priority of real time.
+  /// Sets whether the loop has real-time priority.
   void setPriority(bool isRealtime) { isRealtime_ = isRealtime; }
   /// Shows the samples that were added.
   void refresh();

@@ -159,8 +159,8 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   fitColumns();
 }
 
-/// Leaves out what a narrow table has no room for: the language, and then the time and the run
-/// mode, which codes of pilots and simulated participants name as well.
+/// Hides columns of a narrow table: first the language, then the time and the run mode. The codes
+/// of pilot and simulated participants show the run mode as well.
 void SessionsPage::fitColumns() {
   constexpr int kRoomForTheLanguage = 740;  // [px]
   constexpr int kRoomForTheMode = 600;
@@ -185,8 +185,9 @@ void SessionsPage::showPush() {
   setRole(*arrived_, push_.isOverdue() && !push_.isSending() ? "warn" : "body");
 }
 
-/// A scrolled page gets the least height that its layout asks for, which knows nothing of the lines
-/// that titles of cohorts and details of a session are wrapped into.
+/// Sets the minimum heights for wrapped text. A scrolled page gets the minimum height of its
+/// layout, which does not include the lines into which titles of cohorts and details of a session
+/// wrap.
 void SessionsPage::giveRoom() {
   auto* card = enrol_->parentWidget();
   card->setMinimumHeight(card->layout()->totalHeightForWidth(card->maximumWidth()));
@@ -281,7 +282,7 @@ const UnfinishedSession* SessionsPage::selectedUnfinished() const {
   return found == unfinished_.end() ? nullptr : &*found;
 }
 
-/// Shows what happened to the selected unfinished session and what can be done.
+/// Shows what happened to the selected unfinished session, and enables the actions for it.
 void SessionsPage::showSelected() {
   const auto* one = selectedUnfinished();
   const bool isTakenOver = one != nullptr && one->mayBeTakenOver();

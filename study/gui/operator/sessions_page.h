@@ -26,7 +26,7 @@ class SessionsPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// Both must outlive the page.
+  /// Study and push must outlive the page.
   SessionsPage(Study& study, StationPush& push, QWidget* parent = nullptr);
 
   /// Reads the sessions from the database again.
@@ -36,7 +36,8 @@ class SessionsPage final : public QWidget {
 
  signals:
   void enrolRequested(const study::Enrolment& enrolment);
-  /// @param takeOver  why it is taken from a computer that is gone; empty: it is not.
+  /// @param takeOver  the reason for taking the session over from a computer that is gone; empty:
+  /// no takeover.
   void resumeRequested(qlonglong session, const QString& takeOver);
 
  protected:
@@ -62,14 +63,14 @@ class SessionsPage final : public QWidget {
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
   QLabel* details_;
-  QVBoxLayout* coming_;  ///< how far each cohort has come
+  QVBoxLayout* coming_;  ///< the progress of each cohort
   QComboBox* cohort_;
   QComboBox* mode_;
   QComboBox* language_;
   QPushButton* enrol_;
   QPushButton* resume_;
-  QLabel* arrived_;    ///< at the server; a station's study only
-  QPushButton* send_;  ///< what has not arrived
+  QLabel* arrived_;    ///< how much has arrived at the server; in a station's study only
+  QPushButton* send_;  ///< sends what has not arrived
 };
 
 }  // namespace study::gui

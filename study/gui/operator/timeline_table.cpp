@@ -43,7 +43,7 @@ QString stateOf(const SessionController& controller, int step) {
   return {};
 }
 
-/// The state of the current step, in the words that the trial's own line has.
+/// The state of the current step, in the same words as in the status line of the trial.
 QString stateNow(const SessionController& controller) {
   const auto state = controller.session().state();
   if (state == SessionState::Interrupted) return TimelineTable::tr("✖ broke off");

@@ -14,14 +14,14 @@ class QCPCurve;
 
 namespace study::gui {
 
-/// Plots force over travel, one curve for each of the last strokes of a running trial: what the
-/// hand feels, however fast it is. The latest stroke and the one that goes on have the colour
-/// of forces; older ones are fainter.
+/// Plots force over travel, one curve for each of the last strokes of a running trial. Unlike a
+/// plot over time it does not depend on the hand's speed. The last complete stroke and the current
+/// one have the colour of forces; older ones are fainter.
 class TravelPlot final : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kStrokes = 6;  ///< at most so many are shown
+  static constexpr int kStrokes = 6;  ///< the largest number of strokes that are shown
 
   explicit TravelPlot(QWidget* parent = nullptr);
 
@@ -31,7 +31,7 @@ class TravelPlot final : public QWidget {
   /// Draws the samples that were added.
   void refresh();
 
-  /// The points of each stroke that is shown, the oldest first: x the travel in the unit of
+  /// The points of each shown stroke, the oldest first: x is the travel in the unit of
   /// travelScaleOf(), y the force [N].
   std::vector<std::vector<QPointF>> strokes() const;
 
@@ -46,7 +46,7 @@ class TravelPlot final : public QWidget {
   std::vector<QCPCurve*> curves_;  ///< the oldest first
   haptics::engine::CutDetector detector_;
   double scale_ = 1.0;      ///< factor for travel
-  std::int64_t taken_ = 0;  ///< samples, of which each kEvery-th is drawn
+  std::int64_t taken_ = 0;  ///< number of samples received; every kEvery-th is drawn
 };
 
 }  // namespace study::gui

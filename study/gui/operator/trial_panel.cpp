@@ -75,8 +75,8 @@ TrialPanel::TrialPanel(QWidget* parent)
 void TrialPanel::setController(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
-  // Removes the previous session's trial. The first device that the protocol declares says nothing
-  // of what comes first.
+  // Clears the previous session's trial. Uses the first device that the protocol declares, which
+  // does not reveal the device of the first trial.
   const auto* devices =
       controller == nullptr ? nullptr : &controller->session().protocol().protocol.devices;
   const bool isFelt = devices != nullptr && !devices->empty();

@@ -6,9 +6,9 @@
 
 namespace study::gui {
 
-/// Where the operator's and the participant's window lie side by side on one screen.
+/// The places of the operator's and the participant's window, side by side on one screen.
 struct WindowPlaces {
-  QRect own;  ///< of the operator, who needs more room
+  QRect own;  ///< of the operator's window, which needs more room
   QRect participant;
 };
 

@@ -11,7 +11,7 @@ QVBoxLayout* addColumn(QWidget& page) {
   across->setContentsMargins(0, 0, 0, 0);
   auto* column = new QWidget(&page);
   column->setProperty("role", QStringLiteral("column"));
-  constexpr int kFirst = 1000;  // what the column leaves free lies on both sides of it
+  constexpr int kFirst = 1000;  // stretch; both sides share what the column leaves free
   across->addStretch(1);
   across->addWidget(column, kFirst);
   across->addStretch(1);

@@ -5,7 +5,7 @@
 
 namespace study::gui {
 
-/// Gives @p page a column in the middle, as wide as text is easily read: up to about 75 characters.
+/// Adds a centred column to @p page, up to about 75 characters wide so that text is easy to read.
 QVBoxLayout* addColumn(QWidget& page);
 
 }  // namespace study::gui

@@ -5,8 +5,8 @@
 
 namespace study::gui {
 
-/// How many cuts have been made of those that are needed, large enough to be read from a few
-/// metres: a dot for each, filled once it is made, above the words.
+/// Shows how many of the needed cuts were made, large enough to be read from a few metres: a dot
+/// for each cut, filled once it is made, and a text below.
 class CutCounter final : public QWidget {
   Q_OBJECT
 

@@ -22,7 +22,7 @@ class OptionButtons final : public QWidget {
     QString accessibleName;  ///< what a screen reader says
   };
 
-  /// @param columns  of the grid, which is filled row by row.
+  /// @param columns  number of columns of the grid, which is filled row by row.
   /// @param role  the buttons' role in the style sheet: "point" or "option".
   OptionButtons(
       const std::vector<Option>& options,
@@ -30,7 +30,7 @@ class OptionButtons final : public QWidget {
       const QString& role,
       QWidget* parent = nullptr);
 
-  /// Puts all options into one column, and @p widget beside them.
+  /// Arranges all options in one column, with @p widget beside them.
   void putBeside(QWidget& widget);
 
   /// The index of the chosen option; −1 while none is chosen.
@@ -53,8 +53,7 @@ class OptionButtons final : public QWidget {
   std::vector<QPushButton*> buttons_;
 };
 
-/// The columns in which options are easily read: side by side where all are short, and one below
-/// the other where one of them is long.
+/// The number of columns for options: several if all texts are short, one if a text is long.
 int columnsFor(const std::vector<OptionButtons::Option>& options);
 
 }  // namespace study::gui

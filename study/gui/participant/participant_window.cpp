@@ -61,8 +61,9 @@ ParticipantWindow::ParticipantWindow(
   auto* top = new QHBoxLayout;
   top->addWidget(progress_, 1);
   top->addSpacing(24);
-  languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // type grows with the window
-  // The arrow grows, too, and Qt leaves it the room of a small one: letters as wide as "X" make up.
+  languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
+  // The arrow grows, too, but Qt reserves the width of a small one. A minimum length in letters as
+  // wide as "X" compensates for that.
   int longest = 0;
   for (int i = 0; i < languages_->count(); ++i) {
     longest = std::max(longest, static_cast<int>(languages_->itemText(i).size()));
@@ -77,7 +78,7 @@ ParticipantWindow::ParticipantWindow(
   buttons->addWidget(next_);
   addColumn(*bottom_)->addLayout(buttons);
   auto* layout = new QVBoxLayout(this);
-  // A window that became smaller is given a smaller scale only afterwards.
+  // A window that was made smaller gets its smaller scale only after the layout.
   layout->setSizeConstraint(QLayout::SetNoConstraint);
   layout->setContentsMargins(24, 20, 24, 20);
   layout->setSpacing(18);
@@ -103,7 +104,8 @@ ParticipantWindow::ParticipantWindow(
 double scaleFor(QSize size) noexcept {
   constexpr double kHeight = 800.0;  // [px] of a window with the scale 1
   constexpr double kWidth = 1024.0;
-  constexpr double kSteps = 20.0;  // so that dragging an edge does not restyle at every pixel
+  constexpr double kSteps = 20.0;  // the scale changes in steps of 1/20, so that dragging an edge
+                                   // does not restyle at every pixel
   const double wanted = std::min(size.height() / kHeight, size.width() / kWidth);
   return std::max(1.0, std::floor(wanted * kSteps) / kSteps);
 }
@@ -225,7 +227,7 @@ void ParticipantWindow::showPage(QWidget* page) {
   if (page_ != nullptr) {
     page_->hide();
     page_->setParent(nullptr);  // so that findChild() does not return it any more
-    // Until it is deleted its timers would go on, and set the buttons of the next page.
+    // Until the page is deleted its timers would go on and set the buttons of the next page.
     for (auto* timer : page_->findChildren<QTimer*>()) timer->stop();
     page_->deleteLater();
   }

@@ -17,10 +17,10 @@ namespace study::gui {
 class TrialPage;
 class QuestionnairePage;
 
-/// The participant's window: one page at a time, a progress bar, and a Next button that shows what
-/// is still open when the page is not complete. Its text grows with the window, so that it can be
-/// read on a large second screen. It shows no condition and no other participant's data, and only
-/// the operator can close it.
+/// The participant's window: one page at a time, a progress bar, and a Next button that shows the
+/// unanswered questions if the page is not complete. Its text grows with the window, so that it can
+/// be read on a large second screen. It shows no condition and no other participant's data, and
+/// only the operator can close it.
 class ParticipantWindow final : public QWidget {
   Q_OBJECT
 
@@ -81,7 +81,7 @@ class ParticipantWindow final : public QWidget {
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   double scale_ = 0.0;
-  bool saysWhatIsOpen_ = false;  ///< since Next was pressed on an incomplete page
+  bool saysWhatIsOpen_ = false;  ///< true once Next was pressed on an incomplete page
   bool mayClose_ = false;
 };
 

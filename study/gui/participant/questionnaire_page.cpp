@@ -16,7 +16,7 @@ namespace {
 
 using questionnaires::Item;
 
-/// The items with each signature right behind the consent that it signs.
+/// The items, with identifying items (signatures) moved directly after the consent that they sign.
 std::vector<Item> withSignatures(std::vector<Item> items) {
   const auto consent = std::find_if(
       items.begin(), items.end(), [](const Item& item) { return !item.consentOption.empty(); });
@@ -30,7 +30,7 @@ constexpr int kAboveTitle = 6;  // [px] at scale 1
 // [ms] in which somebody who has already aimed notices that another question is there now
 constexpr int kSettling = 700;
 
-/// What is agreed to, paragraph by paragraph; a heading belongs to the paragraph below it.
+/// The clauses of a consent text: its paragraphs, each with the heading above it.
 QStringList clausesOf(const QString& text) {
   QStringList clauses;
   for (const auto& paragraph : text.split(QStringLiteral("\n\n"), Qt::SkipEmptyParts)) {
@@ -115,7 +115,8 @@ void QuestionnairePage::addSheet(QLayout& column) {
   shownAt_.push_back(-1.0);
 }
 
-/// A part of what is agreed to, apart from the next one so that each is read for itself.
+/// A frame with one clause of a consent text, separate from the next one so that each is read by
+/// itself.
 QFrame* QuestionnairePage::clauseOf(const QString& text) {
   auto* clause = new QFrame(head_);
   clause->setProperty("role", QStringLiteral("clause"));
@@ -221,7 +222,7 @@ void QuestionnairePage::showFirstOpen() {
   });
   if (first == entries_.end()) return;
   mark(*first, true);
-  scroll_->widget()->layout()->activate();  // the mark has moved what is below it
+  scroll_->widget()->layout()->activate();  // the mark has moved the widgets below it
   first->widget->setFocus(Qt::TabFocusReason);
   const int top = first->card->mapTo(scroll_->widget(), QPoint(0, 0)).y();
   const int margin = std::max(0, scroll_->viewport()->height() - first->card->height()) / 2;

@@ -79,7 +79,7 @@ class QuestionnairePage final : public QWidget {
   };
   struct Entry {
     ItemWidget* widget = nullptr;
-    QFrame* card = nullptr;  ///< that it lies in, with its signature if it asks for consent
+    QFrame* card = nullptr;  ///< the frame around it, with its signature if it asks for consent
     QLabel* mark = nullptr;  ///< "Please answer this one"
     int sheet = 0;
     bool isAsked = true;

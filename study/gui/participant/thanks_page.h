@@ -10,7 +10,7 @@ class ThanksPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param debrief  Markdown; may be empty. @param now  what happens now, a line each.
+  /// @param debrief  Markdown; may be empty. @param now  what happens now, one text per line.
   ThanksPage(
       const QString& title,
       const QString& debrief,

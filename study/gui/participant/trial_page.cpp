@@ -15,7 +15,7 @@
 
 namespace study::gui {
 namespace {
-constexpr double kWholeStroke = 220.0;  // [px] of dragging that close the handle completely
+constexpr double kWholeStroke = 220.0;  // [px]: dragging distance that closes the handle completely
 constexpr int kClosing = 1200;          // [ms] of the space bar, from open to closed
 constexpr int kOpening = 400;
 }  // namespace
@@ -35,7 +35,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(content.name);
   auto* layout = new QVBoxLayout(this);
-  // A picture gets the space, and text the remainder.
+  // A picture gets the space, and text what remains.
   layout->setSpacing(scaled(*this, picture == nullptr ? 12 : 8));
   count_ = new CutCounter(content.minimumCuts, this);
   if (picture == nullptr) {
@@ -61,7 +61,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addWidget(label);
   }
   if (picture == nullptr) {
-    // A low window has no room for it.
+    // A spacer that disappears in a low window.
     constexpr int kAboveButton = 30;  // [px] at scale 1
     layout->addSpacerItem(new QSpacerItem(
         0, scaled(*this, kAboveButton), QSizePolicy::Minimum, QSizePolicy::Maximum));
@@ -82,13 +82,12 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   setRunning(false);
 }
 
-/// Moves the hand from where the space bar left it to @p share, in @p duration [ms] for a whole
-/// stroke.
+/// Moves the hand from its present position to @p share. A whole stroke takes @p duration [ms].
 void TrialPage::moveHandTo(double share, int duration) {
   const double from = hand_.state() == QAbstractAnimation::Running ? hand_.currentValue().toDouble()
                                                                    : hand_.endValue().toDouble();
   {
-    const QSignalBlocker quiet(hand_);  // each of these would tell a value of its own
+    const QSignalBlocker quiet(hand_);  // each of these calls would emit a value
     hand_.stop();
     hand_.setStartValue(from);
     hand_.setEndValue(share);

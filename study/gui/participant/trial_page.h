@@ -17,8 +17,8 @@ class CutCounter;
 /// The participant's page during a trial. It shows only the alternative's name and the number of
 /// cuts made and required.
 ///
-/// With a virtual device the page is the handle: holding the space bar closes it in 1.2 s, about as
-/// long as a cut of the published recordings takes, and dragging closes it in proportion to the
+/// With a virtual device the page moves the handle: holding the space bar closes it in 1.2 s, about
+/// as long as a cut of the published recordings takes, and dragging closes it in proportion to the
 /// distance.
 class TrialPage final : public QWidget {
   Q_OBJECT
@@ -45,7 +45,7 @@ class TrialPage final : public QWidget {
   void finishRequested();
   /// The participant declined the optional trial.
   void declined();
-  /// A key was pressed that switches the reamer on or off: R, also of a foot switch that types it.
+  /// The key that switches the reamer on or off was pressed: R, or a foot switch that types it.
   void reamerSwitched();
   /// The wanted hand position, from 0 (open) to 1 (closed).
   void handMoved(double share);
@@ -70,7 +70,7 @@ class TrialPage final : public QWidget {
   QPushButton* decline_;
   bool isRunning_ = false;
   double pressedAt_ = 0.0;
-  QVariantAnimation hand_;  ///< of the space bar
+  QVariantAnimation hand_;  ///< the position of the handle that the space bar moves
 };
 
 }  // namespace study::gui

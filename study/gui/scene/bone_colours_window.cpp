@@ -92,8 +92,8 @@ void BoneColoursWindow::choose(int index) {
   }
 }
 
-/// Reads the depth from the participant's view. That view is deleted with its page; this window
-/// closes then.
+/// Draws the bone at the depth of the participant's view. The view is deleted with its page; then
+/// this window closes.
 void BoneColoursWindow::updatePicture() {
   if (!trial_) return painter_->submit(kOutside, false);
   const Present now = trial_();

@@ -28,8 +28,8 @@ class BoneColoursWindow final : public QWidget {
   };
   using Trial = std::function<Present()>;
 
-  /// @param trial  returns the trial's state, and the window closes when the trial is over; empty:
-  /// the bone does not change.
+  /// @param trial  returns the trial's state; the window closes when the trial is over. Empty: the
+  /// bone does not change.
   BoneColoursWindow(
       const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent = nullptr);
   ~BoneColoursWindow() override;
@@ -49,7 +49,7 @@ class BoneColoursWindow final : public QWidget {
   QSize pictureSize() const;
 
   Trial trial_;
-  HipScene* followed_ = nullptr;  ///< whose changes it receives
+  HipScene* followed_ = nullptr;  ///< the view whose changes this window receives
   DensityRange range_;
   QComboBox* colours_;
   QLabel* picture_;

@@ -9,8 +9,8 @@
 
 namespace study::gui::scene {
 
-/// A legend for the colours of a bone: a colour scale with numbers and a unit, and the same as text
-/// for screen readers.
+/// A legend for the colours of a bone: a colour scale with numbers and a unit, also as text for
+/// screen readers.
 class ColourLegend final : public QWidget {
   Q_OBJECT
 

@@ -41,7 +41,7 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   add(std::move(shape.lever));
   for (const auto part : {Body, Grip, Jaw, Rod, Lever}) scene_.parts[part].isTool = true;
   scene_.parts[Piece].isShown = false;
-  // From the tips of the jaws along the shaft.
+  // The shadow of the jaws and the shaft.
   scene_.shadow = {
       .from = punch.map(QVector3D(kJawLength, 0.0F, 0.0F)),
       .along = punch.mapVector(QVector3D(-kShaftInView, 0.0F, 0.0F)),
@@ -68,7 +68,7 @@ void KneeScene::setUpCamera() {
   scene_.shots.push_back(std::move(shot));
 }
 
-/// Shows the whole instrument with its handles apart, the widest that it becomes.
+/// Fits the camera to the whole instrument at its largest width, with the handles apart.
 void KneeScene::setUpHandleCamera() {
   update({}, 0.0);
   const QMatrix4x4 toPunch = punchPose(layout_).inverted();
@@ -80,7 +80,7 @@ void KneeScene::setUpHandleCamera() {
       box = box.united(QRectF(place - QPointF(0.1, 0.1), QSizeF(0.2, 0.2)));
     }
   }
-  constexpr double kMargin = 1.1;  // of the size; also for what is nearer to the eye
+  constexpr double kMargin = 1.1;  // factor of the size; parts nearer to the eye look larger
   constexpr double kDistance = 330.0;
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   const auto middle = QVector3D(QPointF(box.center()));

@@ -304,12 +304,13 @@ void SoftwareRenderer::drawSphere(
 
 namespace {
 
-/// The brightness of a pixel, green weighing most.
+/// The brightness of a pixel, 0 to 255, as a mean in which green has the double weight.
 int brightness(QRgb pixel) {
   return (qRed(pixel) + 2 * qGreen(pixel) + qBlue(pixel)) / 4;
 }
 
-/// The picture's colour between pixels, with their middles at whole numbers.
+/// Adds @p weight times the picture's colour at (x, y), interpolated linearly, to @p sum. Pixel
+/// centres have whole coordinates.
 void addBetween(const QImage& picture, float x, float y, float weight, float (&sum)[3]) {
   const int left = std::clamp(static_cast<int>(x), 0, picture.width() - 2);
   const int top = std::clamp(static_cast<int>(y), 0, picture.height() - 2);
@@ -337,7 +338,7 @@ QRgb alongTheEdge(const QImage& picture, int x, int y) {
   const int down = at(-1, -1) + at(0, -1) + at(1, -1) - at(-1, 1) - at(0, 1) - at(1, 1);
   const auto steepness = static_cast<float>(std::max(std::abs(across), std::abs(down)));
   const auto here = reinterpret_cast<const QRgb*>(picture.constScanLine(y))[x];
-  constexpr float kFaint = 24.0F;  // of 3 × 255: no step that is seen
+  constexpr float kFaint = 24.0F;  // of 3 × 255: a smaller step is not visible
   if (steepness < kFaint) return here;
   constexpr float kReach = 1.5F;  // [px] to each side
   const float dx = kReach * static_cast<float>(-down) / steepness;
@@ -353,11 +354,11 @@ QRgb alongTheEdge(const QImage& picture, int x, int y) {
 
 }  // namespace
 
-/// Smooths the steps where one body ends before another or the background, which the depth buffer
-/// tells. To draw everything twice as large would take four times as long; this takes little more
-/// than the few pixels at edges.
+/// Smooths the outlines of bodies, which are found as steps in the depth buffer. Drawing everything
+/// twice as large would take four times as long; this computes only the few pixels at edges.
 void SoftwareRenderer::smoothEdges() {
-  constexpr float kJump = 0.03F;  // of the nearness; what is uneven by itself has less
+  constexpr float kJump = 0.03F;  // relative step of the nearness at an outline; the surface of a
+                                  // body has smaller steps
   const int width = picture_.width();
   smoothed_.clear();
   for (int y = 1; y < picture_.height() - 1; ++y) {
@@ -378,8 +379,8 @@ void SoftwareRenderer::smoothEdges() {
 
 /// Cuts the view to a disc on black that darkens towards its rim.
 void SoftwareRenderer::darkenRim(const Frame& frame) {
-  constexpr int kSteps = 512;  // for the square of the radius
-  int left[kSteps + 1];        // in 256ths
+  constexpr int kSteps = 512;  // number of table entries, over the square of the radius
+  int left[kSteps + 1];        // share of the brightness, in 256ths
   for (int i = 0; i <= kSteps; ++i) {
     left[i] = static_cast<int>(256.0F * vignette(std::sqrt(static_cast<float>(i) / kSteps)));
   }

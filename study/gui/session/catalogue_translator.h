@@ -12,7 +12,7 @@ namespace study::gui {
 /// for the window (the operator's windows), and in a language without a catalogue.
 class CatalogueTranslator final : public QTranslator {
  public:
-  /// From now on in @p language ("de").
+  /// Sets the language of the texts ("de").
   void setLanguage(std::string_view language);
 
   bool isEmpty() const override { return windows_.empty(); }

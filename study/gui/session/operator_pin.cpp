@@ -48,7 +48,7 @@ QLineEdit* pinLine(QWidget* parent) {
   return line;
 }
 
-/// Why two entries are not accepted as a PIN; empty if they are.
+/// Why the two entries are not accepted as a PIN; empty if they are accepted.
 QString whyNot(const QString& first, const QString& second) {
   if (const auto objection = OperatorPin::pinProblem(first)) return *objection;
   return first == second ? QString() : PinDialog::tr("The two PINs are not the same yet.");

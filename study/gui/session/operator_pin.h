@@ -25,7 +25,7 @@ class OperatorPin {
 
   bool isChosen() const noexcept { return !digits_.isEmpty(); }
   /// Sets the PIN.
-  /// @pre pinProblem(digits) is nothing
+  /// @pre pinProblem(digits) is std::nullopt
   void choose(const QString& digits) { digits_ = digits; }
 
   /// Whether @p digits are the PIN. Always false while secondsUntilNextTry() is not 0.
@@ -40,7 +40,7 @@ class OperatorPin {
   QDeadlineTimer wait_{0};
 };
 
-/// Asks the operator twice for a new PIN, and is accepted only with one that can be used.
+/// Asks the operator twice for a new PIN. The dialog can be accepted only with a valid PIN.
 class PinDialog final : public QDialog {
   Q_OBJECT
 
@@ -58,7 +58,7 @@ class PinDialog final : public QDialog {
   QPushButton* handOver_;
 };
 
-/// Asks by that dialog; std::nullopt if the operator cancels.
+/// Asks for a new PIN with PinDialog; std::nullopt if the operator cancels.
 std::optional<QString> askForNewPin(QWidget* parent);
 
 }  // namespace study::gui

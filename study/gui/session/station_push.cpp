@@ -14,7 +14,7 @@ namespace study::gui {
 namespace {
 
 constexpr int kAskEvery = 1000;  // [ms]
-constexpr int kMostLooks = 120;  // of a push that ended without a note
+constexpr int kMostLooks = 120;  // then a push without a note counts as ended
 
 QString program() {
   return QCoreApplication::applicationDirPath() + QStringLiteral("/palpate-collect");
@@ -106,13 +106,13 @@ void StationPush::send() {
   push.setStandardInputFile(QProcess::nullDevice());
   push.setStandardOutputFile(QProcess::nullDevice());
   push.setStandardErrorFile(QProcess::nullDevice());
-  push.startDetached();  // it goes on if the window is closed
+  push.startDetached();  // the push goes on if the window is closed
   looksLeft_ = kMostLooks;
   watching_.start(kAskEvery);
   emit changed();
 }
 
-/// Ends the watch once the push has left its note.
+/// Stops watching once the push has stored its note, or after kMostLooks looks.
 void StationPush::look() {
   const bool isNoted = !isSame(before_, lastPush(study_.uuid(), study_.station().uuid));
   if (!isNoted && --looksLeft_ > 0) return;

@@ -11,31 +11,32 @@
 
 namespace study::gui {
 
-/// Sends what is new from a station to its server: after each session, on request, and again every
-/// few minutes while something waits. The windows have no connection to a server: a process of its
-/// own with the lowest priority sends and notes what became of it, and nothing waits for it.
+/// Sends new data from a station to its server: after each session, on request, and again every few
+/// minutes while data are waiting. The windows have no connection to a server: a separate process
+/// with the lowest priority sends the data and stores a note of the result. This class reads the
+/// note and never blocks.
 class StationPush final : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kRetryEvery = 5 * 60 * 1000;  ///< [ms]
 
-  /// The study must outlive this.
-  /// @param isBusy  whether a trial runs, which nothing may disturb: a retry then waits for the
-  /// next turn.
+  /// The study must outlive this object.
+  /// @param isBusy  returns whether a trial is running; a retry is then postponed by another
+  /// period.
   StationPush(
       Study& study,
       std::function<bool()> isBusy,
       int retryEvery = kRetryEvery,
       QObject* parent = nullptr);
 
-  /// Whether the study is a station's and the program that sends is installed.
+  /// Whether the study belongs to a station and the program that sends is installed.
   bool isPossible() const;
-  /// Begins to send, unless that is being done already.
+  /// Begins to send, unless a push is running already.
   void send();
   bool isSending() const { return watching_.isActive(); }
 
-  /// What has arrived, as last noted; empty for a study of one computer.
+  /// What has arrived, by the note of the last push; empty for a study of one computer.
   std::string inWords() const;
   /// Whether something has been waiting for more than a day.
   bool isOverdue() const;
@@ -51,9 +52,9 @@ class StationPush final : public QObject {
   Study& study_;
   std::function<bool()> isBusy_;
   QTimer retry_;
-  QTimer watching_;    ///< for the note that a push leaves when it ends
-  NotedPush before_;   ///< the note of the push before
-  int looksLeft_ = 0;  ///< until a push that leaves no note counts as ended
+  QTimer watching_;    ///< looks for the note that a push stores when it ends
+  NotedPush before_;   ///< the note of the previous push
+  int looksLeft_ = 0;  ///< number of looks until a push without a note counts as ended
 };
 
 /// "23 sessions here, 21 arrived, 2 waiting since Tuesday: no network, or no server"; empty if

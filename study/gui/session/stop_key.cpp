@@ -17,8 +17,9 @@ bool StopKey::eventFilter(QObject* watched, QEvent* event) {
   if (!isArmed_ || !isKey) return QObject::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   auto* list = QApplication::activePopupWidget();
-  // A list closes by the ShortcutOverride that comes before the key itself.
-  // If a shortcut takes the key, it never comes: the next Escape must stop all the same.
+  // Escape closes an open list already at its ShortcutOverride event, which precedes the KeyPress
+  // event; that KeyPress must then not stop the force. If a shortcut consumes the key, no KeyPress
+  // event follows, and the flag must not affect the next Escape.
   if (key == Qt::Key_Escape && list != nullptr) {
     isForList_ = true;
     QMetaObject::invokeMethod(

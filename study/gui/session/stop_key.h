@@ -13,7 +13,7 @@ class StopKey final : public QObject {
   /// Filters all key events from now on. While it is not armed it consumes none.
   explicit StopKey(QObject* parent = nullptr);
 
-  /// While armed, during a trial, these keys only mean stop.
+  /// While armed, which is during a trial, these keys do nothing but stop.
   void setArmed(bool isArmed) { isArmed_ = isArmed; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -23,7 +23,7 @@ class StopKey final : public QObject {
 
  private:
   bool isArmed_ = false;
-  bool isForList_ = false;  ///< the Escape that is being delivered closes an open list
+  bool isForList_ = false;  ///< the Escape key event in progress closes an open list
 };
 
 }  // namespace study::gui

@@ -55,7 +55,7 @@ void ToolPicture::draw() {
   if (!picture_.isNull() || width() < 1 || height() < 1) return;
   const auto graphics = scene::openGraphics(scene::RendererChoice::Software);
   const auto alone = instrumentOn(themeOf(*this).window.background);
-  // Twice as large as it is shown, for smooth edges.
+  // Drawn at twice the size at which it is shown, for smooth edges.
   const QSize pixels = 2.0 * devicePixelRatioF() * size();
   const auto instrument = scene::placeOf(alone.shots.front(), pixels);
   picture_ = graphics.renderer->draw(alone, pixels).copy(instrument);

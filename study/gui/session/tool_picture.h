@@ -7,8 +7,8 @@
 
 namespace study::gui {
 
-/// A still picture of the instrument that a device stands for, from the side, as it is held. It
-/// shows no tissue and no alternative. It is drawn a moment after the page has appeared.
+/// A still picture of the instrument that a device represents, from the side, as it is held. It
+/// shows neither tissue nor an alternative. It is drawn a moment after the page has appeared.
 class ToolPicture final : public QWidget {
  public:
   explicit ToolPicture(QWidget* parent = nullptr);

@@ -5,7 +5,7 @@
 
 namespace study::gui {
 
-/// How far a cohort has come, in words and as a bar: "Orthopaedic surgeons: 3 of 12 completed".
+/// Shows the progress of a cohort as text and as a bar: "Orthopaedic surgeons: 3 of 12 completed".
 class CohortBar final : public QWidget {
   Q_OBJECT
 

@@ -39,7 +39,7 @@ class DeskTranslator final : public QTranslator {
 
 struct Desk {
   DeskTranslator texts;
-  QTranslator dialogs;  ///< of Qt's own dialogs, where Qt's translations are installed
+  QTranslator dialogs;  ///< of Qt's own dialogs; empty if Qt's translations are not installed
 };
 
 Desk& desk() {
@@ -65,7 +65,7 @@ void setDeskLanguage(std::string_view language) {
   if (dialogs.load(file, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
     QCoreApplication::installTranslator(&dialogs);
   }
-  QCoreApplication::installTranslator(&texts);  // asked before the one above
+  QCoreApplication::installTranslator(&texts);  // installed last, so Qt asks it first
 }
 
 void speakChosenLanguage() {

@@ -16,7 +16,7 @@ class FieldLabel final : public QLabel {
 
  private:
   QSize asHighAsTheField(QSize own) const {
-    constexpr int kMostLines = 3;  // the label of a higher field is at its top
+    constexpr int kMostLines = 3;  // a field with more lines has its label at the top
     if (buddy() == nullptr) return own;
     const int field = std::max(buddy()->sizeHint().height(), buddy()->minimumHeight());
     return field > kMostLines * own.height() ? own : own.expandedTo({0, field});

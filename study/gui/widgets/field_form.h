@@ -6,13 +6,13 @@
 
 namespace study::gui {
 
-/// A form whose labels are level with the middle of fields of one line. QFormLayout alone gives a
-/// label 7/4 of its own height, which is less than a field has.
+/// A form whose labels are vertically centred on fields of one line. QFormLayout alone gives a
+/// label 7/4 of its own height, which is less than the height of a field.
 class FieldForm final : public QFormLayout {
  public:
   using QFormLayout::addRow;
   using QFormLayout::QFormLayout;
-  /// @param words  may be empty: the field is its own label, as a check box is
+  /// @param words  the label; empty: the field has its own, as a check box does
   void addRow(const QString& words, QWidget* field);
 };
 

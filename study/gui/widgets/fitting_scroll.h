@@ -4,9 +4,9 @@
 
 namespace study::gui {
 
-/// Gives its widget the size of the window as long as the widget fits in, and scrolls it where the
-/// window is smaller than the widget's minimum. A plain scroll area would scroll as soon as the
-/// preferred height is missing.
+/// Resizes its widget to the window, and scrolls only if the window is smaller than the widget's
+/// minimum size. A plain scroll area would scroll as soon as the window is lower than the preferred
+/// height.
 class FittingScroll final : public QScrollArea {
  public:
   FittingScroll(QWidget* inside, QWidget* parent);

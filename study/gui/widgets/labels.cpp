@@ -22,7 +22,8 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
   return label;
 }
 
-/// Formatted text. Its gaps between paragraphs grow with its window, which Qt's own do not.
+/// Formatted text. The gaps between its paragraphs grow with the window's scale; Qt's own gaps do
+/// not.
 class MarkedText final : public QLabel {
  public:
   MarkedText(const QString& markdown, QWidget* parent)
@@ -43,9 +44,9 @@ class MarkedText final : public QLabel {
  private:
   void spaceOut() {
     constexpr int kGap = 10;          // [px] at scale 1, below a paragraph
-    constexpr int kAboveHeading = 8;  // more than that
+    constexpr int kAboveHeading = 8;  // [px] at scale 1, in addition
     const int gap = scaled(*this, kGap);
-    // A single paragraph, such as a statement, has its place to itself.
+    // A single paragraph, such as a statement, needs no gaps.
     const bool isRunning = html_.count(QStringLiteral("<p>")) > 1 ||
                            html_.contains(QStringLiteral("<h")) ||
                            html_.contains(QStringLiteral("<li"));
@@ -61,7 +62,7 @@ class MarkedText final : public QLabel {
               .arg(below)
               .arg(line));
     };
-    constexpr int kOfText = 125;  // [%] of the letters' height, so that the eye finds the next line
+    constexpr int kOfText = 125;  // line height [%], so that the eye finds the next line
     styled("p", 0, gap, kOfText);
     styled("li", 0, gap / 2, kOfText);
     for (const auto* heading : {"h2", "h3"}) {

@@ -13,18 +13,18 @@
 
 namespace study::gui {
 
-/// Converts UTF-8 text from the rooms below the windows to a QString.
+/// Converts UTF-8 text from code without Qt to a QString.
 QString asText(std::string_view words);
 /// Makes the first letter a capital: "cuts" → "Cuts".
 QString capitalised(const QString& words);
 /// A session's status in the language of the desk: "in progress", "aborted hardware".
 QString statusInWords(SessionState state);
-/// Where an unfinished session stands and what happened to it, in the language of the desk.
+/// The step of an unfinished session and what happened to the session, in the language of the desk.
 QString describeUnfinished(const UnfinishedSession& session);
 /// The name of a language in that language.
 QString nativeName(const QString& language);
-/// The title of a cohort in the language of the desk. If only an earlier version of the protocol
-/// has it, its id.
+/// The title of a cohort in the language of the desk; its id if only an earlier version of the
+/// protocol has the cohort.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
 
 /// Labels in the styles of the theme.
@@ -34,7 +34,7 @@ QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
 
 /// A text for participants in the subset of Markdown that instruments and protocols may use:
-/// headings, paragraphs, lists, bold and italics. Links stay as their words, pictures are left out.
+/// headings, paragraphs, lists, bold and italics. Links become plain text, pictures are left out.
 QLabel* textLabel(const QString& markdown, QWidget* parent);
 
 /// Changes the style of a label: "good", "warn", "resting", "bad", "quiet", "heading".

@@ -67,8 +67,8 @@ std::vector<Place> placesIn(QWidget& window) {
   return places;
 }
 
-/// Where the letters and digits of @p text are, the first ones of words first. What follows a tab
-/// is the name of a key.
+/// The positions of letters and digits in @p text: first the initials of words, then all others.
+/// Text after a tab is the name of a key and is ignored.
 std::vector<qsizetype> lettersOf(const QString& text) {
   std::vector<qsizetype> first;
   std::vector<qsizetype> other;
@@ -81,12 +81,12 @@ std::vector<qsizetype> lettersOf(const QString& text) {
   return first;
 }
 
-/// Shares letters out among texts, each to one text as long as that is possible: a matching of
-/// texts and letters by augmenting paths (Kuhn 1955). The same words have the same letter: Alt goes
-/// round them.
+/// Assigns letters to texts, if possible a different one to each: a bipartite matching by
+/// augmenting paths (Kuhn 1955). Equal texts share a letter, and Alt with this letter moves the
+/// focus from one to the next.
 class Letters {
  public:
-  /// @p letter is written in @p text already.
+  /// Records that @p text already has the mnemonic @p letter.
   void keep(const QString& text, QChar letter) {
     owners_.emplace(letter, text);
     kept_.insert(letter);
@@ -99,7 +99,8 @@ class Letters {
     find(text, tried);
   }
 
-  /// Where the letter of @p text is; its first one if all of its letters belong to others.
+  /// The position of the letter assigned to @p text; of its first letter if all its letters are
+  /// assigned to other texts; −1 if it has none.
   qsizetype placeIn(const QString& text) const {
     const auto places = lettersOf(text);
     for (const auto at : places) {
@@ -118,7 +119,7 @@ class Letters {
       const auto letter = text[at].toUpper();
       if (kept_.contains(letter) || !tried.insert(letter).second) continue;
       if (!find(QString(owners_[letter]), tried)) continue;
-      owners_[letter] = text;  // its owner has another one now
+      owners_[letter] = text;  // its former owner was given another letter
       return true;
     }
     return false;

@@ -5,16 +5,16 @@
 
 namespace study::gui {
 
-/// Gives every button, tab, labelled field and menu entry of @p window that has none a mnemonic:
-/// the letter that Alt and a key choose it by. Letters are those of the words that are shown, so
-/// they follow the language; each stands for one text in the window as long as there are letters.
-/// Nothing is done to pages for participants (disableMnemonics()).
+/// Gives a mnemonic to every button, tab, labelled field and menu entry of @p window that has none:
+/// the letter that chooses it together with Alt. The letter is one of the shown text, so it depends
+/// on the language; texts share a letter only if there are too few letters. Pages for participants
+/// are left out (disableMnemonics()).
 void giveMnemonics(QWidget& window);
 
-/// Does that to each window and menu when it is shown, and when its texts change.
+/// Calls giveMnemonics() for each window and menu when it is shown and when its texts change.
 void offerMnemonics(QApplication& application);
 
-/// Leaves @p page and all in it without mnemonics.
+/// Excludes @p page and its children from mnemonics.
 void disableMnemonics(QWidget& page);
 
 /// The mnemonic of a text, as a capital letter; null if it has none.

@@ -5,7 +5,7 @@
 
 namespace study::gui {
 
-/// Gives wrapped words the height that they need within the padding of a cell, which Qt leaves out.
+/// Gives cells the height that their wrapped text needs; Qt does not count the padding.
 class WrappingDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -18,8 +18,8 @@ class WrappingDelegate final : public QStyledItemDelegate {
   }
 };
 
-/// For a table that only shows: nothing is edited, and Tab goes on to the next control. In Qt's own
-/// tables Tab goes from cell to cell and never leaves (WCAG 2.1.2, no keyboard trap).
+/// Makes a table read-only, and lets Tab move to the next control. In Qt's own tables Tab goes from
+/// cell to cell and never leaves (WCAG 2.1.2, no keyboard trap).
 inline void makeReadOnly(QTableWidget& table) {
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setTabKeyNavigation(false);

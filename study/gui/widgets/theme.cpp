@@ -165,7 +165,7 @@ QPalette paletteOf(const Theme& theme) {
   return palette;
 }
 
-/// The style sheet @p sheet with all its lengths times @p scale, none below a pixel.
+/// The style sheet @p sheet with all lengths multiplied by @p scale, but at least 1 px.
 QString withLengths(const QString& sheet, double scale) {
   static const QRegularExpression kLength(QStringLiteral("(\\d+)px"));
   QString result;
@@ -190,7 +190,8 @@ double luminance(const QColor& colour) noexcept {
 
 }  // namespace
 
-/// A property of the window that @p widget belongs to, which may be shown inside another one.
+/// A property of @p widget or of its nearest ancestor that has it: the window may be embedded in
+/// another one.
 static QVariant ownProperty(const QWidget& widget, const char* name) {
   for (const auto* up = &widget; up != nullptr; up = up->parentWidget()) {
     const auto value = up->property(name);

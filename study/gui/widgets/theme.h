@@ -33,8 +33,8 @@ struct Theme {
   Fill good;       ///< running, valid, PASS
   Fill warn;       ///< WARN
   Fill bad;        ///< failed, FAIL
-  Fill paleGood;   ///< the same as a row's background
-  Fill paleWarn;   ///< the same; also for the current step
+  Fill paleGood;   ///< good, as a row's background
+  Fill paleWarn;   ///< warn, as a row's background; also for the current step
   Fill paleBad;
   QColor quiet;   ///< secondary text, on window and field
   QColor link;    ///< links, on window and field

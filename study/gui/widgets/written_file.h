@@ -5,13 +5,14 @@
 
 namespace study::gui {
 
-/// A path as people read it: "~/studies/punch" in the user's own folder.
+/// A path for display, with "~" for the home folder: "~/studies/punch".
 QString shownPath(const QString& path);
 
 /// Opens a file or a folder in the program that the desktop has for it.
 void openOnDesktop(const QString& path);
 
-/// Says that @p path was written, and offers to open it or its folder. Does not wait.
+/// Shows a message that @p path was written, with buttons that open it or its folder. Returns at
+/// once.
 void announceWrittenFile(QWidget* parent, const QString& path);
 
 /// Two buttons for something that was written: *Open*, and *Show in folder*.
@@ -21,7 +22,7 @@ class WrittenFile final : public QWidget {
  public:
   explicit WrittenFile(QWidget* parent = nullptr);
 
-  /// A file, or a folder; empty: the buttons are hidden.
+  /// Sets the file or folder; empty: the buttons are hidden.
   void show(const QString& path);
   using QWidget::show;
   const QString& path() const noexcept { return path_; }

@@ -123,7 +123,7 @@ Mesh plateauSurface(const KneeLayout& layout) {
         const float patch =
             0.5F + 0.5F * std::sin(0.11F * place.x() + 3.0F) * std::sin(0.13F * place.z());
         const Tint ground = blend(kCartilage, kCartilageShade, 0.6F * patch);
-        // Darker under the tissue, which blocks the light.
+        // The ground is darker under the tissue, which blocks the light.
         const float within = std::clamp((v - 0.45F) / 0.25F, 0.0F, 1.0F);
         const float beside = std::abs(angleAt(u));
         const float isThere = std::clamp((layout.halfAngle - beside) / 6.0F, 0.0F, 1.0F);

@@ -164,7 +164,8 @@ void SphereCloud::forEachNeighbour(std::size_t cell, Visit visit) const {
   }
 }
 
-/// A section cuts through gaps, through which the second layer of spheres is visible.
+/// Whether a cell is in front of the section plane, from where the spheres behind gaps in the cut
+/// are visible.
 bool SphereCloud::isInFrontOfSection(std::size_t cell) const noexcept {
   const auto row = static_cast<float>(grid_.placeOf(cell)[1]);
   return options_.isHalved && grid_.low.y() + grid_.cell * (row + 0.5F) < 0.5F * grid_.cell;

@@ -75,7 +75,7 @@ Mesh shaft() {
   below.translate(0.0F, -0.4F, 0.0F);
   place(mesh, below);
   for (const float side : {-1.0F, 1.0F}) {
-    // The cheeks that hold the hinge.
+    // The plates at both sides that hold the hinge.
     Mesh cheek = finished(
         loft({slab(-5.0F, -1.2F, 1.0F, 0.28F, 0.2F), slab(1.1F, -1.2F, 0.95F, 0.28F, 0.2F)}),
         kSteel);
@@ -191,7 +191,7 @@ QMatrix4x4 onTheCap(float radius, float polar, float azimuth) {
   return pose;
 }
 
-/// A lip that rises to a cutting edge in front of a hole for chips.
+/// A tooth of the reamer: a lip that rises to a cutting edge in front of a hole for chips.
 Mesh tooth(float size) {
   const float w = 0.75F * size;
   const float h = 0.42F * size;
@@ -244,7 +244,7 @@ ReamerShape reamerShape(float radius) {
     const float polar = 0.5F * kPi * static_cast<float>(i) / kSteps;
     profile.emplace_back(std::max(radius * std::sin(polar), 0.01F), radius * std::cos(polar));
   }
-  // Over the rim and inwards to the hub on the shaft.
+  // The profile goes over the rim and inwards to the hub on the shaft.
   for (const auto& [r, z] :
        {std::pair{1.0F, -0.06F},
         {0.93F, -0.07F},
