@@ -13,14 +13,16 @@
 
 namespace study::app {
 
-/// A command, and what its options are read into. The options exist as long as the command.
+/// A command and the struct that its options are written to. The struct lives as long as the
+/// command.
 template <typename Options>
 struct AddedCommand {
   CLI::App* command;
   Options& options;
 };
 
-/// Adds a command to @p above. When it is called, the action becomes @p perform with its options.
+/// Adds a subcommand to @p above. When it is called, @p action is set to call @p perform with the
+/// parsed options.
 template <typename Parameter>
 auto addCommand(
     CLI::App& above,
@@ -36,7 +38,7 @@ auto addCommand(
   return AddedCommand<Options>{command, *options};
 }
 
-/// Adds a command that only has commands below it.
+/// Adds a command that has subcommands only.
 CLI::App& addNoun(CLI::App& program, const char* name, const char* help);
 
 /// Adds the argument DIR.
@@ -79,7 +81,7 @@ inline CLI::Validator finiteRange(double least, double most) {
 }
 
 /// The run mode named by @p name, or live if it is empty.
-/// @throws UserError  in words, if there are no sessions of that mode; names the modes with
+/// @throws UserError  if there are no sessions of that mode; the message names the modes with
 ///     sessions.
 RunMode chosenRunMode(Study& study, const std::string& name);
 

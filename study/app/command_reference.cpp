@@ -110,7 +110,8 @@ std::string heading(const OptionDescription& option) {
   return join(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
 }
 
-/// The text after an option's description: the accepted values, its default, that it is required.
+/// The text after an option's description: the accepted values, the default, and whether it is
+/// required.
 std::string remarks(const OptionDescription& option) {
   std::vector<std::string> parts;
   if (option.isRequired) parts.emplace_back("required");
@@ -147,7 +148,7 @@ std::string synopsis(const CommandDescription& command) {
   return text;
 }
 
-/// Adds a command and its subcommands. A command with subcommands is only a heading with its text.
+/// Adds a command and its subcommands. A command with subcommands gets a heading and its text only.
 void addCommands(const CommandDescription& above, std::string& page) {
   for (const auto& command : above.commands) {
     page += ".SS " + escaped(command.name) + "\n" + synopsis(command) + ".PP\n" +

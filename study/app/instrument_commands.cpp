@@ -47,8 +47,8 @@ Instrument readOrExplain(const std::string& name) {
   return questionnaires::readSoundInstrument(textOf(name), name);
 }
 
-/// The folder of the wording files: that of the instrument's file; for the library the present
-/// folder.
+/// The folder of the wording files: the folder of the instrument's file; for a library instrument
+/// the current directory.
 fs::path folderOf(const InstrumentArguments& options) {
   if (!options.folder.empty()) return options.folder;
   std::error_code ignored;
@@ -157,7 +157,7 @@ std::string formulaOf(const Score& score) {
 }
 
 /// The scoring key in words: a line for each scored item, and one for each score with its formula,
-/// to be compared with the publication before the study begins.
+/// for comparison with the publication before the study begins.
 std::string describeKeys(const Instrument& instrument) {
   std::string text;
   for (const auto& item : instrument.items) text += keyLineOf(item);

@@ -53,8 +53,8 @@ std::string importAsJson(
 /// The keys of a protocol's `noise`.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
-/// `torque`, of a scene that has one, says whether @p device renders it. The costs are left out if
-/// they were not measured.
+/// `torque`, present if the scene has one, is whether @p device renders it. The costs are left out
+/// if they were not measured.
 std::string passesAsJson(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,

@@ -14,14 +14,15 @@ namespace study::app {
 /// Paints the figures of all sections; does nothing if the program was built without Qt.
 void paintFigures(std::vector<report::ReportSection>& sections);
 
-/// The same for the figures of a document.
+/// Paints the figures of a document; does nothing if the program was built without Qt.
 void paintFigures(report::Document& document);
 
-/// One of our pages as a PDF file. @throws std::runtime_error  if the program was built without Qt.
+/// A page of html_report.h or document.h as a PDF file. @throws std::runtime_error  if the program
+/// was built without Qt.
 std::string pdfOf(
     const std::string& html, const std::string& title, report::Paper paper = report::Paper::A4);
 
-/// The HTML of a text of an instrument; without Qt its markup stays as it is written.
+/// Converts a text of an instrument from Markdown to HTML; without Qt the markup is not converted.
 std::string htmlOf(const std::string& text);
 
 /// Paints the figures of a section in a format and writes each into a folder as SVG, PDF and PNG

@@ -15,7 +15,8 @@
 namespace study::app {
 namespace {
 
-/// Drops Qt's message that there is no desktop session, which it prints at every start on a server.
+/// Prints Qt's messages, apart from the one that there is no desktop session, which Qt prints at
+/// every start on a server.
 void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
   if (words.contains(QLatin1String("XDG_RUNTIME_DIR"))) return;
   std::fprintf(stderr, "%s\n", words.toUtf8().constData());

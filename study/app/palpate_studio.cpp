@@ -65,7 +65,8 @@ void describe(QCommandLineParser& parser) {
   }
 }
 
-/// The folder of the study: file managers pass the study.db in it.
+/// The folder of the study. A path to the study.db in it, as file managers pass, is accepted as
+/// well.
 QString folderOf(const QString& path) {
   const QFileInfo file(path);
   return file.fileName() == QLatin1String("study.db") ? file.absolutePath() : path;

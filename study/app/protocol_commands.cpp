@@ -85,7 +85,7 @@ std::string listed(const std::vector<std::size_t>& people) {
   return people.size() > kShown ? text + ", …" : text;
 }
 
-/// An order of conditions, with labels if they are the same for all participants with this order.
+/// An order of conditions, with labels if all participants with this order have the same ones.
 std::string describeOrder(
     const protocols::Protocol& protocol, const protocols::PlannedBlock& block) {
   std::string text;
@@ -98,7 +98,7 @@ std::string describeOrder(
   return text;
 }
 
-/// Prints every order that occurs once, with its participants.
+/// Prints each distinct order once, with its participants.
 void printOrders(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
   for (const auto& cohort : protocol.cohorts) {

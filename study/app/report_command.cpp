@@ -32,7 +32,7 @@ struct ReportArguments {
   std::string reason;
 };
 
-/// Writes every figure as a file into a new folder.
+/// Writes each figure as a file into a new folder.
 void writeFigureFolder(
     std::vector<report::ReportSection>& sections,
     const std::string& folder,

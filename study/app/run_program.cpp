@@ -15,7 +15,8 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongCall = 2;
 
-/// The command that was called, as far as its words are valid: "palpate study status".
+/// The innermost command of the call that was recognised; writes its name into @p name: "palpate
+/// study status".
 const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   const CLI::App* command = &program;
   name = program.get_name();
@@ -26,7 +27,7 @@ const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   return *command;
 }
 
-/// The mistake in a call, in words.
+/// A message about the mistake in a call.
 std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   const auto& command = commandCalled(program, name);
@@ -43,7 +44,7 @@ std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
          (known.empty() ? "" : "There are: " + known + ". ") + explains;
 }
 
-/// Whether all output was written. A table that was cut off by a full disk must not pass for
+/// Whether all output was written. Prevents that a table cut off by a full disk is taken for
 /// complete.
 bool isPrinted(const CLI::App& program) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;

@@ -116,7 +116,7 @@ void printTorque(
   }
 }
 
-/// Warns of a recorded cut that ends at once.
+/// Warns of a recorded cut whose force jumps where the cut begins or ends.
 void printJumps(
     const std::vector<haptics::engine::ForceJump>& jumps,
     const haptics::devices::DeviceKind& kind) {
@@ -180,7 +180,7 @@ haptics::devices::Capabilities simulatedDeviceFor(
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
-/// What the device can do that @p condition is felt on: of a device file, or the simulated one.
+/// The capabilities of the device for @p condition: that of the device file, or the simulated one.
 haptics::devices::Capabilities deviceFor(
     const ExplainOptions& options,
     const protocols::Protocol& protocol,
@@ -216,8 +216,8 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
-/// The range from the device's first position to the end of the data of all scenes, or to the
-/// device's stop if a scene's data have no end.
+/// The motion of the tool: from the device's least travel to the end of the data of all scenes, or
+/// to the device's stop if a scene's data have no end.
 Motion motionFor(
     const PlayOptions& options,
     const haptics::devices::Capabilities& device,
@@ -228,7 +228,7 @@ Motion motionFor(
   for (const auto* condition : conditions) {
     const auto end = haptics::engine::endOfData(*condition->model);
     motion.most = std::max(motion.most, end.value_or(device.mostTravel));
-    // A machine that goes faster than the reamer would press on it ever harder.
+    // Above the reamer's feed limit the force would grow without bound.
     const double limit = 0.9 * haptics::engine::feedLimitOf(condition->scene());
     if (limit > 0.0) speed = std::min(speed, limit);
   }

@@ -57,7 +57,8 @@ ExtraWork extraMesh(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-/// @param middle  of the device's travel [device's travel unit]; also in the functions below.
+/// @param middle  middle of the device's travel [device's travel unit]; also in the functions
+/// below.
 void addMeniscus(
     const engine::SceneSpec& spec, double middle, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, ExtraWork extraWork) {
@@ -80,7 +81,7 @@ void addMeniscus(
   add("… and the mesh in every tick", extraMesh(shown, 1));
 }
 
-/// A curve alone, and with the additional cost of spheres.
+/// Adds a scene with a curve, alone and with the additional cost of spheres.
 void addMaterial(
     const engine::SceneSpec& spec,
     const engine::MaterialSpec& material,
@@ -104,7 +105,7 @@ void addMaterial(
   }
 }
 
-/// Spheres, and variants of them with less to compute.
+/// Adds a scene with spheres, and variants with less to compute.
 void addPacking(
     const engine::PackingSpec& packing,
     double middle,

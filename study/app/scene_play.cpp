@@ -14,7 +14,8 @@ namespace {
 
 namespace engine = haptics::engine;
 
-/// Minimum-jerk movement from 0 to 1 (Flash & Hogan 1985); its largest speed is 1.875.
+/// Minimum-jerk movement from 0 to 1 (Flash & Hogan 1985); its largest speed is 1.875 per unit of
+/// time.
 double minimumJerk(double tau) {
   return tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau));
 }
@@ -47,9 +48,9 @@ double secondsOf(const Motion& motion) {
   return 0.0;
 }
 
-/// Repeats the first step until the scene is ready, as a hand waits before a trial. A bone that is
-/// reamed gives no force before the tool has been outside all its spheres, of which each tick
-/// checks some. Most scenes are ready at once.
+/// Repeats the first step until the scene is ready, as a hand waits before a trial. A bone gives no
+/// force until the tool is known to be outside all its spheres, of which each tick checks some.
+/// Most scenes are ready at once.
 haptics::models::Response<double> firstAnswer(
     engine::CompiledScene& scene, const engine::ToolState& first) {
   constexpr double kLongest = 10.0;  // [s]: enough to check 20 million spheres

@@ -34,9 +34,9 @@ TravelProfile profileOf(const Motion& motion);
 struct PlayedCurve {
   std::string condition;          ///< its id
   std::string title;              ///< for the legend
-  std::vector<double> force;      ///< desired by the scene at each step [N]; NaN where undefined
+  std::vector<double> force;      ///< desired by the scene at each step [N]; NaN if undefined
   std::vector<double> stiffness;  ///< [N per travel unit]
-  bool isIngredient = false;      ///< one of the forces that a filter combines
+  bool isIngredient = false;      ///< whether it is one of the two forces that a filter combines
 };
 
 /// The forces of @p spec along @p profile; with @p withIngredients also the two forces that a

@@ -14,8 +14,8 @@ int completedOf(const std::vector<SimulatedEnding>& endings) noexcept;
 /// the motor's driver reports a fault. Trials finished: 0 of 5."
 std::string describe(const SimulatedEnding& ending);
 
-/// Follows the number of completed sessions: ", 1 ended as aborted_hardware (SIM-001 at step 3:
-/// …)"; empty if all were completed.
+/// The text after the number of completed sessions: ", 1 ended as aborted_hardware (SIM-001 at step
+/// 3: …)"; empty if all were completed.
 std::string describeOthers(const std::vector<SimulatedEnding>& endings);
 
 }  // namespace study::app

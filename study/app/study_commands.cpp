@@ -40,13 +40,13 @@ struct StudyArguments {
   bool json = false;
 };
 
-/// Where the key of the conditions is; no line where nothing is sealed.
+/// The line about the key of the sealed conditions; empty if nothing is sealed.
 std::string sealOf(Study& study) {
   const auto words = sealInWords(study);
   return words.empty() ? words : "conditions: " + words + "\n";
 }
 
-/// What keeps orders and codes from being chosen afterwards; no line in studies of release 0.1.
+/// The line with the commitment to the secret of orders and codes; empty in studies of release 0.1.
 std::string commitmentOf(Study& study) {
   const auto commitment = study.events().commitment();
   return commitment.empty()
@@ -63,7 +63,7 @@ std::string keyAdviceOn(Study& study, const std::string& folder) {
       folder);
 }
 
-/// Where a study of many sites is run; no line in a study of one machine.
+/// The line about the station and site of a study of many sites; empty in a study of one computer.
 std::string placeOf(const Study& study) {
   if (study.isCollected()) return "collected from several stations: 'palpate collect' made it\n";
   const auto& station = study.station();
@@ -117,7 +117,7 @@ int simulatedSessions(Study& study) {
       all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
 }
 
-/// Prints the progress of a long simulation. An enrolment means that the participant before has
+/// Prints the progress of a long simulation. Each enrolment means that the previous participant has
 /// finished.
 void printProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;

@@ -29,7 +29,7 @@ using questionnaires::Item;
 using questionnaires::Response;
 
 constexpr double kLongestTrial = 600.0;  // [s]
-constexpr int kMostTries = 20;           // each waits for 3 s for the other program
+constexpr int kMostTries = 20;           // each waits up to 3 s for the other program
 
 /// Thrown when the input ends.
 struct InputEnded {};
@@ -63,10 +63,10 @@ bool isNo(const std::string& word) {
   return isAmongWords(word, {"n", "no", "nein", "nei"});
 }
 
-/// Runs @p action, which stores something. While another program writes, it is tried again, and
-/// the operator reads why: ten stations that share a slow disk may wait for each other for longer
-/// than a database does. A refused action has changed nothing, so that what was typed is still to
-/// be stored. After a minute the program gives up; the session can be continued later.
+/// Runs @p action, which stores data. While another program writes, retries and tells the operator
+/// why: ten stations that share a slow disk may wait longer for each other than SQLite's timeout. A
+/// refused action has changed nothing, so retrying stores what was typed. After a minute the
+/// program gives up; the session can be resumed later.
 template <typename Action>
 void store(const Action& action) {
   for (int tries = 1;; ++tries) {
@@ -116,7 +116,7 @@ class TerminalSession {
  private:
   const std::string& language() const { return session_.language(); }
 
-  /// What the participant calls an alternative.
+  /// The name of an alternative for the participant.
   std::string alternative(const std::string& number) const {
     return session_.protocol().protocol.labels.nameOf(number, language());
   }
@@ -175,7 +175,7 @@ class TerminalSession {
     }
   }
 
-  /// Asks @p item once. True if the answer is valid, or the item was left out.
+  /// Asks @p item once. Returns true if the answer is valid or the item was left out.
   bool ask(const Item& item, int order, std::chrono::steady_clock::time_point begin) {
     print(item);
     const std::string line = readLine();
@@ -239,7 +239,7 @@ class TerminalSession {
   }
 
   /// The option that "yes", "no" or their translations select. The question must have two options,
-  /// one of which gives consent or has the id "yes". Otherwise the typed text.
+  /// one of which gives consent or has the id "yes". Otherwise returns the typed text.
   static Response chosen(const Item& item, const std::string& line) {
     const bool saysYes = isYes(line);
     if (item.options.size() != 2 || (!saysYes && !isNo(line))) return line;
@@ -288,7 +288,7 @@ class TerminalSession {
       trial = trialFor(session_, *deviceSet_, traces);
     } catch (const haptics::devices::DeviceError& error) {
       fmt::print("{}\n", error.what());
-      return;  // the same step again
+      return;  // the step is repeated
     }
     store([&] { session_.beginTrial(); });
     const auto record = runRealtime(*trial, step.minimumCuts, kLongestTrial);

@@ -30,8 +30,8 @@ struct TextsArguments {
   bool json = false;
 };
 
-/// "institution=NTNU" or "de:institution=NTNU", put into @p texts; without words the text of that
-/// language is taken away.
+/// Puts "institution=NTNU" or "de:institution=NTNU" into @p texts. An empty value removes the text
+/// of that language.
 void put(const std::string& assignment, BlankTexts& texts) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {

@@ -9,7 +9,8 @@
 
 namespace study::app {
 
-/// The page, as a PDF if @p path ends in .pdf, with its figures if the program was built with Qt.
+/// The report as HTML, or as PDF if @p path ends in .pdf; with figures if the program was built
+/// with Qt.
 std::string reportFor(
     const std::string& path,
     std::vector<report::ReportSection>& sections,
@@ -17,7 +18,7 @@ std::string reportFor(
 
 /// Writes the page @p name.html, a CSV file for each table and an SVG file for each figure into a
 /// new or empty folder.
-/// @throws storage::StorageError  in words.
+/// @throws storage::StorageError  if the folder is not empty or cannot be written.
 void writeDocument(const std::string& folder, const std::string& name, report::Document document);
 
 }  // namespace study::app

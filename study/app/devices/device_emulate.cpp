@@ -37,7 +37,7 @@ void say(const std::string& line) {
 }
 
 /// Answers each line of the input by one line, until a signal, the end of the requested seconds, or
-/// "quit". If the input ends, goes on, unless it was asked to end with it.
+/// "quit". The end of the input ends it only if that was requested.
 void executeInput(
     const EmulateArguments& arguments,
     const std::string& help,

@@ -11,7 +11,7 @@ namespace study::app {
 /// `what`, `measured`, `mend`.
 std::string checksAsJson(const std::vector<DeviceFindings>& found);
 
-/// The same if nothing could be checked, with the reason.
+/// The same document if nothing could be checked; `problems` has the reason.
 std::string problemAsJson(const std::string& why);
 
 }  // namespace study::app

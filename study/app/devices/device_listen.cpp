@@ -85,7 +85,7 @@ int listen(const ListenArguments& arguments) {
       ++(read ? understood : others);
       if (read) out << std::visit(Row{time}, *read);
     }
-    if (count > 0) out.flush();  // keep what has been received, however this ends
+    if (count > 0) out.flush();  // so that no received row is lost if the program is killed
   }
   out.flush();
   if (understood == 0 && !arguments.out.empty()) std::filesystem::remove(arguments.out);

@@ -11,8 +11,9 @@ struct ListenArguments {
   double seconds = 0.0;  ///< duration [s]; 0: until it is stopped
 };
 
-/// Records what a punch with the published sketch prints: one row a line, with the time of its
-/// arrival. Sends nothing to it. Returns the exit status: 1 if no valid line has arrived.
+/// Records the serial output of a punch that runs the published Arduino sketch: a row for each
+/// line, with the time at which it arrived. Sends nothing to the punch. Returns the exit status: 1
+/// if no valid line has arrived.
 int listen(const ListenArguments& arguments);
 
 }  // namespace study::app

@@ -65,8 +65,8 @@ class RehearsalFolder {
   bool isKept_ = false;
 };
 
-/// Checks the emulated devices and prints the findings. Repeats the check if the machine stood
-/// still meanwhile. Returns whether all passed.
+/// Checks the emulated devices and prints the findings. Repeats the check if the computer stalled
+/// meanwhile. Returns whether all passed.
 bool passCheck(
     const std::string& deviceFile,
     const protocols::Protocol& protocol,
@@ -105,7 +105,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
   return static_cast<int>(verdict);
 }
 
-/// For the terminal: without the clock offset of a link, which only the record needs.
+/// An event as text for the terminal, without the clock offset of a link.
 std::string shownOf(const storage::Event& event) {
   if (event.kind != EventKind::DeviceLink) return storage::describe(event);
   constexpr std::string_view kLink =

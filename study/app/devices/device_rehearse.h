@@ -18,15 +18,15 @@ struct RehearseArguments {
 enum class RehearsalVerdict {
   Passed = 0,
   Failed = 1,
-  NotJudged = 3,  ///< the machine stood still for longer than a device waits
+  NotJudged = 3,  ///< the computer stalled for longer than a device's timeout
 };
 
-/// The verdict of a rehearsal that passed or not, on a machine that stood still for at most @p
-/// stoodStill.
+/// The verdict of a rehearsal on a computer whose longest stall was @p stoodStill.
 RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept;
 
 /// Starts both emulators as processes, writes a device file for them, runs the checks of `device
-/// check`, and lets simulated participants take part over real wires in real time.
+/// check`, and runs sessions of simulated participants in real time over the devices' real
+/// protocols (pseudo-terminal, UDP).
 /// @return the exit status: a RehearsalVerdict.
 int rehearse(const RehearseArguments& arguments);
 

@@ -13,12 +13,12 @@ struct DeviceFindings {
   std::vector<haptics::devices::CheckResult> results;
 };
 
-/// Checks every device of @p deviceSet for @p seconds, and those that @p needs names also against
-/// it. A missing device is a finding.
+/// Checks every device of @p deviceSet for @p seconds, and each device in @p needs also against
+/// what the protocol needs of it. A missing device is a finding.
 std::vector<DeviceFindings> checkAll(
     HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds);
 
-/// Whether there is no FAIL among them.
+/// Whether no finding is a FAIL.
 bool isFit(const std::vector<DeviceFindings>& found) noexcept;
 
 std::string checksAsText(const std::vector<DeviceFindings>& found);

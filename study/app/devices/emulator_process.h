@@ -11,8 +11,8 @@
 
 namespace study::app {
 
-/// An emulator in its own process: `palpate device emulate …`, with the palpate of this program's
-/// folder. It ends with this object, or when this process ends.
+/// An emulator in its own process: `palpate device emulate …`, with the palpate in this program's
+/// folder. The process ends when this object is destroyed, or with this process.
 class EmulatorProcess {
  public:
   /// Starts the emulator and waits until it is ready.
@@ -24,7 +24,7 @@ class EmulatorProcess {
   EmulatorProcess& operator=(const EmulatorProcess&) = delete;
 
   pid_t id() const noexcept { return id_; }
-  /// The rest of its line "ready …": "port=/dev/pts/3".
+  /// The text after "ready" in the emulator's first line: "port=/dev/pts/3".
   const std::string& ready() const noexcept { return ready_; }
 
   /// Sends a line ("drop 3") and returns the answer; empty if there is none.
@@ -55,7 +55,7 @@ struct EmulatedDevice {
 
 /// Starts the emulator of a kind of device.
 /// @param id  of the entry.
-/// @param options  of `device emulate`, for instance {"--seed", "1"}.
+/// @param options  further options of `device emulate`, for instance {"--seed", "1"}.
 EmulatedDevice emulatedDevice(
     const haptics::devices::DeviceKind& kind,
     const std::string& id,

@@ -38,7 +38,7 @@ pid_t start(const std::string& firmware, int out) {
   const pid_t parent = getpid();
   const pid_t id = fork();
   if (id != 0) return id;
-  // QEMU ends with this program, also when this is killed.
+  // QEMU ends with this program, also if this program is killed.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent &&
       dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0) {
     execvp(kEmulator, words.data());
@@ -97,7 +97,7 @@ QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
   std::filesystem::create_symlink(port_, link_);
 }
 
-/// Refuses a link whose port exists: another program uses it.
+/// Throws if the link points to an existing port, which another program then uses.
 void QemuPunch::requireFreeLink() const {
   std::error_code ignored;
   if (!std::filesystem::is_symlink(link_, ignored)) return;

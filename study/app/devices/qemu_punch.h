@@ -12,7 +12,8 @@ namespace study::app {
 class QemuPunch {
  public:
   /// @param link  a fixed name for its port; empty: the one that QEMU chooses.
-  /// @throws UserError  if QEMU or the firmware is missing, in words.
+  /// @throws UserError  if QEMU or the firmware is missing, QEMU does not start, or the link is in
+  /// use.
   QemuPunch(const std::string& firmware, const std::string& link);
   ~QemuPunch();
   QemuPunch(const QemuPunch&) = delete;

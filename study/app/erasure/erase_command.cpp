@@ -46,7 +46,7 @@ void write(
   }
 }
 
-/// In another copy of the study what a certificate tells.
+/// Repeats the erasures of a certificate in another copy of the study.
 int eraseBy(const ErasureArguments& options) {
   std::ifstream stream(options.by, std::ios::binary);
   const auto text = base::readAll(stream);
@@ -57,7 +57,7 @@ int eraseBy(const ErasureArguments& options) {
         " is not the text of a certificate of erasure. 'palpate study erase "
         "--certificate FILE.txt' writes it.");
   }
-  // Every copy that is opened on this station from now on is erased from.
+  // Opening a copy of the study on this station applies the listed erasures to it.
   for (const auto& erasure : erasures) storage::list(erasure);
   auto study = Study::open(options.folder);
   bool isOfThisStudy = false;

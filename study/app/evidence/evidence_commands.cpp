@@ -1,4 +1,4 @@
-// Commands about what proves that a study is what was recorded.
+// Commands about the evidence that a study's data are those that were recorded.
 #include <cstdio>
 #include <string>
 
@@ -42,7 +42,7 @@ void printHead(const Verification& verification) {
   fmt::print("Head of the audit trail: {}\n", verification.head);
 }
 
-/// Writes a witness file, if one is wanted.
+/// Writes a witness file if one was requested.
 void writeWitness(Study& study, const EvidenceArguments& options) {
   if (options.newWitness.empty()) return;
   storage::writeWitness(study.database(), options.newWitness, asUtc(study.clock().now().wall));

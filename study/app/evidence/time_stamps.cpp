@@ -71,7 +71,7 @@ ProcessOutput run(std::vector<std::string> texts) {
   return ran;
 }
 
-/// Writes a file for openssl, which goes with its folder.
+/// Writes a file for openssl, which is deleted with its folder.
 std::string fileWith(const TemporaryFolder& folder, const char* name, const std::string& content) {
   const auto path = (folder / name).string();
   std::ofstream(path, std::ios::binary) << content;
@@ -86,7 +86,7 @@ std::string contentOf(const std::string& path) {
   return base::readAll(stream);
 }
 
-/// Writes what is sent to an authority: the SHA-256 of the head's line.
+/// Writes the request to an authority, with the SHA-256 of the head's line.
 void writeRequest(
     const TemporaryFolder& scratch, const std::string& head, const std::string& path) {
   const auto ran = run(
@@ -103,13 +103,13 @@ void writeRequest(
   if (ran.status != 0) throw UserError("openssl makes no request of a time stamp:\n" + ran.output);
 }
 
-/// The time in a reply, which is not proven yet; std::nullopt: it is no time stamp.
+/// The time in a reply, not verified yet; std::nullopt if the reply is no time stamp.
 std::optional<std::time_t> timeIn(const std::string& reply) {
   const auto text = run({"openssl", "ts", "-reply", "-in", reply, "-text"}).output;
   const std::string_view word = "Time stamp: ";
   const auto at = text.find(word);
   if (at == std::string::npos) return std::nullopt;
-  // "Nov 23 20:15:04.123 2026 GMT": parts of a second may follow.
+  // "Nov 23 20:15:04.123 2026 GMT": the fraction of a second is optional.
   std::istringstream words(text.substr(at + word.size()));
   std::string month;
   std::string day;
@@ -122,20 +122,20 @@ std::optional<std::time_t> timeIn(const std::string& reply) {
   return timegm(&parts);
 }
 
-/// When the authority saw the head.
+/// The time at which the authority signed the head's hash.
 struct Proven {
-  std::string utc;  ///< empty: the reply proves nothing
+  std::string utc;  ///< empty: the reply is not valid
   std::string whyNot = {};
 };
 
-/// @param reply  its bytes
-/// @param certificate  file
+/// @param reply  the content of the reply file
+/// @param certificate  path of a PEM file
 Proven prove(const std::string& head, const std::string& reply, const std::string& certificate) {
   const TemporaryFolder scratch;
   const auto file = fileWith(scratch, "reply", reply);
   const auto time = timeIn(file);
   if (!time) return {.utc = {}, .whyNot = "it is no granted reply of an authority"};
-  // The certificate of an authority expires, what it signed before stays: looked at as of then.
+  // The certificate is verified as of the time stamp, because it may have expired since then.
   const auto ran = run(
       {"openssl",
        "ts",
@@ -212,7 +212,7 @@ std::string textOf(const storage::Event& event, std::string_view name) {
   return text == nullptr ? std::string() : *text;
 }
 
-/// Empty if it is damaged: then it proves nothing.
+/// The reply in an event of the audit trail; empty if it is damaged.
 std::string replyIn(const storage::Event& event) {
   const auto bytes = storage::fromBase64(textOf(event, "reply"));
   if (!bytes) return {};

@@ -80,7 +80,7 @@ ManPageSections sectionsOfCollect() {
       .seeAlso = {"palpate(1)", "psql(1)"}};
 }
 
-/// By the name of the file: 'palpate collect' starts it as well.
+/// Describes palpate-collect under the name of its file; 'palpate collect' starts the same program.
 CommandDescription describeCollect() {
   study::app::Action action;
   const auto program = study::collect::makeCollectProgram(action);

@@ -14,7 +14,7 @@
 namespace study::app {
 namespace {
 
-/// While it exists, the terminal does not show what is typed.
+/// Switches the terminal's echo off while the object exists.
 class WithoutEcho {
  public:
   WithoutEcho() : isTerminal_(tcgetattr(STDIN_FILENO, &before_) == 0) {
@@ -35,7 +35,7 @@ class WithoutEcho {
   bool isTerminal_;
 };
 
-/// What was typed without being shown; empty: nothing.
+/// Asks and reads a line without echo; empty if nothing was typed.
 std::string typedAt(const std::string& question) {
   fmt::print(stderr, "{}: ", question);
   std::fflush(stderr);
@@ -45,7 +45,8 @@ std::string typedAt(const std::string& question) {
   return typed;
 }
 
-/// Asks up to three times. @return false if nothing was typed
+/// Asks up to three times for a passphrase that @p opens accepts. @return false if nothing was
+/// typed
 bool unlock(const std::string& question, const std::function<bool(const std::string&)>& opens) {
   constexpr int kTries = 3;
   for (int i = 0; i < kTries; ++i) {

@@ -6,22 +6,24 @@
 
 namespace study::app {
 
-/// What is asked where names are put behind a passphrase.
+/// The question for a new passphrase that encrypts the names of participants.
 inline constexpr const char* kNewPassphraseOfNames =
     "New passphrase of names (write it down at a safe place: without it nobody ever reads them)";
 
-/// Asks in the terminal, without showing what is typed. Where there is no terminal, a line of the
-/// standard input is read. @throws UserError  if nothing was typed
+/// Reads a passphrase from the terminal without showing it, or a line of standard input if that is
+/// not a terminal. @throws UserError  if nothing was typed
 std::string askPassphrase(const std::string& question);
 
-/// The same, twice. @throws UserError  if the second was another one
+/// Asks twice. @throws UserError  if the two passphrases differ
 std::string askNewPassphrase(const std::string& question);
 
-/// Asks for the passphrase of a study if its key is behind one and not here; up to three times.
-/// @throws UserError  if none was right
+/// If this account does not have the study's key and the key is protected by a passphrase, asks for
+/// it up to three times.
+/// @throws UserError  if it was wrong three times
 void unlockIfAsked(Study& study);
 
-/// The same for names. An empty line goes on without, if @p isOptional.
+/// Asks in the same way for the passphrase of the participants' names. If @p isOptional, an empty
+/// line leaves the names locked.
 void unlockNamesIfAsked(Study& study, bool isOptional = false);
 
 }  // namespace study::app

@@ -33,7 +33,7 @@ struct CalibrateCommand {
   bool throughZero = false;
 };
 
-/// "0.0123 + 0.0076665·r − 1.962e-06·r^2": the constant first, powers that are not there left out.
+/// "0.0123 + 0.0076665·r − 1.962e-06·r^2": the constant first, unless it is 0.
 std::string polynomialOf(const recordings::ForceCalibration& calibration) {
   std::string text;
   for (std::size_t power = 0; power < calibration.coefficients.size(); ++power) {
@@ -48,7 +48,7 @@ std::string polynomialOf(const recordings::ForceCalibration& calibration) {
   return text;
 }
 
-/// How near the curve of each order comes, as far as there are loads enough.
+/// The residuals of a polynomial of each order for which there are enough loads.
 DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) {
   DataTable orders{
       .name = "orders",
@@ -102,7 +102,7 @@ void print(
   }
 }
 
-/// @throws UserError  where a calibration file could not hold the name.
+/// @throws UserError  if the name is not allowed in a calibration file.
 void requireName(const std::string& name) {
   const auto isPlain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||

@@ -17,8 +17,9 @@ namespace reaming = haptics::reaming;
 constexpr double kDepths[]{0.004, 0.006, 0.008};  // [m]
 constexpr double kMostDepth = 0.010;              // [m]
 
-/// Those of the measurements, then on in steps of about three to nine tenths of the most that the
-/// reamer goes at: a machine that goes at the limit itself never catches up [m/s].
+/// The feeds of the published measurements, then larger ones in steps of about a factor of 3, up to
+/// 0.9 of the reamer's feed limit @p most [m/s]. At the limit itself the reamer never catches up
+/// with the machine.
 std::vector<double> feedsUpTo(double most) {
   const double last = 0.9 * most;
   std::vector<double> feeds;
@@ -33,7 +34,7 @@ Cell orNothing(double value) {
   return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
 }
 
-/// The curve at @p depth, straight between the depths at which it was fitted.
+/// The force of the curve at @p depth [m], interpolated linearly between the depths of the fit [N].
 double wantedAt(const reaming::CurveFit& curve, double depth) {
   return reaming::forceAt({.depth = curve.depths, .force = curve.wanted, .stop = {}}, depth);
 }
@@ -100,7 +101,7 @@ reaming::ExperimentResult ream(
     double feed,
     const haptics::engine::Reamer& reamer) {
   using Model = haptics::engine::ReamedMaterialModel;
-  constexpr double kStep = 4e-6;  // of the tool [m]
+  constexpr double kStep = 4e-6;  // advance of the tool per step [m]
   const auto curve = reaming::curveOf(force, h);
   const double begin = curve.front().position;
   const double end = std::min(begin + kMostDepth, curve.back().position);
@@ -112,7 +113,7 @@ reaming::ExperimentResult ream(
   double lost = 0.0;
   double felt = 0.0;
   for (double target = begin + kStep; model.depth() < end; target += kStep) {
-    // A machine that gives way as little as it likes: the coupling is made up for.
+    // The tool is advanced by the deflection of the coupling, as by an infinitely stiff machine.
     const double before = model.depth();
     const double dt = kStep / feed;
     felt = model.respond({.travel = target + felt / Model::kCoupling, .dt = dt}).force;

@@ -9,21 +9,22 @@
 
 namespace study::app {
 
-/// What a reamer has to be pushed with for a feed: @p bone is reamed to 10 mm by the virtual
-/// experiment at feeds from 0.01 mm/s to nine tenths of the most that @p reamer goes at. A row for
-/// each feed and each of the curves of the bone: the force at 4, 6 and 8 mm beside the curve's, and
-/// what was removed, what remained and what is not accounted for.
-/// @param fit  of that bone.
+/// The force that a reamer needs for a feed rate: the virtual experiment reams @p bone to 10 mm at
+/// feeds from 0.01 mm/s to 0.9 of the feed limit of @p reamer. A row for each feed and each curve
+/// of the bone: the force at 4, 6 and 8 mm beside the curve's force, and the mass that was removed,
+/// that remained and that is unaccounted for.
+/// @param fit  the fit of @p bone.
 DataTable feedTable(
     const haptics::reaming::PackedBone& bone,
     const haptics::reaming::BoneFitReport& fit,
     const haptics::engine::Reamer& reamer = {});
 
-/// The same of the curves of a material, as a scene `material` renders them, up to 10 mm or the
-/// curve's end. The mass of a curve is the work of its removal, ∫ F dz; what the machine has worked
-/// beyond that and the cutting damping is not accounted for.
+/// The same table for the curves of a material, as a scene `material` renders them, up to 10 mm or
+/// the curve's end. The mass of a curve is the work of its removal, ∫ F dz. The work of the machine
+/// that is neither this nor cutting damping is unaccounted for.
 ///
-/// @param force  valid, over depth. @param middle  name of the middle curve.
+/// @param force  curves over depth [N over m]; must be valid. @param middle  name of the middle
+/// curve.
 DataTable feedTable(
     const haptics::reaming::HardnessCurves& force,
     const std::string& middle,

@@ -10,7 +10,7 @@
 
 namespace study::app {
 
-inline constexpr double kMillimetres = 1000.0;  ///< in a metre
+inline constexpr double kMillimetres = 1000.0;  ///< mm per m
 
 /// A regular selection of at most about @p most of @p count points, so that a figure of 200,000
 /// samples can be opened.
@@ -37,8 +37,8 @@ inline report::ChartSeries lineOf(
       most);
 }
 
-/// An amplitude spectrum for a logarithmic axis: the largest amplitude of each step of a hundredth,
-/// and at least @p least, where the axis begins.
+/// An amplitude spectrum for logarithmic axes: the largest amplitude in each frequency band of 1 %,
+/// raised to @p least, the lower end of the axis.
 inline report::ChartSeries spectrumLine(
     const std::string& title, const haptics::filters::Spectrum& spectrum, double least) {
   constexpr double kStep = 1.01;

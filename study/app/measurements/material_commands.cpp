@@ -30,8 +30,8 @@ struct FitCommand {
   std::string title = "A reaming material";
 };
 
-/// Warns if a harder bone would be softer by more than @p felt [N, N·m] at some depth, and says
-/// which option prevents it.
+/// Warns if the curve of a harder bone is below that of a softer one by more than @p felt [N, N·m]
+/// at some depth, and names the option that prevents it.
 void warnOfCrossings(
     const reaming::FittedEnvelope& envelope,
     const char* quantity,
@@ -173,7 +173,7 @@ struct CompareCommand {
   std::string report;
 };
 
-/// The names of all curves, as --curve takes them.
+/// The names of all curves, as --curve accepts them.
 std::string namesOf(const std::vector<NamedCurve>& curves) {
   std::string names;
   for (const auto& curve : curves) names += (names.empty() ? "" : ", ") + pathOf(curve);

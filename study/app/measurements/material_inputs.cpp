@@ -35,7 +35,7 @@ constexpr SplineKind kSplines[]{
 constexpr int kFewestNodes = 2;
 constexpr int kMostNodes = 200;
 
-/// The pairs of texts such as "force=Kraft".
+/// Splits texts such as "force=Kraft" into pairs.
 std::map<std::string, std::string> pairs(const std::vector<std::string>& words) {
   std::map<std::string, std::string> result;
   for (const auto& word : words) {

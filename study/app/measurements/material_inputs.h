@@ -24,7 +24,7 @@ struct MaterialInputs {
   bool isSynthetic = false;
   haptics::reaming::FitOptions options;
 
-  const CLI::App* command = nullptr;  ///< which options were given
+  const CLI::App* command = nullptr;  ///< to find out which options were given
 
   /// Adds the options to @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
@@ -36,7 +36,7 @@ struct MaterialInputs {
 /// The series of all test sets.
 struct ReadSeries {
   std::vector<haptics::reaming::Series> series;
-  std::vector<protocols::MaterialSource> sources;  ///< of each
+  std::vector<protocols::MaterialSource> sources;  ///< one for each series
   bool isSynthetic = false;                        ///< whether one of them is synthetic
 };
 

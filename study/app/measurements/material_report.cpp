@@ -213,7 +213,7 @@ std::string describeAxis(const reaming::TestSetFit& set, const reaming::FitOptio
   return {};
 }
 
-/// Whether a scene can render the curves of a test set, and reams them.
+/// Whether a scene can render the curves of a test set by reaming.
 bool isReamed(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
   return set.set != reaming::TestSet::Static && options.axis == reaming::DepthAxis::Depth &&
          options.spline != reaming::SplineKind::Linear;

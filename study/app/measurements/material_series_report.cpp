@@ -16,7 +16,7 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-// of a line; with 72 series of six figures each, more would make the file too large
+// points of a line; with 72 series of six figures each, more would make the file too large
 constexpr std::size_t kPoints = 700;
 
 /// Force or torque of a series.

@@ -65,7 +65,7 @@ void printSyntheticMark(const reaming::PackedBone& bone) {
   if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
 }
 
-/// Prints each pass once.
+/// Prints the progress once for each radius.
 bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
   if (progress.radius == lastRadius) return true;
   lastRadius = progress.radius;
@@ -170,7 +170,7 @@ void addBuildPacking(CLI::App& noun, Action& action) {
 }
 
 struct DensityCommand {
-  const CLI::App* given = nullptr;  ///< which options were given
+  const CLI::App* given = nullptr;  ///< to find out which options were given
   std::string packing;
   MaterialChoice material;
   std::string out;
@@ -184,7 +184,7 @@ struct DensityCommand {
 /// The options of --method swarm.
 constexpr const char* kSwarmOptions[]{"--layers", "--particles", "--iterations", "--seed"};
 
-/// How densities are found; empty for the exact method.
+/// The method that computes the densities; empty for the exact one.
 reaming::DensityMethod methodOf(const DensityCommand& command) {
   if (command.method == "exact") return {};
   return [&command](const reaming::ContactMatrix& matrix, std::span<const double> forces) {
@@ -217,7 +217,8 @@ void printFit(const reaming::CurveFit& curve, bool isSwarm) {
       spheres.iterations);
 }
 
-/// Reams the fitted bone as the machine in the paper does.
+/// Reams the fitted bone as the test machine in the paper does, and prints the errors of the
+/// forces.
 void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
   double h = 0.0;
   for (const auto& curve : report.curves) {
@@ -233,7 +234,7 @@ void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitRep
   }
 }
 
-/// What makes the torque of the bone, and how well.
+/// Prints the source of the bone's torque, and the errors of the fit.
 void printFriction(const reaming::BoneFitReport& report, bool hasTorque) {
   if (!hasTorque) {
     fmt::print(

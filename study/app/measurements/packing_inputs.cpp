@@ -37,7 +37,7 @@ std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   }
 }
 
-/// Metres per unit of the mesh.
+/// Metres per unit of the mesh; a derived unit is noted in @p body.
 double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMesh& body) {
   if (unit == "m") return 1.0;
   if (unit == "mm") return 0.001;

@@ -85,7 +85,7 @@ void printSurvey(
       survey.uncalibratedRows,
       survey.distinctTravels,
       filter);
-  // the closing rows are those that a cut file is made of
+  // a cut file is made of the closing rows
   fmt::print("  cut    closing rows      whole cut      seconds  peak [N]\n");
   for (std::size_t i = 0; i < survey.closures.size(); ++i) {
     const auto& c = survey.closures[i];

@@ -14,7 +14,7 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-/// By its name, or from a file.
+/// A built-in calibration by its name, or a calibration file.
 recordings::ForceCalibration calibrationNamed(const std::string& name) {
   for (const auto& known : {recordings::publishedCalibration(), recordings::recorder2021()}) {
     if (known.name == name) return known;

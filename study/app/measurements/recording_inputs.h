@@ -10,7 +10,8 @@
 
 namespace study::app {
 
-/// A recording, and how its readings become forces and its travel smooth, as they were typed.
+/// The options for a recording, its force calibration and the filter of its travel, as they were
+/// typed.
 struct RecordingInputs {
   std::string file;
   std::string columns;      ///< a columns file; empty: the punch recorder's five columns
@@ -18,20 +19,20 @@ struct RecordingInputs {
   std::string filter = "authors-fir";
   std::optional<double> cutoff;  ///< [Hz]
 
-  /// Adds the arguments and options to @p verb; this outlives it.
+  /// Adds the arguments and options to @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
 
-  /// The filter that was chosen. @throws UserError  where a cut-off has no filter to go with.
+  /// The chosen filter. @throws UserError  if a cut-off was given for a filter that has none.
   haptics::recordings::TravelFilter travelFilter() const;
 };
 
-/// A recording as a file holds it, with the calibration that goes with it.
+/// A recording as read from its file, with its calibration.
 struct ReadRecording {
   haptics::recordings::Recording recording;
   haptics::recordings::ForceCalibration calibration;
 };
 
-/// @throws UserError  where a columns file, a calibration file or the recording is wrong.
+/// @throws UserError  if a columns file, a calibration file or the recording is invalid.
 ReadRecording readFrom(const RecordingInputs& inputs);
 
 }  // namespace study::app

@@ -12,10 +12,10 @@ namespace study::app {
 
 /// A recording as figures and tables: the amplitude spectrum of the travel before and after the
 /// filter (section II-B of the punch paper), force over travel of every closure with its landmarks
-/// (Fig. 4), the closures, and the cut that was taken, if there is one.
+/// (Fig. 4), the closures, and the imported cut if there is one.
 ///
 /// @param trace, survey  of the same recording.
-/// @param filterParameters  recordings::parametersOf() its filter.
+/// @param filterParameters  recordings::parametersOf() of the travel filter.
 report::Document recordingReport(
     const haptics::recordings::Recording& recording,
     const haptics::recordings::Trace& trace,
@@ -23,12 +23,12 @@ report::Document recordingReport(
     const std::string& filterParameters,
     const std::optional<haptics::recordings::ImportedCut>& imported);
 
-/// The share of a signal's variance that lies at or below a frequency [Hz], by its amplitude
-/// spectrum; 0 to 1.
+/// The share of a signal's variance at or below @p frequency [Hz], from its amplitude spectrum; 0
+/// to 1. @param rate  of the samples [Hz].
 double shareBelow(const std::vector<double>& samples, double rate, double frequency);
 
-/// A calibration as figures and tables: loads and curve, residuals, the points, and other orders to
-/// compare with.
+/// A calibration as figures and tables: loads and curve, residuals, the points, and polynomials of
+/// other orders for comparison.
 report::Document calibrationReport(
     const haptics::recordings::CalibrationTable& table,
     const haptics::recordings::CalibrationFit& fit,

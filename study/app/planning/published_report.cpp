@@ -15,7 +15,7 @@ using analysis::PublishedTable;
 
 constexpr std::uint64_t kMostSizes = 100;
 
-/// std::nullopt if one of them is not stated.
+/// The group sizes that the table states; std::nullopt if one is missing.
 std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
   GroupSizes sizes;
   for (const auto& group : table.groups) {

@@ -34,7 +34,7 @@ struct PublishedReport {
   std::vector<analysis::ConsistentSizes> wholeAnswers;
 };
 
-/// @throws UserError  in words, if sizes are missing or there are too many combinations.
+/// @throws UserError  if sizes are missing or there are too many combinations.
 PublishedReport examine(const analysis::PublishedTable& table, const PublishedQuestion& question);
 
 std::string publishedReportAsText(const PublishedReport& report);

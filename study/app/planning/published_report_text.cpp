@@ -116,7 +116,7 @@ std::string describeFits(const PublishedTable& table, const analysis::Consistent
       namesAndSizes(table, *fits.fewestMissing()));
 }
 
-/// "2 × 1, 7 × 3.5": how often each point was given.
+/// "2 × 1, 7 × 3.5": the number of answers, times the point of the scale.
 std::string formatAnswers(
     const analysis::AnswerScale& scale, const std::vector<std::uint64_t>& times) {
   std::string words;

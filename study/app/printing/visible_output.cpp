@@ -21,7 +21,8 @@ struct Decoded {
   std::size_t bytes = 1;
 };
 
-/// How many bytes a character has that begins with @p lead; 0 for no beginning.
+/// The number of bytes of a UTF-8 character whose first byte is @p lead; 0 if it cannot be a first
+/// byte.
 std::size_t bytesFrom(unsigned char lead) {
   if (lead < 0x80) return 1;
   if (lead < 0xc2 || lead > 0xf4) return 0;
@@ -40,7 +41,7 @@ Decoded firstOf(std::string_view text) {
     code = code << 6 | (byte & 0x3fU);
   }
   if (text.size() < bytes) return {.state = Decoded::State::Unfinished};
-  if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};  // too long, a surrogate
+  if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};  // overlong, surrogate
   return {Decoded::State::Sound, code, bytes};
 }
 
@@ -67,14 +68,14 @@ bool writeAll(int file, std::string_view text) {
   return true;
 }
 
-/// What the C library calls to write; 0 is an error.
+/// The write function of the stream (fopencookie(3)); returns 0 after an error.
 ssize_t writeVisibly(void* cookie, const char* text, std::size_t count) {
   auto& output = *static_cast<Output*>(cookie);
   const bool isWritten = writeAll(output.file, output.visible({text, count}));
   return isWritten ? static_cast<ssize_t>(count) : 0;
 }
 
-/// A stream that prints visibly to @p output; @p otherwise where there is no memory for one.
+/// A stream that escapes its text and writes it to @p output; @p otherwise if it cannot be made.
 FILE* visibly(Output& output, FILE* otherwise, int buffering) {
   FILE* stream = fopencookie(&output, "w", {nullptr, writeVisibly, nullptr, nullptr});
   if (stream == nullptr) return otherwise;

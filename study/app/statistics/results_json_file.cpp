@@ -57,7 +57,7 @@ void addSizes(ResultJson& json, const analysis::TestRow& row) {
   json["variance2"] = nullable((*row.moments)[1].variance);
 }
 
-/// Adds the numbers of a row. Those that the test does not have are left out; undefined ones are
+/// Adds the numbers of a row. Numbers that the test does not have are left out; undefined ones are
 /// null.
 void addRow(ResultJson& json, const analysis::TestRow& row) {
   addSizes(json, row);
@@ -95,7 +95,7 @@ ResultJson pooledAsJson(const analysis::TestRow& test) {
   return json;
 }
 
-/// The keys that all tests of a family share.
+/// The keys that the tests of a family's comparisons have in common.
 ResultJson testedAsJson(const analysis::TestRow& test) {
   return {
       {"p", nullable(test.p)},
@@ -140,7 +140,7 @@ ResultJson equivalenceAsJson(const analysis::TestRow& test) {
       {"reason", reasonOf(test.reason)}};
 }
 
-/// Tests that have fixed keys, in the order of their introduction; then all others by id.
+/// First the tests with keys of their own, in a fixed order; then all others by id.
 ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
   const auto& paired = comparison.test("paired_t");
   const auto& rank = comparison.test("signed_rank");
@@ -180,7 +180,7 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
 }
 
 ResultJson friedmanAsJson(const analysis::TestRow& test) {
-  // An integer also if there are too few participants for χ².
+  // df is also given if there are too few participants for χ².
   const auto conditions = static_cast<std::int64_t>(test.additional("conditions").value_or(0.0));
   return {
       {"chi2", nullable(test.statistic.value)},

@@ -33,7 +33,7 @@ Profile profileNamed(std::string_view name) {
   return name == "recommended" ? Profile::Recommended : Profile::Declared;
 }
 
-/// Prints the tables, and again after each new event, until it is interrupted.
+/// Prints the tables, and again after each new event, until the program is interrupted.
 [[noreturn]] void watch(Study& study, RunMode mode, Profile profile, Wording wording) {
   constexpr std::chrono::milliseconds kWatchPeriod{500};
   const auto& families = study.protocol().protocol.analysis.families;

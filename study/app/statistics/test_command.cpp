@@ -29,14 +29,14 @@ std::string orMissing(const std::optional<double>& value) {
   return value ? fmt::format("{:.10g}", *value) : "–";
 }
 
-/// "log_odds_ratio" in words: "log odds ratio".
+/// Replaces underscores by spaces: "log_odds_ratio" becomes "log odds ratio".
 std::string spelled(std::string_view name) {
   std::string text(name);
   for (char& c : text) c = c == '_' ? ' ' : c;
   return text;
 }
 
-/// "--group and --value"; optional ones in brackets.
+/// The options that name the columns of a test: "--group and --value"; optional ones in brackets.
 std::string columnsOf(const analysis::StatisticalTest& test) {
   std::string text;
   for (const auto& column : analysis::columnsOf(test.shape)) {
