@@ -1,4 +1,4 @@
-// palpate-bench accuracy: errors of the models and of other libraries, beside their run times.
+// palpate-bench accuracy: errors and run times of the models and of other libraries.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -44,9 +44,9 @@ struct Family {
   const char* heading;
   const char* parameter;  ///< the parameter that varies
   void (*measure)(const AccuracyRun&);
-  bool isOnce;  ///< slow, so that one process has to do
+  bool isOnce;  ///< slow, so that it is measured in one process only
   std::vector<Figure> figures;
-  DataTable (*summary)(const Measured&) = nullptr;  ///< before the table of all measurements
+  DataTable (*summary)(const Measured&) = nullptr;  ///< shown before the table of measurements
 };
 
 DataTable refreshTable(const Measured& all);
@@ -150,7 +150,7 @@ std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& fi
     return report::ChartPoint{m.parameter, m.time->median};
   }
   if (!m.error) return std::nullopt;
-  // Exact results and undefined ones are drawn at the ends of a logarithmic axis.
+  // Zero and undefined errors are drawn at the ends of a logarithmic axis.
   const double error = figure.isLogarithmic ? std::clamp(*m.error, 1e-18, 1e6) : *m.error;
   if (figure.shows == ErrorOverParameter) return report::ChartPoint{m.parameter, error};
   if (!m.time) return std::nullopt;
@@ -268,7 +268,7 @@ report::Document reportOf(const Measured& all, const AccuracyOptions& options) {
   return document;
 }
 
-/// Measures, in this process, the families that @p options name.
+/// Measures the families that @p options name in this process.
 void measureHere(const AccuracyOptions& options, const AccuracyRun& run) {
   for (const auto& family : families()) {
     if (options.wants(family)) family.measure(run);
@@ -323,7 +323,7 @@ Measured measure(const AccuracyOptions& options) {
   return haptics::bench::mergedOverProcesses(all);
 }
 
-/// Prints the errors that exceed their bounds. Returns whether all are within.
+/// Prints the errors that exceed their bounds. Returns whether there is none.
 bool areWithinBounds(const Measured& all) {
   int bounded = 0;
   int failed = 0;

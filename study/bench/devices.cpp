@@ -39,7 +39,7 @@ void pauseFor(double seconds) {
 }
 
 /// Gives all threads of a process real-time priority if permitted: a real board does not wait for a
-/// processor either.
+/// processor core either.
 void raisePriority(const EmulatorProcess& process) {
   const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
   for (const auto& entry : std::filesystem::directory_iterator(threads)) {
@@ -60,10 +60,10 @@ class RealtimePriority {
   RealtimePriority& operator=(const RealtimePriority&) = delete;
 };
 
-/// What the answer of an emulator to "status" says, by its own keys.
+/// The keys and values in an emulator's answer to "status".
 struct StatusKeys {
-  std::string_view forceKey, noForce;  ///< and the value that it has without force
-  std::string_view armedKey, armed;    ///< and the value that it has when armed
+  std::string_view forceKey, noForce;  ///< the key, and its value without force
+  std::string_view armedKey, armed;    ///< the key, and its value when armed
   std::string_view sent;
   std::string_view faultPrefix;  ///< before FrameFaults::kNames
 };
@@ -165,7 +165,7 @@ FrameFaults foundBy(const devices::LinkReport& link) {
        number(link.damaged)}};
 }
 
-/// Waits until samples arrive; those lost before the first one do not count.
+/// Waits until samples arrive. Samples lost before the first one do not count.
 void settle(const EmulatedDevice& emulated) {
   pauseFor(20.0 / emulated.rate());
 }
@@ -187,7 +187,7 @@ class SupervisedLoop {
 
   LinkLoop& loop() noexcept { return *loop_; }
 
-  /// Call it repeatedly. True if the device had failed and was connected again.
+  /// To be called repeatedly. Returns true if the device had failed and was connected again.
   bool reconnectIfOver() {
     if (!loop_->isOver()) return false;
     endRun();
@@ -253,8 +253,8 @@ std::vector<LinkSeries> runTogether(double seconds) {
   return {std::move(first), slow.finish()};
 }
 
-/// Waits for the requested standstill of the loop, and measures when the device switches its force
-/// off.
+/// Waits for the requested stall of the loop, and measures the time until the device switches its
+/// force off.
 void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
   constexpr double kPollPeriod = 0.0003;  // [s]
   const RealtimePriority priority;
@@ -298,8 +298,8 @@ LinkSeries runAlone(EmulatedDevice emulated, double seconds) {
   return supervised.finish();
 }
 
-/// Injects @p wanted faults of each kind, @p perRound at a time, which the link must survive, with
-/// a pause after each round.
+/// Injects @p wanted faults of each kind, @p perRound at a time with a pause after each round. The
+/// connection must survive a round.
 void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int perRound) {
   constexpr double kPause = 40.0;  // frames: the arm's controller needs 90 of 100 answered
   const auto begin = emulated.ask().injected;
@@ -346,7 +346,7 @@ FaultCounts countFaults(EmulatedDevice emulated, int faults, int perRound) {
     } else if (++counts.repeated > kMostRepeated) {
       throw UserError("The link fails too often to count on it. " + run.fault);
     } else {
-      pauseFor(0.5);  // until the remaining faults are over
+      pauseFor(0.5);  // until the injected faults have passed
       emulated.device().open();
     }
   }

@@ -10,8 +10,8 @@
 
 namespace study::bench {
 
-/// Measurements of a device on its wire: one run for each time it was armed. There is more than one
-/// if it failed and was connected again.
+/// Measurements of a device on its connection: one run for each time it was armed. There is more
+/// than one if the device failed and was connected again.
 struct LinkSeries {
   std::string device;  ///< "punch", "arm"
   double rate = 0.0;   ///< rate of its samples [Hz]
@@ -30,21 +30,22 @@ struct FrameFaults {
   std::array<std::int64_t, kNames.size()> of{};
 };
 
-/// Standstills of the loop of one duration.
+/// Stalls of the loop, all of the same duration.
 struct StallSeries {
   LinkSeries link;
   double duration = 0.0;  ///< of each [ms]
   int stalls = 0;
-  std::vector<double> forces;         ///< at its beginning, if there was one [N]
-  std::vector<double> motorOffAfter;  ///< until the device switched its force off [ms]
-  int disarmed = 0;                   ///< standstills after which the device was disarmed
+  std::vector<double> forces;  ///< force at the beginning of each stall, if there was one [N]
+  std::vector<double> motorOffAfter;  ///< time from the stall's beginning until the device switched
+                                      ///< its force off [ms]
+  int disarmed = 0;                   ///< number of stalls after which the device was disarmed
 };
 
 struct FaultCounts {
   std::string device;
   FrameFaults injected;
   FrameFaults found;
-  int repeated = 0;  ///< hundreds that were repeated, because the device failed
+  int repeated = 0;  ///< blocks of 100 faults that were repeated because the device failed
 };
 
 struct DeviceMeasurement {

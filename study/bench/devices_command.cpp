@@ -1,4 +1,4 @@
-// palpate-bench devices: both devices on their wires, emulated.
+// palpate-bench devices: both devices, emulated, on their connections.
 #include <algorithm>
 #include <array>
 
@@ -70,7 +70,7 @@ DataTable timeTable(const std::vector<LinkSeries>& together) {
   return table;
 }
 
-/// The statistics of the wire for several series.
+/// A table of the connection's statistics for several series.
 DataTable sampleTable(
     const std::string& name, const std::string& caption, const std::vector<LinkSeries>& all) {
   DataTable table{

@@ -5,7 +5,7 @@ namespace study::bench {
 /// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
 double peakMemory();
 
-/// See proc(5), clear_refs.
+/// Resets the peak to the present memory use (proc(5), clear_refs).
 void resetPeakMemory();
 
 }  // namespace study::bench

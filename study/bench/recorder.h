@@ -13,11 +13,11 @@ struct RecorderRun {
   std::string way;
   double samplesPerSecond = 0.0;
   double bytesPerSample = 0.0;
-  double worstCall = 0.0;  ///< for a thousand samples [ms]
+  double worstCall = 0.0;  ///< longest time to store a thousand samples [ms]
 };
 
-/// Stores a thousand samples at a time, each time synchronised to the disk: as studies do, and in a
-/// raw file, in turn. Leaves nothing in @p folder.
+/// Stores a thousand samples at a time, each time synchronised to the disk: once as studies do and
+/// once in a raw file, alternately. Leaves nothing in @p folder.
 /// @throws UserError, storage::StorageError  if the folder cannot be written.
 std::vector<RecorderRun> compareRecorders(const std::string& folder, double seconds);
 
@@ -29,7 +29,8 @@ struct RecorderLoop {
   double seconds = 0.0;
 };
 
-/// A loop of @p rate [Hz] passes its samples to a recorder thread, which stores them in @p folder.
+/// Runs a loop at @p rate [Hz] for @p seconds, which passes its samples to a recorder thread; the
+/// thread stores them in @p folder.
 RecorderLoop recordInLoop(const std::string& folder, double rate, double seconds);
 
 }  // namespace study::bench

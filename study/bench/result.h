@@ -14,10 +14,10 @@ namespace study::bench {
 /// @throws storage::StorageError  if a file exists already or cannot be written.
 void present(const std::string& folder, const std::string& name, report::Document document);
 
-/// A measured number: empty if there is none, "no number" if it is infinite or undefined.
+/// The cell for a measured number: empty for std::nullopt, "no number" if it is infinite or NaN.
 Cell numberCell(const std::optional<double>& value);
 
-/// Columns aligned, numbers to four digits. Ends with a line feed.
+/// A table with aligned columns and numbers of four significant digits. Ends with a line feed.
 std::string asPlainText(const DataTable& table);
 
 }  // namespace study::bench

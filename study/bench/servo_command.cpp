@@ -1,4 +1,4 @@
-// palpate-bench servo: lateness of the force loop, and what recording costs in it.
+// palpate-bench servo: lateness of the force loop, and the cost of recording in it.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -33,17 +33,18 @@ struct ServoOptions {
 struct ServoMode {
   std::string name;
   bool asksForRealtime = false;
-  double spinning = 0.0;  ///< share of a period
+  double spinning = 0.0;  ///< time before a tick in which the loop spins, as a share of the period
 };
 
 struct ServoRun {
   std::string mode;
   double rate = 0.0;        ///< [Hz]
-  bool isRealtime = false;  ///< what was asked for was granted
+  bool isRealtime = false;  ///< whether the loop had real-time priority
   haptics::engine::RealtimeLoop::Report report;
 };
 
-/// As any program; with real-time priority, locked memory and no timer slack; and spinning as well.
+/// Three modes: normal scheduling; real-time priority with locked memory and no timer slack; the
+/// same with spinning.
 std::vector<ServoMode> servoModes() {
   return {
       {"as any program", false, 0.0},
@@ -112,7 +113,7 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
   return table;
 }
 
-/// The share of ticks that are later than x, at 1 kHz or else the first rate.
+/// The share of ticks that are later than x, at @p rate [Hz].
 Chart latenessChart(const std::vector<ServoRun>& runs, double rate) {
   constexpr std::array kQuantiles{0.5, 0.8, 0.9, 0.95, 0.99, 0.995, 0.999, 0.9999};
   Chart chart{

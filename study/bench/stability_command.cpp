@@ -43,7 +43,7 @@ DataTable summaryTable(const StabilityResult& result) {
   return table;
 }
 
-/// Every case; for its CSV file.
+/// All cases, for the CSV file.
 DataTable checkTable(const StabilityResult& result) {
   DataTable table{
       .name = "checks",
@@ -62,7 +62,7 @@ DataTable checkTable(const StabilityResult& result) {
   return table;
 }
 
-/// Every wall; for its CSV file.
+/// All virtual walls, for the CSV file.
 DataTable wallTable(const StabilityResult& result) {
   DataTable table{
       .name = "walls",

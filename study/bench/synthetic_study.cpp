@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kProtocol = "punch-face-validity";
 constexpr std::uint64_t kSeed = 20'261'121;
-constexpr std::int64_t kSessionsATime = 10'000;  // in one transaction
+constexpr std::int64_t kSessionsATime = 10'000;  // sessions in one transaction
 
 /// An item that every session of a cohort asks.
 struct AskedItem {
@@ -40,7 +40,7 @@ class Writer {
     for (const auto& cohort : loaded_.protocol.cohorts) cohorts_.push_back(planOf(cohort.id));
   }
 
-  /// @return how many answers were written; at most @p most
+  /// @return the number of answers that were written, at most @p most
   std::int64_t add(std::int64_t session, std::int64_t most) {
     const auto& cohort = cohorts_[static_cast<std::size_t>(session) % cohorts_.size()];
     addPerson(session, cohort);

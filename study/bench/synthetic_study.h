@@ -12,10 +12,9 @@ struct SyntheticStudy {
 };
 
 /// A study of the published protocol with @p answers artificial answers of simulated participants,
-/// in the existing folder @p inside. Its audit trail has one event of a program only, so `study
-/// verify` would report problems. Written as fast as the database allows, with the same numbers
-/// each time.
-/// @throws storage::StorageError
+/// in the existing folder @p inside. Its audit trail has a single event, so `study verify` would
+/// report problems. Written as fast as the database allows; the content is the same each time.
+/// @throws storage::StorageError  if the study cannot be written.
 SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers);
 
 }  // namespace study::bench

@@ -1,5 +1,5 @@
-// palpate-bench collect: a server that stations send to, beside the same rows by plain COPY and
-// SQL.
+// palpate-bench collect: the speed of a server that stations send to, compared with plain COPY and
+// SQL of the same rows.
 #include <algorithm>
 #include <filesystem>
 

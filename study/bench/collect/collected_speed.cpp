@@ -25,7 +25,7 @@ using collect::Connection;
 constexpr int kMostParts = 20;
 constexpr std::array kTables{"event", "session", "fact", "progress", "answer"};
 
-/// By cohort, code or condition, and point.
+/// Numbers of answers by cohort, code or condition, and point of the scale.
 using Counts = std::map<std::tuple<std::string, std::string, std::int64_t>, std::int64_t>;
 
 template <typename Action>
@@ -35,14 +35,15 @@ double timeOf(const Action& action) {
   return haptics::timing::secondsSince(start);
 }
 
-/// What the pairwise table is computed from.
+/// The query of the counts from which the pairwise comparisons are computed.
 std::string countsOf(const std::string& table, const std::string& instrument) {
   return "SELECT cohort, code, point, count(*) FROM " + table +
          " WHERE run_mode = 'simulated' AND state = 'completed' AND instrument = '" + instrument +
          "' GROUP BY 1, 2, 3";
 }
 
-/// The rows of a station once more, by COPY out of a file: the least that it takes to store them.
+/// Stores the rows of a station a second time, by COPY from a file: the lower bound of the time
+/// that storing them takes.
 class PlainCopy {
  public:
   PlainCopy(Connection& owner, const fs::path& folder) : owner_(owner), folder_(folder) {
@@ -65,7 +66,7 @@ class PlainCopy {
     part.copying += timeOf([&] { read("answer", ""); });
   }
 
-  /// … of the samples of a station.
+  /// The time of the COPY of a station's samples [s].
   double copyTraces(const std::string& label) {
     write("chunk", label, " (FORMAT binary)");
     owner_.execute("TRUNCATE bare.chunk");
@@ -132,7 +133,7 @@ Counts countsIn(Connection& server, const std::string& query) {
   return counts;
 }
 
-/// Named by conditions, as the owner of the server alone can.
+/// Replaces codes by conditions, which only the owner of the server can do.
 Counts named(Connection& owner, const Counts& counts) {
   const auto rows = owner.query(
       "SELECT code, condition FROM palpate.condition_code WHERE run_mode = 'simulated'");
@@ -146,7 +147,7 @@ Counts named(Connection& owner, const Counts& counts) {
   return result;
 }
 
-/// The same counts in a study's folder.
+/// The same counts from a study's folder.
 Counts countsAt(const fs::path& folder, const std::string& instrument) {
   auto study = Study::open(folder, storage::Database::Access::ReadOnly);
   storage::Statement select(
@@ -219,8 +220,8 @@ void pullAll(
     const auto note = [&](const std::vector<std::string>& problems) {
       measured.problems.insert(measured.problems.end(), problems.begin(), problems.end());
     };
-    // What 'study verify' says of the folder is left out: repeated sessions have the orders of the
-    // station that they were recorded at.
+    // Problems that 'study verify' finds in the folder are ignored: repeated sessions have the
+    // orders of the station at which they were recorded.
     for (const auto& station : pulled.stations) {
       measured.events += station.events;
       note(station.problems);

@@ -11,22 +11,22 @@
 namespace study::bench {
 
 struct CollectSize {
-  std::filesystem::path folder;  ///< for the stations' folders and the one that is pulled
+  std::filesystem::path folder;  ///< for the stations' folders and the pulled study
   std::int64_t answers = 1'000'000;
   int sites = 1000;
-  int participants = 200;  ///< with samples
-  int repetitions = 21;    ///< of what is timed in turn
+  int participants = 200;  ///< of the station with samples
+  int repetitions = 21;    ///< of each timed query
 };
 
-/// Ingest beside COPY of the same rows, of one part of the stations.
+/// Times of ingesting the data of one part of the stations, and of a plain COPY of the same rows.
 struct IngestSpeed {
-  std::int64_t before = 0;  ///< answers that were there already
+  std::int64_t before = 0;  ///< answers in the database before this part
   StationPush sent;         ///< of all stations of the part
   double copying = 0.0;     ///< COPY of their answers into a table without keys [s]
   double copyingAll = 0.0;  ///< … of all their rows, events and sessions included [s]
 };
 
-/// Times of two ways to do the same [s], taken in turn.
+/// Times of two ways to compute the same counts [s], measured alternately.
 struct AlternatedTimes {
   std::vector<double> ours;
   std::vector<double> bare;
@@ -47,18 +47,19 @@ struct CollectMeasurement {
   std::vector<IngestSpeed> parts;  ///< one after another, with a growing table
   StationPush recorded;            ///< the station with samples
   std::vector<double> copyingTraces;
-  AlternatedTimes counts;  ///< the analyst's view, and a table of the same rows
+  AlternatedTimes counts;  ///< from the analyst's view, and from a plain table of the same rows
   std::size_t groups = 0;
   double pulling = 0.0;        ///< [s]
   double memoryBefore = 0.0;   ///< [MB]
-  double memory = 0.0;         ///< at most, while pulling [MB]
-  double pulledMegabytes = 0;  ///< size of the folder
+  double memory = 0.0;         ///< largest while pulling [MB]
+  double pulledMegabytes = 0;  ///< size of the pulled folder [MB]
   std::vector<TableSize> tables;
-  std::vector<std::string> plan;      ///< of the counts in the view, by EXPLAIN ANALYZE
-  std::vector<std::string> problems;  ///< counts that differ; empty: everything arrived
+  std::vector<std::string> plan;      ///< EXPLAIN ANALYZE of the counts in the view
+  std::vector<std::string> problems;  ///< differences from what was sent; empty: all arrived
 };
 
-/// Starts a private server, and measures on it. @throws UserError  if PostgreSQL is not installed
+/// Starts a private PostgreSQL server and measures on it. @throws UserError  if PostgreSQL is not
+/// installed
 CollectMeasurement measureCollection(const CollectSize& size);
 
 }  // namespace study::bench

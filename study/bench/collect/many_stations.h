@@ -14,25 +14,25 @@
 
 namespace study::bench {
 
-/// What a station sent, and how long each part of it took.
+/// The data that a station sent, and the times of the parts of the transfer.
 struct StationPush {
   std::int64_t answers = 0;
   std::int64_t events = 0;
   std::uint64_t traceBytes = 0;
-  double reading = 0.0;  ///< its folder, and writing batches [s]
+  double reading = 0.0;  ///< reading its folder and writing batches [s]
   double taking = 0.0;   ///< ingest() of events and sessions [s]
   double traces = 0.0;   ///< ingest() of samples [s]
 };
 
-/// A study on a private server, and stations that send to it what simulated participants did: one
-/// with samples, and any number of others that repeat its sessions without them, each with an
-/// account, a folder, an audit trail and a signature of its own.
+/// A study on a private server, and stations that send sessions of simulated participants to it:
+/// one with samples, and any number of others that repeat its sessions without samples. Each has
+/// its own account, folder, audit trail and signature.
 class ManyStations {
  public:
   /// The name of the station with samples.
   static constexpr const char* kRecorded = "recorded";
 
-  /// @param folder  for the stations' folders, each as long as it sends
+  /// @param folder  for the stations' folders, each of which exists while it sends
   /// @param participants  of the station with samples
   ManyStations(
       const collect::PrivateServer& postgres, std::filesystem::path folder, int participants);
@@ -41,7 +41,7 @@ class ManyStations {
   /// What the station with samples sent.
   const StationPush& recorded() const noexcept { return recorded_; }
 
-  /// One more station, at a site of its own, with at least so many answers. @param number  from 1
+  /// Adds a station at a new site, which sends at least @p answers answers. @param number  from 1
   StationPush add(int number, std::int64_t answers);
 
   static std::string labelOf(int number);

@@ -93,7 +93,7 @@ void measureSession(gui::OperatorWindow& window, std::vector<double>& waits) {
     QCoreApplication::sendPostedEvents();
     window.participantWindow()->repaint();
     waits.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
-    QCoreApplication::processEvents();  // everything else that timers do
+    QCoreApplication::processEvents();  // lets all pending timers run
   }
   window.close();
 }
@@ -181,7 +181,7 @@ constexpr QSize kPictureSize(1280, 800);
 /// A scene, and the hand that moves in it.
 struct Subject {
   std::string name;
-  std::string picture;  ///< for the names of picture files
+  std::string picture;  ///< part of the names of picture files
   const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
@@ -202,7 +202,7 @@ Subject kneeSubject(const SimulationOptions& options) {
   return subject;
 }
 
-/// The built-in cup with that many spheres, with densities fitted to the built-in curves.
+/// The built-in cup with @p spheres spheres, whose densities are fitted to the built-in curves.
 std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
   auto bone = std::make_shared<haptics::reaming::PackedBone>();
   std::fprintf(stderr, "packing %zu spheres\n", spheres);

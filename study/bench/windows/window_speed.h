@@ -24,9 +24,9 @@ PlotSpeed measurePlots(double seconds);
 /// @throws UserError  if the folder cannot hold a study.
 std::vector<double> measurePageChanges(const std::string& folder);
 
-/// The time from making the home page until it is drawn, with @p studies studies in its list. They
-/// are made in @p folder and removed. From then on the program's settings are in that folder, too:
-/// call it last.
+/// The time from making the home page until it is drawn, with @p studies studies in its list. The
+/// studies are made in @p folder and removed. The program's settings are moved to that folder, too,
+/// so call it last.
 /// @return the time [ms].
 /// @throws UserError  if the folder cannot hold the studies.
 double measureHome(const std::string& folder, int studies);
@@ -47,7 +47,7 @@ struct SimulationSpeed {
   ViewReport view;
   TrialRecord felt;
   double making = 0.0;         ///< time to build the scene before the trial [ms]
-  double bytesPerFrame = 0.0;  ///< on spheres, sent to the renderer
+  double bytesPerFrame = 0.0;  ///< bytes on spheres sent to the renderer per frame
   double allBytes = 0.0;       ///< for all spheres; 0 without spheres
 
   /// Whether a frame sends only the changes: at most 5 % of the bytes.
