@@ -8,7 +8,7 @@
 namespace base {
 namespace {
 
-constexpr std::string_view kAroundCells = " \t\r\"";
+constexpr std::string_view kTrimmedFromCells = " \t\r\"";
 
 }  // namespace
 
@@ -60,7 +60,7 @@ std::vector<TextLine> linesOf(std::string_view text) {
   for (std::size_t number = 1; !text.empty(); ++number) {
     const auto end = text.find('\n');
     const auto line = text.substr(0, end);
-    if (!trimmed(line, kAroundCells).empty()) lines.push_back({line, number});
+    if (!trimmed(line, kTrimmedFromCells).empty()) lines.push_back({line, number});
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return lines;
@@ -77,13 +77,13 @@ std::vector<std::string> cellsOf(std::string_view line, char separator) {
   std::vector<std::string> cells;
   if (separator == ' ') {
     for (const auto piece : piecesOf(line, " \t\r")) {
-      cells.emplace_back(trimmed(piece, kAroundCells));
+      cells.emplace_back(trimmed(piece, kTrimmedFromCells));
     }
     return cells;
   }
   while (true) {
     const auto end = line.find(separator);
-    cells.emplace_back(trimmed(line.substr(0, end), kAroundCells));
+    cells.emplace_back(trimmed(line.substr(0, end), kTrimmedFromCells));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
   }
@@ -98,8 +98,8 @@ ColumnHead columnHeadOf(std::string_view cell) {
   if (open != std::string_view::npos) {
     const auto close = cell.find_first_of("])", open);
     return {
-        std::string(trimmed(cell.substr(0, open), kAroundCells)),
-        std::string(trimmed(cell.substr(open + 1, close - open - 1), kAroundCells))};
+        std::string(trimmed(cell.substr(0, open), kTrimmedFromCells)),
+        std::string(trimmed(cell.substr(open + 1, close - open - 1), kTrimmedFromCells))};
   }
   const auto underscore = cell.rfind('_');
   if (underscore == std::string_view::npos) return {std::string(cell), ""};

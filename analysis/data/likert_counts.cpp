@@ -123,7 +123,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean) {
   return largest;
 }
 
-std::optional<bool> isBeyondUnimodal(const LikertCounts& counts) {
+std::optional<bool> exceedsUnimodalVariance(const LikertCounts& counts) {
   const auto variance = counts.variance();
   const auto mean = counts.mean();
   if (!variance || !mean) return std::nullopt;

@@ -74,6 +74,6 @@ double largestUnimodalVariance(int lowest, int highest, double mean);
 /// Whether the answers vary more than any unimodal distribution with their mean can. If so, they
 /// have two peaks, and few answers lie near the mean. Compares the sample variance (n − 1) with the
 /// bound times n / (n − 1). std::nullopt for fewer than two answers.
-std::optional<bool> isBeyondUnimodal(const LikertCounts& counts);
+std::optional<bool> exceedsUnimodalVariance(const LikertCounts& counts);
 
 }  // namespace analysis

@@ -65,13 +65,13 @@ Moments momentsOf(std::span<const double> values) {
 }
 
 Moments momentsOf(const LikertCounts& counts) {
-  const auto n = static_cast<Wide>(counts.total());
-  Wide sum = 0;  // of answer − lowest point, which leaves the variance unchanged
-  Wide squares = 0;
-  Wide step = 0;
+  const auto n = static_cast<Int128>(counts.total());
+  Int128 sum = 0;  // of answer − lowest point, which leaves the variance unchanged
+  Int128 squares = 0;
+  Int128 step = 0;
   for (const std::uint64_t times : counts.counts()) {
-    sum += step * static_cast<Wide>(times);
-    squares += step * step * static_cast<Wide>(times);
+    sum += step * static_cast<Int128>(times);
+    squares += step * step * static_cast<Int128>(times);
     ++step;
   }
 

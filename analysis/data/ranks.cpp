@@ -38,7 +38,7 @@ Midranks midranksOf(std::span<const double> values) {
     std::size_t next = first;
     while (next < order.size() && values[order[next]] == values[order[first]]) ++next;
     for (std::size_t i = first; i < next; ++i) ranks.doubled[order[i]] = first + 1 + next;
-    const auto ties = static_cast<Wide>(next - first);
+    const auto ties = static_cast<Int128>(next - first);
     ranks.tieSum += ties * ties * ties - ties;
     first = next;
   }
@@ -63,16 +63,17 @@ TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> 
 }
 
 Placements placementsOf(const TiedGroups& groups) {
-  if (groups.exceedExactRanks()) throw std::invalid_argument("the groups are too large to rank");
+  if (groups.areTooLargeForExactRanks())
+    throw std::invalid_argument("the groups are too large to rank");
   Placements result;
-  Wide below1 = 0;
-  Wide below2 = 0;
+  Int128 below1 = 0;
+  Int128 below2 = 0;
   for (const auto& value : groups.values) {
-    const auto first = static_cast<Wide>(value.first);
-    const auto second = static_cast<Wide>(value.second);
-    const Wide inSecond = 2 * below2 + second;
-    const Wide inFirst = 2 * below1 + first;
-    const Wide ties = first + second;
+    const auto first = static_cast<Int128>(value.first);
+    const auto second = static_cast<Int128>(value.second);
+    const Int128 inSecond = 2 * below2 + second;
+    const Int128 inFirst = 2 * below1 + first;
+    const Int128 ties = first + second;
     result.sum1 += first * inSecond;
     result.sum2 += second * inFirst;
     result.squares1 += first * inSecond * inSecond;

@@ -13,7 +13,7 @@ namespace analysis {
 struct Midranks {
   /// Twice the rank, a whole number, in the order of the values.
   std::vector<std::uint64_t> doubled;
-  Wide tieSum = 0;  ///< Σ (t³ − t) over the groups of t equal values
+  Int128 tieSum = 0;  ///< Σ (t³ − t) over the groups of t equal values
 };
 
 /// @throws std::invalid_argument  if a value is infinite or NaN.
@@ -35,7 +35,9 @@ struct TiedGroups {
   std::uint64_t n2 = 0;
   std::vector<TiedValue> values;  ///< from the smallest to the largest; each occurs at least once
 
-  bool exceedExactRanks() const noexcept { return n1 > kMostInAGroup || n2 > kMostInAGroup; }
+  bool areTooLargeForExactRanks() const noexcept {
+    return n1 > kMostInAGroup || n2 > kMostInAGroup;
+  }
   bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }
 };
 
@@ -45,15 +47,15 @@ TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> 
 /// Sums of placements. The placement of a value is the number of smaller values in the other group,
 /// plus half the number of equal ones. Placements are doubled, so that they are whole numbers.
 struct Placements {
-  Wide sum1 = 0;      ///< of doubled placements of group 1: 2 U₁
-  Wide sum2 = 0;      ///< of group 2: 2 n₁ n₂ − 2 U₁
-  Wide squares1 = 0;  ///< of doubled placements of group 1
-  Wide squares2 = 0;
-  Wide equalPairs = 0;  ///< pairs of a value of group 1 and one of group 2 that are equal
-  Wide tieSum = 0;      ///< Σ (t³ − t) over all values of both groups together
+  Int128 sum1 = 0;      ///< of doubled placements of group 1: 2 U₁
+  Int128 sum2 = 0;      ///< of group 2: 2 n₁ n₂ − 2 U₁
+  Int128 squares1 = 0;  ///< of doubled placements of group 1
+  Int128 squares2 = 0;
+  Int128 equalPairs = 0;  ///< pairs of a value of group 1 and one of group 2 that are equal
+  Int128 tieSum = 0;      ///< Σ (t³ − t) over all values of both groups together
 };
 
-/// @param groups  exceedExactRanks() is false.
+/// @param groups  areTooLargeForExactRanks() is false.
 /// @throws std::invalid_argument  for larger groups.
 Placements placementsOf(const TiedGroups& groups);
 

@@ -49,7 +49,7 @@ struct TestRow {
 
   std::optional<double> p;            ///< two-sided unless docs/statistics.md says otherwise
   std::optional<double> log10P;       ///< defined even if p is too small for a double
-  bool isOfFamily = false;            ///< p is adjusted for the number of tests in a family
+  bool isInFamily = false;            ///< p is adjusted for the number of tests in a family
   std::optional<double> adjusted;     ///< p after the adjustment
   std::optional<bool> isSignificant;  ///< adjusted ≤ alpha
 

@@ -159,13 +159,13 @@ namespace {
 ///
 ///     (Σ(P − P̄)² + Σ(Q − Q̄)² − Σ(sign − δ)²) / (n₁n₂ (n₁ − 1)(n₂ − 1)).
 DoubleDouble unbiasedVariance(const TiedGroups& groups, const Placements& places) {
-  const auto n1 = static_cast<Wide>(groups.n1);
-  const auto n2 = static_cast<Wide>(groups.n2);
-  const Wide pairs = n1 * n2;
-  const Wide excess = places.sum1 - pairs;
-  const Wide numerator = pairs * (places.squares1 + places.squares2 - pairs + places.equalPairs) -
-                         n2 * places.sum1 * places.sum1 - n1 * places.sum2 * places.sum2 +
-                         excess * excess;
+  const auto n1 = static_cast<Int128>(groups.n1);
+  const auto n2 = static_cast<Int128>(groups.n2);
+  const Int128 pairs = n1 * n2;
+  const Int128 excess = places.sum1 - pairs;
+  const Int128 numerator = pairs * (places.squares1 + places.squares2 - pairs + places.equalPairs) -
+                           n2 * places.sum1 * places.sum1 - n1 * places.sum2 * places.sum2 +
+                           excess * excess;
   return exactQuotient(numerator, pairs) / exactQuotient(pairs, 1) /
          exactQuotient((n1 - 1) * (n2 - 1), 1);
 }
@@ -180,8 +180,8 @@ Interval fengCliffInterval(
 }
 
 void addSpread(CliffDelta& result, const TiedGroups& groups, const Placements& places, double z) {
-  const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);
-  const Wide excess = places.sum1 - pairs;
+  const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
+  const Int128 excess = places.sum1 - pairs;
   const DoubleDouble variance = unbiasedVariance(groups, places);
   result.variance = variance.high;
   if (excess == pairs || excess == -pairs) {
@@ -245,12 +245,12 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   CliffDelta result;
   result.n1 = groups.n1;
   result.n2 = groups.n2;
-  if (groups.isEmpty() || groups.exceedExactRanks()) {
+  if (groups.isEmpty() || groups.areTooLargeForExactRanks()) {
     result.reason = groups.isEmpty() ? reason("a_group_is_empty") : reason("groups_too_large");
     return result;
   }
   const Placements places = placementsOf(groups);
-  const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);
+  const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
   result.delta = exactQuotient(places.sum1 - pairs, pairs).high;
   result.probabilityOfSuperiority = exactQuotient(places.sum1, 2 * pairs).high;
   if (groups.n1 < 2 || groups.n2 < 2) {

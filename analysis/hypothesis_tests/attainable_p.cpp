@@ -87,7 +87,7 @@ AttainableP smallestVoteP(std::uint64_t n, int k) {
   return n < 2 ? AttainableP{} : power(k, static_cast<double>(n - 1));
 }
 
-std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons) {
+std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparisons) {
   requireLevel(alpha);
   if (comparisons == 0) throw std::invalid_argument("a family has at least one comparison");
   const double level = alpha / static_cast<double>(comparisons);
@@ -96,7 +96,7 @@ std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons) {
   return n;
 }
 
-std::optional<std::uint64_t> fewestVotesToWin(std::uint64_t n, int k, double alpha) {
+std::optional<std::uint64_t> fewestVotesForSignificance(std::uint64_t n, int k, double alpha) {
   requireLevel(alpha);
   requireOptions(k);
   std::optional<std::uint64_t> fewest;

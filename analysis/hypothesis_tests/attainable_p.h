@@ -47,13 +47,13 @@ AttainableP smallestVoteP(std::uint64_t n, int k);
 /// The fewest participants with whom an exact paired test can be significant, if it is one of a
 /// family of m with Bonferroni's correction: the smallest n with 2^(1 − n) ≤ α / m.
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no comparisons.
-std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons);
+std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparisons);
 
 /// The votes that one of k options needs for the exact multinomial test of equal shares to reach α,
 /// however the other votes are distributed. std::nullopt if not even all n votes suffice, or if
 /// there are too many votes for an exact test (see equalSharesP()).
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or fewer than two
 ///     options.
-std::optional<std::uint64_t> fewestVotesToWin(std::uint64_t n, int k, double alpha);
+std::optional<std::uint64_t> fewestVotesForSignificance(std::uint64_t n, int k, double alpha);
 
 }  // namespace analysis

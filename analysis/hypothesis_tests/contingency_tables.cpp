@@ -110,8 +110,8 @@ McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo)
   result.p = exact.p;
   result.log10P = exact.log10P;
   if (!exact.p) result.reason = reason("p_too_small");
-  const Wide difference = static_cast<Wide>(changedToYes) - static_cast<Wide>(changedToNo);
-  const auto changes = static_cast<Wide>(changedToYes) + static_cast<Wide>(changedToNo);
+  const Int128 difference = static_cast<Int128>(changedToYes) - static_cast<Int128>(changedToNo);
+  const auto changes = static_cast<Int128>(changedToYes) + static_cast<Int128>(changedToNo);
   result.chiSquared = exactQuotient(difference * difference, changes).high;
   result.pAsymptotic = chiSquaredP(*result.chiSquared, 1.0);
   return result;
@@ -144,7 +144,7 @@ using Counts = std::vector<std::uint64_t>;
 constexpr std::uint64_t kMostCounts = 300;
 constexpr std::uint64_t kMostTables = 500'000;
 constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
-constexpr double kAlike =
+constexpr double kEqualProbability =
     1e-20;  // relative difference below which probabilities of 31 digits count as equal
 
 /// Pascal's triangle in double-doubles (31 digits).
@@ -226,7 +226,7 @@ class Tables {
 
   void visit(const DoubleDouble& p) {
     ++visited_;
-    const bool isMore = (p - observed_).high > kAlike * observed_.high;
+    const bool isMore = (p - observed_).high > kEqualProbability * observed_.high;
     if (!isMore) sum_ = sum_ + p;
   }
 

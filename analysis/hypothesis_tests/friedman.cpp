@@ -16,7 +16,7 @@ namespace {
 
 using Block = std::vector<std::uint64_t>;
 constexpr std::size_t kMostMoves = 60'000'000;
-constexpr Wide kMostPermutations = Wide{1} << 126;  // what exactQuotient() can divide by
+constexpr Int128 kMostPermutations = Int128{1} << 126;  // what exactQuotient() can divide by
 
 /// The possible values of the doubled rank sums, minus 2 per block: a grid with one axis per
 /// treatment except the last, whose sum follows from the others.
@@ -52,13 +52,13 @@ std::optional<std::vector<std::size_t>> movesOf(Block block, const Grid& grid, s
 }
 
 /// Σ over treatments of (doubled rank sum − its mean)²
-Wide inequality(std::size_t cell, const Grid& grid, Wide blocks) {
-  const Wide treatments = static_cast<Wide>(grid.axes) + 1;
-  const Wide mean = blocks * (treatments - 1);  // of a doubled rank sum minus 2 per block
-  Wide rest = mean * treatments;
-  Wide sum = 0;
+Int128 inequality(std::size_t cell, const Grid& grid, Int128 blocks) {
+  const Int128 treatments = static_cast<Int128>(grid.axes) + 1;
+  const Int128 mean = blocks * (treatments - 1);  // of a doubled rank sum minus 2 per block
+  Int128 rest = mean * treatments;
+  Int128 sum = 0;
   for (std::size_t axis = 0; axis < grid.axes; ++axis) {
-    const auto place = static_cast<Wide>(cell % grid.width);
+    const auto place = static_cast<Int128>(cell % grid.width);
     cell /= grid.width;
     rest -= place;
     sum += (place - mean) * (place - mean);
@@ -68,8 +68,8 @@ Wide inequality(std::size_t cell, const Grid& grid, Wide blocks) {
 
 /// One step of the dynamic programming: the counts after one more block, which adds each of its
 /// permutations to every sum reached so far.
-std::vector<Wide> moved(const std::vector<Wide>& ways, const std::vector<std::size_t>& moves) {
-  std::vector<Wide> next(ways.size(), 0);
+std::vector<Int128> moved(const std::vector<Int128>& ways, const std::vector<std::size_t>& moves) {
+  std::vector<Int128> next(ways.size(), 0);
   for (std::size_t cell = 0; cell < ways.size(); ++cell) {
     if (ways[cell] == 0) continue;
     for (const std::size_t move : moves) next[cell + move] += ways[cell];
@@ -95,19 +95,19 @@ std::optional<double> friedmanPermutationP(std::span<const Block> doubledRanks) 
   if (!grid) return std::nullopt;
 
   const std::size_t mostMoves = kMostMoves / grid->cells / doubledRanks.size();
-  std::vector<Wide> ways(grid->cells, 0);
+  std::vector<Int128> ways(grid->cells, 0);
   ways[0] = 1;
-  Wide all = 1;
+  Int128 all = 1;
   for (const auto& block : doubledRanks) {
     const auto moves = movesOf(block, *grid, mostMoves);
-    if (!moves || all > kMostPermutations / static_cast<Wide>(moves->size())) return std::nullopt;
-    all *= static_cast<Wide>(moves->size());
+    if (!moves || all > kMostPermutations / static_cast<Int128>(moves->size())) return std::nullopt;
+    all *= static_cast<Int128>(moves->size());
     ways = moved(ways, *moves);
   }
 
-  const auto count = static_cast<Wide>(doubledRanks.size());
-  const Wide observed = inequality(cellOf(doubledRanks, *grid), *grid, count);
-  Wide asUnequal = 0;
+  const auto count = static_cast<Int128>(doubledRanks.size());
+  const Int128 observed = inequality(cellOf(doubledRanks, *grid), *grid, count);
+  Int128 asUnequal = 0;
   for (std::size_t cell = 0; cell < ways.size(); ++cell) {
     if (ways[cell] > 0 && inequality(cell, *grid, count) >= observed) asUnequal += ways[cell];
   }
@@ -119,34 +119,34 @@ namespace {
 /// The sums that the statistics are computed from, in whole numbers: ranks are doubled, so that
 /// midranks are whole, and ties are exact.
 struct Ranking {
-  Wide b = 0;
-  Wide k = 0;
+  Int128 b = 0;
+  Int128 k = 0;
   std::vector<std::vector<std::uint64_t>> doubledRanks;
-  std::vector<Wide> doubledSums;
-  Wide inequality = 0;  ///< Σ (doubled sum − its mean)²
-  Wide squares = 0;     ///< Σ of squared doubled ranks
+  std::vector<Int128> doubledSums;
+  Int128 inequality = 0;  ///< Σ (doubled sum − its mean)²
+  Int128 squares = 0;     ///< Σ of squared doubled ranks
   /// b k (k + 1)(k − 1) − Σ(t³ − t): zero if all ranks are tied in every block.
-  Wide denominator = 0;
+  Int128 denominator = 0;
 };
 
 Ranking rankingOf(std::span<const std::vector<double>> blocks) {
   Ranking ranking;
-  ranking.b = static_cast<Wide>(blocks.size());
-  ranking.k = blocks.empty() ? 0 : static_cast<Wide>(blocks.front().size());
+  ranking.b = static_cast<Int128>(blocks.size());
+  ranking.k = blocks.empty() ? 0 : static_cast<Int128>(blocks.front().size());
   ranking.doubledSums.assign(static_cast<std::size_t>(ranking.k), 0);
   ranking.denominator = ranking.b * ranking.k * (ranking.k + 1) * (ranking.k - 1);
   for (const auto& block : blocks) {
     const Midranks ranks = midranksOf(block);
     ranking.denominator -= ranks.tieSum;
     for (std::size_t j = 0; j < ranks.doubled.size(); ++j) {
-      const auto rank = static_cast<Wide>(ranks.doubled[j]);
+      const auto rank = static_cast<Int128>(ranks.doubled[j]);
       ranking.doubledSums[j] += rank;
       ranking.squares += rank * rank;
     }
     ranking.doubledRanks.push_back(ranks.doubled);
   }
-  for (const Wide sum : ranking.doubledSums) {
-    const Wide excess = sum - ranking.b * (ranking.k + 1);
+  for (const Int128 sum : ranking.doubledSums) {
+    const Int128 excess = sum - ranking.b * (ranking.k + 1);
     ranking.inequality += excess * excess;
   }
   return ranking;
@@ -166,8 +166,8 @@ void requireRows(std::span<const std::vector<double>> blocks) {
 
 void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
   if (ranking.b < 2) return;
-  const Wide above = 3 * (ranking.b - 1) * ranking.inequality;
-  const Wide under = ranking.b * ranking.denominator - 3 * ranking.inequality;
+  const Int128 above = 3 * (ranking.b - 1) * ranking.inequality;
+  const Int128 under = ranking.b * ranking.denominator - 3 * ranking.inequality;
   if (under == 0) {
     result.imanDavenportF = std::numeric_limits<double>::infinity();
     result.imanDavenportP = 0.0;
@@ -182,8 +182,8 @@ void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
 }
 
 RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t second) {
-  const Wide difference = ranking.doubledSums[first] - ranking.doubledSums[second];
-  const Wide size = difference < 0 ? -difference : difference;
+  const Int128 difference = ranking.doubledSums[first] - ranking.doubledSums[second];
+  const Int128 size = difference < 0 ? -difference : difference;
   RankComparison pair{.first = first, .second = second, .conoverT = {}, .conoverP = {}};
   pair.meanRankDifference = exactQuotient(difference, 2 * ranking.b).high;
 
@@ -195,10 +195,10 @@ RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t s
   pair.nemenyiLog10P = log10StudentizedRangeP(pair.nemenyiQ, static_cast<std::size_t>(ranking.k));
 
   // Conover's variance, 2 (b Σr² − ΣR²) / ((b − 1)(k − 1)), of doubled ranks.
-  Wide sumsSquared = 0;
-  for (const Wide sum : ranking.doubledSums) sumsSquared += sum * sum;
-  const Wide residual = ranking.b * ranking.squares - sumsSquared;
-  const Wide df = (ranking.b - 1) * (ranking.k - 1);
+  Int128 sumsSquared = 0;
+  for (const Int128 sum : ranking.doubledSums) sumsSquared += sum * sum;
+  const Int128 residual = ranking.b * ranking.squares - sumsSquared;
+  const Int128 df = (ranking.b - 1) * (ranking.k - 1);
   if (residual > 0 && df > 0) {
     const DoubleDouble deviation = squareRoot(exactQuotient(2 * residual, df));
     pair.conoverT = (exactQuotient(difference, 1) / deviation).high;
@@ -236,7 +236,7 @@ FriedmanResult friedmanTest(std::span<const std::vector<double>> blocks) {
   FriedmanResult result;
   result.blocks = blocks.size();
   result.treatments = blocks.empty() ? 0 : blocks.front().size();
-  for (const Wide sum : ranking.doubledSums) {
+  for (const Int128 sum : ranking.doubledSums) {
     result.rankSums.push_back(exactQuotient(sum, 2).high);
   }
   if (blocks.empty()) {

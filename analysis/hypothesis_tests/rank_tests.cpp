@@ -69,7 +69,7 @@ std::vector<DoubleDouble> waysTo(const ReducedRanks& ranks, std::size_t chosen) 
 
 }  // namespace
 
-bool RankSums::canHold(const TiedGroups& groups) {
+bool RankSums::isComputable(const TiedGroups& groups) {
   if (groups.n1 > kMostValues || groups.n2 > kMostValues) return false;
   const std::uint64_t all = groups.n1 + groups.n2;
   if (all > kMostValues) return false;
@@ -79,7 +79,7 @@ bool RankSums::canHold(const TiedGroups& groups) {
 }
 
 RankSums::RankSums(const TiedGroups& groups) {
-  if (!canHold(groups)) throw std::invalid_argument("too many rank sums to compute their law");
+  if (!isComputable(groups)) throw std::invalid_argument("too many rank sums to compute their law");
   if (groups.isEmpty()) throw std::invalid_argument("a group has no values");
   const bool isFirst = groups.n1 <= groups.n2;
   const auto chosen = static_cast<std::int64_t>(std::min(groups.n1, groups.n2));
@@ -118,7 +118,7 @@ double RankSums::atLeast(std::int64_t doubledU) const {
   return sum.high;
 }
 
-double RankSums::atLeastAsFar(std::int64_t doubledU) const {
+double RankSums::twoSidedByDistance(std::int64_t doubledU) const {
   const std::int64_t distance = std::abs(doubledU - mean_);
   DoubleDouble sum;
   for (std::size_t i = 0; i < probabilities_.size(); ++i) {
@@ -132,12 +132,12 @@ namespace {
 Reason whyNotRanked(const TiedGroups& groups) {
   if (groups.n1 == 0) return reason("group_is_empty", 1);
   if (groups.n2 == 0) return reason("group_is_empty", 2);
-  if (groups.exceedExactRanks()) return reason("groups_too_large");
+  if (groups.areTooLargeForExactRanks()) return reason("groups_too_large");
   return {};
 }
 
-void addExact(MannWhitneyResult& result, const TiedGroups& groups, Wide doubledU) {
-  if (!RankSums::canHold(groups)) {
+void addExact(MannWhitneyResult& result, const TiedGroups& groups, Int128 doubledU) {
+  if (!RankSums::isComputable(groups)) {
     result.reason = reason("too_many_values");
     return;
   }
@@ -146,13 +146,13 @@ void addExact(MannWhitneyResult& result, const TiedGroups& groups, Wide doubledU
   result.pLess = law.atMost(u);
   result.pGreater = law.atLeast(u);
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
-  result.pAbs = law.atLeastAsFar(u);
+  result.pAbs = law.twoSidedByDistance(u);
 }
 
 void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {
-  const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);
-  const auto all = static_cast<Wide>(groups.n1) + static_cast<Wide>(groups.n2);
-  const Wide untied = all * all * all - all - places.tieSum;
+  const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
+  const auto all = static_cast<Int128>(groups.n1) + static_cast<Int128>(groups.n2);
+  const Int128 untied = all * all * all - all - places.tieSum;
   const DoubleDouble variance =
       exactQuotient(untied, 12 * all * (all - 1)) * exactQuotient(pairs, 1);
   result.variance = variance.high;
@@ -160,9 +160,9 @@ void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Pl
     result.reason = reason("all_values_equal");
     return;
   }
-  const Wide excess = places.sum1 - pairs;  // 2 (U − its mean)
+  const Int128 excess = places.sum1 - pairs;  // 2 (U − its mean)
   // The continuity correction moves U by ½, that is 2U by 1, towards its mean.
-  const Wide corrected = excess > 0 ? excess - 1 : excess < 0 ? excess + 1 : 0;
+  const Int128 corrected = excess > 0 ? excess - 1 : excess < 0 ? excess + 1 : 0;
   const DoubleDouble deviation = squareRoot(variance) * 2.0;
   result.z = (exactQuotient(excess, 1) / deviation).high;
   result.pAsymptotic = normalTwoSidedP(*result.z);
@@ -195,12 +195,12 @@ namespace {
 Reason whyUndefined(const TiedGroups& groups) {
   if (groups.n1 < 2) return reason("fewer_than_two", 1);
   if (groups.n2 < 2) return reason("fewer_than_two", 2);
-  if (groups.exceedExactRanks()) return reason("groups_too_large");
+  if (groups.areTooLargeForExactRanks()) return reason("groups_too_large");
   return {};
 }
 
 /// 4 n S²: n Σ (2 placement)² − (Σ 2 placement)², over n − 1.
-DoubleDouble spread(Wide n, Wide sum, Wide squares) {
+DoubleDouble spread(Int128 n, Int128 sum, Int128 squares) {
   return exactQuotient(n * squares - sum * sum, n - 1);
 }
 
@@ -214,9 +214,9 @@ void addProbabilities(BrunnerMunzelResult& result) {
 }
 
 void addTest(BrunnerMunzelResult& result, const Placements& places) {
-  const auto n1 = static_cast<Wide>(result.n1);
-  const auto n2 = static_cast<Wide>(result.n2);
-  const Wide excess = n1 * n2 - places.sum1;  // n₁n₂ − 2U
+  const auto n1 = static_cast<Int128>(result.n1);
+  const auto n2 = static_cast<Int128>(result.n2);
+  const Int128 excess = n1 * n2 - places.sum1;  // n₁n₂ − 2U
   const DoubleDouble spread1 = spread(n1, places.sum1, places.squares1);
   const DoubleDouble spread2 = spread(n2, places.sum2, places.squares2);
   const DoubleDouble both = spread1 + spread2;
@@ -247,10 +247,10 @@ BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups) {
   result.n1 = groups.n1;
   result.n2 = groups.n2;
   result.reason = whyUndefined(groups);
-  if (groups.isEmpty() || groups.exceedExactRanks()) return result;
+  if (groups.isEmpty() || groups.areTooLargeForExactRanks()) return result;
 
   const Placements places = placementsOf(groups);
-  const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);
+  const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
   result.probability = exactQuotient(places.sum2, 2 * pairs).high;
   if (result.reason.empty()) addTest(result, places);
   return result;

@@ -19,9 +19,9 @@ class RankSums {
  public:
   /// Whether the distribution fits into memory and is computed within about a second: two groups of
   /// some 50 values.
-  static bool canHold(const TiedGroups& groups);
+  static bool isComputable(const TiedGroups& groups);
 
-  /// @throws std::invalid_argument  for groups that canHold() refuses, and for an empty one.
+  /// @throws std::invalid_argument  for groups that isComputable() refuses, and for an empty one.
   explicit RankSums(const TiedGroups& groups);
 
   /// P(2U ≤ u)
@@ -29,7 +29,7 @@ class RankSums {
   /// P(2U ≥ u)
   double atLeast(std::int64_t doubledU) const;
   /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): at least as far from the mean as u.
-  double atLeastAsFar(std::int64_t doubledU) const;
+  double twoSidedByDistance(std::int64_t doubledU) const;
 
  private:
   std::int64_t doubledUAt(std::size_t index) const;

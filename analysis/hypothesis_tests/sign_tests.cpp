@@ -53,9 +53,9 @@ namespace {
 /// Doubled ranks of the differences that are not zero.
 struct SignedRanks {
   std::vector<std::uint64_t> doubled;
-  Wide positiveSum = 0;
-  Wide sum = 0;
-  Wide squares = 0;
+  Int128 positiveSum = 0;
+  Int128 sum = 0;
+  Int128 squares = 0;
 };
 
 SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
@@ -71,7 +71,7 @@ SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
   SignedRanks ranks;
   for (std::size_t i = 0; i < signs.size(); ++i) {
     if (signs[i] == 0) continue;
-    const auto rank = static_cast<Wide>(midranks.doubled[i]);
+    const auto rank = static_cast<Int128>(midranks.doubled[i]);
     ranks.doubled.push_back(midranks.doubled[i]);
     ranks.sum += rank;
     ranks.squares += rank * rank;
@@ -93,9 +93,9 @@ void addExact(SignedRankResult& result, const SignedRanks& ranks) {
 }
 
 void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
-  const Wide excess = 2 * ranks.positiveSum - ranks.sum;  // 4 (V − its mean)
+  const Int128 excess = 2 * ranks.positiveSum - ranks.sum;  // 4 (V − its mean)
   // The continuity correction moves V by ½, that is 4V by 2, towards its mean.
-  const Wide corrected = excess > 0 ? excess - 2 : excess < 0 ? excess + 2 : 0;
+  const Int128 corrected = excess > 0 ? excess - 2 : excess < 0 ? excess + 2 : 0;
   const DoubleDouble deviation = squareRoot(exactQuotient(ranks.squares, 1));
   result.rankBiserial = exactQuotient(excess, ranks.sum).high;
   result.z = (exactQuotient(excess, 1) / deviation).high;
@@ -126,19 +126,19 @@ SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros
 
 namespace {
 
-using Integers = std::vector<Wide>;
+using Integers = std::vector<Int128>;
 constexpr std::size_t kMostEnumerated = 40;  // two halves of 2^20 sums each
 
 /// A double as mantissa · 2^exponent.
 struct Binary {
-  Wide mantissa = 0;
+  Int128 mantissa = 0;
   int exponent = 0;
 };
 
 Binary mantissaAndExponent(double number) {
   constexpr int kBits = 53;
   Binary binary;
-  binary.mantissa = static_cast<Wide>(std::ldexp(std::frexp(number, &binary.exponent), kBits));
+  binary.mantissa = static_cast<Int128>(std::ldexp(std::frexp(number, &binary.exponent), kBits));
   binary.exponent -= kBits;
   for (; binary.mantissa % 2 == 0; binary.mantissa /= 2) ++binary.exponent;
   return binary;
@@ -156,17 +156,17 @@ std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
   Integers integers;
   for (const auto& binary : binaries) {
     if (binary.exponent - least > kMostShift) return std::nullopt;
-    integers.push_back(binary.mantissa * (Wide{1} << (binary.exponent - least)));
+    integers.push_back(binary.mantissa * (Int128{1} << (binary.exponent - least)));
   }
   return integers;
 }
 
 /// The sums of all subsets, from the smallest: merging two sorted lists keeps them sorted.
-Integers subsetSums(std::span<const Wide> weights) {
+Integers subsetSums(std::span<const Int128> weights) {
   Integers sums{0};
-  for (const Wide weight : weights) {
+  for (const Int128 weight : weights) {
     Integers with = sums;
-    for (Wide& sum : with) sum += weight;
+    for (Int128& sum : with) sum += weight;
     Integers merged(2 * sums.size());
     std::ranges::merge(sums, with, merged.begin());
     sums = std::move(merged);
@@ -177,12 +177,12 @@ Integers subsetSums(std::span<const Wide> weights) {
 /// How many subsets have a sum of at least `least`, by meeting in the middle (Horowitz & Sahni
 /// 1974): for the sums of one half in ascending order, the smallest sufficient sum of the other
 /// half descends. 2^(n/2) sums in place of 2ⁿ.
-std::uint64_t subsetsOfAtLeast(std::span<const Wide> weights, Wide least) {
+std::uint64_t subsetsOfAtLeast(std::span<const Int128> weights, Int128 least) {
   const Integers lower = subsetSums(weights.first(weights.size() / 2));
   const Integers upper = subsetSums(weights.subspan(weights.size() / 2));
   std::uint64_t count = 0;
   std::size_t enough = upper.size();
-  for (const Wide sum : lower) {
+  for (const Int128 sum : lower) {
     while (enough > 0 && sum + upper[enough - 1] >= least) --enough;
     count += upper.size() - enough;
   }
@@ -190,16 +190,16 @@ std::uint64_t subsetsOfAtLeast(std::span<const Wide> weights, Wide least) {
 }
 
 /// The magnitudes of the differences, their sum, and the sum of the positive ones.
-struct Flips {
+struct SignFlips {
   Integers sizes;
-  Wide positive = 0;
-  Wide total = 0;
+  Int128 positive = 0;
+  Int128 total = 0;
 };
 
-Flips flipsOf(const Integers& integers) {
-  Flips flips;
-  for (const Wide number : integers) {
-    const Wide size = number < 0 ? -number : number;
+SignFlips flipsOf(const Integers& integers) {
+  SignFlips flips;
+  for (const Int128 number : integers) {
+    const Int128 size = number < 0 ? -number : number;
     if (number > 0) flips.positive += size;
     flips.total += size;
     flips.sizes.push_back(size);
@@ -207,9 +207,9 @@ Flips flipsOf(const Integers& integers) {
   return flips;
 }
 
-void addEnumerated(SignFlipResult& result, const Flips& flips) {
+void addEnumerated(SignFlipResult& result, const SignFlips& flips) {
   const double all = std::ldexp(1.0, static_cast<int>(flips.sizes.size()));
-  const auto atLeast = [&](Wide sum) {
+  const auto atLeast = [&](Int128 sum) {
     return static_cast<double>(subsetsOfAtLeast(flips.sizes, sum)) / all;
   };
   result.pGreater = atLeast(flips.positive);
@@ -219,9 +219,9 @@ void addEnumerated(SignFlipResult& result, const Flips& flips) {
 
 /// Computes p from the distribution of all sums. Returns false if there are too many different
 /// sums.
-bool addBySums(SignFlipResult& result, const Flips& flips) {
+bool addBySums(SignFlipResult& result, const SignFlips& flips) {
   std::vector<std::uint64_t> weights;
-  for (const Wide size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
+  for (const Int128 size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
   if (!SubsetSums::isFeasible(weights)) return false;
 
   const SubsetSums law(weights);
@@ -254,7 +254,7 @@ SignFlipResult signFlipTest(std::span<const double> differences) {
     result.reason = reason("sizes_too_unlike");
     return result;
   }
-  const Flips flips = integers ? flipsOf(*integers) : Flips{};
+  const SignFlips flips = integers ? flipsOf(*integers) : SignFlips{};
   if (common && addBySums(result, flips)) return result;
   if (areFew) {
     addEnumerated(result, flips);

@@ -12,8 +12,8 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kTooMany = 127;           // both votes and options must be fewer
-constexpr Wide kMostOutcomes = Wide{1} << 126;  // what exactQuotient() can divide by
+constexpr std::size_t kTooMany = 127;               // both votes and options must be fewer
+constexpr Int128 kMostOutcomes = Int128{1} << 126;  // what exactQuotient() can divide by
 
 /// Pascal's triangle up to the largest number of votes, kTooMany − 1.
 class Binomials {
@@ -24,10 +24,10 @@ class Binomials {
       for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
     }
   }
-  Wide operator()(std::size_t n, std::size_t k) const { return rows_[n][k]; }
+  Int128 operator()(std::size_t n, std::size_t k) const { return rows_[n][k]; }
 
  private:
-  std::array<std::array<Wide, kTooMany>, kTooMany> rows_{};
+  std::array<std::array<Int128, kTooMany>, kTooMany> rows_{};
 };
 
 const Binomials& binomials() {
@@ -39,19 +39,23 @@ const Binomials& binomials() {
 /// together.
 class Outcomes {
  public:
-  explicit Outcomes(Wide observed) : observed_(observed) {}
+  explicit Outcomes(Int128 observed) : observed_(observed) {}
 
   /// Distributes the remaining @p votes over the remaining @p options, none of which gets more than
   /// @p largest. The counts chosen so far arise from @p orders orders of the votes and can be
   /// assigned to options in @p placements ways.
   void visit(
-      std::size_t votes, std::size_t options, std::size_t largest, Wide orders, Wide placements) {
+      std::size_t votes,
+      std::size_t options,
+      std::size_t largest,
+      Int128 orders,
+      Int128 placements) {
     if (votes == 0) {
       if (orders <= observed_) notMoreProbable_ += orders * placements;
       return;
     }
     for (std::size_t each = std::min(largest, votes); each * options >= votes && each > 0; --each) {
-      Wide ordersHere = orders;
+      Int128 ordersHere = orders;
       for (std::size_t alike = 1; alike <= options && alike * each <= votes; ++alike) {
         const std::size_t left = votes - alike * each;
         ordersHere *= binomials()(left + each, each);
@@ -60,27 +64,27 @@ class Outcomes {
       }
     }
   }
-  Wide notMoreProbable() const { return notMoreProbable_; }
+  Int128 notMoreProbable() const { return notMoreProbable_; }
 
  private:
-  Wide observed_;
-  Wide notMoreProbable_ = 0;
+  Int128 observed_;
+  Int128 notMoreProbable_ = 0;
 };
 
 /// kⁿ, or std::nullopt if it does not fit.
-std::optional<Wide> outcomeCount(std::size_t options, std::uint64_t votes) {
+std::optional<Int128> outcomeCount(std::size_t options, std::uint64_t votes) {
   if (options >= kTooMany || votes >= kTooMany) return std::nullopt;
-  Wide count = 1;
+  Int128 count = 1;
   for (std::uint64_t i = 0; i < votes; ++i) {
-    if (count > kMostOutcomes / static_cast<Wide>(options)) return std::nullopt;
-    count *= static_cast<Wide>(options);
+    if (count > kMostOutcomes / static_cast<Int128>(options)) return std::nullopt;
+    count *= static_cast<Int128>(options);
   }
   return count;
 }
 
 /// n! / (v₁! … v_k!)
-Wide ordersOf(const std::vector<VoteShare>& shares) {
-  Wide orders = 1;
+Int128 ordersOf(const std::vector<VoteShare>& shares) {
+  Int128 orders = 1;
   std::size_t votes = 0;
   for (const auto& share : shares) {
     votes += share.votes;
@@ -105,19 +109,19 @@ namespace {
 
 /// k ΣGⱼ² − (ΣGⱼ)² and k ΣLᵢ − ΣLᵢ²
 struct CochranSums {
-  Wide above = 0;
-  Wide under = 0;
+  Int128 above = 0;
+  Int128 under = 0;
   std::uint64_t undecided = 0;
 };
 
 CochranSums sumsOf(std::span<const std::vector<bool>> answers) {
   const std::size_t options = answers.front().size();
-  const auto k = static_cast<Wide>(options);
-  std::vector<Wide> yesTo(options, 0);
+  const auto k = static_cast<Int128>(options);
+  std::vector<Int128> yesTo(options, 0);
   CochranSums sums;
-  Wide all = 0;
+  Int128 all = 0;
   for (const auto& person : answers) {
-    Wide yes = 0;
+    Int128 yes = 0;
     for (std::size_t j = 0; j < options; ++j) {
       if (!person[j]) continue;
       ++yesTo[j];
@@ -127,7 +131,7 @@ CochranSums sumsOf(std::span<const std::vector<bool>> answers) {
     sums.under += k * yes - yes * yes;
     all += yes;
   }
-  for (const Wide yes : yesTo) sums.above += k * yes * yes;
+  for (const Int128 yes : yesTo) sums.above += k * yes * yes;
   sums.above -= all * all;
   return sums;
 }
@@ -161,11 +165,11 @@ EqualSharesResult equalSharesTest(const VoteCounts& votes) {
     result.reason = reason("nobody_voted");
     return result;
   }
-  const auto n = static_cast<Wide>(result.votes);
-  const auto k = static_cast<Wide>(shares.size());
-  Wide squares = 0;
+  const auto n = static_cast<Int128>(result.votes);
+  const auto k = static_cast<Int128>(shares.size());
+  Int128 squares = 0;
   for (const auto& share : shares)
-    squares += static_cast<Wide>(share.votes) * static_cast<Wide>(share.votes);
+    squares += static_cast<Int128>(share.votes) * static_cast<Int128>(share.votes);
   result.exactP = equalSharesP(votes);
   if (!result.exactP) result.reason = reason("too_many_votes");
   result.chiSquared = exactQuotient(k * squares - n * n, n).high;
@@ -189,7 +193,7 @@ CochranResult cochranQTest(std::span<const std::vector<bool>> answers) {
     result.reason = reason("same_to_all");
     return result;
   }
-  const auto k = static_cast<Wide>(answers.front().size());
+  const auto k = static_cast<Int128>(answers.front().size());
   result.q = exactQuotient((k - 1) * sums.above, sums.under).high;
   result.degreesOfFreedom = static_cast<double>(k - 1);
   result.p = chiSquaredP(*result.q, *result.degreesOfFreedom);

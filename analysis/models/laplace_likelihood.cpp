@@ -14,9 +14,9 @@ using Eigen::VectorXd;
 
 constexpr int kMostSteps = 100;
 constexpr int kMostHalvings = 40;
-constexpr double kNoFallLeft = 1e-18;  // of the penalised likelihood: u is accurate to 1e-9, and
-                                       // Newton's last step squares the error
-constexpr double kRounding = 1e-13;    // by which rounding can make a sum of logarithms rise
+constexpr double kNegligibleDecrease = 1e-18;  // of the penalised likelihood: u is accurate to
+                                               // 1e-9, and Newton's last step squares the error
+constexpr double kRounding = 1e-13;  // by which rounding can make a sum of logarithms rise
 // Step of the central differences for the Hessian. Their truncation error, about the square of the
 // step, is then about as large as the rounding error, 1e-14 divided by the step.
 constexpr double kDifference = 5e-5;
@@ -194,7 +194,7 @@ VectorXd LaplaceLikelihood::newtonStep(const Mode& mode) {
   system_.compute(d);
   const VectorXd downhill = mode.z * each(mode.answers, &CumulativeLogit::slope) - mode.u;
   const VectorXd step = system_.solve(downhill);
-  return step.dot(downhill) > kNoFallLeft ? step : VectorXd::Zero(u_.size());
+  return step.dot(downhill) > kNegligibleDecrease ? step : VectorXd::Zero(u_.size());
 }
 
 std::optional<LaplaceLikelihood::Mode> LaplaceLikelihood::findMode(const VectorXd& parameters) {

@@ -204,13 +204,13 @@ MetaAnalysis pooled(std::span<const EstimateWithError> sites, double level) {
   return Pooling(sites, level).all();
 }
 
-PooledEstimate pooledQuickly(std::span<const EstimateWithError> sites, double level) {
+PooledEstimate pooledToFourDigits(std::span<const EstimateWithError> sites, double level) {
   constexpr double kQuick = 1e-6;  // relative, of τ²: the results keep four digits
   const Pooling pooling(sites, level, kQuick);
   return pooling.knappHartung(pooling.reml());
 }
 
-std::vector<PooledEstimate> withoutEach(std::span<const EstimateWithError> sites, double level) {
+std::vector<PooledEstimate> leaveOneOut(std::span<const EstimateWithError> sites, double level) {
   std::vector<PooledEstimate> results;
   if (sites.size() < 3) return results;
   for (std::size_t i = 0; i < sites.size(); ++i) {

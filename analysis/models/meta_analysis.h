@@ -56,9 +56,9 @@ MetaAnalysis pooled(std::span<const EstimateWithError> sites, double level);
 
 /// Only MetaAnalysis::knappHartung, to four digits: for simulations of thousands of studies.
 /// @throws std::invalid_argument  as pooled().
-PooledEstimate pooledQuickly(std::span<const EstimateWithError> sites, double level);
+PooledEstimate pooledToFourDigits(std::span<const EstimateWithError> sites, double level);
 
 /// MetaAnalysis::knappHartung with each site left out in turn; empty for fewer than three sites.
-std::vector<PooledEstimate> withoutEach(std::span<const EstimateWithError> sites, double level);
+std::vector<PooledEstimate> leaveOneOut(std::span<const EstimateWithError> sites, double level);
 
 }  // namespace analysis

@@ -258,8 +258,8 @@ double FisherDistribution::log10UpperP(double f) const {
 double FisherDistribution::upperQuantile(double p) const {
   if (!(p > 0.0 && p < 1.0)) throw std::invalid_argument("a probability lies between 0 and 1");
   using namespace boost::math::policies;
-  using InfiniteBeyondADouble = policy<overflow_error<ignore_error>>;
-  const boost::math::fisher_f_distribution<double, InfiniteBeyondADouble> distribution(
+  using OverflowToInfinity = policy<overflow_error<ignore_error>>;
+  const boost::math::fisher_f_distribution<double, OverflowToInfinity> distribution(
       degreesOfFreedom1_, degreesOfFreedom2_);
   return boost::math::quantile(boost::math::complement(distribution, p));
 }

@@ -13,7 +13,7 @@ DoubleDouble orderedSum(double a, double b) noexcept {
   return {sum, b - (sum - a)};
 }
 
-constexpr Wide kOne = 1;
+constexpr Int128 kOne = 1;
 constexpr int kDigits = 120;  // binary digits; a double-double has at least 106
 
 constexpr std::int64_t kMostParts = 1000;
@@ -93,12 +93,12 @@ std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcep
   return isHeld ? std::optional(nearest) : std::nullopt;
 }
 
-DoubleDouble exactQuotient(Wide numerator, Wide denominator) {
+DoubleDouble exactQuotient(Int128 numerator, Int128 denominator) {
   if (numerator < 0) return -exactQuotient(-numerator, denominator);
   if (numerator == 0) return 0.0;
 
-  Wide quotient = numerator / denominator;
-  Wide rest = numerator % denominator;
+  Int128 quotient = numerator / denominator;
+  Int128 rest = numerator % denominator;
   int exponent = 0;
   // Long division in base 2, until the quotient has enough digits.
   for (; quotient < (kOne << (kDigits - 1)); --exponent) {
@@ -110,7 +110,7 @@ DoubleDouble exactQuotient(Wide numerator, Wide denominator) {
   if (rest != 0) quotient |= 1;
 
   const auto high = static_cast<double>(quotient);
-  const auto low = static_cast<double>(quotient - static_cast<Wide>(high));
+  const auto low = static_cast<double>(quotient - static_cast<Int128>(high));
   return scaled({high, low}, exponent);
 }
 

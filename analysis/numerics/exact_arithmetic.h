@@ -47,14 +47,14 @@ DoubleDouble scaled(const DoubleDouble& number, int exponent) noexcept;
 std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcept;
 
 /// A 128-bit integer, for sums of squares of very many answers.
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 
 /// The quotient of two whole numbers, to the precision of a DoubleDouble; `high` is the correctly
 /// rounded double.
 ///
 /// @param numerator    less than 2^127 in magnitude
 /// @param denominator  between 1 and 2^126
-DoubleDouble exactQuotient(Wide numerator, Wide denominator);
+DoubleDouble exactQuotient(Int128 numerator, Int128 denominator);
 
 /// Numbers represented as multiples / denominator.
 struct ScaledIntegers {

@@ -117,7 +117,7 @@ double lowerTail(const std::vector<int>& doubled, int least) {
   return std::ldexp(all, -static_cast<int>(doubled.size()));
 }
 
-double rankP(const std::vector<int>& differences) {
+double signedRankP(const std::vector<int>& differences) {
   std::vector<int> sizes;
   for (const int d : differences) {
     if (d != 0) sizes.push_back(std::abs(d));
@@ -180,7 +180,9 @@ class Trial {
     return spread > 0.0 && std::abs(sum) * std::sqrt(n - 1.0) > criticalT_ * std::sqrt(spread);
   }
 
-  bool signedRank(std::size_t a, std::size_t b) const { return rankP(differences(a, b)) <= level_; }
+  bool signedRank(std::size_t a, std::size_t b) const {
+    return signedRankP(differences(a, b)) <= level_;
+  }
 
   bool pooledWelch(std::size_t a, std::size_t b) {
     const double n = static_cast<double>(sums_.size()) * answers_;

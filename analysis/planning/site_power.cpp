@@ -64,7 +64,7 @@ class SiteTrial {
       if (spread > 0.0) known.push_back({mean, std::sqrt(spread / (n * (n - 1.0)))});
     }
     if (known.size() < 2) return std::nullopt;
-    return pooledQuickly(known, family_);
+    return pooledToFourDigits(known, family_);
   }
 
   bool finds(const std::optional<PooledEstimate>& difference) const {

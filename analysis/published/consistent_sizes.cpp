@@ -10,10 +10,10 @@
 
 namespace analysis {
 
-TWindow::TWindow(const Interval& p, const PublishedConvention& convention)
+PValueWindow::PValueWindow(const Interval& p, const PublishedConvention& convention)
     : p_(p), convention_(convention), limits_(1) {}
 
-const TWindow::Limits& TWindow::limitsAt(std::size_t degreesOfFreedom) const {
+const PValueWindow::Limits& PValueWindow::limitsAt(std::size_t degreesOfFreedom) const {
   const double tails = convention_.tails == PublishedConvention::Tails::Two ? 1.0 : 2.0;
   while (limits_.size() <= degreesOfFreedom) {
     const StudentDistribution law(static_cast<double>(limits_.size()));
@@ -26,7 +26,7 @@ const TWindow::Limits& TWindow::limitsAt(std::size_t degreesOfFreedom) const {
   return limits_[degreesOfFreedom];
 }
 
-bool TWindow::holds(const LatticePoint& group1, const LatticePoint& group2) const {
+bool PValueWindow::holds(const LatticePoint& group1, const LatticePoint& group2) const {
   constexpr double kMargin = 1e-9;  // of t: if t is nearer to a limit, p is computed
   const auto spread =
       spreadOfDifference(convention_.test, group1.variance, group1.n, group2.variance, group2.n);
@@ -116,7 +116,7 @@ class SizeSearch {
 
  private:
   void addAgreements(const PublishedComparison& comparison) {
-    const TWindow window(comparison.p.bounds(convention_.reading), convention_);
+    const PValueWindow window(comparison.p.bounds(convention_.reading), convention_);
     auto& table = agreements_.emplace_back();
     for (const auto& points1 : points_[comparison.first]) {
       auto& row = table.emplace_back();
@@ -129,7 +129,7 @@ class SizeSearch {
   static Agreement agreementOf(
       const std::vector<LatticePoint>& points1,
       const std::vector<LatticePoint>& points2,
-      const TWindow& window) {
+      const PValueWindow& window) {
     Agreement agreement;
     agreement.forward.assign(points1.size(), Bits((points2.size() + kWordBits - 1) / kWordBits, 0));
     agreement.backward.assign(
@@ -208,7 +208,7 @@ class SizeSearch {
   }
 
   void addExample(ConsistentSizes& result) const {
-    const auto fewest = result.fewestMissing();
+    const auto fewest = result.largestFittingSizes();
     if (!fewest) return;
     std::vector<std::size_t> at;
     std::vector<Bits> left;
@@ -253,7 +253,7 @@ std::vector<std::uint64_t> ConsistentSizes::equalSizes() const {
   return equal;
 }
 
-std::optional<GroupSizes> ConsistentSizes::fewestMissing() const {
+std::optional<GroupSizes> ConsistentSizes::largestFittingSizes() const {
   const auto total = [](const GroupSizes& sizes) {
     return std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
   };

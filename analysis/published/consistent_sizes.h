@@ -17,9 +17,9 @@ namespace analysis {
 ///
 /// Compares t with the quantiles at the whole degrees of freedom below and above, which decides
 /// most pairs; p is computed only for a t between these.
-class TWindow {
+class PValueWindow {
  public:
-  TWindow(const Interval& p, const PublishedConvention& convention);
+  PValueWindow(const Interval& p, const PublishedConvention& convention);
 
   /// @param group1  and group2: with at least two answers.
   bool holds(const LatticePoint& group1, const LatticePoint& group2) const;
@@ -48,14 +48,14 @@ struct ConsistentSizes {
   std::vector<GroupSizes> fitting;
   /// For each group, the sizes that its mean and variance alone allow (GRIM, GRIMMER).
   std::vector<std::vector<std::uint64_t>> possible;
-  /// Answers that reproduce the whole row at the sizes of fewestMissing(): for each group, the
-  /// count of each point of the scale from the lowest. Empty if no sizes fit.
+  /// Answers that reproduce the whole row at the sizes of largestFittingSizes(): for each group,
+  /// the count of each point of the scale from the lowest. Empty if no sizes fit.
   std::vector<std::vector<std::uint64_t>> example;
 
   /// The sizes that fit if all groups have the same size.
   std::vector<std::uint64_t> equalSizes() const;
   /// The fitting combination with the largest total; the first one of several.
-  std::optional<GroupSizes> fewestMissing() const;
+  std::optional<GroupSizes> largestFittingSizes() const;
 };
 
 /// The largest number of combinations of sizes that consistentSizes() tries.

@@ -145,7 +145,7 @@ class RowSearch {
 
 }  // namespace
 
-std::optional<std::vector<MeanAndVariance>> momentsOfRow(
+std::optional<std::vector<MeanAndVariance>> momentsGivingAllP(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention) {
@@ -220,7 +220,7 @@ ConventionCheck checkAt(
         {.attainable = attainable,
          .isAttainable = overlap(attainable, p.bounds(convention.reading))});
   }
-  if (check.allAttainable()) check.row = momentsOfRow(table, sizes, convention);
+  if (check.allAttainable()) check.row = momentsGivingAllP(table, sizes, convention);
   return check;
 }
 

@@ -29,7 +29,7 @@ struct MeanAndVariance {
 ///
 /// @param sizes  one for each group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
-std::optional<std::vector<MeanAndVariance>> momentsOfRow(
+std::optional<std::vector<MeanAndVariance>> momentsGivingAllP(
     const PublishedTable& table,
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention);

@@ -54,27 +54,27 @@ bool ReportedNumber::prints(
     std::int64_t numerator, std::int64_t denominator, Reading reading) const {
   // Multiplies both sides by denominator · 10^decimals, and compares whole numbers without
   // rounding.
-  const Wide given = Wide(powerOfTen(decimals)) * numerator;
-  const Wide printed = Wide(digits) * denominator;
+  const Int128 given = Int128(powerOfTen(decimals)) * numerator;
+  const Int128 printed = Int128(digits) * denominator;
   if (reading == Reading::Rounded) {
-    const Wide gap = 2 * (given - printed);
-    return -Wide(denominator) <= gap && gap <= Wide(denominator);
+    const Int128 gap = 2 * (given - printed);
+    return -Int128(denominator) <= gap && gap <= Int128(denominator);
   }
-  const Wide gap = digits < 0 || (digits == 0 && given < 0) ? printed - given : given - printed;
+  const Int128 gap = digits < 0 || (digits == 0 && given < 0) ? printed - given : given - printed;
   return gap >= 0 && gap < denominator;
 }
 
 bool ReportedNumber::printsRootOf(
     std::int64_t numerator, std::int64_t denominator, Reading reading) const {
   if (digits < 0) return false;
-  const Wide given = Wide(powerOfTen(2 * decimals)) * numerator;
+  const Int128 given = Int128(powerOfTen(2 * decimals)) * numerator;
   if (reading == Reading::Rounded) {
-    const Wide low = std::max<std::int64_t>(2 * digits - 1, 0);
-    const Wide high = 2 * digits + 1;
+    const Int128 low = std::max<std::int64_t>(2 * digits - 1, 0);
+    const Int128 high = 2 * digits + 1;
     return low * low * denominator <= 4 * given && 4 * given <= high * high * denominator;
   }
-  const Wide low = digits;
-  const Wide high = digits + 1;
+  const Int128 low = digits;
+  const Int128 high = digits + 1;
   return low * low * denominator <= given && given < high * high * denominator;
 }
 

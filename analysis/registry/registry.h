@@ -26,9 +26,9 @@ enum class StudyUse {
   None,
   Pairs,  ///< two conditions within participants, by participants' means; p is adjusted within the
           ///< family
-  BesidePairs,  ///< like Pairs, but outside the family: p is not adjusted
-  Conditions,   ///< all conditions within participants, by participants' means
-  Cohorts,      ///< participants' means of one condition in two cohorts
+  PairsOutsideFamily,  ///< like Pairs, but outside the family: p is not adjusted
+  Conditions,          ///< all conditions within participants, by participants' means
+  Cohorts,             ///< participants' means of one condition in two cohorts
 };
 
 /// A statistical test that is selected by name and computed from a table of data.

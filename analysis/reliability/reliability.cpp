@@ -78,7 +78,7 @@ double omegaOf(const std::vector<double>& loadings, const std::vector<double>& d
   return common * common / (common * common + own);
 }
 
-Reason whyUnfit(std::span<const std::vector<double>> columns, std::size_t respondents) {
+Reason whyNoFactorModel(std::span<const std::vector<double>> columns, std::size_t respondents) {
   if (respondents < 3) return reason("three_respondents_needed");
   if (columns.size() < 3) return reason("three_items_needed");
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -129,7 +129,7 @@ OmegaTotal omegaTotal(std::span<const std::vector<double>> answers) {
   for (const auto& row : answers) {
     for (std::size_t item = 0; item < row.size(); ++item) columns[item].push_back(row[item]);
   }
-  omega.reason = whyUnfit(columns, layout.rows);
+  omega.reason = whyNoFactorModel(columns, layout.rows);
   if (!omega.reason.empty()) return omega;
 
   const StandardisedItems items = standardisedItems(columns);

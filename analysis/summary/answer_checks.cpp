@@ -129,12 +129,12 @@ std::optional<double> slopeOf(const ByPosition& row) {
 }
 
 /// Tests the mean of @p values against zero.
-PairedTResult againstNothing(const std::vector<double>& values) {
+PairedTResult testAgainstZero(const std::vector<double>& values) {
   return pairedTTest(withoutRoundingNoise(values), std::vector<double>(values.size(), 0.0));
 }
 
 /// Whether position and method are not confounded: some method came at more than one position.
-bool isApartFromMethods(const AnswerTable& table) {
+bool isUnconfoundedPosition(const AnswerTable& table) {
   std::map<std::size_t, int> positionOf;
   for (const auto& answer : table.answers) {
     const auto [first, isNew] = positionOf.emplace(answer.method, answer.position);
@@ -155,12 +155,12 @@ PositionEffect positionEffect(const AnswerTable& table, double level) {
     if (const auto slope = slopeOf(row)) slopes.push_back(*slope);
   }
   PositionEffect effect;
-  if (!table.answers.empty() && !isApartFromMethods(table)) {
+  if (!table.answers.empty() && !isUnconfoundedPosition(table)) {
     effect.slope.reason = reason("one_position_each");
     return effect;
   }
   for (const auto& [position, values] : byPosition) {
-    const auto test = againstNothing(values);
+    const auto test = testAgainstZero(values);
     PositionMean mean{.position = position, .participants = values.size()};
     mean.mean = grandMean + test.meanDifference.value_or(values.front());
     if (auto interval = confidenceInterval(test, level)) {
@@ -168,7 +168,7 @@ PositionEffect positionEffect(const AnswerTable& table, double level) {
     }
     effect.positions.push_back(mean);
   }
-  effect.slope = againstNothing(slopes);
+  effect.slope = testAgainstZero(slopes);
   effect.slopeInterval = confidenceInterval(effect.slope, level);
   return effect;
 }

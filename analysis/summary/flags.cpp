@@ -56,7 +56,7 @@ class FlagFinder {
 
   void pooled() {
     const auto dependence = dependenceOf(table_);
-    if (hasSeveralInACell()) {
+    if (hasRepeatedAnswers()) {
       std::vector<Message> what{
           dependence.participants == 1 ? text(
                                              "pseudo_replication.one",
@@ -99,7 +99,7 @@ class FlagFinder {
   }
 
   /// Whether any participant answered more than once about a method.
-  bool hasSeveralInACell() const {
+  bool hasRepeatedAnswers() const {
     std::set<std::pair<std::size_t, std::size_t>> seen;
     return std::any_of(table_.answers.begin(), table_.answers.end(), [&](const auto& answer) {
       return !seen.insert({answer.participant, answer.method}).second;
@@ -173,7 +173,7 @@ class FlagFinder {
     std::vector<std::string> constant;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
       const auto answers = table_.sampleOf(method);
-      if (answers.points() && isBeyondUnimodal(*answers.points()).value_or(false)) {
+      if (answers.points() && exceedsUnimodalVariance(*answers.points()).value_or(false)) {
         const auto& counts = *answers.points();
         const double most =
             largestUnimodalVariance(counts.lowest(), counts.highest(), *counts.mean()) *

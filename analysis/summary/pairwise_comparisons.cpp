@@ -45,7 +45,7 @@ TestRow rowOf(const DeclaredPair& pair, const WelchResult& result, double alpha)
   row.id = "welch";
   row.group1 = pair.first;
   row.group2 = pair.second;
-  row.isOfFamily = true;
+  row.isInFamily = true;
   return row;
 }
 

@@ -11,9 +11,9 @@
 namespace analysis {
 namespace {
 
-class ComparingSites {
+class SiteComparer {
  public:
-  ComparingSites(const AnswerTable& table, std::span<const std::string> sites, double level)
+  SiteComparer(const AnswerTable& table, std::span<const std::string> sites, double level)
       : table_(table), sites_(sites), level_(level) {
     if (sites.size() != table.participants.size()) {
       throw std::invalid_argument("each participant has a site");
@@ -72,7 +72,7 @@ class ComparingSites {
 
   std::vector<SiteDifference> differencesOf(const DeclaredPair& pair) const {
     const auto complete = completeMeans(
-        table_, {placeOfMethod(table_, pair.first), placeOfMethod(table_, pair.second)});
+        table_, {indexOfMethod(table_, pair.first), indexOfMethod(table_, pair.second)});
     std::vector<SiteDifference> differences;
     for (const auto& site : std::set<std::string>(sites_.begin(), sites_.end())) {
       std::vector<double> first;
@@ -114,9 +114,9 @@ class ComparingSites {
       pooledSites[i]->weight =
           reml.standardError * reml.standardError / (error * error + reml.tauSquared);
     }
-    const auto without = withoutEach(known, level_);
+    const auto without = leaveOneOut(known, level_);
     for (std::size_t i = 0; i < without.size(); ++i) {
-      row.withoutEach.push_back({pooledSites[i]->site, without[i]});
+      row.leaveOneOut.push_back({pooledSites[i]->site, without[i]});
     }
   }
 
@@ -158,7 +158,7 @@ SiteAnalysis compareSites(
     std::span<const std::string> sites,
     std::span<const DeclaredPair> pairs,
     double level) {
-  return ComparingSites(table, sites, level).all(pairs);
+  return SiteComparer(table, sites, level).all(pairs);
 }
 
 }  // namespace analysis

@@ -29,7 +29,7 @@ struct SiteAnswers {
 };
 
 /// The pooled difference of all sites but one.
-struct WithoutSite {
+struct LeaveOneOutEstimate {
   std::string site;
   PooledEstimate pooled;
 };
@@ -41,7 +41,7 @@ struct SiteComparison {
   std::vector<SiteDifference> sites;  ///< sorted by name
   std::optional<MetaAnalysis> pooled;
   Reason reason;  ///< why nothing is pooled
-  std::vector<WithoutSite> withoutEach;
+  std::vector<LeaveOneOutEstimate> leaveOneOut;
   TestRow fixedSites;   ///< from the model with site as a fixed effect
   TestRow randomSites;  ///< from the model with site as a random effect
 };

@@ -37,9 +37,9 @@ void adjustOver(
 }
 
 /// Computes one cohort's comparisons.
-class Comparing {
+class WithinComparer {
  public:
-  Comparing(
+  WithinComparer(
       const AnswerTable& table, std::span<const DeclaredPair> pairs, const WithinOptions& options)
       : table_(table), pairs_(pairs), options_(options) {}
 
@@ -54,7 +54,7 @@ class Comparing {
     for (const auto& pair : pairs_) row(pair);
     const auto places = result_.rows.empty() ? 0 : result_.rows.front().tests.size();
     for (std::size_t place = 0; place < places; ++place) {
-      if (result_.rows.front().tests[place].isOfFamily) adjustOver(result_.rows, place, options_);
+      if (result_.rows.front().tests[place].isInFamily) adjustOver(result_.rows, place, options_);
     }
     return std::move(result_);
   }
@@ -109,13 +109,13 @@ class Comparing {
   void row(const DeclaredPair& pair) {
     WithinComparison row{.group1 = pair.first, .group2 = pair.second};
     const auto complete = completeMeans(
-        table_, {placeOfMethod(table_, pair.first), placeOfMethod(table_, pair.second)});
+        table_, {indexOfMethod(table_, pair.first), indexOfMethod(table_, pair.second)});
     const TestData data{
         .values = {
             {.name = pair.first, .values = complete.of(0)},
             {.name = pair.second, .values = complete.of(1)}}};
     for (const auto& test : statisticalTests()) {
-      if (test.use == StudyUse::Pairs || test.use == StudyUse::BesidePairs) {
+      if (test.use == StudyUse::Pairs || test.use == StudyUse::PairsOutsideFamily) {
         addTest(row.tests, test, data);
       }
     }
@@ -132,9 +132,9 @@ class Comparing {
     if (result_.alphaPerTest) settings.adjustedLevel = 1.0 - *result_.alphaPerTest;
     if (needsBound) settings.bound = options_.equivalenceBound;
     for (auto& row : computeTest(test, data, settings)) {
-      row.isOfFamily = test.use == StudyUse::Pairs;
+      row.isInFamily = test.use == StudyUse::Pairs;
       // An exact test of one participant is defined (p = 1), but meaningless.
-      if (row.isOfFamily && row.p && data.values.front().values.size() < 2) {
+      if (row.isInFamily && row.p && data.values.front().values.size() < 2) {
         row.p.reset();
         row.log10P.reset();
         row.reason = reason("two_participants_needed");
@@ -149,7 +149,7 @@ class Comparing {
     row.group1 = pair.first;
     row.group2 = pair.second;
     row.n1 = table_.answers.size();
-    row.isOfFamily = true;
+    row.isInFamily = true;
     if (!whyNot.empty()) row.reason = whyNot;
     return row;
   }
@@ -223,7 +223,7 @@ bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair) {
   return isThere(pair.first) && isThere(pair.second);
 }
 
-std::size_t placeOfMethod(const AnswerTable& table, const std::string& method) {
+std::size_t indexOfMethod(const AnswerTable& table, const std::string& method) {
   const auto found = std::find(table.methods.begin(), table.methods.end(), method);
   if (found == table.methods.end()) {
     throw std::invalid_argument("a pair names a method that is not there");
@@ -233,7 +233,7 @@ std::size_t placeOfMethod(const AnswerTable& table, const std::string& method) {
 
 WithinAnalysis compareWithin(
     const AnswerTable& table, std::span<const DeclaredPair> pairs, const WithinOptions& options) {
-  return Comparing(table, pairs, options).all();
+  return WithinComparer(table, pairs, options).all();
 }
 
 }  // namespace analysis

@@ -79,7 +79,7 @@ MixedDesign mixedDesignOf(const AnswerTable& table);
 bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair);
 
 /// The index of a method. @throws std::invalid_argument if there is no such method.
-std::size_t placeOfMethod(const AnswerTable& table, const std::string& method);
+std::size_t indexOfMethod(const AnswerTable& table, const std::string& method);
 
 /// Compares methods within participants (docs/statistics.md): the registered tests of pairs and of
 /// all methods on participants' means, and two mixed models of the single answers, a linear and an

@@ -34,7 +34,7 @@ struct Problem {
 Problem problemOf(std::size_t count) {
   const auto packing = *reaming::pack(reaming::Acetabulum(), {.count = count});
   const std::vector<double> ones(packing.spheres.size(), 1.0);
-  const auto plunge = reaming::strokeInto(reaming::SphereField(packing, ones), 0.026);
+  const auto plunge = reaming::plungePathInto(reaming::SphereField(packing, ones), 0.026);
   const auto series = reaming::noiselessSeries({.hardness = 0.5});
   std::vector<double> depths;
   Problem problem;

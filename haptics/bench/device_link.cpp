@@ -55,12 +55,12 @@ LinkLoop::~LinkLoop() {
 }
 
 void LinkLoop::stallTick(std::int64_t duration) noexcept {
-  stoodAt_.store(0, std::memory_order_relaxed);
+  stalledAt_.store(0, std::memory_order_relaxed);
   orderedAt_.store(timing::now(), std::memory_order_relaxed);
   ordered_.store(duration, std::memory_order_release);
 }
 
-bool LinkLoop::mustPause(double force) noexcept {
+bool LinkLoop::mustStall(double force) noexcept {
   constexpr std::int64_t kPatience = 3 * timing::kSecond;
   if (ordered_.load(std::memory_order_acquire) == 0) return false;
   const bool falls = std::abs(force) < std::abs(lastForce_);
@@ -81,11 +81,11 @@ void LinkLoop::tick(double dt, double lateness) noexcept {
     isOver_.store(true, std::memory_order_release);
     return;
   }
-  const bool pauses = mustPause(sample.force);
+  const bool pauses = mustStall(sample.force);
   lastForce_ = sample.force;
   if (!pauses) return;
   const std::int64_t now = timing::now();
-  stoodAt_.store(now, std::memory_order_release);
+  stalledAt_.store(now, std::memory_order_release);
   timing::sleepUntil(now + ordered_.exchange(0, std::memory_order_relaxed));
 }
 

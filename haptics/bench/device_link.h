@@ -46,14 +46,14 @@ class LinkLoop {
   /// maximum begins to fall, or after three seconds without one any tick. Any thread.
   void stallTick(std::int64_t duration) noexcept;
   /// When the last ordered stall began [ns on CLOCK_MONOTONIC]; 0: not yet. Any thread.
-  std::int64_t stalledAt() const noexcept { return stoodAt_.load(std::memory_order_acquire); }
+  std::int64_t stalledAt() const noexcept { return stalledAt_.load(std::memory_order_acquire); }
 
   /// Stops the loop, disarms the device and returns the results. To be called once.
   LinkRun finish();
 
  private:
   void tick(double dt, double lateness) noexcept;
-  bool mustPause(double force) noexcept;
+  bool mustStall(double force) noexcept;
 
   devices::Device& device_;
   double forceThatMatters_;  ///< [N]
@@ -63,7 +63,7 @@ class LinkLoop {
   std::atomic<bool> isOver_{false};
   std::atomic<std::int64_t> orderedAt_{0};  ///< [ns]
   std::atomic<std::int64_t> ordered_{0};    ///< duration of the ordered stall [ns]
-  std::atomic<std::int64_t> stoodAt_{0};    ///< [ns]
+  std::atomic<std::int64_t> stalledAt_{0};  ///< [ns]
   LinkRun run_;
   std::int64_t begin_ = 0;  ///< time of arming [ns]
   double processorBefore_ = 0.0;

@@ -104,7 +104,7 @@ void measurePreparation(const AccuracyRun& run) {
     const double cutoff = filters::cutoffOf(series.force, series.rate, CutoffRule::Floor);
     const auto filtered = filters::zeroPhaseLowPass(series.force, series.rate, cutoff);
     const auto curve = reaming::normalised(reaming::curveOver(series.displacement, filtered), 2001);
-    return reaming::chooseNodes(curve, reaming::NodeWish()).nodes.size();
+    return reaming::chooseNodes(curve, reaming::NodeCriterion()).nodes.size();
   });
   run.report(
       {.family = kFilterFamily,
@@ -148,7 +148,7 @@ void measureNodes(const AccuracyRun& run) {
                .time = Timing{time, time}});
         };
     const auto count = [&](const reaming::SampledCurve& curve, NodeRule rule) {
-      const reaming::NodeWish wish{.rule = rule, .error = wanted};
+      const reaming::NodeCriterion wish{.rule = rule, .error = wanted};
       return static_cast<double>(reaming::chooseNodes(curve, wish).nodes.size());
     };
     double greedy = 0.0;

@@ -18,8 +18,8 @@ namespace haptics::bench {
 namespace {
 
 using reaming::Packing;
+using reaming::PlungePath;
 using reaming::SphereField;
-using reaming::StrokeRange;
 
 constexpr const char* kPackingFamily = "packing";
 constexpr double kReachOfReamer = 0.026;  // its radius [m]
@@ -41,7 +41,7 @@ double overAll(const SphereField& field, const reaming::Reamer& reamer) {
 }
 
 /// Largest deviation of the contact area from its mean while the reamer advances [%].
-double ripple(const SphereField& field, const StrokeRange& plunge) {
+double ripple(const SphereField& field, const PlungePath& plunge) {
   std::vector<double> areas;
   double mean = 0.0;
   constexpr int kPlaces = 400;
@@ -56,7 +56,7 @@ double ripple(const SphereField& field, const StrokeRange& plunge) {
 
 Contestant contestant(
     const std::string& name,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::function<double(const reaming::Reamer&)> felt) {
   return {name, [felt = std::move(felt), plunge, next = std::size_t{0}](int steps) mutable {
             double sum = 0.0;
@@ -70,7 +70,7 @@ Packing boneOf(std::size_t spheres) {
 }
 
 /// Largest relative difference of the force Σ a ρ from that of a loop over all spheres.
-double largestDifference(const SphereField& field, const StrokeRange& plunge) {
+double largestDifference(const SphereField& field, const PlungePath& plunge) {
   double largest = 0.0;
   for (std::size_t step = 0; step < 300; ++step) {
     const auto reamer = plunge.at(depthOf(step));
@@ -83,7 +83,7 @@ double largestDifference(const SphereField& field, const StrokeRange& plunge) {
 void compareContacts(const Packing& packing, const AccuracyRun& run) {
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   const SphereField field(packing, densities);
-  const StrokeRange plunge = reaming::strokeInto(field, kReachOfReamer);
+  const PlungePath plunge = reaming::plungePathInto(field, kReachOfReamer);
   const auto count = static_cast<double>(packing.spheres.size());
   run.report(
       {.family = kPackingFamily,
@@ -126,7 +126,7 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   constexpr double kTick = 0.001;  // [s]
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   reaming::Bone bone(packing, densities, {.coverage = packing.coverage(), .cuttingDamping = 100.0});
-  const StrokeRange plunge = reaming::strokeInto(bone.field(), kReachOfReamer);
+  const PlungePath plunge = reaming::plungePathInto(bone.field(), kReachOfReamer);
   double depth = -0.0005;
   while (bone.tool().centre.z <
          plunge.start + 0.006) {  // advance into the bone as fast as possible

@@ -16,7 +16,7 @@ namespace {
 using reaming::Bone;
 using reaming::BoneOptions;
 using reaming::Packing;
-using reaming::StrokeRange;
+using reaming::PlungePath;
 using reaming::Vec3;
 
 constexpr double kTick = 0.001;
@@ -26,7 +26,7 @@ constexpr double kReamerRadius = 0.026;  // [m]
 struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
       : bone(packing, densities, withCoverage(options, packing)),
-        plunge(reaming::strokeInto(bone.field(), kReamerRadius)),
+        plunge(reaming::plungePathInto(bone.field(), kReamerRadius)),
         whole(bone.remainingMass()),
         coupling(options.coupling) {
     for (int i = 0; i < 50; ++i) bone.step(plunge.at(-0.0005), kTick);
@@ -36,7 +36,7 @@ struct Run {
     const auto felt = bone.step(device, kTick);
     const double force = length(felt.force);
     largestForce = std::max(largestForce, std::isfinite(force) ? force : largestForce);
-    isFinite &= std::isfinite(force) && std::isfinite(felt.rubbing);
+    isFinite &= std::isfinite(force) && std::isfinite(felt.frictionTorque);
     const double gap = length(device.centre - bone.tool().centre);
     if (std::isfinite(gap)) {  // the factor allows for rounding
       aboveCoupling = std::max(aboveCoupling, force - coupling * gap * (1.0 + 1e-9));
@@ -58,7 +58,7 @@ struct Run {
   }
 
   Bone bone;
-  StrokeRange plunge;
+  PlungePath plunge;
   double whole;
   double coupling;
   double largestForce = 0.0;

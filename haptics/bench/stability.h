@@ -28,9 +28,9 @@ struct VirtualWall {
   int delay = 0;           ///< of the force [ticks]
   bool isControlled = false;
   bool isStable = false;
-  bool isForeseen = false;  ///< eq. (25) allows it to be unstable
-  bool isNoticed = false;   ///< the energy observer detected generated energy
-  double amplitude = 0.0;   ///< peak to peak over the last 0.4 s [travel units]
+  bool isPredictedUnstable = false;  ///< eq. (25) allows it to be unstable
+  bool isNoticed = false;            ///< the energy observer detected generated energy
+  double amplitude = 0.0;            ///< peak to peak over the last 0.4 s [travel units]
 };
 
 struct StabilityResult {

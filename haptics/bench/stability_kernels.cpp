@@ -34,7 +34,7 @@ FilterVerdict attack(const FilterAttack& a) {
       .interpolation = static_cast<Scalar>(a.rRecorded),
       .wandering = static_cast<Scalar>(a.q22)};
   FilterVerdict verdict;
-  verdict.isRefused = noise.whyUnsound() != nullptr;
+  verdict.isRefused = noise.invalidReason() != nullptr;
   if (verdict.isRefused) return verdict;
   models::KalmanFilter<Scalar> filter(
       noise.factored(), static_cast<models::KalmanScheme>(a.scheme));

@@ -68,7 +68,7 @@ class Wall {
     const engine::Passivity passivity{
         .stiffness = point_.stiffness, .period = period_, .filterDelay = point_.delay * period_};
     constexpr double kRounding = 1e-9;  // tolerance, because the inequality of eq. (25) is strict
-    point_.isForeseen = passivity.neededDamping() * (1.0 + kRounding) >= point_.damping;
+    point_.isPredictedUnstable = passivity.requiredDamping() * (1.0 + kRounding) >= point_.damping;
     point_.isNoticed = observer_.least() < -1e-3;
   }
 
@@ -149,7 +149,7 @@ void sweepWalls(double effort, StabilityResult& result) {
   for (const auto& wall : result.walls) {
     if (wall.isStable) continue;
     ++unstable;
-    unexpected += wall.isForeseen ? 0 : 1;
+    unexpected += wall.isPredictedUnstable ? 0 : 1;
     unnoticed += wall.isNoticed || wall.quantum > 0.0 ? 0 : 1;
   }
   SweepChecks checks(result, "wall");

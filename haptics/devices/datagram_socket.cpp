@@ -29,10 +29,10 @@ Endpoint endpointOf(const sockaddr_in& native) noexcept {
 }
 
 /// Casts to the generic address type that the socket functions expect.
-const sockaddr* anyFamily(const sockaddr_in& address) noexcept {
+const sockaddr* asSockaddr(const sockaddr_in& address) noexcept {
   return reinterpret_cast<const sockaddr*>(&address);
 }
-sockaddr* anyFamily(sockaddr_in& address) noexcept {
+sockaddr* asSockaddr(sockaddr_in& address) noexcept {
   return reinterpret_cast<sockaddr*>(&address);
 }
 
@@ -85,8 +85,8 @@ DatagramSocket::DatagramSocket(const Endpoint& local)
   if (descriptor_ < 0) refuse(local, errno);
   sockaddr_in address = nativeOf(local);
   socklen_t size = sizeof(address);
-  const bool isThere = bind(descriptor_, anyFamily(std::as_const(address)), size) == 0 &&
-                       getsockname(descriptor_, anyFamily(address), &size) == 0;
+  const bool isThere = bind(descriptor_, asSockaddr(std::as_const(address)), size) == 0 &&
+                       getsockname(descriptor_, asSockaddr(address), &size) == 0;
   if (!isThere) {
     const int error = errno;
     close(descriptor_);
@@ -101,8 +101,8 @@ DatagramSocket::~DatagramSocket() {
 
 bool DatagramSocket::send(std::span<const std::uint8_t> datagram, const Endpoint& to) noexcept {
   const sockaddr_in address = nativeOf(to);
-  const auto sent =
-      sendto(descriptor_, datagram.data(), datagram.size(), 0, anyFamily(address), sizeof(address));
+  const auto sent = sendto(
+      descriptor_, datagram.data(), datagram.size(), 0, asSockaddr(address), sizeof(address));
   return sent == static_cast<ssize_t>(datagram.size());
 }
 
@@ -111,7 +111,7 @@ std::optional<DatagramSocket::Received> DatagramSocket::receive(
   if (wait > 0 && !waitFor(descriptor_, wait)) return std::nullopt;
   sockaddr_in from{};
   socklen_t size = sizeof(from);
-  const auto got = recvfrom(descriptor_, room.data(), room.size(), 0, anyFamily(from), &size);
+  const auto got = recvfrom(descriptor_, room.data(), room.size(), 0, asSockaddr(from), &size);
   if (got < 0) return std::nullopt;
   return Received{.size = static_cast<std::size_t>(got), .from = endpointOf(from)};
 }

@@ -81,7 +81,7 @@ void makeRaw(int descriptor, const std::string& path, int baud) {
 
 }  // namespace
 
-bool SerialPort::canGoAt(int baud) noexcept {
+bool SerialPort::supportsBaud(int baud) noexcept {
   return baud == 0 || speedOf(baud) != nullptr;
 }
 

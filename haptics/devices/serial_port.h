@@ -18,7 +18,7 @@ class SerialPort {
   SerialPort& operator=(const SerialPort&) = delete;
 
   /// Whether this system supports @p baud; always true for 0 (USB).
-  static bool canGoAt(int baud) noexcept;
+  static bool supportsBaud(int baud) noexcept;
   /// The supported speeds as a text: "115200, … or 2000000".
   static std::string supportedSpeeds();
 

@@ -7,7 +7,7 @@
 
 namespace haptics::devices {
 
-WireDevice::WireDevice(Capabilities capabilities, KeepAliveState keeping)
+WireDevice::WireDevice(Capabilities capabilities, KeeperLimits keeping)
     : capabilities_(std::move(capabilities)), keeping_(keeping) {}
 
 void WireDevice::close() noexcept {
@@ -16,7 +16,7 @@ void WireDevice::close() noexcept {
   setLifecycle(Lifecycle::Closed);
 }
 
-void WireDevice::beginKeeping() {
+void WireDevice::enterOpen() {
   why_.store("");
   setLifecycle(Lifecycle::Open);
   startKeeper();

@@ -35,13 +35,13 @@ class WireDevice : public Device, private Pacer {
 
  protected:
   /// The keeper's time limits.
-  struct KeepAliveState {
+  struct KeeperLimits {
     /// Longest wait for a message before the keeper checks whether to stop [ns].
     std::int64_t turn;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
-  WireDevice(Capabilities capabilities, KeepAliveState keeping);
+  WireDevice(Capabilities capabilities, KeeperLimits keeping);
 
   /// Begins error messages: "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
@@ -64,7 +64,7 @@ class WireDevice : public Device, private Pacer {
   bool wait(std::int64_t deadline) noexcept override;
 
   /// The last step of open(), once the device is connected.
-  void beginKeeping();
+  void enterOpen();
   void startKeeper();
   void resumeKeeper() noexcept;
   void stopKeeper() noexcept;
@@ -88,7 +88,7 @@ class WireDevice : public Device, private Pacer {
   std::array<std::int64_t, 64> sentAt_{};
 
  private:
-  KeepAliveState keeping_;
+  KeeperLimits keeping_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
   std::atomic<const char*> why_{""};
   std::jthread keeper_;

@@ -84,7 +84,7 @@ bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcep
   // In messages; huge if the message was never sent.
   const std::uint32_t age = next_ - 1U - header.reflected;
   if (header.reflected >= next_) {
-    ++counts_.neverSent;
+    ++counts_.toUnknownMessage;
     return false;
   }
   Sent* message = age < kRemembered ? &sent_[header.reflected % kRemembered] : nullptr;

@@ -75,7 +75,7 @@ class FriAnswers {
     std::uint64_t late = 0;     ///< to a message older than a receive period
     std::uint64_t unasked = 0;  ///< to a message sent in Idle
     /// To a message that was never sent, or was sent before a restart.
-    std::uint64_t neverSent = 0;
+    std::uint64_t toUnknownMessage = 0;
     std::uint64_t restarts = 0;  ///< the client's counter went back in an answer that was in time
     std::uint64_t undecodable = 0;
     std::uint64_t wrongIdentifier = 0;

@@ -58,7 +58,7 @@ FriSession::Options sessionOf(const FriController::Options& options) noexcept {
       .stay = options.stay,
       .period = options.sendPeriod,
       .isTorque = isTorque(options),
-      .queuesAgain = options.queuesAgain};
+      .restartsMotion = options.restartsMotion};
 }
 
 /// A version whose datagrams are framed if those of @p version are not, and vice versa.
@@ -106,12 +106,12 @@ void FriController::closePeriod() noexcept {
   ++sinceAnswered_;
   ++sinceCommand_;
   if (session_.state() == State::Idle) {  // no answer was due
-    inBlock_ = 0;
+    periodsInReceivePeriod_ = 0;
     missed_ = 0;
     sinceAnswered_ = 1;
     return;
   }
-  if (++inBlock_ < options_.receiveMultiplier) return;
+  if (++periodsInReceivePeriod_ < options_.receiveMultiplier) return;
   if (isBlockAnswered_) {
     missed_ = 0;
   } else {
@@ -119,15 +119,15 @@ void FriController::closePeriod() noexcept {
     answers_.miss();
     connection_.missed();
   }
-  inBlock_ = 0;
+  periodsInReceivePeriod_ = 0;
   isBlockAnswered_ = false;
 }
 
 void FriController::takeOrders() noexcept {
   using Event = FriOrders::Event;
   if (orders_.take(Event::WrongVersion)) isWrongVersion_ = !isWrongVersion_;
-  if (orders_.take(Event::SafetyStop)) session_.stopSafely(true);
-  if (orders_.take(Event::SafetyReset)) session_.stopSafely(false);
+  if (orders_.take(Event::SafetyStop)) session_.setSafetyStop(true);
+  if (orders_.take(Event::SafetyReset)) session_.setSafetyStop(false);
   if (orders_.take(Event::Idle)) {
     stopMotion(FriEndReason::Idle);
     session_.toIdle();
@@ -177,7 +177,7 @@ void FriController::brake() noexcept {
   report_.endAt = options_.clock();
   connection_.forget();
   missed_ = 0;
-  inBlock_ = 0;
+  periodsInReceivePeriod_ = 0;
   isBlockAnswered_ = false;
 }
 

@@ -46,7 +46,7 @@ class FriController {
     FriArm::Options arm;
     FriLimits limits;
     FriSession::Stay stay;
-    bool queuesAgain = false;        ///< the robot's program restarts a motion that failed
+    bool restartsMotion = false;     ///< the robot's program restarts a motion that failed
     Impairment::Options impairment;  ///< random faults of messages
     std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and zeroAt
   };
@@ -136,7 +136,7 @@ class FriController {
   wire::fri::Joints lastPosition_{};  ///< joint position of the last command [rad]
   int sinceCommand_ = 1;              ///< periods since lastPosition_
   int sinceAnswered_ = 0;             ///< periods since the last message that was answered
-  int inBlock_ = 0;                   ///< number of periods in the present receive period so far
+  int periodsInReceivePeriod_ = 0;    ///< number of periods in the present receive period so far
   bool isBlockAnswered_ = false;
   int missed_ = 0;  ///< number of consecutive missing answers
   bool isWrongVersion_ = false;

@@ -48,7 +48,7 @@ void addAnswers(Line& line, const FriAnswers::Counts& counts) {
   line.add("answers_doubled", counts.doubled);
   line.add("answers_late", counts.late);
   line.add("unasked", counts.unasked);
-  line.add("never_sent", counts.neverSent);
+  line.add("never_sent", counts.toUnknownMessage);
   line.add("client_restarts", counts.restarts);
   line.add("undecodable", counts.undecodable);
   line.add("wrong_identifier", counts.wrongIdentifier);

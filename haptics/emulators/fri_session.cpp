@@ -135,7 +135,7 @@ void FriSession::enter(State state) noexcept {
 bool FriSession::end(FriEndReason end) noexcept {
   if (!isCommanding()) return false;
   lastEnd_ = end;
-  isQueued_ = options_.queuesAgain;
+  isQueued_ = options_.restartsMotion;
   const bool isOver = end == FriEndReason::Completed;
   isClosed_ = isOver;
   enter(isOver ? State::Idle : State::MonitoringWait);

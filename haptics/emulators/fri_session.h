@@ -131,9 +131,9 @@ class FriSession {
 
   struct Options {
     Stay stay;
-    int period = 1;            ///< send period [ms], 1 to 100
-    bool isTorque = false;     ///< commands must arrive every kCommandTimeout
-    bool queuesAgain = false;  ///< the robot's program restarts a motion that failed
+    int period = 1;               ///< send period [ms], 1 to 100
+    bool isTorque = false;        ///< commands must arrive every kCommandTimeout
+    bool restartsMotion = false;  ///< the robot's program restarts a motion that failed
   };
 
   /// What happened since the last period.
@@ -160,7 +160,7 @@ class FriSession {
     isQueued_ = true;
     isClosed_ = false;
   }
-  void stopSafely(bool isStopped) noexcept { isStopped_ = isStopped; }
+  void setSafetyStop(bool isStopped) noexcept { isStopped_ = isStopped; }
 
   State state() const noexcept { return state_; }
   bool isCommanding() const noexcept { return state_ >= State::CommandingWait; }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSoon = 1;  // a reordered frame waits for one other frame
 
-bool makesSense(const Impairment::Options& options) {
+bool areValid(const Impairment::Options& options) {
   double sum = 0.0;
   for (const double share : options.shares) {
     if (!(share >= 0.0)) return false;
@@ -27,7 +27,7 @@ constexpr std::size_t indexOf(Fault fault) noexcept {
 
 Impairment::Impairment(const Options& options)
     : options_(options), random_(options.seed), places_(kMostHeld), delay_(options.delay) {
-  if (!makesSense(options)) {
+  if (!areValid(options)) {
     throw std::invalid_argument(
         "faults need shares from 0 to 1 in all, a delay of a frame or more and a little garbage");
   }
@@ -85,7 +85,7 @@ std::optional<Fault> Impairment::randomFault() noexcept {
 }
 
 std::optional<Fault> Impairment::nextFault() noexcept {
-  if (isSwapping_) return std::nullopt;
+  if (isReordering_) return std::nullopt;
   const auto ordered = orderedFault();
   return ordered ? ordered : randomFault();
 }
@@ -113,7 +113,7 @@ Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fau
       return {.frame = frame, .copies = 2};
     case Fault::Reorder:
       hold(frame, fault, kSoon);
-      isSwapping_ = true;
+      isReordering_ = true;
       return {.copies = 0};
     case Fault::Delay:
       hold(frame, fault, delay_.load(std::memory_order_relaxed));
@@ -147,7 +147,7 @@ void Impairment::age(bool overtakes) noexcept {
     --places_[i].left;
     places_[i].isOvertaken = places_[i].isOvertaken || overtakes;
   }
-  if (overtakes) isSwapping_ = false;
+  if (overtakes) isReordering_ = false;
 }
 
 void Impairment::releaseAll() noexcept {
@@ -156,15 +156,15 @@ void Impairment::releaseAll() noexcept {
     places_[i].left = 0;
     places_[i].isOvertaken = false;  // already counted above
   }
-  isHurrying_ = true;
-  isSwapping_ = false;
+  isFlushing_ = true;
+  isReordering_ = false;
 }
 
 std::span<const std::uint8_t> Impairment::nextDue() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     const Held& place = places_[i];
-    if (!isHurrying_ && (place.left > 0 || !place.isOvertaken)) continue;
-    if (!isHurrying_) note(place.fault);
+    if (!isFlushing_ && (place.left > 0 || !place.isOvertaken)) continue;
+    if (!isFlushing_) note(place.fault);
     const std::size_t size = place.size;
     std::copy_n(place.bytes.begin(), size, scratch_.begin());
     std::move(
@@ -174,7 +174,7 @@ std::span<const std::uint8_t> Impairment::nextDue() noexcept {
     --held_;
     return std::span(scratch_).first(size);
   }
-  isHurrying_ = false;
+  isFlushing_ = false;
   return {};
 }
 

@@ -153,8 +153,8 @@ class Impairment {
   base::SplitMix64 random_;
   std::vector<Held> places_;  ///< the held frames come first, by age
   std::size_t held_ = 0;
-  bool isSwapping_ = false;  ///< a reordered frame waits for its successor
-  bool isHurrying_ = false;  ///< all held frames are due
+  bool isReordering_ = false;  ///< a reordered frame waits for its successor
+  bool isFlushing_ = false;    ///< all held frames are due
   Bytes scratch_{};
   std::atomic<int> delay_;
   std::array<std::atomic<std::int64_t>, kFaultNames.size()> orders_{};

@@ -111,7 +111,7 @@ double MaterialModel::largestStiffness() const noexcept {
 namespace {
 
 /// The depth at which a reamer leaves the bone on the far side [m].
-double depthOf(const reaming::SphereField& field, const reaming::StrokeRange& plunge) {
+double depthOf(const reaming::SphereField& field, const reaming::PlungePath& plunge) {
   double last = plunge.start;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
     const double radius = field.group(slot).radius[slot % reaming::kLanes];
@@ -134,7 +134,7 @@ reaming::BoneOptions optionsOf(const PackingSpec& spec, const Reamer& reamer) {
 
 PackingModel::PackingModel(const PackingSpec& spec, const Reamer& reamer)
     : field_(spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale)),
-      plunge_(reaming::strokeInto(field_, spec.bone->reamerRadius)),
+      plunge_(reaming::plungePathInto(field_, spec.bone->reamerRadius)),
       coverage_(spec.bone->packing.coverage()),
       friction_(reamer.torqueSign() * spec.options.friction) {
   constexpr double kStep = 20e-6;  // [m]
@@ -161,7 +161,7 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& r
           spec.bone->packing,
           spec.bone->densities(spec.hardness, spec.forceScale),
           optionsOf(spec, reamer)),
-      plunge_(reaming::strokeInto(bone_.field(), spec.bone->reamerRadius)),
+      plunge_(reaming::plungePathInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
       isForwards_(reamer.speed > 0.0),
       torqueSign_(spec.options.friction > 0.0 ? reamer.torqueSign() : 0),
@@ -171,14 +171,14 @@ models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   bone_.setSpinning(isForwards_ && tool.isReamerOn);
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
   if (view_) updateView();
-  torque_ = tool.isReamerOn ? torqueSign_ * felt.rubbing : 0.0;
+  torque_ = tool.isReamerOn ? torqueSign_ * felt.frictionTorque : 0.0;
   return {-felt.force.z, 0.0, felt.isDefined};
 }
 
 void RemovalModel::updateView() noexcept {
   if (bone_.restorations() != restorations_) {
     restorations_ = bone_.restorations();
-    view_->add({SphereChange::kAllAnew, {}});
+    view_->add({SphereChange::kWholeBoneReset, {}});
   }
   view_->setUnreported(bone_.droppedChanges());
   view_->setDepth(bone_.tool().centre.z - plunge_.start);

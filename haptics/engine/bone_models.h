@@ -24,7 +24,7 @@ namespace haptics::engine {
 /// A change of one sphere, for drawing the bone. A radius of 0 means that the sphere was removed.
 struct SphereChange {
   /// Value of slot that means: the bone was reset, all spheres have their initial radius again.
-  static constexpr std::uint32_t kAllAnew = 0xffffffffU;
+  static constexpr std::uint32_t kWholeBoneReset = 0xffffffffU;
 
   std::uint32_t slot = 0;
   reaming::Sphere sphere;
@@ -192,7 +192,7 @@ class PackingModel final : public ForceModel {
   }
 
   reaming::SphereField field_;
-  reaming::StrokeRange plunge_;
+  reaming::PlungePath plunge_;
   double coverage_;
   double friction_;  ///< coefficient of friction, with the sign of the torque
   double torque_ = 0.0;
@@ -226,7 +226,7 @@ class RemovalModel final : public ForceModel {
   void updateView() noexcept;
 
   reaming::Bone bone_;
-  reaming::StrokeRange plunge_;
+  reaming::PlungePath plunge_;
   double stiffness_;
   bool isForwards_;  ///< the reamer turns in the direction in which its teeth cut
   int torqueSign_;

@@ -203,18 +203,18 @@ struct Builder {
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
   if (parts.elements != nullptr) return *parts.elements;
-  return parts.cut != nullptr ? elementsLike(*parts.cut) : FiniteElementsSpec{};
+  return parts.cut != nullptr ? elementsMatching(*parts.cut) : FiniteElementsSpec{};
 }
 
 }  // namespace
 
-MeshView::MeshView(const FiniteElementsSpec& spec, SeenTissue law)
+MeshView::MeshView(const FiniteElementsSpec& spec, TissueDrawing law)
     : law_(law), contact_(spec.parameters.contact) {
   const models::FiniteElements<double> elements(spec.asParameters());
   std::vector<double> displacements(static_cast<std::size_t>(elements.elements()));
   elements.writeMeshShape(displacements.data());
   shape_.push_back({elements.position(0), 0.0});
-  const double scale = law == SeenTissue::Penetration ? elements.stiffness() : 1.0;
+  const double scale = law == TissueDrawing::Penetration ? elements.stiffness() : 1.0;
   for (int node = 1; node <= elements.elements(); ++node) {
     const double displacement = scale * displacements[static_cast<std::size_t>(node) - 1];
     shape_.push_back({elements.position(node), std::isfinite(displacement) ? displacement : 0.0});
@@ -224,7 +224,8 @@ MeshView::MeshView(const FiniteElementsSpec& spec, SeenTissue law)
 
 std::vector<MeshView::Point> MeshView::at(double travel, double force) const {
   std::vector<Point> points = shape_;
-  const double pressed = law_ == SeenTissue::Penetration ? std::max(travel - contact_, 0.0) : force;
+  const double pressed =
+      law_ == TissueDrawing::Penetration ? std::max(travel - contact_, 0.0) : force;
   for (auto& point : points) point.displacement *= pressed;
   return points;
 }
@@ -240,7 +241,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   if (spec.isVisualised && isMeniscus) {
     mesh_.emplace(shownTissue(spec), spec.seenTissue);
     std::string why = "the tissue is shown and follows the ";
-    why.append(nameIn(kSeenTissueNames, spec.seenTissue));
+    why.append(nameIn(kTissueDrawingNames, spec.seenTissue));
     builder.in(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);
   } else {
     builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");

@@ -20,7 +20,7 @@ namespace haptics::engine {
 ///     force: y_mesh = K⁻¹ c f, with f the rendered force at the handle.
 class MeshView {
  public:
-  explicit MeshView(const FiniteElementsSpec& spec, SeenTissue law = SeenTissue::Penetration);
+  explicit MeshView(const FiniteElementsSpec& spec, TissueDrawing law = TissueDrawing::Penetration);
 
   struct Point {
     double position = 0.0;      ///< along the tissue [string units]
@@ -32,7 +32,7 @@ class MeshView {
   std::vector<Point> at(double travel, double force) const;
 
  private:
-  SeenTissue law_;
+  TissueDrawing law_;
   double contact_;            ///< [travel units]
   std::vector<Point> shape_;  ///< for 1 N, or for 1 travel unit of penetration
 };

@@ -8,8 +8,8 @@ namespace {
 
 const SafetyLimits& checked(const SafetyLimits& limits) {
   const bool isSound = limits.maxVelocity > 0.0 && limits.rampTime > 0.0 &&
-                       std::isfinite(limits.rampTime) && limits.quietShare > 0.0 &&
-                       limits.quietShare <= 1.0 && limits.patience > 0.0;
+                       std::isfinite(limits.rampTime) && limits.softStartShare > 0.0 &&
+                       limits.softStartShare <= 1.0 && limits.patience > 0.0;
   if (!isSound) throw std::invalid_argument("a limit of velocity or time must be above 0");
   return limits;
 }
@@ -122,7 +122,7 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
   device_.command(sample.force, sample.torque);
   commanded_ = sample.force;
   commandedTorque_ = sample.torque;
-  followCuts(sample);
+  detectLandmarks(sample);
   return sample;
 }
 
@@ -171,7 +171,7 @@ double ForceEngine::desiredForce(TickSample& sample) noexcept {
   return response.isDefined ? response.force : 0.0;
 }
 
-void ForceEngine::followCuts(TickSample& sample) noexcept {
+void ForceEngine::detectLandmarks(TickSample& sample) noexcept {
   if (felt_ != nullptr && (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0) {
     const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
     sample.landmark = cuts_.feed(sample.travel, sample.force, isSettling);

@@ -57,7 +57,7 @@ class ForceEngine {
   void render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept;
   void renderTorque(TickSample& sample, double gain, double dt) noexcept;
   double desiredForce(TickSample& sample) noexcept;
-  void followCuts(TickSample& sample) noexcept;
+  void detectLandmarks(TickSample& sample) noexcept;
 
   devices::Device& device_;
   ForceLimiter limiter_;

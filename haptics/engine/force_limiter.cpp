@@ -78,7 +78,8 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
       isWaiting_ = true;
     }
   } else {
-    isWaiting_ = isWaiting_ && !(std::abs(input.desired) <= limits_.quietShare * limits_.maxForce);
+    isWaiting_ =
+        isWaiting_ && !(std::abs(input.desired) <= limits_.softStartShare * limits_.maxForce);
     gain_ = isWaiting_ ? std::max(0.0, gain_ - step) : std::min(1.0, gain_ + step);
     if (gain_ < 1.0) output.reasons |= SoftStart;
   }

@@ -22,7 +22,7 @@ struct SafetyLimits {
 
   /// A soft start begins only when the scene's force is at most this fraction of maxForce, in (0,
   /// 1].
-  double quietShare = 0.1;
+  double softStartShare = 0.1;
 
   /// Time without a new sample after which the engine stops [s], > 0.
   double patience = 0.1;

@@ -23,7 +23,7 @@ struct Named {
   Value value;
 };
 
-inline constexpr std::array kBeyondNames{
+inline constexpr std::array kExtrapolationNames{
     Named<models::Extrapolation>{"ramp-out", models::Extrapolation::RampOut},
     Named<models::Extrapolation>{"hold", models::Extrapolation::Hold},
     Named<models::Extrapolation>{"zero", models::Extrapolation::Zero},
@@ -65,9 +65,9 @@ inline constexpr std::array kSmoothingNames{
     Named<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
 };
 
-inline constexpr std::array kSeenTissueNames{
-    Named<SeenTissue>{"penetration", SeenTissue::Penetration},
-    Named<SeenTissue>{"force", SeenTissue::Force},
+inline constexpr std::array kTissueDrawingNames{
+    Named<TissueDrawing>{"penetration", TissueDrawing::Penetration},
+    Named<TissueDrawing>{"force", TissueDrawing::Force},
 };
 
 /// @param value  one of @p names.

@@ -35,12 +35,12 @@ struct Passivity {
   }
 
   /// b: the damping that is needed [N·s per travel unit].
-  constexpr double neededDamping() const noexcept { return stiffness * effectivePeriod() / 2.0; }
+  constexpr double requiredDamping() const noexcept { return stiffness * effectivePeriod() / 2.0; }
 
   /// Whether a @p damping of mechanism and hand [N·s per travel unit] dissipates all energy that
   /// the loop generates.
   constexpr bool isPassiveWith(double damping) const noexcept {
-    return !limitCycle && neededDamping() <= damping;
+    return !limitCycle && requiredDamping() <= damping;
   }
 
   /// Mean error of the held force at a speed [travel units/s]: K v T / 2 [N].

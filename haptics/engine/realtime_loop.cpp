@@ -148,7 +148,7 @@ void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period
   lateTicks_.store(++report_.lateTicks, std::memory_order_relaxed);
   report_.missedPeriods += static_cast<std::uint64_t>(late / period);
   if (own > period) {
-    ++report_.lateTicksOfOurs;
+    ++report_.ownLateTicks;
   } else {
     ++report_.holes;
     report_.longestHole = std::max(report_.longestHole, microseconds(late - own));
@@ -156,11 +156,11 @@ void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period
 }
 
 void RealtimeLoop::run(const std::stop_token& stop) {
-  // Timer slack and priority are requested together, so that asksForRealtime = false measures
+  // Timer slack and priority are requested together, so that requestsRealtime = false measures
   // without both.
-  isRealtime_ = options_.asksForRealtime && requestRealtime();
+  isRealtime_ = options_.requestsRealtime && requestRealtime();
   HoleDetector holes;
-  report_.knowsHoles = holes.isAvailable();
+  report_.detectsHoles = holes.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
   // Lateness above this is attributed to its cause; less is timer slack and wake-up latency. The

@@ -61,18 +61,18 @@ class RealtimeLoop {
   struct Options {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
     double spinning = 0.05;  ///< fraction of a period to spin at its end, 0 to kMostSpinning
-    bool asksForRealtime = true;
+    bool requestsRealtime = true;
     devices::Pacer* pacer = nullptr;  ///< sets the pace if given; must outlive the loop
   };
 
   struct Report {
     std::uint64_t ticks = 0;
-    std::uint64_t lateTicks = 0;        ///< ticks that were late by more than a period
-    std::uint64_t lateTicksOfOurs = 0;  ///< late ticks that this machine caused
+    std::uint64_t lateTicks = 0;     ///< ticks that were late by more than a period
+    std::uint64_t ownLateTicks = 0;  ///< late ticks that this machine caused
     std::uint64_t missedPeriods = 0;
     std::uint64_t holes = 0;             ///< the other late ticks, see HoleDetector
     double longestHole = 0.0;            ///< [µs]
-    bool knowsHoles = false;             ///< the kernel's count is available, so holes are detected
+    bool detectsHoles = false;           ///< the kernel's count is available, so holes are detected
     double seconds = 0.0;                ///< from the first tick to the last
     timing::LatenessHistogram lateness;  ///< of every tick
     timing::LatenessHistogram ownLateness;  ///< of every tick, without holes

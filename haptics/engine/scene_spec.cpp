@@ -60,7 +60,7 @@ void check(const FiniteElementsSpec& spec, Words& problems) {
 void check(const KalmanSpec& spec, Words& problems) {
   check(spec.interpolation, problems);
   check(spec.finiteElements, problems);
-  if (const char* why = spec.noise.whyUnsound()) problems.emplace_back(why);
+  if (const char* why = spec.noise.invalidReason()) problems.emplace_back(why);
   const bool isPerStep = spec.scheme != models::KalmanScheme::SpaceDomain;
   if (spec.isProcessAsPrinted && !isPerStep) {
     problems.emplace_back("the printed process noise is one per step; take another variant");
@@ -155,7 +155,7 @@ ModelParts partsOf(const ModelSpec& model) noexcept {
   return std::visit(Parts{}, model);
 }
 
-FiniteElementsSpec elementsLike(const InterpolationSpec& cut) {
+FiniteElementsSpec elementsMatching(const InterpolationSpec& cut) {
   const auto& curve = cut.curve;
   double largest = 0.0;
   for (const auto& node : curve) largest = std::max(largest, node.force);
@@ -257,7 +257,7 @@ double couplingOf(const ModelSpec& model) {
   return 0.0;
 }
 
-double feedLimitOf(const SceneSpec& spec) {
+double largestFeedOf(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
   const bool isRemoved = (parts.material != nullptr && parts.material->isRemoved) ||
                          (parts.packing != nullptr && parts.packing->isRemoved);

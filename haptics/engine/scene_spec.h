@@ -206,7 +206,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model);
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);
 
 /// What determines the shape of the drawn meniscus, see MeshView.
-enum class SeenTissue {
+enum class TissueDrawing {
   Penetration,  ///< the position of the tool, as in eq. (9) to (11) of the punch paper
   Force,        ///< the force at the handle: the tissue rises when the force falls
 };
@@ -215,13 +215,13 @@ enum class SeenTissue {
 /// the recorded force begins, and whose stiffness at the tool is the mean slope of the cut up to
 /// its yield.
 /// @param cut  valid, see problemsOf().
-FiniteElementsSpec elementsLike(const InterpolationSpec& cut);
+FiniteElementsSpec elementsMatching(const InterpolationSpec& cut);
 
 /// What a condition renders and draws.
 struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
-  SeenTissue seenTissue = SeenTissue::Penetration;
+  TissueDrawing seenTissue = TissueDrawing::Penetration;
   Reamer reamer;  ///< used if bone is removed, and for the torque
 };
 
@@ -230,7 +230,7 @@ struct SceneSpec {
 double couplingOf(const ModelSpec& model);
 
 /// The largest speed of the tool through the bone of @p spec [m/s]; infinite if no bone is removed.
-double feedLimitOf(const SceneSpec& spec);
+double largestFeedOf(const SceneSpec& spec);
 
 /// Whether the scene has a torque about the tool's axis.
 bool hasTorque(const SceneSpec& spec);

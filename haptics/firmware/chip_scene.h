@@ -140,7 +140,7 @@ class ChipScene {
     const bool isWeighing = ((model_.readings >> 1U) & 3U) <= 2U;
     const bool isSound = (!hasCurve || Curve::isSound(table_, count, options)) &&
                          (!hasElements || (isWeighing && Elements::isSound(parameters))) &&
-                         (model_.kind != ModelKind::Kalman || noise().whyUnsound() == nullptr) &&
+                         (model_.kind != ModelKind::Kalman || noise().invalidReason() == nullptr) &&
                          model_.largestForce >= 0.0F;
     if (!isSound) return ModelVerdict::Unsound;
     if (hasCurve) curve_ = Curve(table_, count, options);

@@ -104,7 +104,7 @@ class PunchProgram {
     // Before Hello all other frames are ignored.
     if (frame.type == Type::Hello) {
       answerHello(frame);
-    } else if (!isGreeted_) {
+    } else if (!hasHello_) {
       return;
     } else if (frame.type == Type::Arm) {
       arm(frame);
@@ -127,7 +127,7 @@ class PunchProgram {
     wire::punch::Hello host;
     if (!readOr(frame, host)) return;
     disarm();
-    isGreeted_ = host.protocolVersion == wire::punch::kProtocolVersion;
+    hasHello_ = host.protocolVersion == wire::punch::kProtocolVersion;
     lateLoops_ = 0;
     badFrames_ = 0;
     send(wire::punch::Hello{
@@ -138,7 +138,7 @@ class PunchProgram {
         .rate = limits_.rate,
         .largestVoltage = limits_.largestVoltage,
         .largestSlew = limits_.largestSlew});
-    if (!isGreeted_) send(wire::punch::Stop{wire::punch::StopReason::VersionMismatch});
+    if (!hasHello_) send(wire::punch::Stop{wire::punch::StopReason::VersionMismatch});
   }
 
   void arm(const wire::punch::Frame& frame) noexcept {
@@ -148,7 +148,7 @@ class PunchProgram {
     faults_ = wire::punch::kNoFault;
     longestExpiry_ = order.expiry;
     isArmed_ = true;
-    lastAs(order.expiry);  // the first force has the same time limit
+    setExpiry(order.expiry);  // the first force has the same time limit
     isRendering_ = false;
     wanted_ = 0;
     report(EventCode::Armed, order.expiry);
@@ -166,7 +166,7 @@ class PunchProgram {
     if (!readOr(frame, order) || !isArmed_) return;
     isRendering_ = false;
     wanted_ = order.voltage;
-    lastAs(order.expiry);
+    setExpiry(order.expiry);
   }
 
   void render(const wire::punch::Frame& frame) noexcept {
@@ -177,10 +177,10 @@ class PunchProgram {
     isRendering_ = isMeant;
     wanted_ = 0;
     most_ = order.most;
-    if (isMeant) lastAs(order.expiry);
+    if (isMeant) setExpiry(order.expiry);
   }
 
-  void lastAs(uint8_t expiry) noexcept {
+  void setExpiry(uint8_t expiry) noexcept {
     expiry_ = expiry < longestExpiry_ ? expiry : longestExpiry_;
     orderedAt_ = now_;
     hasExpired_ = false;
@@ -273,7 +273,7 @@ class PunchProgram {
   }
 
   void sendState() noexcept {
-    if (!isGreeted_) return;
+    if (!hasHello_) return;
     const uint8_t armed = isArmed_ ? 0 : wire::punch::kNotArmed;
     send(wire::punch::State{
         .counts = lastCounts_,
@@ -290,7 +290,7 @@ class PunchProgram {
   }
 
   void report(EventCode code, uint32_t value) noexcept {
-    if (isGreeted_) send(wire::punch::Event{code, value});
+    if (hasHello_) send(wire::punch::Event{code, value});
   }
 
   template <typename Message>
@@ -308,7 +308,7 @@ class PunchProgram {
   uint32_t now_ = 0;
   uint32_t lastTime_ = 0;
   bool hasStepped_ = false;
-  bool isGreeted_ = false;
+  bool hasHello_ = false;
   uint16_t sequence_ = 0;
   uint16_t echo_ = 0;
   uint16_t lateLoops_ = 0;

@@ -124,7 +124,7 @@ class FixedPunch {
  public:
   using Fixed = models::Fixed;
 
-  FixedPunch() noexcept : filter_(models::SteadyFilter<Fixed>::gainsOf(noise())) {
+  FixedPunch() noexcept : filter_(models::SteadyStateFilter<Fixed>::gainsOf(noise())) {
     models::Interpolation<float> curve{kCut, kCutPoints, {}};
     size_t hint = 0;
     for (int i = 0; i < kPoints; ++i) {
@@ -153,7 +153,7 @@ class FixedPunch {
   models::FiniteElements<Fixed> elements_{models::FiniteElements<Fixed>::Parameters()};
   models::FiniteElements<Fixed>::State state_;
   models::UniformCurve<kPoints, kShift> curve_{Fixed(2)};
-  models::SteadyFilter<Fixed> filter_;
+  models::SteadyStateFilter<Fixed> filter_;
   Fixed last_;
   bool hasTravel_ = false;
 };

@@ -28,9 +28,9 @@ namespace haptics::models {
 ///   the larger of `yieldDrop` and `yieldDropRatio` times the load, while the handle closed further
 ///   by `advance`: a hand that merely lets go cuts nothing. A larger force before the bottom-out
 ///   revokes the yield (the surface had not been cut after all), and Event::Yield may come again:
-///   the last one counts. If `yieldLoad` is set, a yield also needs that load. If `yieldKeeps` is
-///   set, a yield is revoked when less than that fraction of its load is left while the handle
-///   closes further: that was a blow on the handle, not tissue.
+///   the last one counts. If `yieldLoad` is set, a yield also needs that load. If
+///   `leastLoadAfterYield` is set, a yield is revoked when less than that fraction of its load is
+///   left while the handle closes further: that was a blow on the handle, not tissue.
 /// - The bottom-out is the smallest force after the yield at the end of the travel – beyond
 ///   `bottomAbove`, at most `advance` from the largest travel – once the force has risen from it by
 ///   `bottomRise`. Until the force has regained half of what it lost since the yield, a smaller
@@ -63,8 +63,8 @@ class CutDetector {
     Scalar yieldDropRatio = Scalar(0.08);  ///< … also at least this fraction of the load
     /// Least load (force above that of the interception) at a yield [N].
     Scalar yieldLoad = Scalar(0);
-    Scalar yieldKeeps = Scalar(0);  ///< least fraction of the load after a yield; 0: any
-    Scalar advance = Scalar(0.3);   ///< closing further by this counts as a movement [travel units]
+    Scalar leastLoadAfterYield = Scalar(0);  ///< least fraction of the load after a yield; 0: any
+    Scalar advance = Scalar(0.3);  ///< closing further by this counts as a movement [travel units]
     Scalar bottomAbove = Scalar(9);   ///< the end of the travel is beyond this [travel units]
     Scalar bottomRise = Scalar(0.3);  ///< rise of the force that confirms a bottom-out [N]
     Scalar retreat = Scalar(1);       ///< moving back by this counts as opening [travel units]
@@ -96,8 +96,8 @@ class CutDetector {
                            std::isfinite(p.openBelow) && std::isfinite(p.bottomAbove);
     return isOrdered && isPositive(p.contactForce) && isPositive(p.bottomRise) &&
            isPositive(p.retreat) && isPositive(p.yieldDrop) && !isBad(p.creep) &&
-           !isBad(p.yieldDropRatio) && !isBad(p.yieldLoad) && !isBad(p.yieldKeeps) &&
-           p.yieldKeeps < Scalar(1) && !isBad(p.advance);
+           !isBad(p.yieldDropRatio) && !isBad(p.yieldLoad) && !isBad(p.leastLoadAfterYield) &&
+           p.leastLoadAfterYield < Scalar(1) && !isBad(p.advance);
   }
 
   /// Processes one tick's travel [travel units] and force [N], and returns what it confirmed.
@@ -153,7 +153,7 @@ class CutDetector {
 
   Event search(const Landmark& sample) noexcept {
     const bool wentBack = sample.travel < start_.travel - parameters_.retreat;
-    if (!start_.found || wentBack || aboveCreep(sample) <= aboveCreep(start_)) {
+    if (!start_.found || wentBack || forceAboveFriction(sample) <= forceAboveFriction(start_)) {
       start_ = sample;
       return Event::Nothing;
     }
@@ -179,14 +179,14 @@ class CutDetector {
       phase_ = Phase::Falling;
       return Event::Yield;
     }
-    if (isLost(sample)) letGo(sample);
+    if (isLost(sample)) restartSearch(sample);
     return Event::Nothing;
   }
 
   Event fall(const Landmark& sample) noexcept {
     if (sample.travel >= cut_.largestTravel && hasLostTheLoad(sample)) {
       cut_.yield = Landmark{};
-      letGo(sample);
+      restartSearch(sample);
       return Event::Nothing;
     }
     const bool isAtTheEnd = sample.travel >= parameters_.bottomAbove &&
@@ -203,7 +203,7 @@ class CutDetector {
       highest_ = sample;
       phase_ = Phase::Loading;
     }
-    if (!isClosed_ && isLost(sample)) letGo(sample);
+    if (!isClosed_ && isLost(sample)) restartSearch(sample);
     return Event::Nothing;
   }
 
@@ -223,7 +223,7 @@ class CutDetector {
     start_ = sample;
     if (phase_ == Phase::Searching || phase_ == Phase::Opened) return Event::Nothing;
     if (!isClosed_) {
-      letGo(sample);
+      restartSearch(sample);
       return Event::Nothing;
     }
     settleOpening();
@@ -236,7 +236,7 @@ class CutDetector {
     lastCut_ = cut_;
     ++completedCuts_;
     isClosed_ = false;
-    letGo(sample);
+    restartSearch(sample);
     return Event::CutCompleted;
   }
 
@@ -248,7 +248,7 @@ class CutDetector {
 
   /// Restarts the search for a contact. While the hand is closed the landmarks are kept, in case no
   /// larger touch follows.
-  void letGo(const Landmark& sample) noexcept {
+  void restartSearch(const Landmark& sample) noexcept {
     phase_ = Phase::Searching;
     start_ = sample;
     if (isClosed_) return;
@@ -270,14 +270,14 @@ class CutDetector {
     return load < parameters_.contactForce / Scalar{2};
   }
 
-  /// Whether the force after the yield is less than tissue would keep: yieldKeeps.
+  /// Whether the force after the yield is less than tissue would keep: leastLoadAfterYield.
   bool hasLostTheLoad(const Landmark& sample) const noexcept {
     const Scalar load = cut_.yield.force - cut_.interception.force;
-    return parameters_.yieldKeeps > Scalar(0) &&
-           sample.force - cut_.interception.force < parameters_.yieldKeeps * load;
+    return parameters_.leastLoadAfterYield > Scalar(0) &&
+           sample.force - cut_.interception.force < parameters_.leastLoadAfterYield * load;
   }
 
-  Scalar aboveCreep(const Landmark& sample) const noexcept {
+  Scalar forceAboveFriction(const Landmark& sample) const noexcept {
     return sample.force - parameters_.creep * sample.travel;
   }
 

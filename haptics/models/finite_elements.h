@@ -84,7 +84,7 @@ class FiniteElements {
   /// @param parameters  valid, see isSound().
   constexpr explicit FiniteElements(const Parameters& parameters) noexcept : p_(parameters) {
     if (p_.weights == ToolWeights::ExactKink) {
-      const auto beside = flexibilitiesBeside(p_.toolPosition);
+      const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
       compliance_ = parallel(beside.left, beside.right);
     } else {
       tool_ = supportOfTool();
@@ -136,7 +136,7 @@ class FiniteElements {
   constexpr void writeMeshShape(Scalar* shape) const noexcept {
     if (p_.weights == ToolWeights::ExactKink) {
       const int before = nodesBefore(p_.toolPosition);
-      const auto beside = flexibilitiesBeside(p_.toolPosition);
+      const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
       writeLeft(shape, before, shareOf(beside.right, beside.left));
       writeRight(shape, before + 1, shareOf(beside.left, beside.right));
       return;
@@ -169,13 +169,13 @@ class FiniteElements {
     Scalar right{};
   };
 
-  static constexpr bool isEndless(Scalar value) noexcept { return !isFinite(value); }
+  static constexpr bool isInfinite(Scalar value) noexcept { return !isFinite(value); }
 
   /// a b / (a + b); either may be 0 or infinite.
   static constexpr Scalar parallel(Scalar a, Scalar b) noexcept {
     if (a == Scalar{0} || b == Scalar{0}) return Scalar{0};
-    if (isEndless(a)) return b;
-    if (isEndless(b)) return a;
+    if (isInfinite(a)) return b;
+    if (isInfinite(b)) return a;
     return a > b ? b / (Scalar{1} + b / a) : a / (Scalar{1} + a / b);
   }
 
@@ -183,8 +183,8 @@ class FiniteElements {
   /// carries.
   static constexpr Scalar shareOf(Scalar a, Scalar b) noexcept {
     if (a == Scalar{0}) return Scalar{0};
-    if (isEndless(a)) return Scalar{1};
-    return isEndless(b) ? Scalar{0} : Scalar{1} / (Scalar{1} + b / a);
+    if (isInfinite(a)) return Scalar{1};
+    return isInfinite(b) ? Scalar{0} : Scalar{1} / (Scalar{1} + b / a);
   }
 
   constexpr Scalar length() const noexcept { return (p_.end - p_.start) / Scalar(p_.elements); }
@@ -240,7 +240,7 @@ class FiniteElements {
 
   /// Flexibilities from both ends to @p x, which need not be a node. Within a spring, each half
   /// element spreads its own flexibility evenly.
-  constexpr Flexibilities flexibilitiesBeside(Scalar x) const noexcept {
+  constexpr Flexibilities flexibilitiesOnBothSides(Scalar x) const noexcept {
     const int node = nodesBefore(x);
     const Scalar before = (x - position(node)) / length();  // [elements]
     const Scalar after = (position(node + 1) - x) / length();

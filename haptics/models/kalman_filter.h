@@ -55,7 +55,7 @@ class KalmanFilter {
     Scalar wandering{};       ///< q of SpaceDomain [N²/travel unit³]
   };
 
-  /// @param noise  valid, see KalmanNoise::whyUnsound().
+  /// @param noise  valid, see KalmanNoise::invalidReason().
   constexpr KalmanFilter(const Noise& noise, KalmanScheme scheme) noexcept
       : noise_(noise), scheme_(scheme) {
     reset();
@@ -63,7 +63,7 @@ class KalmanFilter {
 
   constexpr void reset() noexcept {
     force_ = stiffness_ = Scalar{0};
-    isElastic_ = true;
+    usesElementsNext_ = true;
     covariance_.set(noise_.process);
   }
 
@@ -78,12 +78,12 @@ class KalmanFilter {
     predict(travelled);
     switch (scheme_) {
       case KalmanScheme::PaperText:
-        if (isElastic_) {
+        if (usesElementsNext_) {
           correct(finiteElementForce, noise_.finiteElements);
         } else {
-          correctPartly(interpolatedForce, trust);
+          correctWeighted(interpolatedForce, trust);
         }
-        isElastic_ = !isElastic_;
+        usesElementsNext_ = !usesElementsNext_;
         return force_;
       case KalmanScheme::AuthorsFirmware:
         correct(finiteElementForce, noise_.finiteElements);
@@ -94,7 +94,7 @@ class KalmanFilter {
         correct(finiteElementForce, noise_.finiteElements);
         break;
     }
-    correctPartly(interpolatedForce, trust);
+    correctWeighted(interpolatedForce, trust);
     return force_;
   }
 
@@ -131,7 +131,7 @@ class KalmanFilter {
     stiffness_ += gain.stiffness * innovation;
   }
 
-  constexpr void correctPartly(Scalar interpolatedForce, Scalar trust) noexcept {
+  constexpr void correctWeighted(Scalar interpolatedForce, Scalar trust) noexcept {
     if (!(trust > Scalar{0})) return;
     const Scalar r = noise_.interpolation;
     const Scalar doubt = (Scalar{1} - trust) * covariance_.variances().force;
@@ -142,7 +142,7 @@ class KalmanFilter {
   KalmanScheme scheme_;
   Scalar force_{};
   Scalar stiffness_{};
-  bool isElastic_ = true;  ///< PaperText: the finite elements are next
+  bool usesElementsNext_ = true;  ///< PaperText: the finite elements are next
   Covariance<Scalar> covariance_;
 };
 
@@ -182,7 +182,7 @@ struct KalmanNoise {
 
   /// Why this noise is not valid; nullptr if it is. An indefinite Q leads to negative variances
   /// while the force still looks plausible; with Q = 0 and R = 0 the gain is 0/0.
-  constexpr const char* whyUnsound() const noexcept {
+  constexpr const char* invalidReason() const noexcept {
     const Scalar sum = processForce + processCovariance + processStiffness + finiteElements +
                        interpolation + wandering;
     const Scalar product = processForce * processStiffness;
@@ -226,7 +226,7 @@ struct KalmanNoise {
 /// The scheme AuthorsFirmware with constant gains, those of its steady state for a hand that rests;
 /// for processors without fast division. It differs from that scheme if the hand moves.
 template <typename Scalar>
-class SteadyFilter {
+class SteadyStateFilter {
  public:
   struct Gains {
     Scalar finiteElements{};           ///< gain of the force
@@ -255,7 +255,7 @@ class SteadyFilter {
         Scalar(recorded.stiffness)};
   }
 
-  constexpr explicit SteadyFilter(const Gains& gains) noexcept : gains_(gains) {}
+  constexpr explicit SteadyStateFilter(const Gains& gains) noexcept : gains_(gains) {}
 
   constexpr void reset() noexcept { force_ = stiffness_ = Scalar{}; }
 

@@ -32,7 +32,7 @@ CutLandmarks landmarksOf(const Detector::Cut& cut) {
 CutLandmarks landmarksAlong(
     std::span<const double> travel, std::span<const double> force, double yieldLoad) {
   constexpr double kLeftAfterAYield = 0.25;
-  Detector detector({.yieldLoad = yieldLoad, .yieldKeeps = kLeftAfterAYield});
+  Detector detector({.yieldLoad = yieldLoad, .leastLoadAfterYield = kLeftAfterAYield});
   const std::size_t count = std::min(travel.size(), force.size());
   for (std::size_t i = 0; i < count; ++i) {
     const auto event = detector.feed(travel[i], force[i]);

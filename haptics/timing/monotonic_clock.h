@@ -28,9 +28,9 @@ inline void sleepUntil(std::int64_t due) noexcept {
 
 /// Priorities under SCHED_FIFO. Emulated hardware has the highest, because a real board or robot
 /// does not wait for a processor of this computer.
-inline constexpr int kStandInPriority = 85;
-inline constexpr int kLoopPriority = 80;     ///< for threads that tick a device or answer it
-inline constexpr int kWatcherPriority = 70;  ///< for threads that only observe
+inline constexpr int kEmulatorPriority = 85;
+inline constexpr int kLoopPriority = 80;      ///< for threads that tick a device or answer it
+inline constexpr int kObserverPriority = 70;  ///< for threads that only observe
 
 /// Gives a thread (0: the calling one) real-time priority. Returns false, and changes nothing, if
 /// the system refuses.

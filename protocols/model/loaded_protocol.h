@@ -46,14 +46,14 @@ std::string describe(const FeltSource& source);
 
 /// A file of a protocol as it was read; a study stores it.
 struct SourceFile {
-  /// As in the protocol; kCopiesOfLibrary + file name for a copy from the library.
+  /// As in the protocol; kLibraryCopyPrefix + file name for a copy from the library.
   std::string name;
   std::string text;
 };
 
 /// Prefix of the names of copies of the library's instruments, "palpate-library/debrief.json". A
 /// study keeps copies, so that its texts do not change with the program (docs/decisions/0073).
-inline constexpr std::string_view kCopiesOfLibrary = "palpate-library/";
+inline constexpr std::string_view kLibraryCopyPrefix = "palpate-library/";
 
 /// A protocol with all files that it refers to, ready for sessions.
 struct LoadedProtocol {

@@ -68,7 +68,7 @@ std::string ConditionQuestionnaire::setFor(std::string_view condition) const {
   return {};
 }
 
-double SimulationTruth::realismOf(std::string_view condition) const {
+double SimulatedAnswerModel::realismOf(std::string_view condition) const {
   for (const auto& [name, realism] : realismByCondition) {
     if (name == condition) return realism;
   }

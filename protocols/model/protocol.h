@@ -66,7 +66,7 @@ struct Condition {
   /// is read; every condition of a loaded protocol has a model.
   std::optional<haptics::engine::ModelSpec> model;
   bool isVisualised = false;
-  haptics::engine::SeenTissue seenTissue = haptics::engine::SeenTissue::Penetration;
+  haptics::engine::TissueDrawing seenTissue = haptics::engine::TissueDrawing::Penetration;
   haptics::engine::Reamer reamer;       ///< limits the removal of bone
   std::optional<std::string> anatomy;   ///< file of a knee that replaces the displayed built-in one
   std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr for the built-in knee
@@ -230,7 +230,7 @@ struct AnalysisPlan {
 
 /// Parameters of simulated answers, in points from the middle of the scale. Used only to try out a
 /// protocol.
-struct SimulationTruth {
+struct SimulatedAnswerModel {
   std::vector<std::pair<std::string, double>> realismByCondition;
   double personDeviation = 0.5;  ///< standard deviation between participants
   /// Standard deviation of a participant's opinion on a condition.
@@ -256,7 +256,7 @@ struct Protocol {
   Labels labels;
   std::vector<Phase> phases;
   AnalysisPlan analysis;
-  SimulationTruth simulation;
+  SimulatedAnswerModel simulation;
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;

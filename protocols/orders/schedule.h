@@ -15,7 +15,7 @@ using Row = std::vector<int>;
 /// The largest number of conditions of a block.
 inline constexpr int kMostConditions = 100;
 /// The largest number of conditions of a block with OrderType::Complete: 6! = 720 orders.
-inline constexpr int kMostForComplete = 6;
+inline constexpr int kMostConditionsForComplete = 6;
 
 /// The orders that a design of k conditions uses, each equally often. One row if all have the same
 /// order; none if orders are drawn (Random) or taken from another block (Reversed).

@@ -101,8 +101,8 @@ AnalysisPlan readAnalysis(const Node& node) {
   return plan;
 }
 
-SimulationTruth readSimulation(const Node& node) {
-  SimulationTruth truth;
+SimulatedAnswerModel readSimulation(const Node& node) {
+  SimulatedAnswerModel truth;
   if (!node.isObjectWith(
           {"realism", "person_deviation", "person_by_condition_deviation", "answer_deviation"})) {
     return truth;

@@ -139,7 +139,7 @@ class AnatomyReader {
       problems_.add(place, "there is no triangle in it", "save it with its faces");
       return false;
     }
-    mendNormals(surface, place);
+    replaceInvalidNormals(surface, place);
     if (!surface.hasNormals) {
       problems_.warn(place, message("no_normals"), message("no_normals.fix"));
     }
@@ -147,7 +147,7 @@ class AnatomyReader {
   }
 
   /// Replaces normals without a direction by those of the triangles around.
-  void mendNormals(NamedSurface& surface, const std::string& place) {
+  void replaceInvalidNormals(NamedSurface& surface, const std::string& place) {
     const auto hasDirection = [](const auto& n) { return isFinite(n) && lengthOf(n) > kShortest; };
     const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
     const auto lost = static_cast<std::ptrdiff_t>(surface.normals.size()) - whole;

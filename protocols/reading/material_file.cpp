@@ -160,7 +160,7 @@ Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
 /// The number of specimens of the curves, at each depth where it changes.
 Json specimensLeft(const reaming::FittedEnvelope& envelope) {
   Json stretches = Json::array();
-  for (const auto& stretch : reaming::specimensLeftOf(envelope)) {
+  for (const auto& stretch : reaming::specimenCountsOf(envelope)) {
     stretches.push_back(
         {{"from_m", stretch.from}, {"measured", stretch.measured}, {"held", stretch.held}});
   }

@@ -24,7 +24,7 @@ namespace protocols {
 namespace {
 
 // between triangles without normals [°]; larger angles stay sharp edges
-constexpr float kStaysAnEdge = 40.0F;
+constexpr float kSharpEdgeAngle = 40.0F;
 
 constexpr std::uintmax_t kLargestMesh = 512 * 1024 * 1024;  // [bytes]
 constexpr double kMostSteps = 1e8;  // steps of cutting faces into triangles: about 2 s
@@ -125,7 +125,7 @@ double countIn(const std::string& word) {
 /// Checks the header of a PLY file, because the library trusts it: it allocates memory for as many
 /// vertices and faces as the header announces, and never returns if the header does not end.
 /// Headers that can be read in more than one way are refused.
-void requireAsManyAsFit(std::string_view text) {
+void requirePlausibleHeader(std::string_view text) {
   static const std::set<std::string> kStatements{
       "ply", "format", "comment", "obj_info", "element", "property"};
   static const std::set<std::string> kShortCounts{
@@ -162,7 +162,7 @@ void requireAsManyAsFit(std::string_view text) {
 
 /// Removes all readers except that of one format. Otherwise the library chooses one of its dozens
 /// of readers by the content.
-void keepOnly(Assimp::Importer& importer, const std::string& format) {
+void keepOnlyReaderOf(Assimp::Importer& importer, const std::string& format) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     auto* reader = importer.GetImporter(i);
     std::set<std::string> endings;
@@ -196,9 +196,9 @@ void requireFewCorners(const aiScene& scene) {
 
 void read(
     Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
-  if (format == "ply") requireAsManyAsFit(text);
+  if (format == "ply") requirePlausibleHeader(text);
   importer.SetIOHandler(new NoFiles);  // the importer takes ownership
-  keepOnly(importer, format);
+  keepOnlyReaderOf(importer, format);
   importer.ReadFileFromMemory(
       text.data(), text.size(), aiProcess_ValidateDataStructure | more, format.c_str());
   if (const auto* scene = importer.GetScene()) requireFewCorners(*scene);
@@ -216,7 +216,7 @@ std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) 
     hasNormals.push_back(scene->mMeshes[i]->HasNormals());
     isSound = isSound && isFiniteMesh(*scene->mMeshes[i]);
   }
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kStaysAnEdge);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSharpEdgeAngle);
   if (isSound) scene = importer.ApplyPostProcessing(more | aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mNumMeshes < hasNormals.size()) {
     throw base::UserError(std::string("it is damaged (") + importer.GetErrorString() + ")");

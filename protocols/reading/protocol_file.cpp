@@ -30,7 +30,7 @@ namespace {
 
 using haptics::devices::DeviceKind;
 using questionnaires::Choice;
-using questionnaires::isSoundId;
+using questionnaires::isValidId;
 using questionnaires::Node;
 using questionnaires::Problems;
 
@@ -307,7 +307,7 @@ void addInstruments(
 template <typename T>
 bool isComplete(const std::vector<T>& all) noexcept {
   return !all.empty() &&
-         std::all_of(all.begin(), all.end(), [](const T& t) { return isSoundId(t.id); });
+         std::all_of(all.begin(), all.end(), [](const T& t) { return isValidId(t.id); });
 }
 
 /// Whether this is a file of another format, which names it in its "format". Its keys are not
@@ -329,16 +329,16 @@ bool isOtherFile(const Node& root) {
 
 bool Draft::lacksDevice(std::string_view id) const noexcept {
   const auto& protocol = loaded.protocol;
-  return isSoundId(id) && protocol.device(id) == nullptr && isComplete(protocol.devices);
+  return isValidId(id) && protocol.device(id) == nullptr && isComplete(protocol.devices);
 }
 
 bool Draft::lacksCondition(std::string_view id) const noexcept {
   const auto& protocol = loaded.protocol;
-  return isSoundId(id) && protocol.condition(id) == nullptr && isComplete(protocol.conditions);
+  return isValidId(id) && protocol.condition(id) == nullptr && isComplete(protocol.conditions);
 }
 
 bool Draft::lacksInstrument(std::string_view id) const noexcept {
-  return isSoundId(id) && loaded.instrument(id) == nullptr && hasAllInstruments;
+  return isValidId(id) && loaded.instrument(id) == nullptr && hasAllInstruments;
 }
 
 bool Draft::hasAllPhases() const noexcept {

@@ -49,6 +49,6 @@ void readScene(
 AnalysisPlan readAnalysis(const questionnaires::Node& node);
 
 /// Reads the parameters of simulated answers (docs/protocol-format.md, "Simulated participants").
-SimulationTruth readSimulation(const questionnaires::Node& node);
+SimulatedAnswerModel readSimulation(const questionnaires::Node& node);
 
 }  // namespace protocols

@@ -19,7 +19,7 @@ using questionnaires::Instrument;
 using questionnaires::Problems;
 using questionnaires::shown;
 
-bool leavesItsFolder(const std::string& name) {
+bool isOutsideFolder(const std::string& name) {
   const std::filesystem::path path(name);
   return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
 }
@@ -130,7 +130,7 @@ std::optional<Instrument> ReferencedFiles::libraryInstrument(
     const std::string& path,
     const std::vector<std::string>& languages,
     questionnaires::BlankFiller& blanks) {
-  const std::string name = std::string(kCopiesOfLibrary) + id + ".json";
+  const std::string name = std::string(kLibraryCopyPrefix) + id + ".json";
   auto text = copies_ ? copies_(name) : std::nullopt;
   if (!text) text = textInLibrary(id);
   if (!text) return std::nullopt;
@@ -169,7 +169,7 @@ std::optional<std::string> ReferencedFiles::textOf(
   const auto known = std::find_if(
       files_.begin(), files_.end(), [&](const auto& file) { return file.name == name; });
   if (known != files_.end()) return known->text;
-  if (leavesItsFolder(name)) {
+  if (isOutsideFolder(name)) {
     problems_.add(
         path,
         "'" + shown(name) + "' lies outside the protocol's folder",
@@ -205,7 +205,7 @@ using haptics::recordings::Cut;
 
 /// The travel over which the force of the parametric cut falls to zero [travel units], equal to
 /// that of 'ramp-out'.
-constexpr double kRelease = 1.5;
+constexpr double kParametricRelease = 1.5;
 
 std::vector<Message> originOf(const haptics::recordings::Provenance& provenance) {
   std::vector<Message> origin;
@@ -243,7 +243,7 @@ std::vector<Message> surfacesIn(const Anatomy& knee) {
 
 const Cut* SceneSources::cut(const std::string& name, const std::string& path) {
   if (name == kParametricCut) {
-    static const Cut whole = haptics::recordings::parametricCut({.release = kRelease});
+    static const Cut whole = haptics::recordings::parametricCut({.release = kParametricRelease});
     static const Cut ofRelease01 = haptics::recordings::parametricCut();
     const Cut& own = defaults() == Defaults::Release01 ? ofRelease01 : whole;
     add(

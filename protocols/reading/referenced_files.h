@@ -29,7 +29,7 @@ class ReferencedFiles {
  public:
   /// All arguments must outlive this object.
   /// @param copies  finds copies of the library's instruments, whose names begin with
-  ///     kCopiesOfLibrary; empty if there are none.
+  ///     kLibraryCopyPrefix; empty if there are none.
   ReferencedFiles(
       const FileFinder& find,
       const FileFinder& copies,

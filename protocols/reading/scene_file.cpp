@@ -67,7 +67,7 @@ Read<engine::InterpolationSpec> readInterpolation(
   }
   const std::string name = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
   spec.options.extrapolation =
-      node.choice("beyond", engine::kBeyondNames, spec.options.extrapolation);
+      node.choice("beyond", engine::kExtrapolationNames, spec.options.extrapolation);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
@@ -394,9 +394,9 @@ void readScene(
   condition.isVisualised = scene.flag("visualisation", false);
   condition.seenTissue = scene.choice(
       "tissue_follows",
-      engine::kSeenTissueNames,
-      sources.defaults() == Defaults::Release01 ? engine::SeenTissue::Force
-                                                : engine::SeenTissue::Penetration);
+      engine::kTissueDrawingNames,
+      sources.defaults() == Defaults::Release01 ? engine::TissueDrawing::Force
+                                                : engine::TissueDrawing::Penetration);
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
   condition.reamer = readReamer(scene, sources.defaults());
   const auto* device = protocol.device(condition.device);

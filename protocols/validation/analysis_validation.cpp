@@ -8,7 +8,7 @@
 namespace protocols {
 namespace {
 
-using questionnaires::isSoundId;
+using questionnaires::isValidId;
 using questionnaires::ItemType;
 using questionnaires::Problems;
 using questionnaires::shown;
@@ -24,7 +24,7 @@ class FamilyCheck {
         problems_(problems) {}
 
   void all() {
-    if (isSoundId(family_.instrument)) instrument();
+    if (isValidId(family_.instrument)) instrument();
     for (std::size_t i = 0; i < family_.blocks.size(); ++i) block(i);
     for (std::size_t i = 0; i < family_.comparisons.size(); ++i) comparison(i);
   }
@@ -54,10 +54,10 @@ class FamilyCheck {
   /// Whether @p phase asks the family's questions about its conditions, or could not be read.
   bool mayAsk(const Phase& phase) const {
     const auto& asked = phase.trials.questionnaires;
-    return phase.id.empty() || !isSoundId(family_.instrument) ||
+    return phase.id.empty() || !isValidId(family_.instrument) ||
            std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
              return questionnaire.instrument == family_.instrument ||
-                    !isSoundId(questionnaire.instrument);
+                    !isValidId(questionnaire.instrument);
            });
   }
 
@@ -90,7 +90,7 @@ class FamilyCheck {
   /// Checks that the score exists, and that all of its items are asked about every compared
   /// condition.
   void score(const questionnaires::Instrument& asked) {
-    if (!isSoundId(family_.score)) return;
+    if (!isValidId(family_.score)) return;
     const auto* score = asked.score(family_.score);
     if (score == nullptr) {
       problems_.add(
@@ -102,12 +102,13 @@ class FamilyCheck {
     for (const auto& phase : protocol_.phases) {
       if (phase.type != PhaseType::Block || !isCounted(phase)) continue;
       for (const auto& questionnaire : phase.trials.questionnaires) {
-        if (questionnaire.instrument == asked.id) inFull(asked, *score, phase, questionnaire);
+        if (questionnaire.instrument == asked.id)
+          checkAllItemsAsked(asked, *score, phase, questionnaire);
       }
     }
   }
 
-  void inFull(
+  void checkAllItemsAsked(
       const questionnaires::Instrument& asked,
       const questionnaires::Score& score,
       const Phase& phase,
@@ -130,7 +131,7 @@ class FamilyCheck {
   void item(const questionnaires::Instrument& asked, std::size_t index) {
     const auto& id = family_.items[index];
     const std::string path = path_ + ".items[" + std::to_string(index) + "]";
-    if (!isSoundId(id)) return;
+    if (!isValidId(id)) return;
     const auto* item = asked.item(id);
     if (item == nullptr) {
       problems_.add(path, "'" + asked.id + "' has no item '" + shown(id) + "'", "correct the name");
@@ -145,7 +146,7 @@ class FamilyCheck {
   void block(std::size_t index) {
     const auto& id = family_.blocks[index];
     const auto* phase = protocol_.phase(id);
-    if (!isSoundId(id) || (phase == nullptr && !draft_.hasAllPhases())) return;
+    if (!isValidId(id) || (phase == nullptr && !draft_.hasAllPhases())) return;
     if (phase != nullptr && phase->type == PhaseType::Block && mayAsk(*phase)) return;
     problems_.add(
         path_ + ".blocks[" + std::to_string(index) + "]",
@@ -174,7 +175,7 @@ class FamilyCheck {
   void side(const std::string& condition, const std::string& path) {
     if (draft_.lacksCondition(condition)) {
       problems_.add(path, "there is no condition '" + shown(condition) + "'", "correct the name");
-    } else if (isSoundId(condition) && !isAskedAbout(condition)) {
+    } else if (isValidId(condition) && !isAskedAbout(condition)) {
       problems_.add(
           path,
           "no block of this family asks '" + shown(family_.instrument) + "' about '" +
@@ -187,7 +188,7 @@ class FamilyCheck {
     bool isAskedAtAll = false;
     for (const auto& phase : protocol_.phases) {
       if (phase.type != PhaseType::Block || !isCounted(phase) || !mayAsk(phase)) continue;
-      if (mayHold(phase.trials, condition)) return true;
+      if (mayContainCondition(phase.trials, condition)) return true;
       isAskedAtAll = true;
     }
     // A phase that could not be read has been reported already.
@@ -199,9 +200,9 @@ class FamilyCheck {
     return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
   }
 
-  static bool mayHold(const Block& block, const std::string& condition) {
+  static bool mayContainCondition(const Block& block, const std::string& condition) {
     const auto& felt = block.conditions;
-    return felt.empty() || !std::all_of(felt.begin(), felt.end(), isSoundId) ||
+    return felt.empty() || !std::all_of(felt.begin(), felt.end(), isValidId) ||
            std::find(felt.begin(), felt.end(), condition) != felt.end();
   }
 
@@ -221,7 +222,7 @@ void validateAnalysis(const Draft& draft, Problems& problems) {
   }
   for (const auto& member : protocol.simulation.realismByCondition) {
     const std::string& condition = member.first;
-    if (isSoundId(condition) && !draft.lacksCondition(condition)) continue;
+    if (isValidId(condition) && !draft.lacksCondition(condition)) continue;
     problems.add(
         "$.simulation.realism." + shown(condition),
         "there is no condition '" + shown(condition) + "'",

@@ -9,7 +9,7 @@
 namespace protocols {
 namespace {
 
-using questionnaires::isSoundId;
+using questionnaires::isValidId;
 using questionnaires::Problems;
 using questionnaires::shown;
 
@@ -47,13 +47,14 @@ class BlockCheck {
 
   void order() {
     const auto type = block_.order.type;
-    if (type == OrderType::Complete && block_.conditions.size() > std::size_t{kMostForComplete}) {
+    if (type == OrderType::Complete &&
+        block_.conditions.size() > std::size_t{kMostConditionsForComplete}) {
       problems_.add(
           path_ + ".order",
           "all orders of " + std::to_string(block_.conditions.size()) + " conditions are too many",
           "use balancedLatinSquare");
     }
-    if (type == OrderType::Reversed && isSoundId(block_.order.of)) reversed();
+    if (type == OrderType::Reversed && isValidId(block_.order.of)) reversed();
   }
 
   void reversed() {
@@ -66,7 +67,7 @@ class BlockCheck {
           "name a block before this one");
       return;
     }
-    if (isInACircle()) {
+    if (hasCyclicOrder()) {
       problems_.add(
           path_ + ".order.of",
           "the orders of these blocks refer to each other in a circle",
@@ -86,7 +87,7 @@ class BlockCheck {
     }
   }
 
-  bool isInACircle() const {
+  bool hasCyclicOrder() const {
     std::set<const Phase*> seen;
     const Phase* phase = &phase_;
     while (phase != nullptr && phase->trials.order.type == OrderType::Reversed) {
@@ -100,7 +101,7 @@ class BlockCheck {
     const auto& asked = block_.questionnaires[index];
     const std::string path = path_ + ".questionnaires[" + std::to_string(index) + "]";
     for (std::size_t i = 0; i < index; ++i) {
-      if (!isSoundId(asked.instrument) || block_.questionnaires[i].instrument != asked.instrument) {
+      if (!isValidId(asked.instrument) || block_.questionnaires[i].instrument != asked.instrument) {
         continue;
       }
       problems_.add(
@@ -125,7 +126,7 @@ class BlockCheck {
           path, "this block has no condition '" + shown(condition) + "'", "correct the name");
     }
     const auto* instrument = draft_.loaded.instrument(asked.instrument);
-    if (instrument == nullptr || !isSoundId(set)) return;
+    if (instrument == nullptr || !isValidId(set)) return;
     if (instrument->itemsOf(set).empty()) {
       problems_.add(
           path,
@@ -146,7 +147,7 @@ void checkPreference(const Draft& draft, std::size_t index, Problems& problems) 
   const auto& protocol = draft.loaded.protocol;
   const auto& phase = protocol.phases[index];
   const auto* block = protocol.phase(phase.block);
-  if (!isSoundId(phase.block) || (block == nullptr && !draft.hasAllPhases())) return;
+  if (!isValidId(phase.block) || (block == nullptr && !draft.hasAllPhases())) return;
   const std::string path = "$.phases[" + std::to_string(index) + "].block";
   const std::string name = "'" + shown(phase.block) + "'";
   if (block == nullptr || block->type != PhaseType::Block) {

@@ -12,9 +12,9 @@ namespace {
 using questionnaires::Problems;
 
 /// Adds warnings about one block.
-class BlockAdvice {
+class BlockWarningCheck {
  public:
-  BlockAdvice(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
+  BlockWarningCheck(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
       : loaded_(loaded),
         protocol_(loaded.protocol),
         phase_(protocol_.phases[index]),
@@ -22,7 +22,7 @@ class BlockAdvice {
         problems_(problems) {}
 
   void all() {
-    for (std::size_t i = 0; i < phase_.trials.questionnaires.size(); ++i) relativeItems(i);
+    for (std::size_t i = 0; i < phase_.trials.questionnaires.size(); ++i) warnOfRelativeItems(i);
     if (phase_.trials.order.type == OrderType::Fixed) {
       warnOfFixedOrder();
     } else {
@@ -32,7 +32,7 @@ class BlockAdvice {
 
  private:
   /// A statement like "than the previous cut" needs a previous cut.
-  void relativeItems(std::size_t index) {
+  void warnOfRelativeItems(std::size_t index) {
     const auto& asked = phase_.trials.questionnaires[index];
     for (const auto& condition : phase_.trials.conditions) {
       if (!mayBeFirst(condition)) continue;
@@ -104,7 +104,7 @@ bool hasUnlikeStatements(const Family& family, const Phase& phase) {
 void addBlockWarnings(const LoadedProtocol& loaded, Problems& problems) {
   const auto& phases = loaded.protocol.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {
-    if (phases[i].type == PhaseType::Block) BlockAdvice(loaded, i, problems).all();
+    if (phases[i].type == PhaseType::Block) BlockWarningCheck(loaded, i, problems).all();
   }
 }
 

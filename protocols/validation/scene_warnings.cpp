@@ -17,12 +17,12 @@ namespace {
 namespace engine = haptics::engine;
 using questionnaires::Problems;
 
-constexpr double kUnfelt = 0.02;  // a smaller weight has no noticeable effect
+constexpr double kNegligibleWeight = 0.02;  // a smaller weight has no noticeable effect
 
 void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Problems& problems) {
   const double weight = engine::interpolationWeight(spec);
-  if (weight >= kUnfelt && weight <= 1.0 - kUnfelt) return;
-  const bool isRecordingUnheard = weight < kUnfelt;
+  if (weight >= kNegligibleWeight && weight <= 1.0 - kNegligibleWeight) return;
+  const bool isRecordingUnheard = weight < kNegligibleWeight;
   problems.warn(
       path + ".parameters",
       isRecordingUnheard ? message("cut_not_felt") : message("elements_not_felt"),
@@ -194,7 +194,7 @@ std::string aboutBenchmark(const std::vector<Item>& items) {
 
 /// The message about what @p item asks about and the scene of @p condition does not render;
 /// std::nullopt if it renders it.
-std::optional<base::Message> lackOf(const Condition& condition, const Item& item) {
+std::optional<base::Message> messageIfNotRendered(const Condition& condition, const Item& item) {
   const auto parts = engine::partsOf(*condition.model);
   const double scale = parts.material != nullptr  ? parts.material->forceScale
                        : parts.packing != nullptr ? parts.packing->forceScale
@@ -224,7 +224,7 @@ void adviseOn(
     Problems& problems) {
   for (const auto& id : block.conditions) {
     if (!isAskedAbout(asked, item, id)) continue;
-    const auto lack = lackOf(*protocol.condition(id), item);
+    const auto lack = messageIfNotRendered(*protocol.condition(id), item);
     if (!lack) continue;
     problems.warn(path, *lack, message("not_rendered.fix"));
     return;

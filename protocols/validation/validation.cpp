@@ -121,7 +121,7 @@ bool asksForOneAlternative(const Instrument& instrument) {
   });
 }
 
-void checkSuits(
+void checkInstrumentFitsPhase(
     const Instrument& instrument, PhaseType phase, const std::string& path, Problems& problems) {
   if (phase == PhaseType::Consent && !hasConsentItem(instrument)) {
     problems.add(
@@ -164,7 +164,7 @@ void checkInstrument(const Draft& draft, const InstrumentUse& use, Problems& pro
             "), or list its file in 'instrument_files'");
   }
   const auto* instrument = draft.loaded.instrument(use.instrument);
-  if (instrument != nullptr) checkSuits(*instrument, use.phase, use.path, problems);
+  if (instrument != nullptr) checkInstrumentFitsPhase(*instrument, use.phase, use.path, problems);
 }
 
 void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
@@ -204,7 +204,7 @@ using questionnaires::shown;
 /// The largest force that hands and fingers bear without pain while they are held or pressed [N]:
 /// table A.2 of ISO/TS 15066:2016, "Robots and robotic devices – Collaborative robots",
 /// quasi-static contact.
-constexpr double kBearable = 140.0;
+constexpr double kPainlessForce = 140.0;
 
 constexpr double kTick = 0.001;  // period of the force loop [s]
 
@@ -214,13 +214,13 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
   for (std::size_t i = 0; i < protocol.devices.size(); ++i) {
     const auto& device = protocol.devices[i];
     const std::string path = "$.devices[" + std::to_string(i) + "].";
-    if (device.maxForce > kBearable) {
+    if (device.maxForce > kPainlessForce) {
       problems.add(
           path + "max_force_n",
-          "a hand stands " + shown(kBearable) +
+          "a hand stands " + shown(kPainlessForce) +
               " N without pain (ISO/TS 15066:2016, table A.2, hands and fingers), and this is " +
               shown(device.maxForce) + " N",
-          "write " + shown(kBearable) + " or less, and scale the scenes by 'force_scale'");
+          "write " + shown(kPainlessForce) + " or less, and scale the scenes by 'force_scale'");
     }
     const double steepest = device.maxForce / kTick;
     if (device.maxForceRate > steepest) {

@@ -31,9 +31,9 @@ bool isInLibrary(const std::string& instrument) {
 }
 
 /// Adds all warnings except those about blocks.
-class Advice {
+class ProtocolWarningCheck {
  public:
-  Advice(const LoadedProtocol& loaded, Problems& problems)
+  ProtocolWarningCheck(const LoadedProtocol& loaded, Problems& problems)
       : loaded_(loaded), protocol_(loaded.protocol), problems_(problems) {}
 
   void onTexts() {
@@ -170,7 +170,7 @@ class Advice {
 }  // namespace
 
 void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defaults) {
-  Advice advice(loaded, problems);
+  ProtocolWarningCheck advice(loaded, problems);
   advice.onTexts();
   advice.onUnusedTexts();
   advice.addInstrumentWarnings();

@@ -102,7 +102,7 @@ std::string Node::id(std::string_view key) const {
   const Value* value = required(key);
   if (value == nullptr) return {};
   std::string result = at(key, *value).asText();
-  if (std::holds_alternative<std::string>(value->data) && !isSoundId(result)) {
+  if (std::holds_alternative<std::string>(value->data) && !isValidId(result)) {
     problem(key, "'" + shown(result) + "' cannot be an id", std::string(kIdRule));
   }
   return result;

@@ -196,7 +196,7 @@ std::optional<T> readJson(std::string_view text, Problems& problems, Read read) 
 }
 
 /// Whether @p id has the form of an id (see Node::id()).
-bool isSoundId(std::string_view id) noexcept;
+bool isValidId(std::string_view id) noexcept;
 
 /// The form of an id, used as the fix of a problem.
 inline constexpr std::string_view kIdRule =

@@ -16,7 +16,7 @@ namespace questionnaires {
 namespace {
 
 /// An iterator over characters that stores its position in a variable of the caller.
-class WatchedCharacters {
+class PositionTrackingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -24,14 +24,14 @@ class WatchedCharacters {
   using pointer = const char*;
   using reference = const char&;
 
-  WatchedCharacters(const char* at, const char*& reached) : at_(at), reached_(&reached) {}
+  PositionTrackingIterator(const char* at, const char*& reached) : at_(at), reached_(&reached) {}
 
   reference operator*() const { return *at_; }
-  WatchedCharacters& operator++() {
+  PositionTrackingIterator& operator++() {
     *reached_ = ++at_;
     return *this;
   }
-  bool operator==(const WatchedCharacters& other) const { return at_ == other.at_; }
+  bool operator==(const PositionTrackingIterator& other) const { return at_ == other.at_; }
 
  private:
   const char* at_;
@@ -48,8 +48,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool read() {
     const char* begin = text_.data();
     return nlohmann::json::sax_parse(
-        WatchedCharacters(begin, reached_),
-        WatchedCharacters(begin + text_.size(), reached_),
+        PositionTrackingIterator(begin, reached_),
+        PositionTrackingIterator(begin + text_.size(), reached_),
         this);
   }
 

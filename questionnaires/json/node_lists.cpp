@@ -83,7 +83,7 @@ std::vector<std::string> Node::ids(std::string_view key) const {
   std::set<std::string> seen;
   for (const auto& node : list(key)) {
     std::string id = node.asText();
-    if (node.isText() && !isSoundId(id)) {
+    if (node.isText() && !isValidId(id)) {
       node.problem("", "'" + shown(id) + "' cannot be an id", std::string(kIdRule));
     }
     if (node.isText() && !seen.insert(id).second) {

@@ -40,7 +40,7 @@ constexpr std::array kLeads{
 };
 
 /// The length of the valid UTF-8 character at the beginning of @p text [bytes]; 0 if there is none.
-std::size_t soundLength(std::string_view text) noexcept {
+std::size_t validUtf8Length(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   for (const auto& lead : kLeads) {
     if (byte(0) < lead.first || byte(0) > lead.last) continue;
@@ -60,7 +60,7 @@ std::size_t soundLength(std::string_view text) noexcept {
 std::optional<std::size_t> charactersIn(std::string_view text) noexcept {
   std::size_t count = 0;
   while (!text.empty()) {
-    const std::size_t length = soundLength(text);
+    const std::size_t length = validUtf8Length(text);
     if (length == 0) return std::nullopt;
     text.remove_prefix(length);
     ++count;
@@ -159,7 +159,7 @@ std::string shown(std::string_view text) {
   return end < text.size() ? result + "…" : result;
 }
 
-bool isSoundId(std::string_view id) noexcept {
+bool isValidId(std::string_view id) noexcept {
   const auto letterOrDigit = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };

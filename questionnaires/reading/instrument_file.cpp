@@ -182,7 +182,7 @@ std::optional<Instrument> readInstrument(
   return found.hasErrors() ? std::nullopt : instrument;
 }
 
-Instrument readSoundInstrument(std::string_view json, const std::string& name) {
+Instrument readValidInstrument(std::string_view json, const std::string& name) {
   Problems problems;
   auto instrument = readInstrument(json, problems);
   if (!instrument) {

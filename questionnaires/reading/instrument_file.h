@@ -51,6 +51,6 @@ std::optional<Instrument> readInstrument(
 
 /// Reads an instrument that must be valid.
 /// @throws UserError  listing all problems of the instrument called @p name.
-Instrument readSoundInstrument(std::string_view json, const std::string& name);
+Instrument readValidInstrument(std::string_view json, const std::string& name);
 
 }  // namespace questionnaires

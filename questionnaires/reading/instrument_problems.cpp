@@ -10,7 +10,7 @@ namespace questionnaires {
 namespace {
 
 void inspectHead(const Instrument& instrument, const TextProblems& texts, Problems& problems) {
-  if (!isSoundId(instrument.id)) {
+  if (!isValidId(instrument.id)) {
     problems.add("$.id", "'" + shown(instrument.id) + "' cannot be an id", "give it a name");
   }
   const auto& languages = instrument.languages;

@@ -63,7 +63,7 @@ class TextProblems {
   void inspect(const std::string& path, const LocalizedText& text) const;
 
   /// Checks a text that only researchers see: it must exist in English.
-  void inspectForResearchers(const std::string& path, const LocalizedText& text) const;
+  void inspectResearcherText(const std::string& path, const LocalizedText& text) const;
 
  private:
   void demand(

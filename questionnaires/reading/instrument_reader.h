@@ -43,7 +43,7 @@ Scale readScale(const Node& node, const TextReader& texts);
 Scale defaultScale(const TextReader& texts);
 
 /// Replaces a number that could not be read.
-inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kUnreadNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Reads the items of an instrument.
 ///

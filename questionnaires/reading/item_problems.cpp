@@ -46,7 +46,7 @@ class ItemInspection {
 };
 
 void ItemInspection::inspectHead() const {
-  if (!isSoundId(item_.id))
+  if (!isValidId(item_.id))
     add("id", "'" + shown(item_.id) + "' cannot be an id", "give it a name");
   const bool isPair = item_.type == ItemType::SemanticDifferential;
   if (!isPair || !item_.text.isEmpty()) inspectText("text", WordingField::Text, item_.text);
@@ -172,7 +172,7 @@ void ItemInspection::inspectOptionNames() const {
   for (std::size_t i = 0; i < item_.options.size(); ++i) {
     const Option& option = item_.options[i];
     const std::string place = "options[" + std::to_string(i) + "]";
-    if (!isSoundId(option.id)) {
+    if (!isValidId(option.id)) {
       add(place + ".id", "'" + shown(option.id) + "' cannot be an id", "give it a name");
     }
     if (!ids.insert(option.id).second) {

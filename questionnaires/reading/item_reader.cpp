@@ -144,7 +144,7 @@ std::optional<ItemTypeFacts> typeOf(const Node& node) {
   return std::nullopt;
 }
 
-bool knowsItsKeys(const Node& node) {
+bool hasOnlyKnownKeys(const Node& node) {
   return node.isObjectWith(
       {"id",
        "type",
@@ -175,16 +175,16 @@ bool knowsItsKeys(const Node& node) {
 constexpr double kLargestBound = 1e9;
 
 double bound(const Node& node, std::string_view key, std::optional<double> usual) {
-  if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnread);
+  if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnreadNumber);
   if (!usual) node.problem("", "'" + std::string(key) + "' is missing", "add it");
-  return usual.value_or(kUnread);
+  return usual.value_or(kUnreadNumber);
 }
 
 void readRange(const Node& node, Item& item) {
   const bool isSlider = item.type == ItemType::Slider;
   item.least = bound(node, "least", isSlider ? std::optional(0.0) : std::nullopt);
   item.most = bound(node, "most", isSlider ? std::optional(100.0) : std::nullopt);
-  item.step = node.has("step") ? node.number("step", 0.0, kLargestBound, kUnread) : 1.0;
+  item.step = node.has("step") ? node.number("step", 0.0, kLargestBound, kUnreadNumber) : 1.0;
   if (std::isnan(item.least + item.most + item.step)) {
     item.least = 0.0;
     item.most = 1.0;
@@ -224,7 +224,7 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
   item.id = "unread." + std::to_string(index);
   item.text = texts_.fallbackText();
   item.scale = defaultScale(texts_);
-  if (!knowsItsKeys(node)) return item;
+  if (!hasOnlyKnownKeys(node)) return item;
 
   item.id = idOrGenerated(node, "id", index);
   const auto type = typeOf(node);
@@ -252,7 +252,8 @@ void ItemReader::readCommonKeys(const Node& node, Item& item) const {
   item.reference = node.choice("relative_to", kReferences, Reference::None);
   item.refersTo = node.choice("refers_to", kReferents, Referent::None);
   if (node.has("acceptable_from")) {
-    const double from = node.number("acceptable_from", -kLargestBound, kLargestBound, kUnread);
+    const double from =
+        node.number("acceptable_from", -kLargestBound, kLargestBound, kUnreadNumber);
     if (!std::isnan(from)) item.acceptableFrom = from;
   }
 }

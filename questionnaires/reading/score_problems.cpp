@@ -164,7 +164,7 @@ void inspectArithmetic(const Score& score, const std::string& path, Problems& pr
 
 void inspectScore(
     const Instrument& instrument, const Score& score, const std::string& path, Problems& problems) {
-  if (!isSoundId(score.id)) {
+  if (!isValidId(score.id)) {
     problems.add(path + ".id", "'" + shown(score.id) + "' cannot be an id", "give it a name");
   }
   if (instrument.item(score.id) != nullptr) {
@@ -174,7 +174,7 @@ void inspectScore(
         "a column needs a name of its own");
   }
   const TextProblems texts(instrument.languages, problems);
-  texts.inspectForResearchers(path + ".title", score.title);
+  texts.inspectResearcherText(path + ".title", score.title);
   inspectScoredItems(instrument, score, path, problems);
   inspectHowManyAnswers(score, path, problems);
   inspectMissingAs(instrument, score, path, problems);

@@ -15,7 +15,7 @@ constexpr std::array kAggregates{
     Choice<Score::Aggregate>{"count", Score::Aggregate::Count},
 };
 
-void refuseBeside(const Node& node, std::string_view key, std::string_view other) {
+void refuseBothKeys(const Node& node, std::string_view key, std::string_view other) {
   if (!node.has(key) || !node.has(other)) return;
   node.problem(
       key, "'" + std::string(key) + "' beside '" + std::string(other) + "'", "keep one of the two");
@@ -31,9 +31,9 @@ void readWeights(const Node& node, Score& score) {
       node.problem("weights_from", "no pair is named", "name the pairwise_choice items");
     }
   }
-  refuseBeside(node, "weights", "weights_from");
-  refuseBeside(node, "least_answered", "weights_from");
-  refuseBeside(node, "missing_as", "weights_from");
+  refuseBothKeys(node, "weights", "weights_from");
+  refuseBothKeys(node, "least_answered", "weights_from");
+  refuseBothKeys(node, "missing_as", "weights_from");
 }
 
 void readCount(const Node& node, Score& score) {
@@ -53,7 +53,7 @@ void readMissing(const Node& node, Score& score) {
   score.leastAnswered =
       static_cast<std::size_t>(node.wholeNumber("least_answered", 0, kMostElements, 0));
   if (!node.has("missing_as")) return;
-  const double missing = node.number("missing_as", -kLargestFactor, kLargestFactor, kUnread);
+  const double missing = node.number("missing_as", -kLargestFactor, kLargestFactor, kUnreadNumber);
   if (!std::isnan(missing)) score.missingAs = missing;
   if (node.wholeNumber("least_answered", 0, kMostElements, 0) > 0) return;
   node.problem(

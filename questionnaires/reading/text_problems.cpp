@@ -119,7 +119,7 @@ void TextProblems::inspect(const std::string& path, const LocalizedText& text) c
   inspectLanguages(path, text);
 }
 
-void TextProblems::inspectForResearchers(const std::string& path, const LocalizedText& text) const {
+void TextProblems::inspectResearcherText(const std::string& path, const LocalizedText& text) const {
   demand(path, text, "en");
   inspectLanguages(path, text);
 }

@@ -6,7 +6,7 @@
 namespace questionnaires {
 namespace {
 
-constexpr std::string_view kStandIn = "-";
+constexpr std::string_view kPlaceholderText = "-";
 
 bool isSmall(char c) noexcept {
   return c >= 'a' && c <= 'z';
@@ -19,7 +19,7 @@ bool isLetterOrDigit(char c) noexcept {
 std::string textOf(const Node& node) {
   const std::string text = node.asText();
   if (node.isText() && text.empty()) node.problem("", "this text is empty", "write something");
-  return text.empty() ? std::string(kStandIn) : text;
+  return text.empty() ? std::string(kPlaceholderText) : text;
 }
 
 LocalizedText textsByLanguage(const Node& node) {
@@ -63,8 +63,8 @@ LocalizedText TextReader::read(const Node& node) const {
 }
 
 LocalizedText TextReader::fallbackText() const {
-  std::map<std::string, std::string> byLanguage{{"en", std::string(kStandIn)}};
-  for (const auto& language : languages_) byLanguage[language] = kStandIn;
+  std::map<std::string, std::string> byLanguage{{"en", std::string(kPlaceholderText)}};
+  for (const auto& language : languages_) byLanguage[language] = kPlaceholderText;
   return LocalizedText(std::move(byLanguage));
 }
 

@@ -8,7 +8,7 @@
 
 namespace study::app {
 
-CLI::App& addNoun(CLI::App& program, const char* name, const char* help) {
+CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help) {
   auto& noun = *program.add_subcommand(name, help);
   noun.require_subcommand(1);
   return noun;

@@ -39,7 +39,7 @@ auto addCommand(
 }
 
 /// Adds a command that has subcommands only.
-CLI::App& addNoun(CLI::App& program, const char* name, const char* help);
+CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help);
 
 /// Adds the argument DIR.
 void addStudyFolder(CLI::App& command, std::string& folder);

@@ -71,9 +71,9 @@ int exportAs(const ExportArguments& options) {
   if (!options.codesOf.empty()) how.codes = codeSetOf(options.codesOf);
   if (options.forPublic) how.publicClass = options.smallestClass;
   auto study = openForExport(options.folder, how);
-  unlockIfAsked(study);
+  askForKeyIfLocked(study);
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
-    unlockNamesIfAsked(study, true);
+    askForNamesIfLocked(study, true);
     fmt::print("{}", identifiabilityInWords(study, how));
   }
   if (options.forPublic) fmt::print("{}", describe(publicRelease(study, how)));

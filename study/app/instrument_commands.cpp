@@ -44,7 +44,7 @@ std::string textOf(const std::string& name) {
 }
 
 Instrument readOrExplain(const std::string& name) {
-  return questionnaires::readSoundInstrument(textOf(name), name);
+  return questionnaires::readValidInstrument(textOf(name), name);
 }
 
 /// The folder of the wording files: the folder of the instrument's file; for a library instrument
@@ -60,7 +60,7 @@ int list(const InstrumentArguments& /*options*/) {
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name.ends_with(".schema.json")) continue;
     const auto instrument =
-        questionnaires::readSoundInstrument(file.content, std::string(file.name));
+        questionnaires::readValidInstrument(file.content, std::string(file.name));
     std::string languages;
     for (const auto& language : instrument.languages) languages += " " + language;
     fmt::print(
@@ -230,7 +230,7 @@ void addLanguage(CLI::App& verb, std::string& language) {
 }  // namespace
 
 void addInstrumentCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(
+  auto& noun = addCommandGroup(
       program,
       "instrument",
       "Questionnaires: list, check, scoring keys, files for licensed or translated texts");

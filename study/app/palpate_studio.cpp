@@ -87,7 +87,7 @@ int writeKnee(const QString& path) {
 
 int main(int argc, char** argv) {
   study::keepNewFilesPrivate();
-  study::app::printOnlyVisibleText();
+  study::app::escapeControlCharactersInOutput();
   QCommandLineParser parser;
   describe(parser);
   if (isAmong(argc, argv, {"--help", "-h", "-?", "--help-all", "--version", "-v"})) {
@@ -111,9 +111,9 @@ int main(int argc, char** argv) {
   QGuiApplication::setDesktopFileName(QStringLiteral(PALPATE_DESKTOP_ID));
   QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/palpate.svg")));
   study::gui::applyChosenTheme(application);
-  study::gui::speakChosenLanguage();
-  study::gui::offerHelp(application);
-  study::gui::offerMnemonics(application);
+  study::gui::applyChosenLanguage();
+  study::gui::installHelpKey(application);
+  study::gui::installMnemonics(application);
   parser.process(application);
 
   const QString path = parser.positionalArguments().value(0);

@@ -152,7 +152,8 @@ int orders(const OrdersOptions& options) {
 }  // namespace
 
 void addProtocolCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "protocol", "Check a protocol; list its orders; fill in its texts");
+  auto& noun =
+      addCommandGroup(program, "protocol", "Check a protocol; list its orders; fill in its texts");
 
   auto [check, checking] = addCommand(
       noun,

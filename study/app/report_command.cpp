@@ -69,8 +69,8 @@ int report(const ReportArguments& options) {
   std::vector<std::pair<Study, RunMode>> studies;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
-    auto study = Study::open(folder, accessToNote(options.reason));
-    unlockIfAsked(study);
+    auto study = Study::open(folder, accessForUnblinding(options.reason));
+    askForKeyIfLocked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
     if (!options.figures.empty()) noteReport(study, mode, "figures", options.figures);

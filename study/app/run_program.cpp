@@ -59,7 +59,7 @@ bool isPrinted(const CLI::App& program) {
 
 int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
   keepNewFilesPrivate();
-  printOnlyVisibleText();
+  escapeControlCharactersInOutput();
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -92,7 +92,7 @@ void printPassivity(
       slope.steepest,
       unit,
       device.rate,
-      passivity.neededDamping(),
+      passivity.requiredDamping(),
       unit,
       device.name,
       device.damping,
@@ -229,7 +229,7 @@ Motion motionFor(
     const auto end = haptics::engine::endOfData(*condition->model);
     motion.most = std::max(motion.most, end.value_or(device.mostTravel));
     // Above the reamer's feed limit the force would grow without bound.
-    const double limit = 0.9 * haptics::engine::feedLimitOf(condition->scene());
+    const double limit = 0.9 * haptics::engine::largestFeedOf(condition->scene());
     if (limit > 0.0) speed = std::min(speed, limit);
   }
   if (options.to) motion.most = *options.to;
@@ -394,7 +394,8 @@ void addPlay(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "scene", "Explain the scene of a condition, or plot its force");
+  auto& noun =
+      addCommandGroup(program, "scene", "Explain the scene of a condition, or plot its force");
   addPlay(noun, action);
   auto [explain, options] = addCommand(
       noun,

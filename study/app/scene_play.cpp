@@ -61,7 +61,7 @@ haptics::models::Response<double> firstAnswer(
   return response;
 }
 
-PlayedCurve alongOne(
+PlayedCurve playOne(
     const std::string& condition,
     const std::string& title,
     const engine::SceneSpec& spec,
@@ -120,12 +120,12 @@ std::vector<PlayedCurve> play(
   if (withIngredients && parts.filter != nullptr) {
     auto part = spec;
     part.model = *parts.cut;
-    curves.push_back(alongOne(condition, "interpolation", part, profile));
+    curves.push_back(playOne(condition, "interpolation", part, profile));
     part.model = *parts.elements;
-    curves.push_back(alongOne(condition, "finite elements", part, profile));
+    curves.push_back(playOne(condition, "finite elements", part, profile));
     for (auto& curve : curves) curve.isIngredient = true;
   }
-  curves.push_back(alongOne(condition, title, spec, profile));
+  curves.push_back(playOne(condition, title, spec, profile));
   checkNotEmpty(curves.back(), profile);
   return curves;
 }

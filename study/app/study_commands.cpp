@@ -41,13 +41,13 @@ struct StudyArguments {
 };
 
 /// The line about the key of the sealed conditions; empty if nothing is sealed.
-std::string sealOf(Study& study) {
-  const auto words = sealInWords(study);
+std::string sealLineOf(Study& study) {
+  const auto words = keyStatusText(study);
   return words.empty() ? words : "conditions: " + words + "\n";
 }
 
 /// The line with the commitment to the secret of orders and codes; empty in studies of release 0.1.
-std::string commitmentOf(Study& study) {
+std::string commitmentLineOf(Study& study) {
   const auto commitment = study.events().commitment();
   return commitment.empty()
              ? commitment
@@ -88,7 +88,7 @@ int create(const StudyArguments& options) {
       options.folder,
       protocol.protocol.study.title,
       study.seed(),
-      commitmentOf(study),
+      commitmentLineOf(study),
       keyAdviceOn(study, options.folder),
       options.folder,
       options.folder,
@@ -167,8 +167,8 @@ int simulate(const StudyArguments& options) {
 
 int run(const StudyArguments& options) {
   auto study = Study::open(options.folder);
-  unlockIfAsked(study);
-  unlockNamesIfAsked(study);
+  askForKeyIfLocked(study);
+  askForNamesIfLocked(study);
   return runInTerminal(
       study,
       {.cohort = options.cohort,
@@ -198,8 +198,8 @@ int status(const StudyArguments& options) {
                         : "not frozen yet: no live participant has begun",
       study.createdUtc(),
       placeOf(study),
-      commitmentOf(study),
-      sealOf(study),
+      commitmentLineOf(study),
+      sealLineOf(study),
       study.protocol().protocol.isBlindingOpen
           ? "blinding: open, conditions are not hidden from anyone\n"
           : "",
@@ -239,7 +239,7 @@ int status(const StudyArguments& options) {
 }  // namespace
 
 void addStudyCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "study", "Create, run and manage a study");
+  auto& noun = addCommandGroup(program, "study", "Create, run and manage a study");
   const auto add = [&](const char* name, const char* help, int (*perform)(const StudyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);

@@ -44,14 +44,14 @@ void raisePriority(const EmulatorProcess& process) {
   const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
   for (const auto& entry : std::filesystem::directory_iterator(threads)) {
     const auto thread = static_cast<pid_t>(std::stoi(entry.path().filename().string()));
-    timing::raisePriority(timing::kStandInPriority, thread);
+    timing::raisePriority(timing::kEmulatorPriority, thread);
   }
 }
 
 /// Gives this thread real-time priority, if permitted, while the object exists.
 class RealtimePriority {
  public:
-  RealtimePriority() { timing::raisePriority(timing::kWatcherPriority); }
+  RealtimePriority() { timing::raisePriority(timing::kObserverPriority); }
   ~RealtimePriority() {
     const sched_param none{};
     sched_setscheduler(0, SCHED_OTHER, &none);
@@ -104,18 +104,18 @@ class EmulatedDevice {
   }
 
   /// The state of the emulated device now.
-  struct Standing {
+  struct EmulatedState {
     bool hasForce = false;
     double force = 0.0;  ///< [N]
     bool isArmed = false;
     std::uint64_t sent = 0;
     FrameFaults injected;
   };
-  Standing ask() {
+  EmulatedState ask() {
     const std::string status = emulator_->ask("status");
     if (status.empty())
       throw UserError("The emulator of the " + name_ + " does not answer any more.");
-    Standing now;
+    EmulatedState now;
     now.hasForce = valueIn(status, keys_.forceKey) != keys_.noForce;
     now.force = std::abs(std::stod(valueIn(status, "force_n")));
     now.isArmed = valueIn(status, keys_.armedKey) == keys_.armed;

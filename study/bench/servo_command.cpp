@@ -32,7 +32,7 @@ struct ServoOptions {
 /// How a loop is scheduled.
 struct ServoMode {
   std::string name;
-  bool asksForRealtime = false;
+  bool requestsRealtime = false;
   double spinning = 0.0;  ///< time before a tick in which the loop spins, as a share of the period
 };
 
@@ -57,7 +57,7 @@ ServoRun runServo(const ServoMode& mode, double rate, double seconds) {
   using Steady = std::chrono::steady_clock;
   constexpr std::chrono::microseconds kWork{20};
   haptics::engine::RealtimeLoop loop(
-      {.rate = rate, .spinning = mode.spinning, .asksForRealtime = mode.asksForRealtime},
+      {.rate = rate, .spinning = mode.spinning, .requestsRealtime = mode.requestsRealtime},
       [&](double, double) {
         const auto until = Steady::now() + kWork;
         while (Steady::now() < until) {
@@ -105,7 +105,7 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
          r.ownLateness.quantile(0.5),
          r.ownLateness.quantile(0.99),
          static_cast<std::int64_t>(r.lateTicks),
-         static_cast<std::int64_t>(r.lateTicksOfOurs),
+         static_cast<std::int64_t>(r.ownLateTicks),
          static_cast<std::int64_t>(r.holes),
          r.longestHole,
          passivity.allowedStiffness(kPunch)});

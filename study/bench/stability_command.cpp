@@ -86,7 +86,7 @@ DataTable wallTable(const StabilityResult& result) {
          std::int64_t{wall.delay},
          wall.isControlled,
          wall.isStable,
-         wall.isForeseen,
+         wall.isPredictedUnstable,
          wall.isNoticed,
          std::isfinite(wall.amplitude) ? Cell(wall.amplitude) : Cell()});
   }
@@ -114,7 +114,7 @@ DataTable wallSummary(const StabilityResult& result) {
     ++of[0];
     if (wall.isStable) continue;
     ++of[1];
-    of[2] += wall.isForeseen ? 1 : 0;
+    of[2] += wall.isPredictedUnstable ? 1 : 0;
     of[3] += wall.isNoticed ? 1 : 0;
   }
   for (const auto& [rendering, of] : counts) {

@@ -137,7 +137,7 @@ class SimulatedSession {
     const std::string why =
         record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
     // A break-off while the machine stood still is no evidence against the device.
-    const bool isDisturbed = stoodStill >= kDevicePatience;
+    const bool isDisturbed = stoodStill >= kDeviceTimeout;
     if (isDisturbed) {
       ++disturbed_;
     } else {

@@ -22,7 +22,7 @@ constexpr double kNoiseOfAChoice = 0.5;
 }  // namespace
 
 SimulatedParticipant::SimulatedParticipant(
-    const protocols::SimulationTruth& truth,
+    const protocols::SimulatedAnswerModel& truth,
     std::uint64_t seed,
     std::string cohort,
     std::uint64_t slot)

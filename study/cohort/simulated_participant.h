@@ -35,7 +35,7 @@ struct OnDevices {
 class SimulatedParticipant {
  public:
   SimulatedParticipant(
-      const protocols::SimulationTruth& truth,
+      const protocols::SimulatedAnswerModel& truth,
       std::uint64_t seed,
       std::string cohort,
       std::uint64_t slot);
@@ -60,7 +60,7 @@ class SimulatedParticipant {
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   std::string preferred(const Session& session, const std::string& purpose) const;
 
-  protocols::SimulationTruth truth_;
+  protocols::SimulatedAnswerModel truth_;
   std::uint64_t seed_;
   std::string cohort_;
   std::uint64_t slot_;
@@ -87,7 +87,7 @@ struct Acknowledged {
 
 /// How long a device waits for the next force before it switches its force off: the shortest time
 /// of all devices.
-inline constexpr std::chrono::milliseconds kDevicePatience{10};
+inline constexpr std::chrono::milliseconds kDeviceTimeout{10};
 
 /// Called after every commit.
 using Acknowledge = std::function<void(const Acknowledged& done)>;
@@ -111,7 +111,7 @@ void simulateUntil(
 /// in proportion to the plan. Interrupted sessions are resumed first. With a device file the trials
 /// run on its devices in real time; the movement comes from their side, normally from an emulator.
 /// A trial that breaks off is repeated. Five immediate break-offs in a row end the session. If @p
-/// watch is given, break-offs while the machine stood still for longer than kDevicePatience do not
+/// watch is given, break-offs while the machine stood still for longer than kDeviceTimeout do not
 /// count.
 /// @return how the session of each simulated participant of the study has ended.
 std::vector<SimulatedEnding> simulateCohorts(

@@ -160,7 +160,7 @@ std::string tracesInWords() {
 /// Whether the folder names its study and the head of the audit trail. A public folder must not
 /// lead to its study. A folder of simulated sessions needs no proof, and must not help to identify
 /// a folder of people.
-bool leadsToTheStudy(const ExportOptions& options) {
+bool namesItsStudy(const ExportOptions& options) {
   return options.runMode != RunMode::Simulated && !options.publicClass;
 }
 
@@ -177,7 +177,7 @@ std::string exportMetadataAsJson(Study& study, const ExportOptions& options) {
   Json head;
   head["study_id"] = metadata.id;
   head["title"] = metadata.title;
-  if (leadsToTheStudy(options)) head["study_uuid"] = study.uuid();
+  if (namesItsStudy(options)) head["study_uuid"] = study.uuid();
   head["protocol_version"] = metadata.version;
   head["protocol_hash"] = study.protocols().current().sha256;
   head["app_version"] = appVersion();
@@ -189,7 +189,7 @@ std::string exportMetadataAsJson(Study& study, const ExportOptions& options) {
   head["coarse"] = !options.isExact;
   head["texts"] = options.hasTexts;
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
-  if (leadsToTheStudy(options)) head["audit_trail"] = study.events().headAsText();
+  if (namesItsStudy(options)) head["audit_trail"] = study.events().headAsText();
   if (!options.codes.empty()) head["codes"] = options.codes;
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
@@ -259,7 +259,7 @@ std::string readmeOf(Study& study, const ExportOptions& options, const FolderCon
                      sessionsInWords(options, contents.sessions) + "\n" + formatInWords(options);
   text += identifiabilityInWords(study, options);
   text += detailInWords(options);
-  if (leadsToTheStudy(options)) {
+  if (namesItsStudy(options)) {
     text += "- The study's audit trail had " + study.events().headAsText() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";
   }

@@ -237,13 +237,13 @@ class Column {
   /// @param description  for public folders; empty: as elsewhere. If it is given, the column is not
   ///     marked as free text.
   Column inPublic(const std::string& description = {}) && {
-    public_ = InPublic{.ifTold = {}, .description = description};
+    public_ = InPublic{.requiredIdentifier = {}, .description = description};
     return std::move(*this);
   }
 
   /// As inPublic(), but only if the quasi-identifier named @p respect is released.
-  Column inPublicIfTold(const std::string& respect, const std::string& description = {}) && {
-    public_ = InPublic{.ifTold = respect, .description = description};
+  Column inPublicIfReleased(const std::string& respect, const std::string& description = {}) && {
+    public_ = InPublic{.requiredIdentifier = respect, .description = description};
     return std::move(*this);
   }
 
@@ -254,7 +254,8 @@ class Column {
     if (identifiesParticipant_ && !readers.needParticipant) return false;
     if (list_ == ValueList::Sites && !readers.hasSites()) return false;
     if (!readers.isPublic) return true;
-    return public_ && (public_->ifTold.empty() || readers.told.count(public_->ifTold) == 1);
+    return public_ && (public_->requiredIdentifier.empty() ||
+                       readers.told.count(public_->requiredIdentifier) == 1);
   }
 
   ExportedColumn headFor(const Readers& readers) const {
@@ -276,7 +277,7 @@ class Column {
 
  private:
   struct InPublic {
-    std::string ifTold;
+    std::string requiredIdentifier;
     std::string description;
   };
 

@@ -32,7 +32,7 @@ std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
 }
 
 /// The time of events since the session's first event.
-class StepStartTimes {
+class EventOnsets {
  public:
   double of(const storage::Event& event) {
     auto& last = last_[event.visit->session];
@@ -229,7 +229,7 @@ std::vector<ExportedCut> StudyRows::cuts() const {
 
 std::vector<ExportedEvent> StudyRows::events() const {
   std::vector<ExportedEvent> rows;
-  StepStartTimes onsets;
+  EventOnsets onsets;
   for (auto& event : study_.events().read()) {
     if (!event.visit) continue;
     const auto session = sessions_.find(event.visit->session);

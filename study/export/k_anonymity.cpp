@@ -60,7 +60,7 @@ void requireOnePerPerson(const Values& values, std::size_t people) {
 }
 
 /// @p values after local suppression within every class of equal values in @p chosen.
-Values withoutRareIn(
+Values suppressRareInClasses(
     const std::vector<ReleasedColumn>& chosen, const Values& values, std::size_t k) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> classes;
   for (std::size_t person = 0; person < values.size(); ++person) {
@@ -78,7 +78,7 @@ Values withoutRareIn(
 
 /// The level of @p identifier with the most information after suppression within the classes of @p
 /// chosen; of equal levels the finer one.
-ReleasedColumn bestBeside(
+ReleasedColumn mostInformativeLevel(
     const std::vector<ReleasedColumn>& chosen, const QuasiIdentifier& identifier, std::size_t k) {
   const std::size_t people = identifier.exact.size();
   ReleasedColumn best{
@@ -86,7 +86,7 @@ ReleasedColumn bestBeside(
   double most = 0.0;
   for (std::size_t level = 0; level < identifier.levels.size(); ++level) {
     requireOnePerPerson(identifier.levels[level], people);
-    auto values = withoutRareIn(chosen, identifier.levels[level], k);
+    auto values = suppressRareInClasses(chosen, identifier.levels[level], k);
     const double information = informationIn(values);
     if (information <= most + 1e-9) continue;  // equal but for rounding
     most = information;
@@ -110,7 +110,7 @@ ClassSizes classSizes(
   ClassSizes sizes{.people = people, .causes = causesIn(columns, k)};
   for (const auto& [combination, count] : classesOf(columns, people)) {
     ++sizes.classes;
-    if (count < k) sizes.inSmall += count;
+    if (count < k) sizes.peopleInSmallClasses += count;
     if (sizes.smallest != 0 && count >= sizes.smallest) continue;
     sizes.smallest = count;
     sizes.smallestClass.clear();
@@ -155,7 +155,7 @@ std::optional<Release> released(
   for (const auto& identifier : identifiers) {
     requireOnePerPerson(identifier.exact, people);
     exact.push_back({.name = identifier.name, .level = std::nullopt, .values = identifier.exact});
-    release.columns.push_back(bestBeside(release.columns, identifier, k));
+    release.columns.push_back(mostInformativeLevel(release.columns, identifier, k));
   }
   release.before = classSizes(exact, people, k);
   release.after = classSizes(release.columns, people, k);

@@ -23,8 +23,8 @@ struct QuasiIdentifier {
 struct ClassSizes {
   std::size_t people = 0;
   std::size_t classes = 0;
-  std::size_t smallest = 0;  ///< people in the smallest class; 0: there are no people
-  std::size_t inSmall = 0;   ///< people in classes smaller than k
+  std::size_t smallest = 0;              ///< people in the smallest class; 0: there are no people
+  std::size_t peopleInSmallClasses = 0;  ///< people in classes smaller than k
   std::vector<std::pair<std::string, std::string>>
       smallestClass;  ///< the values of the smallest class, by column
   /// For each single column, how many people have a value that fewer than k people share. The

@@ -62,7 +62,7 @@ Letter letterIn(std::string_view bytes) {
 /// A line on how many people their cohort and background re-identify.
 std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
-  return "- " + std::to_string(classes.inSmall) + " of " +
+  return "- " + std::to_string(classes.peopleInSmallClasses) + " of " +
          words::counted(classes.people, "person is", "people are") +
          " alone with their cohort and background: a reader who knows these finds the other "
          "answers. To publish data, make an export for the public instead.\n";

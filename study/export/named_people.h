@@ -27,7 +27,7 @@ struct NamedPeople {
 NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
 
 /// The equivalence classes of people with completed sessions by cohort and the facts that an export
-/// with @p options releases. k is 2: ClassSizes::inSmall counts people who are unique.
+/// with @p options releases. k is 2: ClassSizes::peopleInSmallClasses counts people who are unique.
 ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options);
 
 /// Lines of a README on an export that is not public: how many people can be re-identified, and

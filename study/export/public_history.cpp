@@ -37,7 +37,7 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
 }
 
 /// The values of some people.
-Values ofThese(const Values& values, const std::vector<std::size_t>& people) {
+Values valuesOfPeople(const Values& values, const std::vector<std::size_t>& people) {
   Values these;
   for (const auto person : people) these.push_back(values[person]);
   return these;
@@ -58,8 +58,8 @@ std::vector<ReleasedColumn> columnsOfEarlierExport(
   std::vector<ReleasedColumn> columns{wasThere};
   std::vector<QuasiIdentifier> ofThem;
   for (const auto& identifier : identifiers) {
-    QuasiIdentifier one{identifier.name, ofThese(identifier.exact, then), {}};
-    for (const auto& level : identifier.levels) one.levels.push_back(ofThese(level, then));
+    QuasiIdentifier one{identifier.name, valuesOfPeople(identifier.exact, then), {}};
+    for (const auto& level : identifier.levels) one.levels.push_back(valuesOfPeople(level, then));
     ofThem.push_back(std::move(one));
   }
   const auto release = released(ofThem, then.size(), earlier.k);
@@ -101,13 +101,13 @@ ExportHistory exportHistory(Study& study, const ExportOptions& options) {
 
 void requireSafeFromDifferencing(Study& study, const ExportOptions& options) {
   const auto after = exportHistory(study, options);
-  if (after.together.inSmall == 0) return;
+  if (after.together.peopleInSmallClasses == 0) return;
   const auto k = options.publicClass.value_or(kSmallestPublicClass);
   throw storage::StorageError(
       "There are " + words::counted(after.earlier, "earlier public export") +
       " of this study. Who lays them beside this one finds the same people by their answers, and "
       "would know " +
-      words::counted(after.together.inSmall, "person", "people") + " (" +
+      words::counted(after.together.peopleInSmallClasses, "person", "people") + " (" +
       std::to_string(after.newPeople) + " of them new) as one of fewer than " + std::to_string(k) +
       ". Nothing was written. Wait until at least " + std::to_string(k) +
       " more people who are alike took part, and keep the same --k; or do not publish again.");

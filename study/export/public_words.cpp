@@ -25,7 +25,7 @@ std::string beforeInWords(const Release& release) {
   const auto& before = release.before;
   auto text = fmt::format(
       "As answered: {} of {} in classes of fewer than {}, the smallest of {}.\n",
-      before.inSmall,
+      before.peopleInSmallClasses,
       peopleInWords(before.people),
       release.k,
       peopleInWords(before.smallest));
@@ -36,7 +36,7 @@ std::string beforeInWords(const Release& release) {
         peopleInWords(count),
         release.k);
   }
-  if (before.causes.empty() && before.inSmall > 0) {
+  if (before.causes.empty() && before.peopleInSmallClasses > 0) {
     text += "  nothing alone, but together: " + namesOf(before.smallestClass) + "\n";
   }
   return text;

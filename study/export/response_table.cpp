@@ -51,13 +51,13 @@ Columns<ExportedAnswer> columnsOfAnsweredStep() {
   return {
       participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),
       sessionNumberColumn<ExportedAnswer>(),
-      cohortColumn<ExportedAnswer>().inPublicIfTold(kCohortColumn),
-      siteColumn<ExportedAnswer>().inPublicIfTold(kSiteColumn),
+      cohortColumn<ExportedAnswer>().inPublicIfReleased(kCohortColumn),
+      siteColumn<ExportedAnswer>().inPublicIfReleased(kSiteColumn),
       runModeColumn<ExportedAnswer>(),
       stepNumberColumn<ExportedAnswer>(),
       attemptColumn<ExportedAnswer>(),
       blockColumn<ExportedAnswer>().inPublic(),
-      positionColumn<ExportedAnswer>().inPublicIfTold(
+      positionColumn<ExportedAnswer>().inPublicIfReleased(
           kOrderColumn, "Position of the alternative in its block, from 1"),
       alternativeColumn<ExportedAnswer>(),
       conditionCodeColumn<ExportedAnswer>().inPublic(),

@@ -84,7 +84,7 @@ class FamilyRows {
     auto& added =
         addPair(cohort, isModel ? "mixed" : "paired", isModel ? "answer" : "participant", test);
     added.tests = cohort.within.tests;
-    if (!test.isOfFamily) return;
+    if (!test.isInFamily) return;
     added.adjustment = declaredCorrection();
     added.alphaPerTest = cohort.within.alphaPerTest;
   }

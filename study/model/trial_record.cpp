@@ -186,7 +186,7 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   if (const auto& cycle = passivity.limitCycle) {
     found(Verdict::Fail, message("trial.limit_cycle", cycle->amplitude, cycle->frequency));
   }
-  const double needed = passivity.neededDamping();
+  const double needed = passivity.requiredDamping();
   if (needed > deviceDamping) {
     found(Verdict::Warn, message("trial.damping", needed, travelUnit, deviceDamping));
   }

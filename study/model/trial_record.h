@@ -112,7 +112,8 @@ struct TrialRecord {
   bool isTorqueRendered = false;         ///< the device rendered that torque
   double torqueSaturated = 0.0;          ///< the scene asked for more torque than the limit [s]
   double largestTorque = 0.0;            ///< commanded [N·m]
-  double leastTurnEnergy = 0.0;  ///< smallest energy balance of the rotation during a contact [J]
+  double leastRotationEnergy =
+      0.0;                  ///< smallest energy balance of the rotation during a contact [J]
   std::string deviceFault;  ///< why the device ended the trial, a text for the operator; or empty
   std::optional<ViewReport> view;  ///< how smoothly the scene was shown, if it was
 

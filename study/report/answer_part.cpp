@@ -129,13 +129,13 @@ class AnswerWriter : HtmlWriter {
       numbers = s_.words.say(
                     "{:g} % CI {}",
                     100.0 * (1.0 - family.family.alpha),
-                    intervalInWords(interval, s_.wording, s_.words)) +
+                    formatInterval(interval, s_.wording, s_.words)) +
                 ", ";
     }
     if (const auto& effect = row.difference->effect; effect.value) {
       numbers += fmt::format("{} = {}, ", effect.name, rounded(sign * *effect.value, 2));
     }
-    numbers += pInWords(family, *row.test);
+    numbers += formatP(family, *row.test);
     const bool isInDoubt = family.isDeclared && !row.test->isSignificant.value_or(true);
     return withSubscripts(
         say(isInDoubt ? "{} was rated {} points higher than {}, which is not significant ({})"
@@ -146,11 +146,11 @@ class AnswerWriter : HtmlWriter {
             numbers));
   }
 
-  std::string pInWords(const FamilyResult& family, const analysis::TestRow& test) const {
+  std::string formatP(const FamilyResult& family, const analysis::TestRow& test) const {
     const auto correction = nameOf(family.family.correction);
     const bool isAdjusted = test.adjusted && !correction.empty();
-    return isAdjusted ? pEquals(test.adjusted, correction, s_.wording)
-                      : pEquals(test.p, {}, s_.wording);
+    return isAdjusted ? formatPWithSymbol(test.adjusted, correction, s_.wording)
+                      : formatPWithSymbol(test.p, {}, s_.wording);
   }
 
   void preferences() {

@@ -41,9 +41,9 @@ std::string listed(const std::vector<std::string>& files) {
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 /// The rows of a certificate in one language.
-class Telling {
+class CertificateRows {
  public:
-  Telling(const ErasureCertificate& certificate, const words::Words& words)
+  CertificateRows(const ErasureCertificate& certificate, const words::Words& words)
       : certificate_(certificate), words_(words) {}
 
   Rows rows() const {
@@ -131,7 +131,7 @@ bool ErasureCertificate::isClean() const {
 
 std::string asText(const ErasureCertificate& certificate, const words::Words& words) {
   std::string text = words(kTitle) + "\n\n";
-  const auto rows = Telling(certificate, words).rows();
+  const auto rows = CertificateRows(certificate, words).rows();
   std::size_t width = kLeastWidth;
   for (const auto& [what, value] : rows) width = std::max(width, widthOf(what));
   for (const auto& [what, value] : rows) {
@@ -144,7 +144,7 @@ std::string asText(const ErasureCertificate& certificate, const words::Words& wo
 
 std::string asHtml(const ErasureCertificate& certificate, const words::Words& words) {
   std::string html = fmt::format("<h1>{}</h1>\n<table><tbody>\n", words(kTitle));
-  for (const auto& [what, value] : Telling(certificate, words).rows()) {
+  for (const auto& [what, value] : CertificateRows(certificate, words).rows()) {
     html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
   }
   html += fmt::format("</tbody></table>\n<p class=\"note\">{}</p>\n", words(kForOthers));

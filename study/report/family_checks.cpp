@@ -58,7 +58,7 @@ class ChecksWriter : HtmlWriter {
           cohort(part.cohort),
           say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
               rounded(slope.meanDifference, 2),
-              intervalInWords(part.position.slopeInterval, s_.wording, s_.words),
+              formatInterval(part.position.slopeInterval, s_.wording, s_.words),
               slope.degreesOfFreedom.value_or(0.0),
               rounded(slope.t, 2),
               equalsOfP(slope.p)));

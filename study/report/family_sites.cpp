@@ -32,7 +32,7 @@ class SitesWriter : HtmlWriter {
          say("Weight")});
     forEachComparison([&](const auto& sites, const auto& row) { comparison(sites, row); });
     endTable();
-    withoutEach();
+    leaveOneOut();
     note(
         "Exploratory. One effect: sites differ by chance alone. Random effects: the difference "
         "itself varies between sites, with the variance τ². Of few sites τ² and I² are known "
@@ -116,10 +116,10 @@ class SitesWriter : HtmlWriter {
     row({which, "", rounded(test.estimate.value, 2), cellOf(test.interval), cellOfP(test.p), ""});
   }
 
-  void withoutEach() {
+  void leaveOneOut() {
     const auto hasSome = [](const auto& part) {
       return part.sites && std::ranges::any_of(part.sites->rows, [](const auto& row) {
-               return !row.withoutEach.empty();
+               return !row.leaveOneOut.empty();
              });
     };
     const auto caption = say("Without one site (REML, Knapp–Hartung)");
@@ -133,7 +133,7 @@ class SitesWriter : HtmlWriter {
          "I²",
          "τ²"});
     forEachComparison([&](const auto&, const auto& comparison) {
-      for (const auto& [site, left] : comparison.withoutEach) {
+      for (const auto& [site, left] : comparison.leaveOneOut) {
         row(
             {say("All sites but {}", site),
              rounded(left.estimate, 2),

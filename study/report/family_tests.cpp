@@ -64,7 +64,7 @@ class TestsWriter : HtmlWriter {
   static bool isTested(const CohortResult& part) {
     return std::ranges::any_of(part.within.rows, [](const auto& row) {
       return std::ranges::any_of(
-          row.tests, [](const auto& test) { return test.isOfFamily && test.p; });
+          row.tests, [](const auto& test) { return test.isInFamily && test.p; });
     });
   }
 
@@ -125,7 +125,7 @@ class TestsWriter : HtmlWriter {
     const auto& pairs = f_.cohorts.front().within.rows;
     for (std::size_t i = 0; !pairs.empty() && i < pairs.front().tests.size(); ++i) {
       const auto& test = pairs.front().tests[i];
-      if (!test.isOfFamily) continue;
+      if (!test.isInFamily) continue;
       headings.push_back(say(headingOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
     }
     table(
@@ -139,7 +139,7 @@ class TestsWriter : HtmlWriter {
       for (const auto& comparison : part.within.rows) {
         std::vector<std::string> cells{pairOf(comparison)};
         for (const auto& test : comparison.tests) {
-          if (test.isOfFamily) cells.push_back(pCell(test));
+          if (test.isInFamily) cells.push_back(pCell(test));
         }
         row(cells);
       }
@@ -205,7 +205,7 @@ class TestsWriter : HtmlWriter {
          cellOf(test.statistic.value, 2),
          test.df ? fmt::format("{:g}", *test.df) : std::string(),
          effectOf(test),
-         bf10 ? escaped(evidenceInWords(*bf10)) : std::string()});
+         bf10 ? escaped(formatBayesFactor(*bf10)) : std::string()});
   }
 
   /// The effect, with its interval if it has one.

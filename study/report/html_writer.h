@@ -74,14 +74,14 @@ class HtmlWriter {
     return value ? rounded(value, digits) : std::string();
   }
   std::string cellOf(const std::optional<analysis::Interval>& interval) const {
-    return interval ? escaped(intervalInWords(interval, s_.wording, s_.words)) : std::string();
+    return interval ? escaped(formatInterval(interval, s_.wording, s_.words)) : std::string();
   }
   std::string cellOfP(const std::optional<double>& p) const {
-    return p ? escaped(pInWords(p, s_.wording)) : std::string();
+    return p ? escaped(formatP(p, s_.wording)) : std::string();
   }
   /// The part of a sentence that follows "p": "= .021" or "< .001".
   std::string equalsOfP(const std::optional<double>& p) const {
-    return equalsInWords(pInWords(p, s_.wording));
+    return withRelationSign(formatP(p, s_.wording));
   }
   void rowOver(const std::string& text, std::size_t columns) {
     put("<tr><td colspan=\"{}\"><em>{}</em></td></tr>", columns, text);

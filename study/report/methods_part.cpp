@@ -170,14 +170,14 @@ class MethodsWriter : HtmlWriter {
             change.version,
             day,
             change.title,
-            cameTo(change));
+            consequenceOf(change));
       case FamilyChange::Kind::Removed:
         return say(
             "Version {} ({}) dropped “{}”, which had been declared before.",
             change.version,
             day,
             change.title);
-      case FamilyChange::Kind::PutBack:
+      case FamilyChange::Kind::Restored:
         return say(
             change.isHarmless
                 ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
@@ -199,11 +199,11 @@ class MethodsWriter : HtmlWriter {
         day,
         change.title,
         keys,
-        cameTo(change));
+        consequenceOf(change));
   }
 
   /// The consequence of a change for its family, as the end of a sentence.
-  std::string cameTo(const FamilyChange& change) const {
+  std::string consequenceOf(const FamilyChange& change) const {
     return s_.words(
         change.isHarmless ? "; it was put back as it was declared."
                           : ": all of it is exploratory.");

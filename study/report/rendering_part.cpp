@@ -128,9 +128,9 @@ class RenderingWriter : HtmlWriter {
                       "contact.",
                       q.saturated,
                       q.contact);
-    if (q.feltAgain > 0) {
+    if (q.optionalTrials > 0) {
       text += " " + count(
-                        q.feltAgain,
+                        q.optionalTrials,
                         "Not among them: {} time an alternative was felt once more before a "
                         "choice.",
                         "Not among them: {} times an alternative was felt once more before a "

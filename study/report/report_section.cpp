@@ -46,7 +46,7 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   std::map<std::string, CutOffTrials> cutOff;
   for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
     if (trial.step.isOfferedAgain()) {
-      ++quality.feltAgain;
+      ++quality.optionalTrials;
       continue;
     }
     ++quality.trials;

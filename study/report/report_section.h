@@ -65,7 +65,7 @@ struct TrialReasons {
 /// finished and not repeated, without the optional ones before a preference.
 struct TrialQuality {
   int trials = 0;
-  int feltAgain = 0;  ///< accepted optional trials before a preference; not counted in trials
+  int optionalTrials = 0;  ///< accepted optional trials before a preference; not counted in trials
   int pass = 0;
   int warn = 0;
   int fail = 0;

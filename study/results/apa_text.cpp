@@ -17,7 +17,7 @@ std::string freedom(double df) {
 }
 
 /// A limit with two decimals; from 1e5 in exponent notation.
-std::string limitInWords(double value) {
+std::string formatLimit(double value) {
   constexpr double kLong = 1e5;
   return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
                                                       : fmt::format("{:.1e}", value);
@@ -38,7 +38,7 @@ class ApaWriter {
         pBoth(t, family),
         rounded(t.estimate.value, 2),
         100.0 * (1.0 - family.alpha),
-        intervalInWords(t.interval));
+        formatInterval(t.interval));
     if (t.effect.value) {
       line +=
           fmt::format(", g_z = {} {}", rounded(t.effect.value, 2), inBrackets(t.effectInterval));
@@ -58,7 +58,7 @@ class ApaWriter {
                          pBoth(rank, family))
                    : w_.say("signed rank not defined: {}", w_(rank.reason));
     if (const auto& bf10 = row.test("bayes_factor").effect.value) {
-      line += "; BF10 " + equalsInWords(evidenceInWords(*bf10));
+      line += "; BF10 " + withRelationSign(formatBayesFactor(*bf10));
     }
     return line;
   }
@@ -78,7 +78,7 @@ class ApaWriter {
         "ordinal mixed model: odds ratio {}, {:g} % CI {}, z = {}, {}",
         rounded(test.effect.value, 2),
         100.0 * (1.0 - family.alpha),
-        intervalInWords(test.effectInterval),
+        formatInterval(test.effectInterval),
         rounded(test.statistic.value, 2),
         pBoth(test, family));
   }
@@ -88,7 +88,7 @@ class ApaWriter {
     return w_.say(
         "equivalent within ±{:g}: TOST {}",
         test.additional("equivalence_bound").value_or(0.0),
-        pEquals(test.p));
+        formatPWithSymbol(test.p));
   }
 
   std::string friedman(const analysis::TestRow& test) const {
@@ -97,10 +97,10 @@ class ApaWriter {
         "Friedman χ²({:g}) = {}, {}, W = {}",
         test.df.value_or(0.0),
         rounded(test.statistic.value, 2),
-        pEquals(test.p),
+        formatPWithSymbol(test.p),
         rounded(test.effect.value, 2));
     const auto exactP = test.additional("p_permutation");
-    if (exactP) line += w_.say(", exact {}", pEquals(exactP));
+    if (exactP) line += w_.say(", exact {}", formatPWithSymbol(exactP));
     return line;
   }
 
@@ -111,11 +111,13 @@ class ApaWriter {
         *test.df,
         *test.df2,
         rounded(test.statistic.value, 2),
-        pEquals(test.p),
+        formatPWithSymbol(test.p),
         rounded(test.effect.value, 2));
     if (const auto p = test.additional("p_epsilon")) {
       line += fmt::format(
-          ", Greenhouse–Geisser ε = {}, {}", rounded(test.additional("epsilon"), 2), pEquals(p));
+          ", Greenhouse–Geisser ε = {}, {}",
+          rounded(test.additional("epsilon"), 2),
+          formatPWithSymbol(p));
     }
     return line;
   }
@@ -132,7 +134,7 @@ class ApaWriter {
     };
     add(test.statistic);
     add(test.effect);
-    return line + (test.isOfFamily ? pBoth(test, family) : pEquals(test.p));
+    return line + (test.isInFamily ? pBoth(test, family) : formatPWithSymbol(test.p));
   }
 
   std::string variances(const analysis::LinearMixedResult& mixed) const {
@@ -156,26 +158,26 @@ class ApaWriter {
   }
 
  private:
-  std::string pEquals(const std::optional<double>& p) const {
-    return study::pEquals(p, {}, wording_);
+  std::string formatPWithSymbol(const std::optional<double>& p) const {
+    return study::formatPWithSymbol(p, {}, wording_);
   }
 
   /// "p = .021, p_Holm = .063".
   std::string pBoth(const analysis::TestRow& test, const protocols::Family& family) const {
     const auto name = nameOf(family.correction);
-    return test.p && !name.empty()
-               ? pEquals(test.p) + ", " + study::pEquals(test.adjusted, name, wording_)
-               : pEquals(test.p);
+    return test.p && !name.empty() ? formatPWithSymbol(test.p) + ", " +
+                                         study::formatPWithSymbol(test.adjusted, name, wording_)
+                                   : formatPWithSymbol(test.p);
   }
 
-  std::string intervalInWords(const std::optional<analysis::Interval>& interval) const {
-    return study::intervalInWords(interval, wording_, w_);
+  std::string formatInterval(const std::optional<analysis::Interval>& interval) const {
+    return study::formatInterval(interval, wording_, w_);
   }
 
   /// An interval in brackets: APA's square brackets, or round ones around Vancouver's "0.41 to
   /// 2.42".
   std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
-    const auto words = intervalInWords(interval);
+    const auto words = formatInterval(interval);
     return wording_ == Wording::Vancouver && interval ? "(" + words + ")" : words;
   }
 
@@ -191,11 +193,11 @@ std::string rounded(const std::optional<double>& value, int digits) {
   return fmt::format("{:.{}f}", *value, digits);
 }
 
-std::string evidenceInWords(double bayesFactor) {
+std::string formatBayesFactor(double bayesFactor) {
   return bayesFactor > 1000.0 ? "> 1000" : fmt::format("{:.3g}", bayesFactor);
 }
 
-std::string pInWords(const std::optional<double>& p, Wording wording) {
+std::string formatP(const std::optional<double>& p, Wording wording) {
   const std::string_view zero = wording == Wording::Apa ? "" : "0";
   if (!p) return "–";
   if (*p < 0.001) return fmt::format("< {}.001", zero);
@@ -203,31 +205,32 @@ std::string pInWords(const std::optional<double>& p, Wording wording) {
   return fmt::format("{}{}", zero, fmt::format("{:.3f}", *p).substr(1));
 }
 
-std::string equalsInWords(const std::string& number) {
+std::string withRelationSign(const std::string& number) {
   const bool isBound = number.starts_with('<') || number.starts_with('>');
   return isBound ? number : "= " + number;
 }
 
-std::string intervalInWords(const std::optional<analysis::Interval>& interval) {
+std::string formatInterval(const std::optional<analysis::Interval>& interval) {
   if (!interval) return "–";
-  return "[" + limitInWords(interval->low) + ", " + limitInWords(interval->high) + "]";
+  return "[" + formatLimit(interval->low) + ", " + formatLimit(interval->high) + "]";
 }
 
-std::string intervalInWords(
+std::string formatInterval(
     const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words) {
-  if (!interval || wording == Wording::Apa) return intervalInWords(interval);
-  return words.say("{} to {}", limitInWords(interval->low), limitInWords(interval->high));
+  if (!interval || wording == Wording::Apa) return formatInterval(interval);
+  return words.say("{} to {}", formatLimit(interval->low), formatLimit(interval->high));
 }
 
 Wording wordingNamed(std::string_view name) noexcept {
   return name == "vancouver" ? Wording::Vancouver : Wording::Apa;
 }
 
-std::string pEquals(const std::optional<double>& p, std::string_view correction, Wording wording) {
+std::string formatPWithSymbol(
+    const std::optional<double>& p, std::string_view correction, Wording wording) {
   const bool isApa = wording == Wording::Apa;
   const std::string name = isApa ? "p" : "P";
   return name + (correction.empty() ? "" : "_" + std::string(correction)) + " " +
-         equalsInWords(pInWords(p, wording));
+         withRelationSign(formatP(p, wording));
 }
 
 std::string_view nameOf(protocols::CorrectionType correction) noexcept {

@@ -15,32 +15,32 @@ namespace study {
 std::string rounded(const std::optional<double>& value, int digits);
 
 /// A Bayes factor with three significant digits; "> 1000" for all larger values.
-std::string evidenceInWords(double bayesFactor);
+std::string formatBayesFactor(double bayesFactor);
 
 /// @p number with its relation sign: "= .021"; "< .001" and "> 1000" keep their own.
-std::string equalsInWords(const std::string& number);
+std::string withRelationSign(const std::string& number);
 
 /// "[0.41, 2.42]"; "–" if there is no interval.
-std::string intervalInWords(const std::optional<analysis::Interval>& interval);
+std::string formatInterval(const std::optional<analysis::Interval>& interval);
 
 /// How sentences write numbers: "p = .021, [0.41, 2.42]" as the APA asks (7th edition), or "P =
 /// 0.021, 0.41 to 2.42" as most medical journals do that have Vancouver's style of references.
 enum class Wording { Apa, Vancouver };
 
 /// A p value: ".021", "< .001"; "0.021", "< 0.001"; "–" if there is none.
-std::string pInWords(const std::optional<double>& p, Wording wording = Wording::Apa);
+std::string formatP(const std::optional<double>& p, Wording wording = Wording::Apa);
 
 /// The wording named "apa" or "vancouver".
 Wording wordingNamed(std::string_view name) noexcept;
 
 /// "p = .021", "p_Holm < .001"; "P = 0.021", "P_Holm < 0.001".
-std::string pEquals(
+std::string formatPWithSymbol(
     const std::optional<double>& p,
     std::string_view correction = {},
     Wording wording = Wording::Apa);
 
 /// "[0.41, 2.42]" (Apa); "0.41 to 2.42" (Vancouver).
-std::string intervalInWords(
+std::string formatInterval(
     const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words);
 
 /// The subscript of p: "Holm", "Bonferroni"; empty for none.

@@ -37,7 +37,7 @@ void withoutTests(analysis::PairwiseComparisons& comparisons) {
         .n2 = row.n2,
         .moments = row.moments,
         .estimate = row.estimate,
-        .isOfFamily = true,
+        .isInFamily = true,
         .reason = analysis::reason("two_participants_needed")};
   }
 }

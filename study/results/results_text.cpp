@@ -182,7 +182,7 @@ class Writer {
                                "{}, {:g} % CI {} (ordinal mixed model)",
                                rounded(row.effect.value, 2),
                                100.0 * (1.0 - alpha),
-                               intervalInWords(row.effectInterval))
+                               formatInterval(row.effectInterval))
                          : "not defined: " + base::describe(row.reason)));
   }
 
@@ -195,7 +195,7 @@ class Writer {
             site.site,
             words::counted(site.test.n, "participant"),
             rounded(site.test.meanDifference, 2),
-            intervalInWords(site.interval)));
+            formatInterval(site.interval)));
       }
       if (!row.pooled) {
         line("    not pooled: " + base::describe(row.reason));
@@ -206,11 +206,11 @@ class Writer {
           "    heterogeneity: Q({}) = {}, p {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
           row.pooled->sites - 1,
           rounded(row.pooled->q, 2),
-          equalsInWords(pInWords(row.pooled->qP)),
+          withRelationSign(formatP(row.pooled->qP)),
           100.0 * row.pooled->reml.iSquared,
           rounded(row.pooled->reml.tauSquared, 3),
           rounded(row.pooled->derSimonianLaird.tauSquared, 3)));
-      for (const auto& without : row.withoutEach) pooled("without " + without.site, without.pooled);
+      for (const auto& without : row.leaveOneOut) pooled("without " + without.site, without.pooled);
     }
   }
 
@@ -219,8 +219,8 @@ class Writer {
         "    {}: {} {}, p {} (random effects, REML, Knapp–Hartung)",
         which,
         rounded(pooled.estimate, 2),
-        intervalInWords(pooled.interval),
-        equalsInWords(pInWords(pooled.p))));
+        formatInterval(pooled.interval),
+        withRelationSign(formatP(pooled.p))));
   }
 
   /// The effect of order, and the reliability of the scale.
@@ -230,8 +230,8 @@ class Writer {
         slope.p ? fmt::format(
                       "  Order: {} points from one position to the next {}, p {}",
                       rounded(slope.meanDifference, 2),
-                      intervalInWords(cohort.position.slopeInterval),
-                      equalsInWords(pInWords(slope.p)))
+                      formatInterval(cohort.position.slopeInterval),
+                      withRelationSign(formatP(slope.p)))
                 : "  Order: no slope over positions: " + base::describe(slope.reason));
     for (const auto& method : cohort.checks.methods) {
       std::string defined;
@@ -241,7 +241,7 @@ class Writer {
       if (method.alpha.value) add("Cronbach's α = " + rounded(method.alpha.value, 2));
       if (method.omega.value) add("ω = " + rounded(method.omega.value, 2));
       if (method.normality.p) {
-        add("Shapiro–Wilk p " + equalsInWords(pInWords(method.normality.p)));
+        add("Shapiro–Wilk p " + withRelationSign(formatP(method.normality.p)));
       }
       if (!defined.empty()) line("  Scale, " + titleOf(method.method) + ": " + defined);
     }
@@ -262,14 +262,14 @@ class Writer {
     words += fmt::format(
         "U = {:g}, exact p {}, Cliff's δ = {} {}",
         ranks.statistic.value.value_or(0.0),
-        equalsInWords(pInWords(ranks.p)),
+        withRelationSign(formatP(ranks.p)),
         rounded(ranks.effect.value, 2),
-        intervalInWords(ranks.effectInterval));
+        formatInterval(ranks.effectInterval));
     for (const auto& test : row.tests) {
       if (test.id == "mann_whitney" || !test.p) continue;
       const auto name =
           test.id == "brunner_munzel" ? std::string("Brunner–Munzel") : std::string(titleOf(test));
-      words += "; " + name + " p " + equalsInWords(pInWords(test.p));
+      words += "; " + name + " p " + withRelationSign(formatP(test.p));
     }
     return words;
   }
@@ -285,8 +285,8 @@ class Writer {
         *row.estimate.value,
         *row.df,
         *row.statistic.value,
-        equalsInWords(pInWords(row.p)),
-        equalsInWords(pInWords(row.adjusted)));
+        withRelationSign(formatP(row.p)),
+        withRelationSign(formatP(row.adjusted)));
     line(words + (isConfirmatory && row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
@@ -314,7 +314,7 @@ class Writer {
           const auto& p = vote->test.exactP;
           line(
               votesInWords(title, "after " + vote->block, vote->votes) +
-              (p ? "exact p " + equalsInWords(pInWords(p)) : ""));
+              (p ? "exact p " + withRelationSign(formatP(p)) : ""));
         }
         if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }
@@ -343,7 +343,7 @@ class Writer {
             padded(cohortTitle(score.cohort) + (about.empty() ? "" : ", " + about), 44),
             rounded(score.mean, 2),
             score.standardDeviation
-                ? " " + rounded(score.standardDeviation, 2) + " " + intervalInWords(score.interval)
+                ? " " + rounded(score.standardDeviation, 2) + " " + formatInterval(score.interval)
                 : std::string(),
             score.values.size()));
       }

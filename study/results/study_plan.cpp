@@ -170,7 +170,7 @@ FamilyPlan declared(
 FamilyPlan familyPlan(
     const protocols::Family& family, const LoadedProtocol& loaded, const StudyPlan& study) {
   FamilyPlan plan = declared(family, loaded, study.question);
-  plan.fewestForAnyP = analysis::fewestForSignFlip(plan.alphaPerTest, 1);
+  plan.fewestForSignificance = analysis::fewestParticipantsForSignFlip(plan.alphaPerTest, 1);
   if (study.question.power > plan.alphaPerTest) {
     const double dz = study.question.dz;
     const double power = study.question.power;
@@ -180,7 +180,7 @@ FamilyPlan familyPlan(
     }
   }
   if (plan.forPower) {
-    const auto needed = std::max(*plan.forPower, plan.fewestForAnyP);
+    const auto needed = std::max(*plan.forPower, plan.fewestForSignificance);
     const auto multiple = static_cast<std::uint64_t>(study.balancedBy);
     plan.recommended = (needed + multiple - 1) / multiple * multiple;
   }
@@ -220,7 +220,7 @@ void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
           .alternatives = static_cast<int>(conditions.size()),
           .votes = cohort.participants};
       if (vote.alternatives > 1) {
-        vote.toWin = analysis::fewestVotesToWin(vote.votes, vote.alternatives, alpha);
+        vote.toWin = analysis::fewestVotesForSignificance(vote.votes, vote.alternatives, alpha);
         vote.canDecide = analysis::smallestVoteP(vote.votes, vote.alternatives).p <= alpha;
       }
       study.votes.push_back(vote);

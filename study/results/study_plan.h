@@ -73,7 +73,7 @@ struct FamilyPlan {
   bool isCorrected = true;  ///< alphaPerTest is the level of the strictest step
   std::string correction;   ///< "Holm"
   /// Fewest participants with which an exact paired test can be significant.
-  std::uint64_t fewestForAnyP = 0;
+  std::uint64_t fewestForSignificance = 0;
   std::optional<std::uint64_t> forPower;     ///< participants for the requested effect and power
   std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
   /// Participants over all sites for that effect and power; std::nullopt also if no number is

@@ -85,7 +85,7 @@ std::string pairVerdict(const FamilyPlan& family, const Detectability& prospect)
       "significant, whatever people answer. At least {} are needed",
       smallest,
       pText(family.alphaPerTest),
-      family.fewestForAnyP);
+      family.fewestForSignificance);
 }
 
 std::string friedmanVerdict(const FamilyPlan& family, const Detectability& prospect) {

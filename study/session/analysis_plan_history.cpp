@@ -46,7 +46,7 @@ class PlanTracker {
           earlier == nullptr ? std::vector<std::string_view>{} : differingKeys(*earlier, family);
       if (earlier != nullptr && keys.empty()) continue;
       auto kind = earlier == nullptr ? FamilyChange::Kind::Added : FamilyChange::Kind::Changed;
-      if (isAlikeIn(declared_, after.analysis, family.id)) kind = FamilyChange::Kind::PutBack;
+      if (isAlikeIn(declared_, after.analysis, family.id)) kind = FamilyChange::Kind::Restored;
       add(family, kind, after.study.version, addedUtc);
       if (kind == FamilyChange::Kind::Changed) changes_.back().keys = std::move(keys);
     }
@@ -68,7 +68,7 @@ class PlanTracker {
       if (!isKept || usedInOtherForm_.contains(family.id)) history.undeclared.push_back(family.id);
     }
     for (auto& change : changes_) {
-      if (change.kind == FamilyChange::Kind::PutBack) continue;
+      if (change.kind == FamilyChange::Kind::Restored) continue;
       change.isHarmless =
           familyIn(now, change.family) != nullptr && history.isDeclared(change.family);
     }
@@ -89,7 +89,7 @@ class PlanTracker {
          .version = version,
          .addedUtc = addedUtc,
          .isHarmless =
-             kind == FamilyChange::Kind::PutBack && !usedInOtherForm_.contains(family.id)});
+             kind == FamilyChange::Kind::Restored && !usedInOtherForm_.contains(family.id)});
   }
 
   const AnalysisPlan& declared_;

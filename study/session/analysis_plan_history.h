@@ -11,8 +11,8 @@ namespace study {
 /// A change that a version of the protocol made to a family of comparisons after the first live
 /// participant had begun. Its author may have seen data.
 struct FamilyChange {
-  /// PutBack: the family was again as it had been when the first live participant began.
-  enum class Kind { Added, Changed, Removed, PutBack };
+  /// Restored: the family was again as it had been when the first live participant began.
+  enum class Kind { Added, Changed, Removed, Restored };
 
   std::string family;  ///< its id
   std::string title;
@@ -21,7 +21,7 @@ struct FamilyChange {
   std::string version;                 ///< of the protocol, as its authors call it
   std::string addedUtc;                ///< when that version was added to the study, ISO 8601
   /// Changed, Added: true if the family counts as declared all the same (see isDeclared()), because
-  /// it was restored in time. PutBack: true if no live participant had begun with a version in
+  /// it was restored in time. Restored: true if no live participant had begun with a version in
   /// which the family differed.
   bool isHarmless = false;
 };

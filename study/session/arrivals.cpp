@@ -21,7 +21,7 @@ std::string listOfReceipts(const std::string& study, const std::string& station)
 }  // namespace
 
 Arrivals arrivalsBy(Study& study, std::int64_t event) {
-  const auto marks = storage::sessionMarks(study.database());
+  const auto marks = storage::lastSessionEvents(study.database());
   Arrivals arrivals{
       .all = static_cast<std::int64_t>(marks.size()), .arrived = 0, .waitingSince = {}};
   for (const auto& mark : marks) {

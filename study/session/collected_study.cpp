@@ -82,9 +82,9 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
   if (isOpen) {
     files_->identities.put(origin.secret);
   } else {
-    storage::keepKey(origin.secret, target_);
+    storage::storeStudyKey(origin.secret, target_);
     files_->identities.storeFingerprintSecret(origin.secret.forFingerprints());
-    files_->study.giveKey(storage::SealingKey(origin.secret.bytes()));
+    files_->study.setKey(storage::SealingKey(origin.secret.bytes()));
   }
   files_->begin();
   events_ = std::make_unique<storage::EventSpool>((folder_ / kWaiting).string());

@@ -82,7 +82,7 @@ std::uint64_t seedAt(
 
 /// Whether the orders are drawn with the station's secret (kOrdersOfStation in its first event).
 /// True for a collected study, which does not record this of each station.
-bool hasOrdersOfItsSecret(Study& study) {
+bool usesStationSecret(Study& study) {
   if (study.isCollected()) return true;
   const auto made = study.events().madeStudy();
   return std::any_of(
@@ -127,7 +127,7 @@ std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow&
   auto steps = sessionPlan(
       study.protocol(row.protocol).protocol,
       scheduleOf(
-          study, row, canRead ? secretAt(study, row) : std::nullopt, hasOrdersOfItsSecret(study)));
+          study, row, canRead ? secretAt(study, row) : std::nullopt, usesStationSecret(study)));
   for (auto& step : steps) {
     step.condition.clear();
     step.itemSet.clear();
@@ -136,10 +136,10 @@ std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow&
 }
 
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
-  return planOf(study, row, hasOrdersOfItsSecret(study));
+  return planOf(study, row, usesStationSecret(study));
 }
 
-std::vector<Step> planOfEarlierStation(Study& study, const storage::SessionRow& row) {
+std::vector<Step> planFromStudySeed(Study& study, const storage::SessionRow& row) {
   return planOf(study, row, false);
 }
 

@@ -25,7 +25,7 @@ inline constexpr const char* kOrdersOfStation = "orders";
 
 /// The steps as stations of earlier releases drew them: from the study's seed, which all stations
 /// have.
-std::vector<Step> planOfEarlierStation(Study& study, const storage::SessionRow& row);
+std::vector<Step> planFromStudySeed(Study& study, const storage::SessionRow& row);
 
 /// The steps of a session without conditions and sets of items, which need the secret: to show its
 /// progress. @throws storage::StorageError

@@ -115,7 +115,7 @@ void noteEnd(Study& study, const storage::SignedHead& head) {
   }
 }
 
-void sealTrailAgain(Study& study, const ErasureRequest& request) {
+void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
   // Data that were tampered with must not be sealed and then look sound.
   if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
     throw StorageError(
@@ -136,7 +136,7 @@ void sealTrailAgain(Study& study, const ErasureRequest& request) {
   std::copy_n(head.begin(), std::min(head.size(), hash.size()), hash.begin());
   const auto end = signedEnd(study);
   study.transact([&] {
-    study.events().sealAgain(
+    study.events().resealEvents(
         {.when = study.clock().now(),
          .actor = storage::Actor::Operator,
          .kind = EventKind::ResealedTrail,
@@ -264,14 +264,14 @@ ErasureReport perform(Study& study, const ErasureRequest& request) {
       .erasure = {
           .participant = request.participant, .level = request.level, .reason = request.reason}};
   if (erasesAnswers(request.level) && !isSealed(study, request.participant)) {
-    if (!request.sealsTrailAgain) {
+    if (!request.resealsTrail) {
       throw UserError(
           "An older release wrote the audit trail of this study, with the answers in the open. It "
           "is sealed once, for all participants, before the first of them is erased: back up the "
           "study, then add --reseal. Heads that were noted before are not found in it any more.");
     }
-    sealTrailAgain(study, request);
-    report.wasTrailSealedAgain = true;
+    verifyAndResealTrail(study, request);
+    report.wasTrailResealed = true;
   }
   report.texts = textsOf(study, request);
   report.sessions = sessionsOf(study, request.participant).size();
@@ -298,35 +298,35 @@ ErasureReport erase(Study& study, const ErasureRequest& request) {
   return report;
 }
 
-void eraseAgain(Study& study, const storage::ListedErasure& erasure) {
+void repeatErasure(Study& study, const storage::ListedErasure& erasure) {
   perform(
       study,
       {.participant = erasure.participant,
        .level = erasure.level,
        .reason = "erased from another copy on " + erasure.utc,
-       .sealsTrailAgain = true,
+       .resealsTrail = true,
        .isAgain = true});
 }
 
-bool isErasureOpen(storage::Database& database) {
+bool hasPendingErasures(storage::Database& database) {
   if (!storage::ErasureRepository(database).unfinished().empty()) return true;
   storage::Statement uuid(database, "SELECT uuid FROM study WHERE id = 1");
   return uuid.step() &&
-         !storage::missingErasures(database, storage::listedErasures(uuid.text(0))).empty();
+         !storage::erasuresToRepeat(database, storage::listedErasures(uuid.text(0))).empty();
 }
 
-void finishErasures(Study& study) {
+void finishPendingErasures(Study& study) {
   for (const auto& erasure : storage::ErasureRepository(study.database()).unfinished()) {
     study.withReservedSpace([&] { finish(study, erasure); });
     listOnStation(asListed(study, erasure));  // it was interrupted before that
   }
   const auto listed = storage::listedErasures(study.uuid());
-  for (const auto& erasure : storage::missingErasures(study.database(), listed)) {
-    eraseAgain(study, erasure);
+  for (const auto& erasure : storage::erasuresToRepeat(study.database(), listed)) {
+    repeatErasure(study, erasure);
   }
 }
 
-std::string remarksOnOpenTrail(Study& study) {
+std::string remarkOnUnsealedTrail(Study& study) {
   std::uint64_t open = 0;
   for (const auto& code : people(study)) open += isSealed(study, code) ? 0 : 1;
   if (open == 0) return {};
@@ -341,7 +341,7 @@ std::vector<std::string> remarksOnErasure(Study& study) {
     if (event.kind != EventKind::ResealedTrail) continue;
     remarks.push_back("it was sealed again on " + asUtc(event.when.wall) + ": " + describe(event));
   }
-  if (auto open = remarksOnOpenTrail(study); !open.empty()) remarks.push_back(std::move(open));
+  if (auto open = remarkOnUnsealedTrail(study); !open.empty()) remarks.push_back(std::move(open));
   for (const auto& erasure : storage::ErasureRepository(study.database()).all()) {
     remarks.push_back(
         erasure.participant + " was erased (" + std::string(nameOf(erasure.level)) + ") on " +

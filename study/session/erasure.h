@@ -16,7 +16,7 @@ struct ErasureRequest {
   storage::ErasureLevel level = storage::ErasureLevel::All;
   std::string reason;
   /// Seals the unsealed trail of an older release first, for the whole study.
-  bool sealsTrailAgain = false;
+  bool resealsTrail = false;
   /// Repeats in this copy an erasure of another copy. The trail is then not signed, because the
   /// study itself does not have these events.
   bool isAgain = false;
@@ -29,7 +29,7 @@ struct ErasureReport {
   std::size_t names = 0;     ///< that were deleted
   /// Names were deleted without being read, so texts has none of them.
   bool areNamesLocked = false;
-  bool wasTrailSealedAgain = false;
+  bool wasTrailResealed = false;
   storage::ByteSearch texts;  ///< texts by and about the participant
   /// Files of the study's folder that still contain one of these texts.
   std::vector<std::string> filesWithTexts;
@@ -47,25 +47,25 @@ struct ErasureReport {
 /// station's list: opening any other copy of the study repeats it there.
 /// @throws UserError  if there is no such participant, or it is a simulated one; if the reason is
 ///     missing or names the participant; if the trail is unsealed (of an older release) and
-///     sealsTrailAgain is not set
+///     resealsTrail is not set
 /// @throws storage::StorageError  (Busy) if a session of the participant is open, or another
 ///     program reads the study: then the rest is done when the study is opened next
 ErasureReport erase(Study& study, const ErasureRequest& request);
 
 /// Repeats in this copy an erasure that was done in another copy of the study; seals the trail
 /// first if need be. @throws storage::StorageError
-void eraseAgain(Study& study, const storage::ListedErasure& erasure);
+void repeatErasure(Study& study, const storage::ListedErasure& erasure);
 
 /// Whether an erasure must be finished before the study may be read: an interrupted one, or one of
 /// this station's list that was not repeated here. @param database  study.db
-bool isErasureOpen(storage::Database& database);
+bool hasPendingErasures(storage::Database& database);
 
 /// Finishes and repeats these erasures. @throws storage::StorageError
-void finishErasures(Study& study);
+void finishPendingErasures(Study& study);
 
 /// A remark on how many participants have unsealed events, which an older release wrote; empty:
 /// none.
-std::string remarksOnOpenTrail(Study& study);
+std::string remarkOnUnsealedTrail(Study& study);
 
 /// The remarks of `palpate study verify` on erasures and on unsealed parts of the trail.
 std::vector<std::string> remarksOnErasure(Study& study);

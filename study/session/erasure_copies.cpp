@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kSayWhose{"codebook.json", "study.json", "dataset_description.json"};
+constexpr std::array kFilesNamingStudy{"codebook.json", "study.json", "dataset_description.json"};
 
 /// Whether a folder is an export of the study: its codebook, its document or its data set's
 /// description says so.
 bool isExportOf(const fs::path& folder, const std::string& uuid) {
-  for (const char* name : kSayWhose) {
+  for (const char* name : kFilesNamingStudy) {
     std::ifstream stream(folder / name, std::ios::binary);
     const auto text = base::readAll(stream);
     if (text.find('"' + uuid + '"') != std::string::npos) return true;
@@ -36,7 +36,8 @@ void removeExport(const fs::path& folder) {
   const std::vector<fs::directory_entry> entries{fs::directory_iterator(folder), {}};
   for (const auto& entry : entries) {
     const auto name = entry.path().filename();
-    if (std::find(kSayWhose.begin(), kSayWhose.end(), name) == kSayWhose.end()) {
+    if (std::find(kFilesNamingStudy.begin(), kFilesNamingStudy.end(), name) ==
+        kFilesNamingStudy.end()) {
       fs::remove_all(entry.path());
     }
   }
@@ -52,7 +53,7 @@ bool isToBeErasedFrom(const fs::path& folder, const storage::ListedErasure& eras
   if (!select.step() || select.text(0) != erasure.study) {
     throw UserError("It is another study. Nothing was changed in it.");
   }
-  return !storage::missingErasures(database, {erasure}).empty();
+  return !storage::erasuresToRepeat(database, {erasure}).empty();
 }
 
 /// @throws UserError  if the study's audit trail does not prove that the study wrote the file
@@ -114,8 +115,8 @@ ErasedCopy eraseFrom(
   }
   if (isToBeErasedFrom(folder, erasure)) {
     auto study = Study::open(folder, clock);  // erases what this station has listed
-    for (const auto& open : storage::missingErasures(study.database(), {erasure}))
-      eraseAgain(study, open);
+    for (const auto& open : storage::erasuresToRepeat(study.database(), {erasure}))
+      repeatErasure(study, open);
   } else {
     copy.outcome = ErasedCopy::Outcome::NotInIt;
   }

@@ -28,9 +28,9 @@ std::string textOf(const storage::Event& event, std::string_view name) {
 
 /// The rows that identity.db must have according to the audit trail: the fingerprint of each, by
 /// its name.
-class SaidOfIdentities {
+class ExpectedIdentities {
  public:
-  explicit SaidOfIdentities(Study& study) {
+  explicit ExpectedIdentities(Study& study) {
     for (const auto& row : study.sessions().all()) sessions_[row.id] = row;
     for (const auto& event : study.events().read()) add(event);
   }
@@ -86,7 +86,7 @@ class SaidOfIdentities {
 
 /// The fingerprints of the rows of identity.db, by name.
 std::map<std::string, std::string> presentRows(Study& study) {
-  const auto secret = study.secretOfFingerprints();
+  const auto secret = study.fingerprintSecret();
   std::map<std::string, std::string> rows;
   for (const auto& row : storage::identityRows(study.identities().database())) {
     rows[row.name] = secret ? secret->fingerprint(row.bytes) : kUnknown;
@@ -110,9 +110,9 @@ void compare(
 
 /// Notes the rows that differ from the trail and whose name begins with @p where.
 void noteRows(Study& study, const std::string& where) {
-  if (!study.secretOfFingerprints()) return;
+  if (!study.fingerprintSecret()) return;
   const auto present = presentRows(study);
-  const SaidOfIdentities said(study);
+  const ExpectedIdentities said(study);
   std::string pairs;
   const auto add = [&](const std::string& row, const std::string& fingerprint) {
     if (row.starts_with(where)) pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
@@ -159,7 +159,7 @@ std::string fingerprintsOf(Study& study, const std::string& participant) {
 storage::Findings checkIdentities(Study& study) {
   Findings findings;
   const auto present = presentRows(study);
-  const SaidOfIdentities said(study);
+  const ExpectedIdentities said(study);
   std::size_t unknown = 0;
   for (const auto& [row, fingerprint] : said.rows()) {
     if (said.isErased(row) || said.isUnderWay(row)) continue;

@@ -47,7 +47,7 @@ void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrol
   if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
     throw UserError("The protocol has no texts in '" + enrolment.language + "'.");
   }
-  if (!enrolment.code.empty() && !questionnaires::isSoundId(enrolment.code)) {
+  if (!enrolment.code.empty() && !questionnaires::isValidId(enrolment.code)) {
     throw UserError(
         "'" + enrolment.code +
         "' cannot be a participant's code. Use letters, digits, '-' and '_'.");

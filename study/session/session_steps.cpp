@@ -91,7 +91,7 @@ void Session::keepTrial(const TrialRecord& record) {
   base::NamedArguments values{
       {"stiffness", passivity.stiffness},
       {"period_s", passivity.effectivePeriod()},
-      {"needed_damping", passivity.neededDamping()},
+      {"needed_damping", passivity.requiredDamping()},
       {"device_damping", record.deviceDamping},
       {"least_energy", record.leastEnergy}};
   if (passivity.limitCycle) {
@@ -106,7 +106,7 @@ void Session::keepTrial(const TrialRecord& record) {
         base::NamedArguments{
             {"rendered", std::int64_t{record.isTorqueRendered}},
             {"largest_nm", record.largestTorque},
-            {"least_energy", record.leastTurnEnergy}});
+            {"least_energy", record.leastRotationEnergy}});
   }
   if (record.link.isThere)
     appendEvent(Actor::Program, EventKind::DeviceLink, valuesOf(record.link));

@@ -34,7 +34,7 @@ void requireFinished(const Database& database) {
 
 bool isErasureOpenIn(const StudyFiles& files) {
   auto database = Database::open(files.study(), storage::studySchema(), Database::Access::ReadOnly);
-  return isErasureOpen(database);
+  return hasPendingErasures(database);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
         ". Make one with 'palpate study create', or check the folder's name.");
   }
   const StudyFiles files{folder};
-  if (access == Database::Access::ReadWrite) storage::requireOwnDisk(files.study());
+  if (access == Database::Access::ReadWrite) storage::requireLocalDisk(files.study());
   if (access == Database::Access::ReadOnly && isErasureOpenIn(files)) {
     open(folder, clock, Database::Access::ReadWrite);
   }
@@ -78,7 +78,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   study.findKey();
   if (study.isWritable_) {
     storage::ReservedSpace(folder).take();
-    finishErasures(study);
+    finishPendingErasures(study);
     study.copyForms();
   }
   return study;
@@ -113,7 +113,7 @@ void Study::readSecret() {
   const auto committed = events().commitment();
   auto found = identities_.blindingSecret();
   isSealed_ = !committed.empty() && !found;
-  if (isSealed_) found = storage::keptKey(committed);
+  if (isSealed_) found = storage::findStudyKey(committed);
   if (isSealed_ && !found) {
     throw StorageError(storage::adviceOnMissingKey(folder_.string(), hasPassphrase()));
   }
@@ -126,15 +126,15 @@ void Study::readSecret() {
         StorageError::Kind::Damaged);
   }
   if (!committed.empty()) secret_ = found;
-  if (isSealed_) giveKey();
+  if (isSealed_) setKey();
   isSecretRead_ = true;
 }
 
 void Study::findKey() noexcept {
   try {
     const auto wrapped = storage::wrappedKeyIn(identities_.database());
-    const auto held = wrapped ? storage::heldKey(*wrapped) : std::nullopt;
-    if (held) identities_.database().giveKey(*held);
+    const auto held = wrapped ? storage::heldNamesKey(*wrapped) : std::nullopt;
+    if (held) identities_.database().setKey(*held);
     readSecret();
   } catch (const std::exception&) {
     return;  // much can be done without the key; secretFor() reports it when it is needed
@@ -154,14 +154,14 @@ void Study::useKey(const storage::BlindingSecret& key) {
         folder_.string() + " or from a copy of it.");
   }
   secret_ = key;
-  giveKey();
+  setKey();
   isSecretRead_ = true;
 }
 
-void Study::giveKey() {
+void Study::setKey() {
   const storage::SealingKey key(secret_->bytes());
-  database_.giveKey(key);
-  traces_.database().giveKey(key);
+  database_.setKey(key);
+  traces_.database().setKey(key);
 }
 
 bool Study::unlock(const std::string& passphrase) {
@@ -169,7 +169,7 @@ bool Study::unlock(const std::string& passphrase) {
   const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
   if (bytes) {
     useKey(storage::BlindingSecret(*bytes));
-    storage::holdKey(*secret_);
+    storage::holdStudyKey(*secret_);
   }
   return bytes.has_value();
 }
@@ -178,14 +178,14 @@ bool Study::unlockNames(const std::string& passphrase) {
   const auto wrapped = storage::wrappedKeyIn(identities_.database());
   const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
   if (bytes) {
-    storage::holdOpened(*wrapped, *bytes);
-    identities_.database().giveKey(storage::SealingKey(*bytes));
+    storage::holdNamesKey(*wrapped, *bytes);
+    identities_.database().setKey(storage::SealingKey(*bytes));
   }
   return bytes.has_value();
 }
 
-std::optional<storage::BlindingSecret> Study::secretOfFingerprints() {
-  if (auto secret = identities_.secretOfFingerprints()) return secret;
+std::optional<storage::BlindingSecret> Study::fingerprintSecret() {
+  if (auto secret = identities_.fingerprintSecret()) return secret;
   const auto* secret = secretFor(RunMode::Live);
   if (secret == nullptr) return std::nullopt;
   return isSealed_ ? secret->forFingerprints() : *secret;
@@ -265,7 +265,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
 storage::TraceStore Study::openTraces() const {
   auto database = Database::open(
       StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite);
-  if (const auto* key = database_.key()) database.giveKey(*key);
+  if (const auto* key = database_.key()) database.setKey(*key);
   return storage::TraceStore(std::move(database));
 }
 

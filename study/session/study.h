@@ -90,7 +90,7 @@ class Study {
 
   /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt in studies
   /// that have none. @throws storage::StorageError
-  std::optional<storage::BlindingSecret> secretOfFingerprints();
+  std::optional<storage::BlindingSecret> fingerprintSecret();
 
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
@@ -155,7 +155,7 @@ class Study {
   void readStudyRow();
   void readSecret();
   void findKey() noexcept;
-  void giveKey();
+  void setKey();
   void copyForms();
   bool isEventStored(const std::vector<std::byte>& head);
 

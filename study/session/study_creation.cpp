@@ -65,7 +65,7 @@ void begin(
   if (protocol.protocol.isBlindingOpen) {
     identities.put(secret);
   } else {
-    storage::keepKey(secret, folder);
+    storage::storeStudyKey(secret, folder);
     identities.storeFingerprintSecret(secret.forFingerprints());
   }
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);

@@ -55,7 +55,7 @@ void sealNamesOfOlderReleases(Study& study) {
     identities.drawMissingKey(storage::IdentityStore::Key::Identity, row.participant);
   }
   for (const auto& participant : identities.sealUnsealedNames()) {
-    if (!study.secretOfFingerprints()) continue;
+    if (!study.fingerprintSecret()) continue;
     study.note(
         {.kind = EventKind::NotedIdentities,
          .values = {{"rows", fingerprintsOf(study, participant)}}});
@@ -82,12 +82,12 @@ void exportKey(Study& study, const std::string& file, const std::string& reason)
 
 void importKey(Study& study, const std::string& file) {
   study.useKey(storage::readKeyFile(file));
-  keepOpenedKey(study);
+  storeOpenedKey(study);
 }
 
-void keepOpenedKey(Study& study) {
+void storeOpenedKey(Study& study) {
   const auto& key = requireKey(study);
-  const bool isNew = storage::keepKey(key, study.folder());
+  const bool isNew = storage::storeStudyKey(key, study.folder());
   if (isNew && study.isWritable()) study.note(EventKind::ImportedKey, "");
 }
 
@@ -133,8 +133,8 @@ void setPassphraseOfNames(
     storage::storeWrapped(database, wrapped);
     transaction.commit();
   });
-  database.giveKey(key);
-  storage::holdOpened(wrapped, key.bytes());
+  database.setKey(key);
+  storage::holdNamesKey(wrapped, key.bytes());
   storage::purge(database);
 }
 
@@ -155,7 +155,7 @@ bool hasOnlyCopyOfKey(Study& study) {
   return study.isSealed() && study.hasKey() && !study.hasPassphrase() && !wasEverExported(study);
 }
 
-std::string sealInWords(Study& study) {
+std::string keyStatusText(Study& study) {
   if (study.events().commitment().empty() || study.protocol().protocol.isBlindingOpen) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
   if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";

@@ -17,7 +17,7 @@ void exportKey(Study& study, const std::string& file, const std::string& reason)
 void importKey(Study& study, const std::string& file);
 
 /// Stores the key that a passphrase has opened in this station's list.
-void keepOpenedKey(Study& study);
+void storeOpenedKey(Study& study);
 
 /// Sets the passphrase that opens the study's key, in this study and in later copies of it. Older
 /// copies keep the older passphrase.
@@ -52,6 +52,6 @@ bool hasOnlyCopyOfKey(Study& study);
 
 /// One line on where the study's key is: "sealed; this account has the key". Empty if nothing is
 /// sealed.
-std::string sealInWords(Study& study);
+std::string keyStatusText(Study& study);
 
 }  // namespace study

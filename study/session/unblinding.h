@@ -36,7 +36,7 @@ void noteReport(
 std::string fingerprintOf(Study& study, std::string_view content);
 
 /// How a study must be opened for noteUnblinding().
-inline storage::Database::Access accessToNote(const std::string& reason) {
+inline storage::Database::Access accessForUnblinding(const std::string& reason) {
   return reason.empty() ? storage::Database::Access::ReadOnly
                         : storage::Database::Access::ReadWrite;
 }

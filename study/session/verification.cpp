@@ -228,7 +228,7 @@ storage::Findings orders(Study& study) {
     const auto allotted = study.sessions().allocation(row.id);
     const bool isDrawn =
         allotted == conditionsOf(drawnPlan(study, row)) ||
-        (study.isCollected() && allotted == conditionsOf(planOfEarlierStation(study, row)));
+        (study.isCollected() && allotted == conditionsOf(planFromStudySeed(study, row)));
     if (!isDrawn) {
       findings.problems.push_back(
           "the order of " + row.participant + " is not the one that was drawn");
@@ -286,9 +286,9 @@ Problems traces(Study& study, const Progress& progress) {
 
 /// While this object exists, the study's connections see its three files in the state of one
 /// moment.
-class OneMoment {
+class ConsistentSnapshot {
  public:
-  explicit OneMoment(Study& study)
+  explicit ConsistentSnapshot(Study& study)
       : databases_{&study.database(), &study.traces().database(), &study.identities().database()} {
     for (int tries = 0; tries < kMostTries; ++tries) {
       if (isTaken(study)) return;
@@ -300,9 +300,9 @@ class OneMoment {
             "less goes on.",
         storage::StorageError::Kind::Busy);
   }
-  ~OneMoment() { end(); }
-  OneMoment(const OneMoment&) = delete;
-  OneMoment& operator=(const OneMoment&) = delete;
+  ~ConsistentSnapshot() { end(); }
+  ConsistentSnapshot(const ConsistentSnapshot&) = delete;
+  ConsistentSnapshot& operator=(const ConsistentSnapshot&) = delete;
 
  private:
   static constexpr int kMostTries = 1000;
@@ -356,7 +356,7 @@ bool Verification::isSound() const noexcept {
 
 Verification verify(Study& study, const Progress& progress, const VerifyOptions& options) {
   constexpr double kChecksBeforeTraces = 10.0;
-  const OneMoment moment(study);
+  const ConsistentSnapshot moment(study);
   Verification result;
   const auto look = [&](const char* what,
                         const std::function<storage::Findings(Study&)>& findingsOf) {

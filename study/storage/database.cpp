@@ -68,7 +68,7 @@ int waitForOthers(void* /*unused*/, int pauses) {
 
 Database::Database(std::string path, int flags, Reading reading) : path_(std::move(path)) {
   const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
-  const bool isAsSealed = isOnlyRead && (reading == Reading::AsSealed || isSealed(path_));
+  const bool isAsSealed = isOnlyRead && (reading == Reading::Immutable || isSealed(path_));
   const int code = sqlite3_open_v2(
       (isAsSealed ? sealedName(path_) : path_).c_str(),
       &handle_,
@@ -101,7 +101,7 @@ Database Database::create(const std::string& path, const Schema& schema) {
     throw StorageError(
         path + " is there already. Nothing is ever overwritten: choose another folder.");
   }
-  requireOwnDisk(path);
+  requireLocalDisk(path);
   Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.configure(Access::ReadWrite);
   database.execute("PRAGMA application_id = " + std::to_string(schema.applicationId));
@@ -126,7 +126,7 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
   const bool hasLog =
       fs::exists(path + "-wal", ignored) && fs::file_size(path + "-wal", ignored) > 0;
   const bool isAlone = !hasSpace && !hasLog && access == Access::ReadOnly;
-  return openNow(path, schema, access, isAlone ? Reading::AsSealed : Reading::WithOthers);
+  return openNow(path, schema, access, isAlone ? Reading::Immutable : Reading::WithOthers);
 }
 
 Database Database::openNow(

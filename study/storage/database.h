@@ -81,7 +81,7 @@ class Database {
 
   /// Gives this connection the key of the study, with which conditions and measurements are
   /// sealed and opened (docs/decisions/0049). Studies in which nothing is sealed have none.
-  void giveKey(const SealingKey& key) { key_ = key; }
+  void setKey(const SealingKey& key) { key_ = key; }
   /// nullptr if this connection has no key.
   const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
 
@@ -93,9 +93,9 @@ class Database {
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:
-  /// WithOthers: with locks and memory shared with other programs. AsSealed: as an immutable file,
+  /// WithOthers: with locks and memory shared with other programs. Immutable: as an immutable file,
   /// without locks and log.
-  enum class Reading { WithOthers, AsSealed };
+  enum class Reading { WithOthers, Immutable };
 
   Database(std::string path, int flags, Reading reading = Reading::WithOthers);
   static Database openNow(

@@ -200,9 +200,9 @@ bool revealsCondition(EventKind kind) {
 }
 
 /// Drops the triggers that forbid changes of events, so that the trail can be rewritten.
-class Guards {
+class ProtectiveTriggers {
  public:
-  explicit Guards(Database& database) : database_(database) {
+  explicit ProtectiveTriggers(Database& database) : database_(database) {
     Statement select(
         database,
         "SELECT name, sql FROM sqlite_schema WHERE type = 'trigger' AND tbl_name = 'event' "
@@ -216,7 +216,7 @@ class Guards {
     database.execute(removals);
   }
   /// Creates the triggers again. Must be called before the transaction is committed.
-  void putBack() { database_.execute(triggers_); }
+  void recreate() { database_.execute(triggers_); }
 
  private:
   Database& database_;
@@ -291,7 +291,7 @@ void EventLog::append(const Event& event) {
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
-void EventLog::sealAgain(const Event& event) {
+void EventLog::resealEvents(const Event& event) {
   std::vector<Row> rows;
   std::map<std::int64_t, std::size_t> lastOf;  // the last event of every session
   Keys keys(*this);
@@ -306,7 +306,7 @@ void EventLog::sealAgain(const Event& event) {
       rows.push_back(std::move(row));
     }
   }
-  Guards guards(database_);
+  ProtectiveTriggers guards(database_);
   database_.execute("DELETE FROM event");
   append(event);
   std::vector<std::byte> previous = head();
@@ -326,7 +326,7 @@ void EventLog::sealAgain(const Event& event) {
     insert(database_, seq, row, hash);
     previous = asBytes(hash);
   }
-  guards.putBack();
+  guards.recreate();
 }
 
 std::vector<StoredEvent> EventLog::stored(std::int64_t after, std::int64_t most) const {

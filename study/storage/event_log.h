@@ -132,7 +132,7 @@ class EventLog {
   /// events in their order. Events of participants who have keys are sealed. Of the hashes of
   /// tables only the last one of each session stays, because earlier ones would reveal something
   /// about answers.
-  void sealAgain(const Event& event);
+  void resealEvents(const Event& event);
 
   /// Rows as they are: the first @p most after the event @p after.
   std::vector<StoredEvent> stored(std::int64_t after, std::int64_t most) const;

@@ -359,7 +359,7 @@ void IdentityStore::storeFingerprintSecret(const BlindingSecret& secret) {
   insertSecret(database_, "fingerprint_key", secret);
 }
 
-std::optional<BlindingSecret> IdentityStore::secretOfFingerprints() const {
+std::optional<BlindingSecret> IdentityStore::fingerprintSecret() const {
   return secretIn(database_, "fingerprint_key");
 }
 

@@ -96,7 +96,7 @@ class IdentityStore {
   /// Stores the secret for fingerprints of these rows, for studies whose blinding secret a station
   /// keeps. One transaction.
   void storeFingerprintSecret(const BlindingSecret& secret);
-  std::optional<BlindingSecret> secretOfFingerprints() const;
+  std::optional<BlindingSecret> fingerprintSecret() const;
 
   /// The rows that differ from what was written, or cannot be opened, by participant and item.
   /// (Format 1 stored no hash.) While names are locked, opening is not tried.

@@ -81,7 +81,7 @@ std::string networkDriveOf(const std::string& path) {
   return isNetworkFileSystem(type) ? type : std::string();
 }
 
-void requireOwnDisk(const std::string& path) {
+void requireLocalDisk(const std::string& path) {
   const auto drive = networkDriveOf(path);
   if (drive.empty()) return;
   throw StorageError(

@@ -24,7 +24,7 @@ bool isNetworkFileSystem(std::string_view type);
 std::string networkDriveOf(const std::string& path);
 
 /// @throws StorageError  if the file @p path lies on a network drive, or would.
-void requireOwnDisk(const std::string& path);
+void requireLocalDisk(const std::string& path);
 
 /// A file that reserves space in a study's folder, so that a session can be finished when the disk
 /// is full. (Each MiB held another 4,500 answers when it was measured.)

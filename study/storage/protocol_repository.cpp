@@ -29,7 +29,7 @@ std::string sha256(std::string_view text, const std::vector<protocols::SourceFil
 }
 
 bool isOfLibrary(const protocols::SourceFile& file) {
-  return file.name.starts_with(protocols::kCopiesOfLibrary);
+  return file.name.starts_with(protocols::kLibraryCopyPrefix);
 }
 
 bool isSame(const StoredProtocol& stored, const protocols::LoadedProtocol& protocol) {

@@ -46,7 +46,7 @@ struct ConditionCell {
   std::string in(const Statement& row, int open, int sealed, SessionId session, int step) const {
     if (wanted == Records::Conditions::LeftOut) return {};
     const auto bytes = row.blob(sealed);
-    return bytes.empty() ? row.text(open) : openedCondition(database.key(), session, step, bytes);
+    return bytes.empty() ? row.text(open) : openCondition(database.key(), session, step, bytes);
   }
 };
 
@@ -307,7 +307,7 @@ std::vector<TrialRow> Records::trials() const {
     const auto sealed = select.blob(k + 22);
     if (sealed.empty() || conditions_ == Conditions::LeftOut) continue;
     auto& trial = trials.back();
-    fillIn(trial, measuredIn(openedMeasurements(database_.key(), trial.step.visit, sealed)));
+    fillIn(trial, measuredIn(openMeasurements(database_.key(), trial.step.visit, sealed)));
   }
   return trials;
 }
@@ -343,7 +343,7 @@ std::vector<CutRecord> Records::cuts() const {
           " AS sealed FROM trial AS x) AS x WHERE sealed IS NOT NULL");
   while (sealed.step()) {
     const auto visit = readVisitKey(sealed);
-    addCuts(visit, measuredIn(openedMeasurements(database_.key(), visit, sealed.blob(3))), cuts);
+    addCuts(visit, measuredIn(openMeasurements(database_.key(), visit, sealed.blob(3))), cuts);
   }
   std::sort(cuts.begin(), cuts.end(), [](const CutRecord& a, const CutRecord& b) {
     return std::tie(a.visit, a.number) < std::tie(b.visit, b.number);

@@ -202,7 +202,7 @@ void SessionRepository::addSteps(const SessionRow& session, const std::vector<St
         allocation.bind(3, step.condition).bindNull(4);
       } else {
         const auto sealed =
-            sealedCondition(*key, session.id, static_cast<int>(number), step.condition);
+            sealCondition(*key, session.id, static_cast<int>(number), step.condition);
         allocation.bind(3, std::string_view("")).bind(4, std::span(sealed));
       }
       allocation.run();
@@ -313,7 +313,7 @@ std::vector<std::pair<int, std::string>> SessionRepository::allocation(SessionId
     const auto sealed = select.blob(2);
     result.emplace_back(
         step,
-        sealed.empty() ? select.text(1) : openedCondition(database_.key(), session, step, sealed));
+        sealed.empty() ? select.text(1) : openCondition(database_.key(), session, step, sealed));
   }
   return result;
 }

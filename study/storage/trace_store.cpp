@@ -77,7 +77,7 @@ struct TraceStore::Chunk {
   /// Hashes the sealed bytes. A hash of the samples could be compared with that of a simulation,
   /// and reveal the condition.
   void seal(const SealingKey& key, const std::string& place) {
-    bytes = key.sealRepeatably(textOf(bytes), place);
+    bytes = key.sealDeterministically(textOf(bytes), place);
     layout += kSealed;
     hash = hashOf(bytes);
   }
@@ -275,7 +275,7 @@ TraceChunk opened(const TraceChunk& chunk, SessionId session, const SealingKey& 
 
 TraceChunk sealed(const TraceChunk& chunk, SessionId session, const SealingKey& key) {
   auto sealed = chunk;
-  sealed.data = key.sealRepeatably(
+  sealed.data = key.sealDeterministically(
       textOf(chunk.data), placeOf({session, chunk.step, chunk.attempt}, chunk.number));
   sealed.layout += kSealed;
   sealed.hash = asBytes(hashOf(sealed.data));

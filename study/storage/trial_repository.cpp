@@ -177,7 +177,7 @@ void TrialRepository::addSealed(
     const FactRow& trial,
     const std::vector<FactRow>& cuts,
     const SealingKey& key) {
-  const auto sealed = sealedMeasurements(key, visit, measured(trial, cuts));
+  const auto sealed = sealMeasurements(key, visit, measured(trial, cuts));
   Statement insert(
       database_,
       "INSERT INTO trial (session_id, step, attempt, device, ending, verdict, verdict_reason, "
@@ -221,7 +221,7 @@ TrialRows trialsOf(const Database& study, SessionId session) {
       std::ranges::copy(cutsIn(open, visit), std::back_inserter(rows.cuts));
       continue;
     }
-    const auto values = valuesIn(openedMeasurements(study.key(), visit, sealed));
+    const auto values = valuesIn(openMeasurements(study.key(), visit, sealed));
     if (!values) refuseFacts("a trial of it cannot be read");
     fillIn(trial, rows.cuts, *values);
   }

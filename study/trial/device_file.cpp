@@ -101,7 +101,7 @@ std::optional<std::uint64_t> readBuild(const Node& node) {
 /// 0 for USB, or one of the standard speeds of serial ports [baud].
 int readBaud(const Node& node) {
   const auto baud = static_cast<int>(node.wholeNumber("baud", 0, 4'000'000, 0));
-  if (haptics::devices::SerialPort::canGoAt(baud)) return baud;
+  if (haptics::devices::SerialPort::supportsBaud(baud)) return baud;
   node.problem(
       "baud",
       "a serial port cannot go at " + std::to_string(baud) + " baud",

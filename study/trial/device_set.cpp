@@ -30,7 +30,7 @@ namespace {
 
 /// Slows a hand to the feed of a reamer: the speed of its target stays below @p mostFeed [m/s]. The
 /// movement is shortened, too, to about the depth at which most bone is reamed in one stroke.
-void keepPace(SimulatedHand::Person& person, double mostFeed) {
+void limitToFeed(SimulatedHand::Person& person, double mostFeed) {
   constexpr double kPeakOfMinimumJerk = 1.875;
   constexpr double kShareOfFeed = 0.9;
   constexpr double kShareOfReach = 0.55;
@@ -48,7 +48,7 @@ double feedLimitOn(const protocols::Protocol& protocol, const std::string& devic
   double slowest = std::numeric_limits<double>::infinity();
   for (const auto& condition : protocol.conditions) {
     if (condition.device != device) continue;
-    slowest = std::min(slowest, haptics::engine::feedLimitOf(condition.scene()));
+    slowest = std::min(slowest, haptics::engine::largestFeedOf(condition.scene()));
   }
   return slowest;
 }
@@ -74,7 +74,7 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
   person.damping = from(hand.damping);
   person.variation = random.uniform(0.1, 0.25);
   person.seed = random.bits();
-  keepPace(person, mostFeed);
+  limitToFeed(person, mostFeed);
   return std::make_unique<SimulatedHand>(person);
 }
 
@@ -82,7 +82,7 @@ std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::D
   return std::make_unique<haptics::devices::PointerHand>(need.kind->grip);
 }
 
-double farthestFor(const protocols::DeviceNeed& need) noexcept {
+double pointerReachFor(const protocols::DeviceNeed& need) noexcept {
   return need.kind->hand.ordinaryReach;
 }
 

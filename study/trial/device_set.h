@@ -76,6 +76,6 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
 std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
 
 /// The travel at which that hand has closed the instrument fully [device's travel unit].
-double farthestFor(const protocols::DeviceNeed& need) noexcept;
+double pointerReachFor(const protocols::DeviceNeed& need) noexcept;
 
 }  // namespace study

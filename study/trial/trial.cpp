@@ -45,7 +45,7 @@ void TrialStatistics::add(const TickSample& sample) {
   count(SafetyKind::TorqueSlewed, intervened(ForceLimiter::TorqueSlewed));
   count(SafetyKind::TorqueActive, intervened(ForceLimiter::TorqueActive));
   leastEnergy_ = std::min(leastEnergy_, sample.energy);
-  leastTurnEnergy_ = std::min(leastTurnEnergy_, sample.turnEnergy);
+  leastRotationEnergy_ = std::min(leastRotationEnergy_, sample.turnEnergy);
   largestTorque_ = std::max(largestTorque_, std::abs(sample.torque));
   if (intervened(ForceLimiter::TorqueSaturated)) ++torqueSaturated_;
   ++ticks_;
@@ -76,7 +76,7 @@ void TrialStatistics::fillIn(TrialRecord& record) const {
   record.largestForce = largestForce_;
   record.cuts = cuts_;
   record.leastEnergy = leastEnergy_;
-  record.leastTurnEnergy = leastTurnEnergy_;
+  record.leastRotationEnergy = leastRotationEnergy_;
   record.largestTorque = largestTorque_;
   record.torqueSaturated = seconds(torqueSaturated_);
   for (std::size_t i = 0; i < tallies_.size(); ++i) {

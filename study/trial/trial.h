@@ -46,7 +46,7 @@ class TrialStatistics {
   double leastEnergy_ = 0.0;
   std::int64_t torqueSaturated_ = 0;
   double largestTorque_ = 0.0;
-  double leastTurnEnergy_ = 0.0;
+  double leastRotationEnergy_ = 0.0;
   std::array<Tally, 13> tallies_{};  ///< by SafetyKind
 };
 

@@ -79,7 +79,7 @@ TEST(ProtocolKeys, DescribeTheScenes) {
   EXPECT_EQ(recorded->title, "Recorded");
   EXPECT_EQ(recorded->device, "punch");
   EXPECT_TRUE(recorded->isVisualised);
-  EXPECT_EQ(recorded->seenTissue, engine::SeenTissue::Force);
+  EXPECT_EQ(recorded->seenTissue, engine::TissueDrawing::Force);
   EXPECT_EQ(recorded->anatomy, "anatomies/square.obj");
   ASSERT_NE(recorded->knee, nullptr);
   EXPECT_EQ(recorded->knee->surfaces.size(), 1U);
@@ -102,7 +102,7 @@ TEST(ProtocolKeys, DescribeTheScenes) {
   EXPECT_EQ(elastic.weights, models::ToolWeights::ExactKink);
   EXPECT_EQ(elastic.yielding, models::Yielding::ReturnMap);
   EXPECT_FALSE(protocol.condition("elastic")->isVisualised);
-  EXPECT_EQ(protocol.condition("elastic")->seenTissue, engine::SeenTissue::Penetration);
+  EXPECT_EQ(protocol.condition("elastic")->seenTissue, engine::TissueDrawing::Penetration);
   EXPECT_FALSE(protocol.condition("elastic")->anatomy.has_value());
 }
 

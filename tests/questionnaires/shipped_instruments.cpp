@@ -18,7 +18,7 @@ const std::map<std::string, Instrument>& shipped() {
     std::map<std::string, Instrument> instruments;
     for (const auto& file : questionnaires::libraryFiles()) {
       if (!isInstrument(file.name)) continue;
-      auto instrument = questionnaires::readSoundInstrument(file.content, std::string(file.name));
+      auto instrument = questionnaires::readValidInstrument(file.content, std::string(file.name));
       instruments.emplace(instrument.id, std::move(instrument));
     }
     return instruments;

@@ -120,7 +120,7 @@ class SealedNames : public IdentityTest {
   }
 
   void beginAgain() {
-    storage::forgetHeldKeys();
+    storage::clearHeldKeys();
     study_.reopen();
   }
 
@@ -150,7 +150,7 @@ TEST_F(SealedNames, LeaveNoKeyInTheFolder) {
   ASSERT_TRUE(study_->unlockNames(kPassphrase));
   study_.close();
   tests::Sql(study_.file("identity.db")).run("DELETE FROM wrapped_key");
-  storage::forgetHeldKeys();
+  storage::clearHeldKeys();
   study_.reopen();
   study_->identities().drawKeys("P009");
   const auto open =

@@ -121,7 +121,7 @@ TEST_F(ResumeTest, RefusesAnOrderThatIsNotTheOneThatWasDrawn) {
   // As who has the key could.
   for (const auto& [step, condition] : study_->sessions().allocation(id)) {
     if (condition != "interpolation") continue;
-    const auto sealed = storage::sealedCondition(*study_->database().key(), id, step, "kalman");
+    const auto sealed = storage::sealCondition(*study_->database().key(), id, step, "kalman");
     storage::Statement update(
         study_->database(), "UPDATE allocation SET sealed = ? WHERE step = ?");
     update.bind(1, std::span(sealed)).bind(2, std::int64_t{step}).run();

@@ -171,7 +171,7 @@ IiwaDevice::Listening IiwaDevice::listen(double seconds) {
   // does. It is also extended during a silence, until that ends or has lasted kLastingSilence.
   constexpr std::int64_t kLonger = 6 * timing::kSecond;
   const auto isWithinTime = [&](std::int64_t now) {
-    const bool isSilent = now - hostTime_ > timeSinceLastMessage();
+    const bool isSilent = now - hostTime_ > longestSilence();
     const bool isComing = state() != SessionState::CommandingActive && report_.received > 0;
     return now < until || isSilent || (isComing && now < until + kLonger);
   };
@@ -212,7 +212,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back(sessionFound(heard_));
   found.push_back(commandingFound(heard_, settings_.overlay, listened.mode, listened.hasWaited));
   found.push_back(safetyFound(heard_));
-  found.push_back(silenceFound(listened.longestGap, isSilent, timeSinceLastMessage()));
+  found.push_back(silenceFound(listened.longestGap, isSilent, longestSilence()));
   found.push_back(cyclesFound(report, listened.seconds, 1e9 / static_cast<double>(period_)));
   found.push_back(anomaliesFound(report));
   found.push_back(

@@ -104,7 +104,7 @@ void IiwaDevice::open() {
     socket_.reset();
     throw;
   }
-  beginKeeping();
+  enterOpen();
 }
 
 void IiwaDevice::awaitMessages() {
@@ -135,7 +135,7 @@ std::string IiwaDevice::describeSilence() const {
   }
   const std::string nothing = " sends nothing to UDP port " + std::to_string(settings_.port);
   if (report_.foreign > 0) {
-    std::string other = foreigner_.text();
+    std::string other = lastForeignSender_.text();
     other.erase(other.find(':'));
     return nothing + ", but " + other + " does (" + std::to_string(report_.foreign) +
            " datagrams): is that the robot? Then write \"robot_address\": \"" + other +
@@ -146,7 +146,7 @@ std::string IiwaDevice::describeSilence() const {
          "client.";
 }
 
-std::int64_t IiwaDevice::timeSinceLastMessage() const noexcept {
+std::int64_t IiwaDevice::longestSilence() const noexcept {
   return std::min(kMissedCycles * period_, kMostSilence);
 }
 
@@ -154,7 +154,7 @@ void IiwaDevice::beginForces() noexcept {
   start_ = settings_.zero ? kinematics_.tool(asVector(*settings_.zero)) : tool_;
   turn_ = 0.0;
   sequence_ = {};
-  goodAt_ = timing::now();
+  lastGoodAt_ = timing::now();
 }
 
 void IiwaDevice::awaitReadiness() {
@@ -196,7 +196,7 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
                        (robot_.port == 0 || received.from.port == robot_.port);
   if (!isRobot) {
     ++report_.foreign;
-    foreigner_ = received.from;
+    lastForeignSender_ = received.from;
     return false;
   }
   MonitoringMessage message;
@@ -303,7 +303,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
       .hostTime = hostTime_};
   if (!isNew_) {
     ++report_.stale;
-    if (timing::now() - hostTime_ <= timeSinceLastMessage()) return sample;
+    if (timing::now() - hostTime_ <= longestSilence()) return sample;
     fail("it has missed 20 cycles, or been silent for 50 ms");
     return {.status = DeviceStatus::Gone};
   }
@@ -315,8 +315,8 @@ DeviceSample IiwaDevice::read(double) noexcept {
         joints_, jointVelocity_, torque ? asVector(*torque) : JointVector(JointVector::Zero()));
   }
   const bool isGood = heard_.connection && heard_.connection->quality >= ConnectionQuality::Good;
-  if (isGood) goodAt_ = hostTime_;
-  if (wrong == nullptr && hostTime_ - goodAt_ > kMostSilence) {
+  if (isGood) lastGoodAt_ = hostTime_;
+  if (wrong == nullptr && hostTime_ - lastGoodAt_ > kMostSilence) {
     wrong = "its connection has become worse than GOOD";
   }
   if (wrong != nullptr) {

@@ -98,7 +98,7 @@ class IiwaDevice final : public WireDevice {
   Listening listen(double seconds);
   std::string describeSilence() const;
   void awaitMessages();
-  std::int64_t timeSinceLastMessage() const noexcept;
+  std::int64_t longestSilence() const noexcept;
   SessionState state() const noexcept;
 
   IiwaSettings settings_;
@@ -113,8 +113,8 @@ class IiwaDevice final : public WireDevice {
   std::uint32_t ours_ = 0;
   std::uint32_t sinceAnswer_ = 0;
   std::int64_t period_ = 5'000'000;  // between messages [ns]
-  Endpoint foreigner_;               // the last sender that was not the robot
-  std::int64_t goodAt_ = 0;          // when the connection was last good enough [ns]
+  Endpoint lastForeignSender_;       // the last sender that was not the robot
+  std::int64_t lastGoodAt_ = 0;      // when the connection was last good enough [ns]
 
   JointVector joints_ = JointVector::Zero();         // [rad]
   JointVector jointVelocity_ = JointVector::Zero();  // [rad/s]

@@ -52,7 +52,7 @@ void PunchDevice::open() {
   close();
   port_.open(settings_.port, settings_.baud);
   decoder_ = {};
-  isGreeted_ = false;
+  hasHello_ = false;
   try {
     exchangeHello();
     refuseOtherBoard();
@@ -66,30 +66,30 @@ void PunchDevice::open() {
   resetCounts();
   sequence_ = {};
   damagedBefore_ = decoder_.damaged();
-  beginKeeping();
+  enterOpen();
 }
 
 void PunchDevice::exchangeHello() {
   const std::int64_t until = timing::now() + kHelloTime;
   int asked = 0;
-  greetings_ = 0;
-  while (!isGreeted_ && port_.isOpen() && timing::now() < until) {
+  helloCount_ = 0;
+  while (!hasHello_ && port_.isOpen() && timing::now() < until) {
     send(Hello{});
     ++asked;
     const std::int64_t again = std::min(until, timing::now() + kHelloAgain);
-    while (!isGreeted_ && port_.isOpen() && timing::now() < again) {
+    while (!hasHello_ && port_.isOpen() && timing::now() < again) {
       port_.waitReadable(again);
       drain();
     }
   }
   // Every Hello disarms the board, so wait for the replies to those still in transit.
   const std::int64_t patience = timing::now() + 300 * kMillisecond;
-  while (isGreeted_ && greetings_ < asked && port_.isOpen() && timing::now() < patience) {
+  while (hasHello_ && helloCount_ < asked && port_.isOpen() && timing::now() < patience) {
     isNew_ = false;
     port_.waitReadable(patience);
     drain();
   }
-  if (isGreeted_) return;
+  if (hasHello_) return;
   throw DeviceError(
       name() +
       " does not answer. Is it the right port, is the motor's supply on, and does the "
@@ -180,8 +180,8 @@ bool PunchDevice::drain() noexcept {
 void PunchDevice::take(const Frame& frame, std::int64_t at) noexcept {
   if (frame.type == Type::Hello) {
     if (wire::punch::read(frame, hello_)) {
-      isGreeted_ = true;
-      ++greetings_;
+      hasHello_ = true;
+      ++helloCount_;
     }
     sequence_.take(frame.sequence);
     return;
@@ -222,7 +222,7 @@ void PunchDevice::takeState(const Frame& frame, std::int64_t at) noexcept {
 
 /// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have
 /// cleared old bits yet.
-std::uint8_t PunchDevice::faultsThatCount() const noexcept {
+std::uint8_t PunchDevice::relevantFaults() const noexcept {
   const bool isSettled = hostTime_ - armedAt_ > kSilence;
   return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatched | kNotArmed) : 0));
 }
@@ -249,7 +249,7 @@ DeviceSample PunchDevice::read(double) noexcept {
   }
   isNew_ = false;
   isUnanswered_ = true;
-  const std::uint8_t faults = faultsThatCount();
+  const std::uint8_t faults = relevantFaults();
   if (faults == 0 && settings_.kind->serial.canReach(sample.travel)) return sample;
   fail(
       faults == 0                     ? "it is where it cannot be: its encoder has lost count"

@@ -81,14 +81,14 @@ class PunchDevice final : public WireDevice {
     sentAt_[sequence % sentAt_.size()] = at;
     if (!port_.write({bytes.data(), count}) && port_.isOpen()) ++report_.unsent;
   }
-  std::uint8_t faultsThatCount() const noexcept;
+  std::uint8_t relevantFaults() const noexcept;
 
   PunchSettings settings_;
   SerialPort port_;
   wire::punch::FrameDecoder decoder_;
   wire::punch::Hello hello_;
-  bool isGreeted_ = false;
-  int greetings_ = 0;  ///< number of Hello messages received
+  bool hasHello_ = false;
+  int helloCount_ = 0;  ///< number of Hello messages received
   std::optional<wire::punch::ModelReply> taken_;
   std::optional<std::uint32_t> sceneHash_;
 

@@ -78,7 +78,7 @@ void Bone::reset() noexcept {
 }
 
 /// Restores a part of the bone; returns true when all is restored.
-bool Bone::isWholeAgain() noexcept {
+bool Bone::restorePart() noexcept {
   const std::size_t groups = field_.groups().size();
   if (restored_ == groups) return true;
   const std::size_t end = std::min(groups, restored_ + kRestoredAtOnce);
@@ -89,7 +89,7 @@ bool Bone::isWholeAgain() noexcept {
   // Copy in several steps, since copying all groups at once would take longer than a tick.
   restored_ = end;
   if (restored_ < groups) return false;
-  field_.forgetMoves();
+  field_.resetDrift();
   partial_.clear();
   next_ = 0;
   pending_ = 0;
@@ -107,7 +107,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
                        std::isfinite(device.axis.x + device.axis.y + device.axis.z);
   if (!isPlace) return felt;
   felt.isDefined = true;
-  if (!isWholeAgain()) return felt;
+  if (!restorePart()) return felt;
   tool_.radius = device.radius;
   tool_.axis = device.axis;
   if (!isOutside_) {
@@ -119,7 +119,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   // The virtual tool is a god-object that can cut: it follows the device through a spring
   // (coupling) and stays outside the uncut bone; the rendered force is the spring's.
   felt.contact = field_.touch(tool_, true);
-  const Vec3 out = outOf(felt.contact);
+  const Vec3 out = outwardOf(felt.contact);
   moveTool(device, felt.contact, out, dt);
   cut();
   compactChanges();
@@ -132,7 +132,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   const double resistance = dot(felt.contact.force, out) / options_.coverage;
   const double pushed = resistance > 0.0 ? dot(felt.force, out) / resistance : 0.0;
   const double share = std::clamp(pushed, 0.0, 1.0);
-  felt.rubbing = options_.friction * share * felt.contact.lever / options_.coverage;
+  felt.frictionTorque = options_.friction * share * felt.contact.lever / options_.coverage;
   return felt;
 }
 
@@ -148,7 +148,7 @@ bool Bone::isClear() noexcept {
 }
 
 /// Direction of the bone's force on the tool (unit vector).
-Vec3 Bone::outOf(const ReamerContact& contact) const noexcept {
+Vec3 Bone::outwardOf(const ReamerContact& contact) const noexcept {
   const Vec3 back = -1.0 * tool_.axis;
   return options_.isGuided ? back : unitOr(contact.force, unitOr(contact.normal, back));
 }

@@ -41,8 +41,9 @@ class Bone {
   Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options);
 
   struct Felt {
-    Vec3 force;             ///< on the hand [N]
-    double rubbing = 0.0;   ///< torque of friction on a turning reamer, against its spin [N·m]
+    Vec3 force;  ///< on the hand [N]
+    double frictionTorque =
+        0.0;                ///< torque of friction on a turning reamer, against its spin [N·m]
     ReamerContact contact;  ///< of the virtual tool
     /// False if the device's position is NaN, or was inside the bone at the beginning.
     bool isDefined = false;
@@ -75,9 +76,9 @@ class Bone {
   std::uint64_t restorations() const noexcept { return restorations_; }
 
  private:
-  bool isWholeAgain() noexcept;
+  bool restorePart() noexcept;
   bool isClear() noexcept;
-  Vec3 outOf(const ReamerContact& contact) const noexcept;
+  Vec3 outwardOf(const ReamerContact& contact) const noexcept;
   void moveTool(const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept;
   Vec3 slideOf(Vec3 gap, Vec3 out, double push) const noexcept;
   void cut() noexcept;

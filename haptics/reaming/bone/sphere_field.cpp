@@ -191,7 +191,7 @@ std::size_t SphereField::findDeeper(
   return count;
 }
 
-StrokeRange strokeInto(const SphereField& field, double radius) {
+PlungePath plungePathInto(const SphereField& field, double radius) {
   // The teeth first touch a sphere when the reamer's centre is √((R+r)² − ρ²) before it, with ρ the
   // sphere's distance from the axis.
   double start = std::numeric_limits<double>::infinity();

@@ -81,7 +81,7 @@ class SphereField {
   void move(std::size_t slot, Vec3 place) noexcept;
 
   /// To be called when all spheres are in their cells again.
-  void forgetMoves() noexcept { drift_ = 0.0; }
+  void resetDrift() noexcept { drift_ = 0.0; }
 
   /// Whether the reamer's teeth have passed the centre of a sphere in groups @p from … @p end − 1:
   /// then the reamer is inside the bone.
@@ -172,7 +172,7 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
 
 /// The path of the reamer in the experiment: along +z through the origin of the bone's frame, from
 /// just before the first contact (reaming paper, "Experimental setup").
-struct StrokeRange {
+struct PlungePath {
   double radius = 0.026;  ///< of the reamer [m]
   double start = 0.0;     ///< z of the reamer's centre at depth 0 [m]
 
@@ -181,6 +181,6 @@ struct StrokeRange {
 
 /// The path that begins 10 µm before the reamer first touches a sphere of @p field.
 /// @throws std::invalid_argument  if the reamer touches no sphere.
-StrokeRange strokeInto(const SphereField& field, double radius);
+PlungePath plungePathInto(const SphereField& field, double radius);
 
 }  // namespace haptics::reaming

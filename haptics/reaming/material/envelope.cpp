@@ -16,7 +16,7 @@ struct Member {
 Member memberAt(const SpecimenCurve& specimen, std::size_t place, double depth) {
   if (place < specimen.curve.size()) return {specimen.curve.y[place], 1.0};
   if (specimen.isCensored) return {specimen.last, 1.0};
-  return {specimen.last, std::clamp(1.0 - (depth - specimen.end) / kLeavesOver, 0.0, 1.0)};
+  return {specimen.last, std::clamp(1.0 - (depth - specimen.end) / kFadeOutDepth, 0.0, 1.0)};
 }
 
 double meanOf(std::span<const Member> members) {
@@ -256,7 +256,7 @@ bool addNode(std::vector<std::size_t>& nodes, std::size_t at) {
 
 }  // namespace
 
-EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeWish& wish) {
+EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& wish) {
   const std::array<const SampledCurve*, 3> curves{
       &envelope.minimum, &envelope.average, &envelope.maximum};
   std::vector<std::size_t> nodes;

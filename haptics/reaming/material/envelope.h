@@ -40,14 +40,14 @@ struct DepthEnvelope {
 };
 
 /// Depth over which the weight of a specimen falls from 1 to 0 after its test has ended [m].
-inline constexpr double kLeavesOver = 0.5e-3;
+inline constexpr double kFadeOutDepth = 0.5e-3;
 
 /// The envelope at the depths at which specimens were measured.
 ///
 /// Up to the depth at which the first test ends, it is the statistic of all specimens. Beyond it
 /// - a specimen whose test ended at its force limit keeps counting with the value at its end;
 /// - a specimen that stalled, or reached the largest depth, counts with the value at its end and a
-///   weight that falls from 1 to 0 over kLeavesOver. The mean is weighted; an extreme is the
+///   weight that falls from 1 to 0 over kFadeOutDepth. The mean is weighted; an extreme is the
 ///   expected extreme of a random sample that includes each specimen with a probability equal to
 ///   its weight;
 /// - no curve falls because a specimen leaves: the fall is compensated by an offset, which is
@@ -69,7 +69,7 @@ using EnvelopeSplines = std::array<Spline, 3>;
 
 /// Whether orderedSplines() supports @p wish: kinds of spline whose slopes can be set per node, and
 /// rules that can add nodes.
-constexpr bool canBeOrdered(const NodeWish& wish) noexcept {
+constexpr bool canBeOrdered(const NodeCriterion& wish) noexcept {
   return (wish.rule == NodeRule::Greedy || wish.rule == NodeRule::Optimal) &&
          wish.kind != SplineKind::NaturalCubic;
 }
@@ -84,6 +84,6 @@ constexpr bool canBeOrdered(const NodeWish& wish) noexcept {
 /// intervals"). Nodes are added until each spline has the wanted error.
 ///
 /// @param envelope  minimum <= average <= maximum everywhere. @param wish valid by canBeOrdered().
-EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeWish& wish);
+EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& wish);
 
 }  // namespace haptics::reaming

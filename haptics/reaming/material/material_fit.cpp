@@ -10,7 +10,7 @@
 namespace haptics::reaming {
 namespace {
 
-NodeWish wishOf(const FitOptions& options, double floor) {
+NodeCriterion wishOf(const FitOptions& options, double floor) {
   return {options.nodes, options.nodesOf.value_or(options.spline), options.wantedError, floor};
 }
 
@@ -156,11 +156,11 @@ PreparedSeries prepared(const Series& series, const FitOptions& options) {
   return result;
 }
 
-std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope) {
-  std::vector<SpecimensLeft> left;
+std::vector<SpecimenCounts> specimenCountsOf(const FittedEnvelope& envelope) {
+  std::vector<SpecimenCounts> left;
   const auto& depths = envelope.average.data.x;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const SpecimensLeft here{depths[i], envelope.measured[i], envelope.held[i]};
+    const SpecimenCounts here{depths[i], envelope.measured[i], envelope.held[i]};
     const bool isSame =
         !left.empty() && left.back().measured == here.measured && left.back().held == here.held;
     if (!isSame) left.push_back(here);

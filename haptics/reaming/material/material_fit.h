@@ -40,9 +40,9 @@ struct FitOptions {
   std::optional<std::size_t> nodeCount;
   SplineKind spline = SplineKind::HermiteDataSlope;
   std::optional<SplineKind> nodesOf;  ///< chooses nodes for this kind of spline instead
-  double wantedError = 0.05;          ///< largest error of each spline, see NodeWish, > 0
-  double forceFloor = 10.0;           ///< NodeWish::floor of forces [N], > 0
-  double torqueFloor = 0.3;           ///< NodeWish::floor of torques [N·m], > 0
+  double wantedError = 0.05;          ///< largest error of each spline, see NodeCriterion, > 0
+  double forceFloor = 10.0;           ///< NodeCriterion::floor of forces [N], > 0
+  double torqueFloor = 0.3;           ///< NodeCriterion::floor of torques [N·m], > 0
   double forceLimit = 800.0;          ///< force at which static tests were stopped [N], > 0
 };
 
@@ -85,14 +85,14 @@ struct FittedEnvelope {
 };
 
 /// A range of depth in which the numbers of specimens are constant; it ends where the next begins.
-struct SpecimensLeft {
+struct SpecimenCounts {
   double from = 0.0;  ///< [m]
   int measured = 0;
   int held = 0;
 };
 
 /// The ranges of an envelope, by depth.
-std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope);
+std::vector<SpecimenCounts> specimenCountsOf(const FittedEnvelope& envelope);
 
 /// The fit of one test set.
 struct TestSetFit {

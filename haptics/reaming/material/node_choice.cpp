@@ -43,7 +43,7 @@ std::vector<std::size_t> greedyByPieces(const SplineDeviation& error, double wan
 }
 
 /// Greedy rule for kinds in which every node changes all pieces.
-std::vector<std::size_t> greedyAsAWhole(const SplineDeviation& error, double wanted) {
+std::vector<std::size_t> greedyOverAll(const SplineDeviation& error, double wanted) {
   std::vector<std::size_t> nodes{0, error.size() - 1};
   for (auto worst = error.through(nodes); worst.error > wanted; worst = error.through(nodes)) {
     nodes.insert(std::upper_bound(nodes.begin(), nodes.end(), worst.at), worst.at);
@@ -130,7 +130,7 @@ std::vector<std::size_t> thinnedOut(std::size_t count, std::size_t most) {
   return kept;
 }
 
-std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeWish& wish) {
+std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeCriterion& wish) {
   constexpr std::size_t kFeasible = 2001;
   const auto kept = thinnedOut(curve.size(), kFeasible);
   SampledCurve thin;
@@ -146,11 +146,11 @@ std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeW
 }
 
 std::vector<std::size_t> nodesBy(
-    const SampledCurve& curve, const SplineDeviation& error, const NodeWish& wish) {
+    const SampledCurve& curve, const SplineDeviation& error, const NodeCriterion& wish) {
   switch (wish.rule) {
     case NodeRule::Greedy:
       return isLocal(wish.kind) ? greedyByPieces(error, wish.error)
-                                : greedyAsAWhole(error, wish.error);
+                                : greedyOverAll(error, wish.error);
     case NodeRule::PaperLiteral:
       return byThreshold(error, wish.error, false);
     case NodeRule::Thinned:
@@ -163,13 +163,13 @@ std::vector<std::size_t> nodesBy(
 
 }  // namespace
 
-std::optional<std::string> problemOf(const NodeWish& wish) {
+std::optional<std::string> problemOf(const NodeCriterion& wish) {
   if (wish.rule != NodeRule::Optimal || isLocal(wish.kind)) return std::nullopt;
   return "the fewest nodes are only found for a spline whose pieces depend on their two nodes "
          "alone";
 }
 
-NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish) {
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& wish) {
   const SplineDeviation error(curve, wish);
   NodeChoice choice{.nodes = nodesBy(curve, error, wish)};
   choice.error = error.through(choice.nodes).error;
@@ -177,7 +177,7 @@ NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish) {
   return choice;
 }
 
-NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeWish& wish) {
+NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeCriterion& wish) {
   const SplineDeviation error(curve, wish);
   NodeChoice choice{.nodes = nodesOfLeastError(error, count, wish)};
   choice.error = error.through(choice.nodes).error;
@@ -186,11 +186,11 @@ NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeW
 }
 
 double largestError(
-    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish) {
+    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeCriterion& wish) {
   return SplineDeviation(curve, wish).through(nodes).error;
 }
 
-SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeWish& wish)
+SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeCriterion& wish)
     : curve_(curve), wish_(wish), slopes_(dataSlopes(curve)) {
   if (wish.rule == NodeRule::PaperLiteral) wish_.floor = 0.0;
 }

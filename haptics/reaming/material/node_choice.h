@@ -24,7 +24,7 @@ enum class NodeRule {
 /// How nodes are to be chosen. The error of the spline through them is max |v − v̂| / max(|v|,
 /// floor); PaperLiteral uses the paper's e_a instead, max |v − v̂| / |v| over v ≠ 0, which does not
 /// depend on the floor.
-struct NodeWish {
+struct NodeCriterion {
   NodeRule rule = NodeRule::Greedy;
   SplineKind kind = SplineKind::HermiteDataSlope;
   double error = 0.05;  ///< largest allowed relative error, > 0
@@ -34,8 +34,8 @@ struct NodeWish {
 /// Nodes as increasing indices into the curve, including both ends.
 struct NodeChoice {
   std::vector<std::size_t> nodes;
-  double error = 0.0;  ///< of the spline through them, as NodeWish defines it
-  bool isMet = true;   ///< the error is at most NodeWish::error
+  double error = 0.0;  ///< of the spline through them, as NodeCriterion defines it
+  bool isMet = true;   ///< the error is at most NodeCriterion::error
 };
 
 /// Whether a piece of such a spline depends only on its two nodes.
@@ -44,24 +44,24 @@ constexpr bool isLocal(SplineKind kind) noexcept {
 }
 
 /// Why a wish is not valid; std::nullopt if it is. Optimal needs a local kind of spline.
-std::optional<std::string> problemOf(const NodeWish& wish);
+std::optional<std::string> problemOf(const NodeCriterion& wish);
 
 /// Chooses nodes until the error is met. Greedy always meets it; Thinned may not
 /// (NodeChoice::isMet).
 ///
 /// @param wish  valid, see problemOf().
-NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish);
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& wish);
 
 /// Chooses @p count nodes that minimise the largest error of the spline: for a local kind by
 /// dynamic programming over 400 samples, then local moves of all nodes; for the others by
-/// differential evolution. NodeWish::rule is ignored.
+/// differential evolution. NodeCriterion::rule is ignored.
 ///
 /// @param count  from 2 to the size of the curve.
-NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeWish& wish);
+NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeCriterion& wish);
 
 /// The largest error of the spline through @p nodes, as @p wish defines it.
 double largestError(
-    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish);
+    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeCriterion& wish);
 
 /// Computes errors of splines through some samples of a curve.
 class SplineDeviation {
@@ -72,7 +72,7 @@ class SplineDeviation {
   };
 
   /// @param curve  must outlive this object.
-  SplineDeviation(const SampledCurve& curve, const NodeWish& wish);
+  SplineDeviation(const SampledCurve& curve, const NodeCriterion& wish);
 
   std::size_t size() const noexcept { return curve_.size(); }
   const SampledCurve& curve() const noexcept { return curve_; }
@@ -99,13 +99,13 @@ class SplineDeviation {
       double enough) const;
 
   const SampledCurve& curve_;
-  NodeWish wish_;
+  NodeCriterion wish_;
   std::vector<double> slopes_;
 };
 
 /// The search of chooseNodes() for a given number of nodes.
 std::vector<std::size_t> nodesOfLeastError(
-    const SplineDeviation& error, std::size_t count, const NodeWish& wish);
+    const SplineDeviation& error, std::size_t count, const NodeCriterion& wish);
 
 /// A spline of a comparison.
 struct ComparedSpline {

@@ -251,9 +251,9 @@ class Evolution {
 }  // namespace
 
 std::vector<std::size_t> nodesOfLeastError(
-    const SplineDeviation& error, std::size_t count, const NodeWish& wish) {
+    const SplineDeviation& error, std::size_t count, const NodeCriterion& wish) {
   if (isLocal(wish.kind)) return settledByPieces(error, byDynamicProgramming(error, count));
-  NodeWish local = wish;
+  NodeCriterion local = wish;
   local.kind = SplineKind::HermiteDataSlope;
   const Nodes starts[]{
       byDynamicProgramming(SplineDeviation(error.curve(), local), count),

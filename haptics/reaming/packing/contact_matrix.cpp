@@ -39,7 +39,7 @@ template <typename ShareOf>
 ContactMatrix matrixOf(
     const Packing& packing,
     double coverage,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::span<const double> depths,
     const ShareOf& shareOf) {
   ContactMatrix matrix{.rows = depths.size(), .start = {0}, .row = {}, .value = {}};
@@ -74,7 +74,7 @@ ContactMatrix matrixOf(
 ContactMatrix contactMatrix(
     const Packing& packing,
     double coverage,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::span<const double> depths) {
   // The axial component of the normal.
   return matrixOf(packing, coverage, plunge, depths, [](double before, double d, double) {
@@ -85,7 +85,7 @@ ContactMatrix contactMatrix(
 ContactMatrix leverMatrix(
     const Packing& packing,
     double coverage,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::span<const double> depths) {
   return matrixOf(
       packing, coverage, plunge, depths, [](double, double, double across) { return across; });

@@ -33,7 +33,7 @@ struct ContactMatrix {
 ContactMatrix contactMatrix(
     const Packing& packing,
     double coverage,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::span<const double> depths);
 
 /// The matrix B of T = μ B ρ: torques about the axis from friction μ and densities. Rows and
@@ -41,7 +41,7 @@ ContactMatrix contactMatrix(
 ContactMatrix leverMatrix(
     const Packing& packing,
     double coverage,
-    const StrokeRange& plunge,
+    const PlungePath& plunge,
     std::span<const double> depths);
 
 /// The rows of @p upper, followed by those of @p lower times @p weight.

@@ -63,7 +63,7 @@ struct VirtualExperiment {
   static constexpr std::size_t kTorqueStride = 4;
 
   const Packing& packing;
-  StrokeRange plunge;
+  PlungePath plunge;
   std::vector<double> depths;
   std::vector<double> torqueDepths = someOf(depths, kTorqueStride);
 
@@ -118,7 +118,7 @@ BoneFitReport fitTo(
   }
   const VirtualExperiment experiment{
       .packing = bone.packing,
-      .plunge = strokeInto(SphereField(bone.packing, ones), bone.reamerRadius),
+      .plunge = plungePathInto(SphereField(bone.packing, ones), bone.reamerRadius),
       .depths = places};
   const auto matrix = experiment.forces(places);
   const bool isJoint = !torque.isEmpty() && !options.method;
@@ -140,7 +140,7 @@ BoneFitReport fitTo(
       {"average", force.average, torque.average, bone.average},
       {"maximum", force.maximum, torque.maximum, bone.maximum}};
   BoneFitReport report;
-  report.knowsOptimum = !options.method;
+  report.hasOptimalityGap = !options.method;
   for (const auto& [name, wanted, wantedTorque, densities] : all) {
     if (options.onProgress) options.onProgress(std::string("the ") + name + " curve");
     CurveFit curve{
@@ -177,7 +177,7 @@ FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, st
   double wantedSquare = 0.0;
   for (int k = 0; k < 3; ++k) {
     const SphereField field(bone.packing, bone.densities(0.5 * k, 1.0));
-    const StrokeRange plunge = strokeInto(field, bone.reamerRadius);
+    const PlungePath plunge = plungePathInto(field, bone.reamerRadius);
     for (std::size_t i = 0; i < depths; ++i) {
       const double depth = deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths);
       const double lever = field.touch(plunge.at(depth), false).lever / bone.packing.coverage();
@@ -206,7 +206,7 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
        .cuttingDamping = options.cuttingDamping,
        .mostFeed = options.mostFeed,
        .isGuided = true});
-  const StrokeRange plunge = strokeInto(cut.field(), bone.reamerRadius);
+  const PlungePath plunge = plungePathInto(cut.field(), bone.reamerRadius);
   const double whole = cut.remainingMass();
   const double dt = options.step / options.feed;
   constexpr double kBefore = -0.0005;  // start outside the bone, until Bone::isOutside() [m]

@@ -52,7 +52,7 @@ struct CurveFit {
 struct BoneFitReport {
   std::vector<CurveFit> curves;
   double seconds = 0.0;
-  bool knowsOptimum = true;             ///< DensityFit::gap of each fit is valid
+  bool hasOptimalityGap = true;         ///< DensityFit::gap of each fit is valid
   std::optional<double> friction = {};  ///< μ, if there was a torque
 };
 

@@ -100,7 +100,7 @@ void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
 }
 
 void addEmulate(CLI::App& noun, Action& action) {
-  auto& emulate = addNoun(
+  auto& emulate = addCommandGroup(
       noun,
       "emulate",
       "Emulate a device on its real interface; 'help' on its input lists the faults");
@@ -181,7 +181,7 @@ void addDeviceFile(CLI::App& verb, DeviceArguments& options) {
 }  // namespace
 
 void addDeviceCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "device", "List, check and emulate haptic devices");
+  auto& noun = addCommandGroup(program, "device", "List, check and emulate haptic devices");
   auto [list, listing] = addCommand(
       noun, action, "list", "List serial ports, and the devices of a device file", app::list);
   addDeviceFile(*list, listing);

@@ -71,7 +71,7 @@ void executeInput(
 /// Gives this thread and those that it starts a high priority, if permitted: this thread holds the
 /// lock that the emulator's loop needs.
 void raiseOwnPriority() {
-  timing::raisePriority(timing::kStandInPriority);
+  timing::raisePriority(timing::kEmulatorPriority);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   options.client = *client;
   options.version = fri::versionNamed(arguments.version).value_or(fri::Version::V1_15);
   options.sendPeriod = arguments.period;
-  options.queuesAgain = true;
+  options.restartsMotion = true;
   options.impairment.seed = arguments.seed;
   options.arm.model = arguments.model == "iiwa7" ? haptics::devices::IiwaModel::Iiwa7
                                                  : haptics::devices::IiwaModel::Iiwa14;

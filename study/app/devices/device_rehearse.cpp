@@ -81,7 +81,7 @@ bool passCheck(
     const auto found = checkAll(deviceSet, protocol.devices, 2.0);
     std::fputs(checksAsText(found).c_str(), stdout);
     if (isFit(found)) return true;
-    if (watch.longest() < kDevicePatience || i == kMostChecks) return false;
+    if (watch.longest() < kDeviceTimeout || i == kMostChecks) return false;
     fmt::print(
         "This computer stood still for {} ms during the check: checked again.\n",
         watch.longest().count());
@@ -97,7 +97,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
         "other "
         "programs, and try again. What went wrong meanwhile: {}\n",
         watch.longest().count(),
-        kDevicePatience.count(),
+        kDeviceTimeout.count(),
         what);
   } else {
     fmt::print("REHEARSAL FAILED: {}\n", what);
@@ -106,7 +106,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
 }
 
 /// An event as text for the terminal, without the clock offset of a link.
-std::string shownOf(const storage::Event& event) {
+std::string terminalTextOf(const storage::Event& event) {
   if (event.kind != EventKind::DeviceLink) return storage::describe(event);
   constexpr std::string_view kLink =
       "received {received}, lost {lost}, doubled {doubled}, late {late}, damaged {damaged}, "
@@ -127,7 +127,7 @@ void printLinks(Study& study) {
         static_cast<std::int64_t>(visit.session),
         visit.step,
         visit.attempt,
-        shownOf(event));
+        terminalTextOf(event));
   }
 }
 
@@ -186,7 +186,7 @@ int printVerdict(
 
 RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept {
   if (isPassed) return RehearsalVerdict::Passed;
-  return stoodStill < kDevicePatience ? RehearsalVerdict::Failed : RehearsalVerdict::NotJudged;
+  return stoodStill < kDeviceTimeout ? RehearsalVerdict::Failed : RehearsalVerdict::NotJudged;
 }
 
 int rehearse(const RehearseArguments& arguments) {

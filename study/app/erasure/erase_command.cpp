@@ -78,7 +78,7 @@ int erase(ErasureArguments options) {
   options.request.level = storage::erasureLevelNamed(options.level).value();
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
-  unlockNamesIfAsked(study, true);
+  askForNamesIfLocked(study, true);
   report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
   certificate.report = study::erase(study, options.request);
   const auto known = knownCopies(study);
@@ -87,7 +87,7 @@ int erase(ErasureArguments options) {
         eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock, known));
   }
   certificate.left = copiesLeft(study, certificate.copies);
-  if (certificate.report.wasTrailSealedAgain) {
+  if (certificate.report.wasTrailResealed) {
     fmt::print("The audit trail was sealed again; 'palpate study verify' says so from now on.\n");
   }
   fmt::print("{}", asText(certificate));
@@ -104,7 +104,7 @@ int erase(ErasureArguments options) {
 
 int setPassphrase(const ErasureArguments& options) {
   auto study = Study::open(options.folder);
-  unlockNamesIfAsked(study);
+  askForNamesIfLocked(study);
   setPassphraseOfNames(study, askNewPassphrase(kNewPassphraseOfNames), options.request.reason);
   fmt::print(
       "Names in {} are behind the passphrase, and in copies that are made from now on. Sessions "
@@ -117,7 +117,7 @@ int setPassphrase(const ErasureArguments& options) {
 int names(const ErasureArguments& options) {
   if (options.setsPassphrase) return setPassphrase(options);
   auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
-  unlockNamesIfAsked(study);
+  askForNamesIfLocked(study);
   const auto names = study.identities().names();
   for (const auto& name : names) {
     fmt::print("{:<12} {:<20} {}\n", name.participant, name.item, name.text);
@@ -149,7 +149,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       "--reason", erasure.request.reason, "Reason, without a name: it stays in the audit trail");
   erase->add_flag(
       "--reseal",
-      erasure.request.sealsTrailAgain,
+      erasure.request.resealsTrail,
       "Seal the audit trail of an older release first, once for the whole study");
   erase->add_option(
       "--also",

@@ -20,7 +20,7 @@ struct KeyArguments {
 
 int exportTo(const KeyArguments& options) {
   auto study = Study::open(options.folder);
-  unlockIfAsked(study);
+  askForKeyIfLocked(study);
   exportKey(study, options.file, options.reason);
   fmt::print(
       "{} has the key of {}. Who has this file and the study can say which condition each "
@@ -35,8 +35,8 @@ int import(const KeyArguments& options) {
   if (!options.file.empty()) {
     importKey(study, options.file);
   } else {
-    unlockIfAsked(study);
-    keepOpenedKey(study);
+    askForKeyIfLocked(study);
+    storeOpenedKey(study);
   }
   fmt::print("This account has the key of {} now.\n", options.folder);
   return 0;
@@ -44,7 +44,7 @@ int import(const KeyArguments& options) {
 
 int passphrase(const KeyArguments& options) {
   auto study = Study::open(options.folder);
-  unlockIfAsked(study);
+  askForKeyIfLocked(study);
   setPassphrase(study, askNewPassphrase("New passphrase of the study"), options.reason);
   fmt::print(
       "The passphrase opens the key of {}, and of copies that are made from now on. Write it down "
@@ -63,7 +63,7 @@ int drop(const KeyArguments& options) {
 }  // namespace
 
 void addKeyCommands(CLI::App& study, Action& action) {
-  auto& noun = addNoun(
+  auto& noun = addCommandGroup(
       study,
       "key",
       "Keep the key that encrypts which alternative is which condition: export, import, "

@@ -123,14 +123,15 @@ std::optional<std::time_t> timeIn(const std::string& reply) {
 }
 
 /// The time at which the authority signed the head's hash.
-struct Proven {
+struct VerifiedTimeStamp {
   std::string utc;  ///< empty: the reply is not valid
   std::string whyNot = {};
 };
 
 /// @param reply  the content of the reply file
 /// @param certificate  path of a PEM file
-Proven prove(const std::string& head, const std::string& reply, const std::string& certificate) {
+VerifiedTimeStamp prove(
+    const std::string& head, const std::string& reply, const std::string& certificate) {
   const TemporaryFolder scratch;
   const auto file = fileWith(scratch, "reply", reply);
   const auto time = timeIn(file);
@@ -177,7 +178,11 @@ void requireCertificate(const std::string& certificate) {
       "--authority-certificate FILE.pem");
 }
 
-void keep(Study& study, const std::string& head, const std::string& reply, const Proven& proven) {
+void keep(
+    Study& study,
+    const std::string& head,
+    const std::string& reply,
+    const VerifiedTimeStamp& proven) {
   study.note(
       {.kind = EventKind::TimeStamped,
        .values = {

@@ -78,13 +78,13 @@ std::string askNewPassphrase(const std::string& question) {
   return typed;
 }
 
-void unlockIfAsked(Study& study) {
+void askForKeyIfLocked(Study& study) {
   if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
   requireTyped(
       unlock("Passphrase of the study", [&](const auto& typed) { return study.unlock(typed); }));
 }
 
-void unlockNamesIfAsked(Study& study, bool isOptional) {
+void askForNamesIfLocked(Study& study, bool isOptional) {
   if (!study.identities().isLocked()) return;
   const std::string without = isOptional ? " (empty line: without names)" : "";
   const bool isUnlocked = unlock(

@@ -20,10 +20,10 @@ std::string askNewPassphrase(const std::string& question);
 /// If this account does not have the study's key and the key is protected by a passphrase, asks for
 /// it up to three times.
 /// @throws UserError  if it was wrong three times
-void unlockIfAsked(Study& study);
+void askForKeyIfLocked(Study& study);
 
 /// Asks in the same way for the passphrase of the participants' names. If @p isOptional, an empty
 /// line leaves the names locked.
-void unlockNamesIfAsked(Study& study, bool isOptional = false);
+void askForNamesIfLocked(Study& study, bool isOptional = false);
 
 }  // namespace study::app

@@ -54,7 +54,7 @@ void warnOfCrossings(
 
 /// The depth that all specimens reach, and how many remain at the end.
 std::string specimensLeft(const reaming::TestSetFit& set) {
-  const auto stretches = reaming::specimensLeftOf(set.force);
+  const auto stretches = reaming::specimenCountsOf(set.force);
   const auto& last = stretches.back();
   const auto common = stretches.size() > 1 ? stretches[1].from : set.scale;
   return fmt::format(
@@ -267,7 +267,7 @@ void addSynthesise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addMaterialCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "material", "Fit reaming materials to measured series");
+  auto& noun = addCommandGroup(program, "material", "Fit reaming materials to measured series");
   addFit(noun, action);
   addCompare(noun, action);
   addSynthesise(noun, action);

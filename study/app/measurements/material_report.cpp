@@ -146,7 +146,7 @@ DataTable specimenTable(const reaming::TestSetFit& set) {
       .description = "Specimens that count, from each depth at which that changes",
       .columns = {
           {"from_mm", "From [mm]"}, {"measured", "Measured"}, {"held", "Held at the limit"}}};
-  for (const auto& stretch : reaming::specimensLeftOf(set.force)) {
+  for (const auto& stretch : reaming::specimenCountsOf(set.force)) {
     table.rows.push_back(
         {kMillimetres * stretch.from, std::int64_t{stretch.measured}, std::int64_t{stretch.held}});
   }
@@ -196,7 +196,7 @@ std::string describeAxis(const reaming::TestSetFit& set, const reaming::FitOptio
           "mm, and no curve falls because of it.",
           set.used,
           kMillimetres * set.scale,
-          kMillimetres * reaming::kLeavesOver);
+          kMillimetres * reaming::kFadeOutDepth);
     case reaming::DepthAxis::Normalised:
       return fmt::format(
           "{} series over shares of the largest displacement of the test set, {:.3f} mm; tests "
@@ -298,7 +298,7 @@ report::DocumentPart splineComparisonPart(
     const NamedCurve& curve, const reaming::FitOptions& options) {
   const auto& data = curve.curve->data;
   const auto kind = options.nodesOf.value_or(options.spline);
-  const reaming::NodeWish wish{options.nodes, kind, options.wantedError, curve.floor};
+  const reaming::NodeCriterion wish{options.nodes, kind, options.wantedError, curve.floor};
   const auto choice =
       options.nodeCount ? chooseNodes(data, *options.nodeCount, wish) : chooseNodes(data, wish);
   const auto comparison = reaming::compareSplines(data, choice.nodes, curve.floor);

@@ -340,7 +340,8 @@ void addFitDensities(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addPackingCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "packing", "Sphere packings of bone for reaming with removal");
+  auto& noun =
+      addCommandGroup(program, "packing", "Sphere packings of bone for reaming with removal");
   addBuildPacking(noun, action);
   addFitDensities(noun, action);
 }

@@ -80,7 +80,7 @@ DataTable fitTable(const reaming::BoneFitReport& fit) {
          curve.fit.spheres.error,
          curve.fit.layers.error,
          largest,
-         fit.knowsOptimum ? Cell(std::max(curve.fit.spheres.gap, 0.0)) : Cell(std::monostate()),
+         fit.hasOptimalityGap ? Cell(std::max(curve.fit.spheres.gap, 0.0)) : Cell(std::monostate()),
          static_cast<std::int64_t>(curve.fit.spheres.iterations),
          curve.fit.touchedShare,
          curve.torqueError ? Cell(*curve.torqueError) : Cell(std::monostate())});
@@ -112,7 +112,7 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
   std::vector<std::string> warnings;
   for (const auto& curve : fit.curves) {
     const auto& spheres = curve.fit.spheres;
-    if (!fit.knowsOptimum) {
+    if (!fit.hasOptimalityGap) {
       if (spheres.error > kMostError) {
         warnings.push_back(fmt::format(
             "The swarm misses the {} curve by {:.0f} % of its force. Give it more --iterations or "
@@ -141,8 +141,8 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
         "The torque of the {} curve cannot be felt with these spheres: it is {:.0f} % off. {}",
         curve.curve,
         100.0 * *curve.torqueError,
-        fit.knowsOptimum ? "Build the bone with more spheres, or leave --friction out."
-                         : "Use --method exact, which fits force and torque."));
+        fit.hasOptimalityGap ? "Build the bone with more spheres, or leave --friction out."
+                             : "Use --method exact, which fits force and torque."));
   }
   return warnings;
 }

@@ -282,7 +282,7 @@ void addNoise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addRecordingCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(
+  auto& noun = addCommandGroup(
       program,
       "recording",
       "Import measured cuts for rendering; calibrate the sensor that measured them");

@@ -22,8 +22,8 @@ struct CheckTableOptions {
   bool json = false;
 };
 
-PublishedQuestion questionOf(const CheckTableOptions& options) {
-  PublishedQuestion question;
+PublishedTableOptions questionOf(const CheckTableOptions& options) {
+  PublishedTableOptions question;
   if (!options.sizes.empty()) {
     question.fewest = options.sizes[0];
     question.most = options.sizes[1];
@@ -49,7 +49,7 @@ int checkTable(const CheckTableOptions& options) {
   const auto comparisons = questionnaires::readTextFile(options.comparisons);
   try {
     const auto table = analysis::readPublishedTable(groups, comparisons);
-    const auto report = examine(table, questionOf(options));
+    const auto report = checkPublishedTable(table, questionOf(options));
     std::fputs(
         (options.json ? publishedReportAsJson(report) : publishedReportAsText(report)).c_str(),
         stdout);

@@ -26,7 +26,8 @@ std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
 }
 
 /// The sizes to try for every group.
-std::vector<GroupSizes> sizesToTry(const PublishedTable& table, const PublishedQuestion& question) {
+std::vector<GroupSizes> sizesToTry(
+    const PublishedTable& table, const PublishedTableOptions& question) {
   std::vector<GroupSizes> all;
   for (const auto& group : table.groups) {
     auto& sizes = all.emplace_back();
@@ -58,7 +59,8 @@ void findWholeAnswers(PublishedReport& report) {
 
 }  // namespace
 
-PublishedReport examine(const PublishedTable& table, const PublishedQuestion& question) {
+PublishedReport checkPublishedTable(
+    const PublishedTable& table, const PublishedTableOptions& question) {
   const auto stated = statedSizes(table);
   if (!stated && !question.fewest) {
     throw base::UserError(

@@ -13,7 +13,7 @@
 namespace study::app {
 
 /// The options for checking a published table.
-struct PublishedQuestion {
+struct PublishedTableOptions {
   /// Sizes to try, the same for all groups; without them the sizes stated by the table.
   std::optional<std::uint64_t> fewest;
   std::optional<std::uint64_t> most;
@@ -24,7 +24,7 @@ struct PublishedQuestion {
 /// All findings on a published table.
 struct PublishedReport {
   analysis::PublishedTable table;
-  PublishedQuestion question;
+  PublishedTableOptions question;
   /// With the stated sizes, for every convention; empty if the table states none.
   std::vector<analysis::ConventionCheck> atStated;
   /// With equal sizes of all groups, for every convention; empty if none were requested.
@@ -35,7 +35,8 @@ struct PublishedReport {
 };
 
 /// @throws UserError  if sizes are missing or there are too many combinations.
-PublishedReport examine(const analysis::PublishedTable& table, const PublishedQuestion& question);
+PublishedReport checkPublishedTable(
+    const analysis::PublishedTable& table, const PublishedTableOptions& question);
 
 std::string publishedReportAsText(const PublishedReport& report);
 std::string publishedReportAsJson(const PublishedReport& report);

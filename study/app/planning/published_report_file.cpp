@@ -49,7 +49,7 @@ Json asJson(const analysis::ConsistentSizes& fits) {
       {"fitting", fits.fitting},
       {"equal_n", fits.equalSizes()},
       {"possible_n", fits.possible}};
-  const auto fewest = fits.fewestMissing();
+  const auto fewest = fits.largestFittingSizes();
   json["fewest_missing"] = fewest ? Json(*fewest) : Json(nullptr);
   json["example"] = fits.example.empty() ? Json(nullptr) : Json(fits.example);
   return json;

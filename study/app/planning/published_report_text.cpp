@@ -113,7 +113,7 @@ std::string describeFits(const PublishedTable& table, const analysis::Consistent
       fits.fitting.size(),
       fits.tried,
       equal.empty() ? "none with equal sizes" : "equal sizes " + inRanges(equal),
-      namesAndSizes(table, *fits.fewestMissing()));
+      namesAndSizes(table, *fits.largestFittingSizes()));
 }
 
 /// "2 × 1, 7 × 3.5": the number of answers, times the point of the scale.

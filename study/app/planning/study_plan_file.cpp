@@ -76,7 +76,7 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
       {"points", family.points},
       {"alpha", family.alpha},
       {"alpha_per_test", family.alphaPerTest},
-      {"fewest_for_exact_pair", family.fewestForAnyP},
+      {"fewest_for_exact_pair", family.fewestForSignificance},
       {"participants_for_power", orNull(family.forPower)},
       {"participants_for_power_balanced", orNull(family.recommended)}};
   json["prospects"] = Json::array();

@@ -45,7 +45,7 @@ Decoded firstOf(std::string_view text) {
   return {Decoded::State::Sound, code, bytes};
 }
 
-bool isObeyed(std::uint32_t code) {
+bool isTerminalControl(std::uint32_t code) {
   const bool isControl = code < 0x20 || (code >= 0x7f && code < 0xa0);
   const bool reversesText =
       (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
@@ -97,7 +97,7 @@ std::string VisibleText::operator()(std::string_view part) {
     const bool endsLine = text.substr(0, 2) == "\r\n";
     if (next.state == Decoded::State::NotUtf8) {
       shown += "\xef\xbf\xbd";
-    } else if (isObeyed(next.code) && !endsLine) {
+    } else if (isTerminalControl(next.code) && !endsLine) {
       shown += fmt::format("\\u{:04x}", next.code);
     } else {
       shown += text.substr(0, next.bytes);
@@ -108,7 +108,7 @@ std::string VisibleText::operator()(std::string_view part) {
   return shown;
 }
 
-void printOnlyVisibleText() {
+void escapeControlCharactersInOutput() {
   static Output out{STDOUT_FILENO, {}};
   static Output error{STDERR_FILENO, {}};
   static const bool isDone = [] {

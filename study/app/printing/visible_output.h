@@ -21,6 +21,6 @@ class VisibleText {
 
 /// Escapes all further output of this process to stdout and stderr as VisibleText does, also to
 /// files and pipes, which may be shown on a terminal later.
-void printOnlyVisibleText();
+void escapeControlCharactersInOutput();
 
 }  // namespace study::app

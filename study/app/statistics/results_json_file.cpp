@@ -108,7 +108,7 @@ ResultJson testedAsJson(const analysis::TestRow& test) {
 ResultJson rowAsJson(const analysis::TestRow& test) {
   ResultJson json;
   addRow(json, test);
-  if (test.isOfFamily) json.update(testedAsJson(test));
+  if (test.isInFamily) json.update(testedAsJson(test));
   return json;
 }
 
@@ -328,7 +328,7 @@ ResultJson sitesAsJson(const analysis::SiteComparison& row) {
     json["reml_knapp_hartung"] = pooledAsJson(row.pooled->knappHartung);
   }
   json["without_each"] = ResultJson::array();
-  for (const auto& without : row.withoutEach) {
+  for (const auto& without : row.leaveOneOut) {
     auto& one = json["without_each"].emplace_back(pooledAsJson(without.pooled));
     one["site"] = without.site;
   }

@@ -58,8 +58,8 @@ Profile profileNamed(std::string_view name) {
 }
 
 int run(const RunOptions& options) {
-  auto study = Study::open(options.folder, accessToNote(options.reason));
-  unlockIfAsked(study);
+  auto study = Study::open(options.folder, accessForUnblinding(options.reason));
+  askForKeyIfLocked(study);
   const auto mode = chosenRunMode(study, options.runMode);
   noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
   const auto profile = profileNamed(options.profile);
@@ -75,7 +75,8 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void addStatsCommands(CLI::App& program, Action& action) {
-  auto& noun = addNoun(program, "stats", "Statistics of a study; statistical tests of any table");
+  auto& noun =
+      addCommandGroup(program, "stats", "Statistics of a study; statistical tests of any table");
 
   auto [run, running] = addCommand(
       noun,

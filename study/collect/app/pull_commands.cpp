@@ -25,7 +25,7 @@ struct PullArguments {
 };
 
 /// Prints what was left out, and why. @return  whether all data are as the stations signed them
-bool tellProblems(const PullResult& pulled) {
+bool printProblems(const PullResult& pulled) {
   for (const auto& station : pulled.stations) {
     for (const auto& session : station.incomplete) {
       fmt::print(
@@ -69,16 +69,16 @@ int pullStudy(const PullArguments& given) {
       events,
       static_cast<double>(traceBytes) / 1e6,
       erased == 0 ? "" : "; " + words::counted(erased, "session was", "sessions were") + " erased");
-  const bool isSound = tellProblems(pulled);
+  const bool isSound = printProblems(pulled);
   fmt::print(
       "Next: palpate study verify {0}, palpate report {0} --out report.html\n", given.folder);
   return isSound ? 0 : 1;
 }
 
 /// A study that is pulled for one command, into a temporary folder.
-class PassingPull {
+class TemporaryPull {
  public:
-  explicit PassingPull(const PullArguments& given) : account_(folder_ / "account") {
+  explicit TemporaryPull(const PullArguments& given) : account_(folder_ / "account") {
     SystemClock clock;
     Connection server(given.server);
     pulled_ =
@@ -96,15 +96,15 @@ class PassingPull {
 
 /// @param words  the options of 'palpate stats run', which is run on the pulled study
 int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
-  const PassingPull all(given);
-  const bool isSound = tellProblems(all.pulled());
+  const TemporaryPull all(given);
+  const bool isSound = printProblems(all.pulled());
   words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", given.reason});
   const int status = runPalpate(std::move(words));
   return isSound ? status : std::max(status, 1);
 }
 
 int checkStudy(const PullArguments& given) {
-  const PassingPull all(given);
+  const TemporaryPull all(given);
   for (const auto& station : all.pulled().stations) {
     fmt::print(
         "{}  {}: {} events, {}\n",
@@ -113,7 +113,7 @@ int checkStudy(const PullArguments& given) {
         station.events,
         words::counted(station.sessions, "session"));
   }
-  return tellProblems(all.pulled()) ? 0 : 1;
+  return printProblems(all.pulled()) ? 0 : 1;
 }
 
 }  // namespace

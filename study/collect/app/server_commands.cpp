@@ -148,7 +148,7 @@ int takeIn(const ServerArguments& given) {
   Connection server(given.server);
   const auto taken = withRole(server, kOwner, [&] {
     requireSchema(server);
-    return takeBundle(server, given.file);
+    return ingestBundle(server, given.file);
   });
   fmt::print("The server has all events of '{}' up to {}.\n", taken.station, taken.have);
   for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));

@@ -74,7 +74,7 @@ int bundleStudy(const StationArguments& given) {
   const auto after =
       given.after >= 0 ? given.after : lastPush(outbox.study(), outbox.station().uuid).have;
   const auto bundle =
-      writeBundle(outbox, station, homeServerOf(given.folder).bundleKey, after, given.out);
+      writeBundle(outbox, station, serverSettingsOf(given.folder).bundleKey, after, given.out);
   fmt::print(
       "{} has events {} to {}, {:.1f} MB, sealed for the server's administrator. There: palpate "
       "collect "
@@ -88,11 +88,11 @@ int bundleStudy(const StationArguments& given) {
 }
 
 Connection connectionFor(const StationArguments& given) {
-  const auto home = homeServerOf(given.folder);
+  const auto home = serverSettingsOf(given.folder);
   return Connection(given.server.empty() ? home.server : given.server, home.role);
 }
 
-Pushed pushed(const StationArguments& given, Outbox& outbox) {
+PushResult pushed(const StationArguments& given, Outbox& outbox) {
   auto server = connectionFor(given);
   return push(outbox, server);
 }
@@ -110,7 +110,7 @@ int pushStudy(const StationArguments& given) {
   const auto noteProblem = [&](std::string_view problem) {
     note(lastPush(outbox.study(), outbox.station().uuid).have, problem);
   };
-  Pushed sent;
+  PushResult sent;
   try {
     sent = pushed(given, outbox);
   } catch (const ServerError& error) {

@@ -218,7 +218,7 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
   return enrolled;
 }
 
-TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
+IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& file) {
   const auto bundle = bundleIn(file);
   const auto rows = server.query(
       "SELECT s.key, s.label, d.name FROM palpate.station AS s JOIN palpate.study AS d "
@@ -227,7 +227,7 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
   if (rows.isEmpty()) {
     throw UserError(file.string() + " is of a station that this server does not know.");
   }
-  TakenBundle taken{.station = rows.text(0, 1)};
+  IngestedBundle taken{.station = rows.text(0, 1)};
   const auto study = findStudy(server, rows.text(0, 2));
   Answer answer;
   const auto take = [&](const auto& text, const auto& chunks) {
@@ -250,13 +250,13 @@ TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
     inTransaction(server, [&] {
       readBundle(file, secretOf(study), rows.text(0, 0), take);
       if (const auto problem = problemIn(server, study.name, bundle)) {
-        throw UnsoundBundle(
+        throw InvalidBundle(
             file.string() + " cannot be taken in: " + *problem +
             ". The study was changed on its station, or its disk is damaged: 'palpate study "
             "verify' says more there.");
       }
     });
-  } catch (const UnsoundBundle& error) {
+  } catch (const InvalidBundle& error) {
     addIncident(server, bundle.station, "bundle", error.what());
     throw;
   } catch (const Refused&) {

@@ -48,8 +48,8 @@ struct EnrolledStation {
 /// invalid (it must not contain a password), or there is a station of that name already.
 EnrolledStation enrolStation(Connection& server, const StationRequest& request);
 
-/// The result of takeBundle().
-struct TakenBundle {
+/// The result of ingestBundle().
+struct IngestedBundle {
   std::string station;    ///< label
   std::int64_t have = 0;  ///< the server has all events up to this one
   std::vector<ErasureReceipt> erased;
@@ -58,6 +58,6 @@ struct TakenBundle {
 /// Stores the content of a bundle, the file of a station without a network. Can be repeated.
 /// @throws UserError  if the bundle is damaged or was not signed by a station of this server (the
 ///     server keeps an incident), or if an earlier bundle is missing. @throws ServerError
-TakenBundle takeBundle(Connection& server, const std::filesystem::path& file);
+IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& file);
 
 }  // namespace study::collect

@@ -29,7 +29,7 @@ using PublicBox = std::array<unsigned char, crypto_box_PUBLICKEYBYTES>;
 using SecretBox = std::array<unsigned char, crypto_box_SECRETKEYBYTES>;
 
 [[noreturn]] void refuseBundle(const std::filesystem::path& file, const std::string& why) {
-  throw UnsoundBundle(file.string() + " cannot be taken in: " + why);
+  throw InvalidBundle(file.string() + " cannot be taken in: " + why);
 }
 
 std::pair<PublicBox, SecretBox> boxOf(const storage::BlindingSecret& secret) {

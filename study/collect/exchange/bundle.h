@@ -40,7 +40,7 @@ Bundle writeBundle(
     const std::filesystem::path& file);
 
 /// A bundle is incomplete, was changed, or is not of the station and study that its header names.
-class UnsoundBundle : public UserError {
+class InvalidBundle : public UserError {
  public:
   using UserError::UserError;
 };
@@ -52,7 +52,7 @@ Bundle bundleIn(const std::filesystem::path& file);
 /// Checks the signature of the whole file, then calls @p take with each batch in order: its text,
 /// and the bytes of its chunks. Stops if @p take returns false.
 /// @param key  the station's public key, as it was enrolled
-/// @throws UnsoundBundle
+/// @throws InvalidBundle
 void readBundle(
     const std::filesystem::path& file,
     const storage::BlindingSecret& secret,

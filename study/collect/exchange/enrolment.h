@@ -53,14 +53,14 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
 
 /// The server that a station of a study pushes to: collect.json in the study's folder. It has no
 /// secrets.
-struct HomeServer {
+struct ServerSettings {
   std::string server;
   std::string role;
   std::string bundleKey;
 };
-void write(const HomeServer& home, const std::filesystem::path& folder);
+void write(const ServerSettings& home, const std::filesystem::path& folder);
 /// @throws UserError  if the study was not made by join().
-HomeServer homeServerOf(const std::filesystem::path& folder);
+ServerSettings serverSettingsOf(const std::filesystem::path& folder);
 
 /// Makes the study's folder at a station from the file @p enrolment, which can be used once.
 /// Anybody can seal a file for a station; only the mark shows that it comes from the study. The

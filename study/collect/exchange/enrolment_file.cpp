@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kFormat = 3;  // 1 was not signed, 2 had one version of the protocol
-constexpr const char* kHomeFile = "collect.json";
+constexpr const char* kServerSettingsFile = "collect.json";
 
 [[noreturn]] void refuseEnrolment(const std::string& why) {
   throw UserError("This is no enrolment that can be used here: " + why);
@@ -198,13 +198,13 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
   return enrolment;
 }
 
-void write(const HomeServer& home, const std::filesystem::path& folder) {
+void write(const ServerSettings& home, const std::filesystem::path& folder) {
   const json content{{"server", home.server}, {"role", home.role}, {"bundle_key", home.bundleKey}};
-  writeNewFile((folder / kHomeFile).string(), content.dump(1) + "\n");
+  writeNewFile((folder / kServerSettingsFile).string(), content.dump(1) + "\n");
 }
 
-HomeServer homeServerOf(const std::filesystem::path& folder) {
-  std::ifstream file(folder / kHomeFile);
+ServerSettings serverSettingsOf(const std::filesystem::path& folder) {
+  std::ifstream file(folder / kServerSettingsFile);
   std::ostringstream text;
   text << file.rdbuf();
   const auto content = json::parse(text.str(), nullptr, false);

@@ -56,7 +56,7 @@ Batch Outbox::sample(std::int64_t event) {
 /// Adds the rows of each session whose last event is in the batch, because that event has their
 /// hash.
 void Outbox::addSessions(Batch& batch) {
-  for (const auto& mark : storage::sessionMarks(study_.database())) {
+  for (const auto& mark : storage::lastSessionEvents(study_.database())) {
     const bool isHere = !batch.events.empty() && mark.lastEvent >= batch.events.front().seq &&
                         mark.lastEvent <= batch.events.back().seq;
     if (!isHere) continue;

@@ -50,11 +50,12 @@ Answer ingest(
   return answerIn(said.text(0, 0));
 }
 
-Pushed push(Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent) {
+PushResult push(
+    Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent) {
   requireSchema(server);
   auto answer = ingest(server, outbox.question());
   requireSame(outbox, server, answer);
-  Pushed pushed{.before = answer.have, .have = answer.have};
+  PushResult pushed{.before = answer.have, .have = answer.have};
   outbox.forEachBatch(answer.have, [&](const Batch& batch) {
     answer = ingest(server, batch);
     if (!answer.refused.empty()) refuseIn(answer);

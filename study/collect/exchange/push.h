@@ -13,7 +13,7 @@
 namespace study::collect {
 
 /// The result of a push.
-struct Pushed {
+struct PushResult {
   std::int64_t before = 0;  ///< the last event that the server had
   std::int64_t have = 0;    ///< the last event that it has now
   std::uint64_t batches = 0;
@@ -40,7 +40,7 @@ class Refused : public UserError {
 /// @param sent  called after each batch; an exception that it throws ends the push.
 /// @throws ServerError  (Release) if the server's schema is older or newer than this program's;
 ///     nothing is sent then. @throws Refused
-Pushed push(
+PushResult push(
     Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent = {});
 
 /// Sends one batch (the server's function ingest). @throws ServerError

@@ -59,7 +59,7 @@ void appendNumber(std::string& bytes, std::uint32_t number) {
 Kind kindOf(std::string_view state, bool isConnected) {
   const bool isGone = !isConnected || state.starts_with("08") || state.starts_with("57P");
   if (isGone || state == "53300") return Kind::Unreachable;
-  if (state.starts_with("28")) return Kind::NotLetIn;
+  if (state.starts_with("28")) return Kind::LoginRefused;
   if (state == "42501") return Kind::Denied;
   if (state == "53100") return Kind::Full;
   return Kind::Other;
@@ -124,7 +124,7 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
       return "The server (" + where + ") cannot be reached: " + said +
              ". Nothing is lost: everything stays on this computer. Try again when the network "
              "works.";
-    case Kind::NotLetIn:
+    case Kind::LoginRefused:
       return fmt::format(
           "The server ({}) does not let this computer in. {}{}Nothing is lost: everything stays on "
           "this computer. Show the server's administrator (role, certificate and pg_hba.conf "
@@ -189,7 +189,7 @@ std::string_view nameOf(ServerError::Kind kind) noexcept {
   switch (kind) {
     case ServerError::Kind::Unreachable:
       return "unreachable";
-    case ServerError::Kind::NotLetIn:
+    case ServerError::Kind::LoginRefused:
       return "not_let_in";
     case ServerError::Kind::Denied:
       return "denied";
@@ -307,7 +307,7 @@ void Connection::connectAgain() {
   auto* connection = connection_.get();
   const auto said = sentence(PQerrorMessage(connection));
   const bool serverSpoke = !stateIn(said).empty();
-  auto kind = causeIn(said).empty() ? Kind::Unreachable : Kind::NotLetIn;
+  auto kind = causeIn(said).empty() ? Kind::Unreachable : Kind::LoginRefused;
   if (serverSpoke) {
     PQsetErrorVerbosity(connection, PQERRORS_SQLSTATE);
     PQreset(connection);
@@ -354,7 +354,7 @@ bool Connection::isBusy() {
       .fd = PQsocket(connection),
       .events = static_cast<short>(unsent > 0 ? POLLIN | POLLOUT : POLLIN),
       .revents = 0};
-  const int ready = poll(&network, 1, static_cast<int>(patience_.count()));
+  const int ready = poll(&network, 1, static_cast<int>(responseTimeout_.count()));
   if (ready == 0) {
     const auto where = description();
     connection_.reset();  // a late result must not be taken for that of another statement
@@ -364,7 +364,8 @@ bool Connection::isBusy() {
             Kind::Unreachable,
             where,
             fmt::format(
-                "it has not answered for {} s", static_cast<double>(patience_.count()) / 1e3)));
+                "it has not answered for {} s",
+                static_cast<double>(responseTimeout_.count()) / 1e3)));
   }
   const bool hasCome = ready > 0 && (network.revents & ~POLLOUT) != 0;
   return !hasCome || PQconsumeInput(connection) == 1;

@@ -20,11 +20,11 @@ namespace study::collect {
 class ServerError : public std::runtime_error {
  public:
   enum class Kind {
-    Unreachable,  ///< no network, no server, or the server was stopped meanwhile: try again later
-    NotLetIn,     ///< the server rejects this role, password or certificate
-    Denied,       ///< this role may not do that
-    Full,         ///< the server's disk is full
-    Release,      ///< the server's schema is older or newer than this program
+    Unreachable,   ///< no network, no server, or the server was stopped meanwhile: try again later
+    LoginRefused,  ///< the server rejects this role, password or certificate
+    Denied,        ///< this role may not do that
+    Full,          ///< the server's disk is full
+    Release,       ///< the server's schema is older or newer than this program
     Other,
   };
 
@@ -98,7 +98,9 @@ class Connection {
   /// Sets how long the server may be silent during a statement before that fails as Unreachable
   /// (default: 10 minutes). This is for a server that hangs; a lost network is noticed within a
   /// minute in any case. After such a failure the connection cannot be used any more.
-  void setPatience(std::chrono::milliseconds patience) noexcept { patience_ = patience; }
+  void setResponseTimeout(std::chrono::milliseconds patience) noexcept {
+    responseTimeout_ = patience;
+  }
 
   /// One or more statements without parameters and rows. @throws ServerError
   void execute(const std::string& statements);
@@ -129,7 +131,7 @@ class Connection {
   Rows checked(pg_result* result);
 
   std::unique_ptr<pg_conn, Finish> connection_;
-  std::chrono::milliseconds patience_ = std::chrono::minutes(10);
+  std::chrono::milliseconds responseTimeout_ = std::chrono::minutes(10);
 };
 
 /// Checks a connection string. @throws UserError  if @p server is malformed, or contains a

@@ -19,7 +19,7 @@ class PrivateServer {
 
   enum class Disk {
     Flushed,   ///< fsync on, as on a real server
-    NotWaited  ///< fsync off: faster, for tests. Data survive a stop of the server, but no power
+    Unflushed  ///< fsync off: faster, for tests. Data survive a stop of the server, but no power
                ///< failure
   };
 

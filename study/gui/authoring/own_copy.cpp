@@ -16,7 +16,7 @@
 namespace study::gui {
 namespace {
 
-constexpr qsizetype kLongestId = 64;  // [characters], of isSoundId()
+constexpr qsizetype kLongestId = 64;  // [characters], of isValidId()
 
 /// @p words as an id: "Our punch, 2nd try" → "our-punch-2nd-try".
 QString asId(const QString& words) {

@@ -31,7 +31,7 @@ constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {
 /// "Round 1: trial, Tissue 2", without its condition.
 QString describe(const Step& step, const protocols::Labels& labels) {
   const QString phase = QString::fromStdString(step.phase);
-  const QString kind = spoken(nameOf(step.kind));
+  const QString kind = deskText(nameOf(step.kind));
   if (step.label > 0) {
     return PreviewWindow::tr("%1: %2, %3")
         .arg(
@@ -57,8 +57,8 @@ SessionId sessionAt(const std::string& folder, const std::string& language, int 
 }  // namespace
 
 /// A session with its devices and its window. Each member uses those before it.
-struct PreviewWindow::Day {
-  Day(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
+struct PreviewWindow::PreviewSession {
+  PreviewSession(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
       : study(Study::open(folder)),
         devices([this](const protocols::DeviceNeed& need) {
           auto hand = pointerHandFor(need);
@@ -68,7 +68,7 @@ struct PreviewWindow::Day {
         controller(study, devices, Session::resume(study, id)),
         window(std::make_unique<ParticipantWindow>(controller, pin, std::move(moveHand))) {}
 
-  ~Day() { window->allowClosing(); }
+  ~PreviewSession() { window->allowClosing(); }
 
   Study study;
   std::map<std::string, haptics::devices::PointerHand*> hands;
@@ -122,14 +122,16 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   });
   connect(languages_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseLanguage);
   connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
-  connect(&stopKey_, &StopKey::pressed, this, [this] { day_->controller.stop(); });
-  connect(&cutKey_, &CutKey::pressed, this, [this] { day_->controller.countBenchmarkCut(); });
+  connect(&stopKey_, &StopKey::pressed, this, [this] { previewSession_->controller.stop(); });
+  connect(&cutKey_, &CutKey::pressed, this, [this] {
+    previewSession_->controller.countBenchmarkCut();
+  });
 }
 
 PreviewWindow::~PreviewWindow() {
   QCoreApplication::removeTranslator(&translator_);
-  day_->controller.disconnect(this);
-  day_.reset();  // before its folder
+  previewSession_->controller.disconnect(this);
+  previewSession_.reset();  // before its folder
 }
 
 void PreviewWindow::makeBar(QVBoxLayout& layout) {
@@ -190,7 +192,7 @@ std::string PreviewWindow::language() const {
 void PreviewWindow::fillSteps() {
   const QSignalBlocker quiet(steps_);
   int number = 0;
-  for (const auto& step : day_->controller.session().plan()) {
+  for (const auto& step : previewSession_->controller.session().plan()) {
     steps_->addItem(
         QString::number(++number) + QStringLiteral("  ") + describe(step, loaded_.protocol.labels));
   }
@@ -200,26 +202,27 @@ void PreviewWindow::fillSteps() {
 
 void PreviewWindow::goTo(int step) {
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
-  if (day_) {
-    day_->controller.disconnect(this);
-    place_->takeWidget();  // day_ owns it
+  if (previewSession_) {
+    previewSession_->controller.disconnect(this);
+    place_->takeWidget();  // previewSession_ owns it
   }
-  day_.reset();
+  previewSession_.reset();
   const auto id = sessionAt(folder, language(), step);
   translator_.setLanguage(language());
   QCoreApplication::removeTranslator(&translator_);
   QCoreApplication::installTranslator(&translator_);
-  day_ = std::make_unique<Day>(folder, id, [this](double share) { moveHand(share); });
-  followDay();
+  previewSession_ =
+      std::make_unique<PreviewSession>(folder, id, [this](double share) { moveHand(share); });
+  showSession();
 }
 
-void PreviewWindow::followDay() {
-  auto* page = day_->window.get();
+void PreviewWindow::showSession() {
+  auto* page = previewSession_->window.get();
   place_->setWidget(page);
   page->setParent(place_->viewport(), Qt::Widget);
   chooseSize();
   page->show();
-  const auto* controller = &day_->controller;
+  const auto* controller = &previewSession_->controller;
   connect(controller, &SessionController::stepChanged, this, &PreviewWindow::updateStep);
   connect(controller, &SessionController::failed, this, [this](const QString& why) {
     said_->setText(why);
@@ -228,7 +231,7 @@ void PreviewWindow::followDay() {
 }
 
 void PreviewWindow::updateStep() {
-  const auto& controller = day_->controller;
+  const auto& controller = previewSession_->controller;
   const auto& session = controller.session();
   stopKey_.setArmed(controller.isTrialRunning());
   said_->setText(
@@ -240,14 +243,14 @@ void PreviewWindow::updateStep() {
 }
 
 void PreviewWindow::chooseLanguage() {
-  if (day_->controller.session().isOver()) {
+  if (previewSession_->controller.session().isOver()) {
     attempt(this, [&] { goTo(steps_->currentRow()); });
     return;
   }
   translator_.setLanguage(language());
   QCoreApplication::removeTranslator(&translator_);
   QCoreApplication::installTranslator(&translator_);
-  day_->controller.chooseLanguage(languages_->currentData().toString());
+  previewSession_->controller.chooseLanguage(languages_->currentData().toString());
 }
 
 void PreviewWindow::chooseSize() {
@@ -262,15 +265,15 @@ void PreviewWindow::chooseSize() {
 }
 
 void PreviewWindow::moveHand(double share) {
-  const auto& session = day_->controller.session();
+  const auto& session = previewSession_->controller.session();
   if (session.isOver() || session.step().kind != StepKind::Trial) return;
   const auto& need = deviceFor(session);
-  const auto hand = day_->hands.find(need.id);
-  if (hand != day_->hands.end()) hand->second->moveTo(share * farthestFor(need));
+  const auto hand = previewSession_->hands.find(need.id);
+  if (hand != previewSession_->hands.end()) hand->second->moveTo(share * pointerReachFor(need));
 }
 
 const SessionController& PreviewWindow::controller() const {
-  return day_->controller;
+  return previewSession_->controller;
 }
 
 QString PreviewWindow::folder() const {
@@ -278,7 +281,7 @@ QString PreviewWindow::folder() const {
 }
 
 ParticipantWindow& PreviewWindow::page() {
-  return *day_->window;
+  return *previewSession_->window;
 }
 
 void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent) {

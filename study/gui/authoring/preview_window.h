@@ -41,10 +41,10 @@ class PreviewWindow final : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Day;
+  struct PreviewSession;
   void makeBar(QVBoxLayout& layout);
   void fillSteps();
-  void followDay();
+  void showSession();
   void updateStep();
   void chooseLanguage();
   void chooseSize();
@@ -62,7 +62,7 @@ class PreviewWindow final : public QMainWindow {
   QBoxLayout* bar_;
   QScrollArea* place_;
   std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<Day> day_;
+  std::unique_ptr<PreviewSession> previewSession_;
 };
 
 /// Opens a preview in a new window. Shows the error's message if that fails.

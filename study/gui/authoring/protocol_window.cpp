@@ -242,8 +242,8 @@ void ProtocolWindow::showProblems() {
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
         QString::fromStdString(problem.path),
-        spoken(problem.what),
-        spoken(problem.fix)};
+        deskText(problem.what),
+        deskText(problem.fix)};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

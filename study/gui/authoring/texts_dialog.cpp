@@ -88,7 +88,7 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
   for (const auto& blank : protocols::blanksOf(loaded)) {
     words_[blank.key] = blank.text.all();
     auto* field = new QLineEdit(this);
-    const QString title = spoken(blank.title);
+    const QString title = deskText(blank.title);
     field->setObjectName(QStringLiteral("text-") + QString::fromStdString(blank.key));
     field->setAccessibleName(title);
     if (blank.key == protocols::kDurationBlank && blank.text.isEmpty()) {
@@ -106,7 +106,7 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
   }
 }
 
-void TextsDialog::keepLanguage() {
+void TextsDialog::storeFields() {
   for (const auto& [key, field] : fields_) {
     const auto words = field->text().trimmed().toStdString();
     if (words.empty()) {
@@ -118,7 +118,7 @@ void TextsDialog::keepLanguage() {
 }
 
 void TextsDialog::showLanguage() {
-  keepLanguage();
+  storeFields();
   shown_ = languages_->currentData().toString().toStdString();
   for (const auto& [key, field] : fields_) {
     const auto& words = words_[key];
@@ -133,7 +133,7 @@ void TextsDialog::showLanguage() {
 }
 
 void TextsDialog::showProgress() {
-  keepLanguage();
+  storeFields();
   int filled = 0;
   bool lacksEnglish = false;
   for (const auto& [key, words] : words_) {

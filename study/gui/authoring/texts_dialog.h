@@ -38,7 +38,7 @@ class TextsDialog final : public QDialog {
  private:
   void addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form);
   void showLanguage();
-  void keepLanguage();
+  void storeFields();
   void showProgress();
 
   questionnaires::BlankTexts before_;

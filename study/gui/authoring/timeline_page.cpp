@@ -20,7 +20,7 @@ QString asMinutes(double seconds) {
 
 /// Describes a step without its condition, which depends on the participant's order.
 QString describedStep(const Step& step, const PartOfSession& part) {
-  QString words = spoken(nameOf(step.kind));
+  QString words = deskText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);
   if (part.items > 0) words += TimelinePage::tr(", %1 items").arg(part.items);
   if (part.cuts > 0) words += TimelinePage::tr(", at least %1 strokes").arg(part.cuts);

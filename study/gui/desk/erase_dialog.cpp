@@ -111,7 +111,7 @@ void EraseDialog::fillIn() {
           names.empty() ? words : words + QStringLiteral(" · ") + QString::fromStdString(names),
           words);
     }
-    reseal_->setVisible(!remarksOnOpenTrail(study).empty());
+    reseal_->setVisible(!remarkOnUnsealedTrail(study).empty());
   });
   certificate_->setPath(newPathBeside(folder_, QStringLiteral("erasure"), QStringLiteral(".pdf")));
   updateButton();
@@ -133,7 +133,7 @@ report::ErasureCertificate EraseDialog::erase() const {
       {.participant = participant_->currentData().toString().toStdString(),
        .level = storage::erasureLevelNamed(level).value(),
        .reason = reason_->text().trimmed().toStdString(),
-       .sealsTrailAgain = reseal_->isChecked()});
+       .resealsTrail = reseal_->isChecked()});
   if (const auto copy = copy_->path().toStdString(); !copy.empty()) {
     certificate.copies.push_back(eraseFromCopy(
         copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));

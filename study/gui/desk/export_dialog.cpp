@@ -146,7 +146,7 @@ void ExportDialog::work() {
           .arg(
               path,
               QString::fromStdString(said(sessions == 1 ? "{} session" : "{} sessions", sessions)),
-              spoken(what));
+              deskText(what));
   if (sessions == 0) return showOutcome(Outcome::Warning, line);
   rememberDocument(QString::fromStdString(folder_), path);
   target_->setPath(newPathBeside(folder_, QStringLiteral("data")));

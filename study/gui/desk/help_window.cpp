@@ -194,7 +194,7 @@ void showHelp(const QString& topic, const QWidget* beside) {
   openHelp()->raise();
 }
 
-void offerHelp(QApplication& application) {
+void installHelpKey(QApplication& application) {
   application.installEventFilter(new HelpKey(&application));
 }
 

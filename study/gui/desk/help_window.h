@@ -51,7 +51,7 @@ class HelpWindow final : public QMainWindow {
 
 /// Opens help on F1 in every window except the participant's. The topic is the widget's property
 /// "help", or else that of its window.
-void offerHelp(QApplication& application);
+void installHelpKey(QApplication& application);
 
 /// The topic that F1 shows for @p widget; empty if there is no help.
 QString helpTopicOf(const QWidget& widget);

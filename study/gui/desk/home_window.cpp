@@ -244,7 +244,7 @@ void HomeWindow::makeMenus() {
   addThemesTo(*view->addMenu(tr("&Theme")));
   addLanguagesTo(*view->addMenu(tr("&Language")));
   auto* help = menuBar()->addMenu(tr("&Help"));
-  // offerHelp() handles F1 itself, wherever the focus is.
+  // installHelpKey() handles F1 itself, wherever the focus is.
   help->addAction(
       tr("&Help for this window\tF1"), this, [this] { showHelp(helpTopicOf(*this), this); });
   help->addAction(tr("&Tour in three steps…"), this, &HomeWindow::showTour);
@@ -302,12 +302,12 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::openRequested, this, [this] {
     if (const auto* study = chosen()) openStudy(QString::fromStdString(study->folder));
   });
-  connect(panel_, &StudyPanel::goOnRequested, this, [this](qlonglong id) {
+  connect(panel_, &StudyPanel::resumeSessionRequested, this, [this](qlonglong id) {
     if (const auto* study = chosen()) {
       openStudy(QString::fromStdString(study->folder), SessionId{id});
     }
   });
-  connect(panel_, &StudyPanel::forgetRequested, this, &HomeWindow::removeSelectedFromList);
+  connect(panel_, &StudyPanel::listRemovalRequested, this, &HomeWindow::removeSelectedFromList);
   connect(panel_, &StudyPanel::backupRequested, this, &HomeWindow::openDialog<BackupDialog>);
   connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
   connect(panel_, &StudyPanel::erasureRequested, this, &HomeWindow::openDialog<EraseDialog>);
@@ -433,7 +433,7 @@ void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> sessi
   open_->window.installEventFilter(this);
   open_->window.show();
   hide();
-  if (session) open_->window.resumeIfFit(*session);
+  if (session) open_->window.resumeAfterChecks(*session);
 }
 
 bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
@@ -457,7 +457,7 @@ void HomeWindow::makeStudy() {
   auto* dialog = new NewStudyDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &NewStudyDialog::created, this, &HomeWindow::choose);
-  connect(dialog, &NewStudyDialog::protocolRequested, this, &HomeWindow::readProtocol);
+  connect(dialog, &NewStudyDialog::protocolRequested, this, &HomeWindow::openProtocolWindow);
   dialog->setWindowModality(Qt::NonModal);
   dialog->show();
 }
@@ -496,16 +496,16 @@ void HomeWindow::askForProtocol() {
   if (!isChosen) return;
   const auto index = names.indexOf(name);
   if (index > 0) {
-    return readProtocol(QString::fromStdString(shipped[static_cast<std::size_t>(index) - 1]));
+    return openProtocolWindow(QString::fromStdString(shipped[static_cast<std::size_t>(index) - 1]));
   }
   const QString file = QFileDialog::getOpenFileName(
       this, tr("A protocol"), protocolFolder(), tr("Protocols (*.json)"));
   if (file.isEmpty()) return;
   rememberProtocolFolder(file);
-  readProtocol(file);
+  openProtocolWindow(file);
 }
 
-void HomeWindow::readProtocol(const QString& source) {
+void HomeWindow::openProtocolWindow(const QString& source) {
   auto* window = new ProtocolWindow(source);
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home window

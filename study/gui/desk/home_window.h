@@ -37,7 +37,7 @@ class HomeWindow final : public QMainWindow {
   void openStudy(const QString& folder, std::optional<SessionId> session = std::nullopt);
   void makeStudy();
   void chooseFolder();
-  void readProtocol(const QString& source);
+  void openProtocolWindow(const QString& source);
   void showTour();
   void testComputer();
 

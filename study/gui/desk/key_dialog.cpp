@@ -62,7 +62,7 @@ KeyDialog::Wanted KeyDialog::wanted() const {
 void KeyDialog::showState() {
   attempt(this, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
-    const auto words = sealInWords(study);
+    const auto words = keyStatusText(study);
     state_ = words.empty() ? tr("Nothing is sealed.")
                            : tr("Conditions: %1.").arg(QString::fromStdString(words));
     showDetails(state_);

@@ -25,7 +25,7 @@ void ask(
     const auto typed =
         QInputDialog::getText(parent, title, label, QLineEdit::Password, {}, &isGiven);
     if (!isGiven || opens(typed.toStdString())) return;
-    label = spoken("Wrong passphrase.") + " " + question;
+    label = deskText("Wrong passphrase.") + " " + question;
   }
 }
 
@@ -36,9 +36,10 @@ void askForKeyOf(const std::string& folder, QWidget* parent) {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
     ask(parent,
-        spoken("Sealed study"),
-        spoken("The conditions of this study are sealed, and this account does not have the key."),
-        spoken("Passphrase of the study:"),
+        deskText("Sealed study"),
+        deskText(
+            "The conditions of this study are sealed, and this account does not have the key."),
+        deskText("Passphrase of the study:"),
         [&](const std::string& typed) { return study.unlock(typed); });
   });
 }
@@ -48,9 +49,9 @@ void askForNamesOf(const std::string& folder, QWidget* parent) {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.identities().isLocked()) return;
     ask(parent,
-        spoken("Sealed names"),
-        spoken("The names of participants are sealed. Sessions need their passphrase."),
-        spoken("Passphrase of names:"),
+        deskText("Sealed names"),
+        deskText("The names of participants are sealed. Sessions need their passphrase."),
+        deskText("Passphrase of names:"),
         [&](const std::string& typed) { return study.unlockNames(typed); });
   });
 }

@@ -30,7 +30,7 @@ std::optional<QString> runWithProgress(
   return isDone ? std::optional(QString::fromStdString(said)) : std::nullopt;
 }
 
-QString atHome(const char* name) {
+QString pathInHomeFolder(const char* name) {
   return QDir::home().filePath(QString::fromUtf8(name));
 }
 
@@ -66,7 +66,7 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   recording_->setObjectName(QStringLiteral("recording"));
   columns_->setObjectName(QStringLiteral("columns"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(atHome("my-cut.json"));
+  target_->setPath(pathInHomeFolder("my-cut.json"));
   form().addRow(tr("Recording"), recording_);
   form().addRow(tr("Columns file (if it has other columns)"), columns_);
   form().addRow(tr("Which cut"), cut_);
@@ -170,7 +170,7 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
   title_->setAccessibleName(tr("Title"));
   series_->setObjectName(QStringLiteral("series"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(atHome("my-material.json"));
+  target_->setPath(pathInHomeFolder("my-material.json"));
   form().addRow(tr("Folder of series"), series_);
   form().addRow(tr("Title"), title_);
   form().addRow(tr("To a new file"), target_);
@@ -208,7 +208,7 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   seed_->setRange(1, 1'000'000);
   seed_->setAccessibleName(tr("Seed"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(atHome("my-bone.packing"));
+  target_->setPath(pathInHomeFolder("my-bone.packing"));
   form().addRow(tr("Spheres"), spheres_);
   form().addRow(tr("Seed"), seed_);
   form().addRow(tr("To a new file"), target_);

@@ -29,10 +29,10 @@ void requireWritable(const std::string& out) {
 
 }  // namespace
 
-void write(const ReportOrder& order, const Progress& progress) {
+void write(const ReportRequest& order, const Progress& progress) {
   constexpr double kStep = 0.25;  // one of four steps
   requireWritable(order.out);
-  auto study = Study::open(order.folder, accessToNote(order.reason));
+  auto study = Study::open(order.folder, accessForUnblinding(order.reason));
   const auto sessions = study.sessions().all();
   const bool hasAny = std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
     return session.runMode == order.mode;

@@ -11,7 +11,7 @@
 namespace study::gui {
 
 /// What to report, and where to write it.
-struct ReportOrder {
+struct ReportRequest {
   std::string folder;  ///< the study's folder
   RunMode mode = RunMode::Live;
   std::string language = "en";
@@ -26,6 +26,6 @@ struct ReportOrder {
 
 /// Writes the report as `palpate report` does. Can be called from any thread.
 /// @throws storage::StorageError, UserError  with a message for the user.
-void write(const ReportOrder& order, const Progress& progress);
+void write(const ReportRequest& order, const Progress& progress);
 
 }  // namespace study::gui

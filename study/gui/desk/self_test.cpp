@@ -23,7 +23,7 @@ constexpr int kCommits = 40;
 constexpr double kPromptCommit = 0.02;  // [s]: not noticeable between pages
 constexpr double kSlowCommit = 0.2;     // [s]: clearly noticeable between pages
 
-std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress& progress) {
+std::vector<SelfTestLine> testDevices(const SelfTestOptions& order, const Progress& progress) {
   const auto own = order.study / kDeviceFileName;
   const std::string file = !order.deviceFile.empty() ? order.deviceFile : own.string();
   if (order.deviceFile.empty() && (order.study.empty() || !std::filesystem::exists(own))) {
@@ -153,7 +153,7 @@ SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& 
       said("median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
 }
 
-std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progress& progress) {
+std::vector<SelfTestLine> testComputer(const SelfTestOptions& order, const Progress& progress) {
   auto lines = testDevices(order, progress);
   tell(progress, kUnknownShare, "ticking a thousand times a second");
   lines.push_back(testClock(order.seconds));

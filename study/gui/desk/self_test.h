@@ -20,14 +20,14 @@ struct SelfTestLine {
 };
 
 /// The scope of a self-test.
-struct SelfTestOrder {
+struct SelfTestOptions {
   std::filesystem::path study;  ///< a study's folder; empty: the computer only
   std::string deviceFile;       ///< empty: the study's own, if any
   double seconds = 2.0;         ///< duration for the clock, and for each device [s]
 };
 
 /// Tests devices, clock and database. Blocks for some seconds. Can be called from any thread.
-std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progress& progress);
+std::vector<SelfTestLine> testComputer(const SelfTestOptions& order, const Progress& progress);
 
 /// Tests the screens. Call it from the GUI thread.
 std::vector<SelfTestLine> testScreens();

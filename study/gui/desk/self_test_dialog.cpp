@@ -33,7 +33,7 @@ QString describe(Finding finding) {
 
 }  // namespace
 
-SelfTestDialog::SelfTestDialog(SelfTestOrder order, QWidget* parent)
+SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
     : QDialog(parent),
       order_(std::move(order)),
       outcome_(bodyLabel({}, this)),
@@ -108,13 +108,13 @@ void SelfTestDialog::fill() {
     const auto& [part, found, details] = lines_[static_cast<std::size_t>(row)];
     worst = std::max(worst, found.finding);
     const QString cells[]{
-        capitalised(spoken(part)),
+        capitalised(deskText(part)),
         describe(found.finding),
-        capitalised(spoken(found.what)),
+        capitalised(deskText(found.what)),
         details_->isChecked() && !details.empty()
-            ? spoken(found.measured) + QLatin1Char('\n') + asText(details)
-            : spoken(found.measured),
-        spoken(found.fix)};
+            ? deskText(found.measured) + QLatin1Char('\n') + asText(details)
+            : deskText(found.measured),
+        deskText(found.fix)};
     for (int column = 0; column < 5; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -16,7 +16,7 @@ class SelfTestDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit SelfTestDialog(SelfTestOrder order, QWidget* parent = nullptr);
+  explicit SelfTestDialog(SelfTestOptions order, QWidget* parent = nullptr);
 
  public slots:
   void test();
@@ -24,7 +24,7 @@ class SelfTestDialog final : public QDialog {
  private:
   void fill();
 
-  SelfTestOrder order_;
+  SelfTestOptions order_;
   std::vector<SelfTestLine> lines_;  ///< of the last test
   QLabel* outcome_;
   QTableWidget* table_;

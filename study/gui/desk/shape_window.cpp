@@ -76,11 +76,11 @@ QWidget* openShape(const QString& path, QWidget* parent) {
 }
 
 QWidget* openBuiltInBone(QWidget* parent) {
-  return shown(boneWindow(haptics::engine::parametricBone(), parent), spoken("Built-in bone"));
+  return shown(boneWindow(haptics::engine::parametricBone(), parent), deskText("Built-in bone"));
 }
 
 QWidget* openBuiltInKnee(QWidget* parent) {
-  return shown(kneeWindow(nullptr, parent), spoken("Built-in knee"));
+  return shown(kneeWindow(nullptr, parent), deskText("Built-in knee"));
 }
 
 void chooseAndOpenShape(QWidget* parent) {

@@ -24,8 +24,8 @@ QString describe(const Verification& verification) {
   for (const auto& check : verification.checks) {
     const bool holds = check.problems.empty();
     words += (holds ? QStringLiteral("✓  ")
-                    : QStringLiteral("✕  ") + spoken("FAIL") + QStringLiteral(": ")) +
-             spoken(check.what) + QLatin1Char('\n');
+                    : QStringLiteral("✕  ") + deskText("FAIL") + QStringLiteral(": ")) +
+             deskText(check.what) + QLatin1Char('\n');
     for (const auto& problem : check.problems) {
       words += QStringLiteral("      ") + QString::fromStdString(problem) + QLatin1Char('\n');
     }
@@ -48,7 +48,7 @@ QComboBox* runModeChoice(const StudySummary& study, QWidget* parent) {
             said(count == 1 ? "{} ({} session)" : "{} ({} sessions)", said(name), count)),
         static_cast<int>(mode));
   }
-  choice->setCurrentIndex(choice->findData(static_cast<int>(likelyRunMode(study))));
+  choice->setCurrentIndex(choice->findData(static_cast<int>(defaultRunMode(study))));
   return choice;
 }
 
@@ -115,10 +115,10 @@ VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
   restored_->setAutoDefault(false);
   form().addRow(QString(), restored_);
   form().setRowVisible(restored_, false);
-  connect(restored_, &QPushButton::clicked, this, &VerifyDialog::noteRestored);
+  connect(restored_, &QPushButton::clicked, this, &VerifyDialog::recordRestoredBackup);
 }
 
-void VerifyDialog::noteRestored() {
+void VerifyDialog::recordRestoredBackup() {
   const auto reason = QInputDialog::getText(
       this,
       tr("A backup was put back"),
@@ -246,7 +246,7 @@ void ReportDialog::updateChoices() {
 }
 
 void ReportDialog::work() {
-  const ReportOrder order{
+  const ReportRequest order{
       .folder = folder_,
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),

@@ -45,7 +45,7 @@ class VerifyDialog final : public WorkDialog {
   void work() override;
 
  private:
-  void noteRestored();
+  void recordRestoredBackup();
 
   std::string folder_;
   QPushButton* restored_;

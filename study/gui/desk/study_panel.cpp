@@ -56,7 +56,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   forget_->setObjectName(QStringLiteral("forget"));
   folder_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   connect(open_, &QPushButton::clicked, this, &StudyPanel::openRequested);
-  connect(forget_, &QPushButton::clicked, this, &StudyPanel::forgetRequested);
+  connect(forget_, &QPushButton::clicked, this, &StudyPanel::listRemovalRequested);
   place_->setProperty("role", QStringLiteral("plain"));
   parts_->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(this);
@@ -233,8 +233,8 @@ void StudyPanel::show(const StudySummary& summary) {
   texts_->setToolTip(
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
-  key_->setText(summary.isOnlyCopyOfKey ? tr("Key… (no copy yet)") : tr("Key…"));
-  keyRemark_->setVisible(summary.isOnlyCopyOfKey);
+  key_->setText(summary.lacksKeyBackup ? tr("Key… (no copy yet)") : tr("Key…"));
+  keyRemark_->setVisible(summary.lacksKeyBackup);
   showStart(false);
   fitInto(width_);  // two of the buttons may have become wider
   while (auto* item = parts_->takeAt(0)) {
@@ -296,7 +296,7 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
   QString choices = session.isOpenElsewhere() ? QString() : tr("You can:");
   for (const auto& choice : session.choices) {
     choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +
-               QStringLiteral("•  ") + spoken(choice);
+               QStringLiteral("•  ") + deskText(choice);
   }
   if (!session.isOpenElsewhere()) {
     auto* button =
@@ -304,7 +304,7 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
     button->setProperty("role", QStringLiteral("tool"));
     layout->insertWidget(0, button, 0, Qt::AlignLeft);  // visible however long the text is
     const auto id = static_cast<qlonglong>(session.id);
-    connect(button, &QPushButton::clicked, this, [this, id] { emit goOnRequested(id); });
+    connect(button, &QPushButton::clicked, this, [this, id] { emit resumeSessionRequested(id); });
   }
   layout->addWidget(quietLabel(choices, card));
   return card;

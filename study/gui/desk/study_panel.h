@@ -32,7 +32,7 @@ class StudyPanel final : public QFrame {
   void tourRequested();
   void systemCheckRequested();
   void openRequested();
-  void goOnRequested(qlonglong session);
+  void resumeSessionRequested(qlonglong session);
   void reportRequested();
   void exportRequested();
   void statisticsRequested();
@@ -45,7 +45,7 @@ class StudyPanel final : public QFrame {
   void verifyRequested();
   void erasureRequested();
   void keyRequested();
-  void forgetRequested();
+  void listRemovalRequested();
 
  private:
   void makeButtons();

@@ -26,7 +26,7 @@ void fillCohorts(Study& study, StudySummary& summary) {
          .completed = static_cast<int>(completed),
          .planned = cohort.planned});
   }
-  const auto mode = likelyRunMode(summary);
+  const auto mode = defaultRunMode(summary);
   if (mode == RunMode::Simulated) return;  // in a time of their own
   for (const auto& row : rows) {
     if (row.runMode == mode)
@@ -54,7 +54,7 @@ void fill(StudySummary& summary) {
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
   }
   summary.unfinished = unfinishedSessions(study);
-  summary.isOnlyCopyOfKey = hasOnlyCopyOfKey(study);
+  summary.lacksKeyBackup = hasOnlyCopyOfKey(study);
   const auto blanks = protocols::blanksOf(study.protocol());
   summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
       blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));
@@ -111,7 +111,7 @@ bool isArrivalOverdue(const StudySummary& summary) {
   return summary.arrivals && isOverdue(*summary.arrivals);
 }
 
-RunMode likelyRunMode(const StudySummary& summary) {
+RunMode defaultRunMode(const StudySummary& summary) {
   for (const auto mode : kRunModes) {
     if (countIn(summary.sessions, mode) > 0) return mode;
   }

@@ -26,10 +26,10 @@ struct StudySummary {
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< finished or not
   std::vector<CohortProgress> cohorts;
-  std::string lastSessionUtc;    ///< when the latest session of likelyRunMode() began; empty: none
-                                 ///< has, or the sessions are simulated
-  std::size_t blanks = 0;        ///< in texts for participants, still to be filled in
-  bool isOnlyCopyOfKey = false;  ///< no copy was made of the key with which conditions are sealed
+  std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty: none
+                                ///< has, or the sessions are simulated
+  std::size_t blanks = 0;       ///< in texts for participants, still to be filled in
+  bool lacksKeyBackup = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
   std::optional<Arrivals> arrivals;  ///< at the server, as of the last push; of a station's study
   std::string pushProblem;           ///< why the last push did not succeed (NotedPush::problem)
@@ -52,6 +52,6 @@ bool isArrivalOverdue(const StudySummary& summary);
 
 /// The run mode to offer first: live if there are live sessions, else pilot, else simulated; live
 /// if there are none.
-RunMode likelyRunMode(const StudySummary& summary);
+RunMode defaultRunMode(const StudySummary& summary);
 
 }  // namespace study::gui

@@ -239,7 +239,7 @@ void StatisticsDialog::work() {
   std::string tables;
   const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
     tell(progress, kUnknownShare, "computing the tables");
-    auto study = Study::open(folder_, accessToNote(reason));
+    auto study = Study::open(folder_, accessForUnblinding(reason));
     noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
     tables = resultsAsText(study, computeResults(study, mode), profile);
   });

@@ -269,7 +269,7 @@ void Tour::goTo(int step) {
   if (punch_.isRunning()) endFeeling();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);
-  heading_->setText(spoken(kHeadings[step]));
+  heading_->setText(deskText(kHeadings[step]));
   back_->setEnabled(step > 0);
   next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
 }
@@ -332,8 +332,8 @@ void Tour::showRecord() {
     add(tr("Timing"), tr("%1 of %2 ticks late").arg(*felt.lateTicks).arg(felt.ticks));
   }
   const auto judgement = felt.judgement();
-  QStringList words{spoken(nameOf(judgement.verdict)).toUpper()};
-  for (const auto& reason : judgement.reasons) words << spoken(reason);
+  QStringList words{deskText(nameOf(judgement.verdict)).toUpper()};
+  for (const auto& reason : judgement.reasons) words << deskText(reason);
   add(tr("Verdict"), words.join(QStringLiteral("; ")));
 }
 

@@ -36,7 +36,7 @@ void VirtualPunch::begin() {
 }
 
 void VirtualPunch::moveTo(double share) {
-  if (hand_ != nullptr) hand_->moveTo(share * farthestFor(need_));
+  if (hand_ != nullptr) hand_->moveTo(share * pointerReachFor(need_));
 }
 
 TrialRecord VirtualPunch::finish() {

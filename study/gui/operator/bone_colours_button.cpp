@@ -66,7 +66,7 @@ void BoneColoursButton::setController(SessionController* controller) {
   refresh();
 }
 
-scene::BoneColoursWindow::Present BoneColoursButton::present() const {
+scene::BoneColoursWindow::FollowedTrial BoneColoursButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
   auto* bone = controller_->visibleBone();
   if (bone == nullptr || bone->spheres() == nullptr) return {};
@@ -83,7 +83,7 @@ void BoneColoursButton::closeWindow() {
   delete window_.data();  // at once, because the window's trial may be deleted next
 }
 
-bool BoneColoursButton::mayShow() {
+bool BoneColoursButton::confirmOpening() {
   if (controller_->session().runMode() != RunMode::Live) return true;
   const auto windows = QApplication::topLevelWidgets();
   const bool isBesideParticipant = std::any_of(windows.begin(), windows.end(), [this](auto* each) {
@@ -101,7 +101,7 @@ bool BoneColoursButton::mayShow() {
 }
 
 void BoneColoursButton::openWindow() {
-  if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
+  if (!isAllowed_ || present().seen == nullptr || !confirmOpening()) return;
   if (present().seen == nullptr) return;  // the trial may have ended meanwhile
   if (window_.isNull()) {
     const auto spec = sceneFor(controller_->session());

@@ -31,9 +31,9 @@ class BoneColoursButton final : public QPushButton {
 
  private:
   /// Asks for confirmation if the participant would see the window, too. Enter means No.
-  bool mayShow();
+  bool confirmOpening();
   void openWindow();
-  scene::BoneColoursWindow::Present present() const;
+  scene::BoneColoursWindow::FollowedTrial present() const;
 
   SessionController* controller_ = nullptr;
   bool isAllowed_ = false;

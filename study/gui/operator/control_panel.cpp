@@ -127,12 +127,12 @@ QPushButton* ControlPanel::add(const QString& text, SessionEvent event, Perform 
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event});
   connect(button, &QPushButton::clicked, this, [this, action, text, event] {
-    askAndDo(action, text, event);
+    performWithReason(action, text, event);
   });
   return button;
 }
 
-void ControlPanel::askAndDo(Perform action, const QString& what, SessionEvent event) {
+void ControlPanel::performWithReason(Perform action, const QString& what, SessionEvent event) {
   if (controller_ == nullptr) return;
   const bool isEnd = event == SessionEvent::Withdrew || event == SessionEvent::WasRejected ||
                      event == SessionEvent::GaveUpOnDevice;
@@ -177,7 +177,7 @@ void ControlPanel::showWho() {
   who_->setText(QString::fromStdString(session.participant()));
   const QStringList parts{
       cohortTitle(session.protocol().protocol, session.cohort()),
-      spoken(nameOf(session.runMode())),
+      deskText(nameOf(session.runMode())),
       nativeName(QString::fromStdString(session.language()))};
   cohort_->setText(parts.join(QStringLiteral(" · ")));
 }

@@ -48,7 +48,7 @@ class ControlPanel final : public QWidget {
   void keepFocusOffButtons();
   void connectButtons();
   void showWho();
-  void askAndDo(Perform action, const QString& what, SessionEvent event);
+  void performWithReason(Perform action, const QString& what, SessionEvent event);
   void keepNote();
   void showNotes();
 

@@ -94,7 +94,7 @@ void DevicePanel::check() {
   FindingsDialog(again(), FindingsDialog::Question::Nothing, again, window()).exec();
 }
 
-bool DevicePanel::mayBegin(const Found& otherwise) {
+bool DevicePanel::confirmDevicesReady(const Found& otherwise) {
   const auto checkAll = [&] {
     Found found = otherwise;
     if (deviceSet_ == nullptr) return found;
@@ -107,7 +107,7 @@ bool DevicePanel::mayBegin(const Found& otherwise) {
   const bool mayMend = deviceSet_ != nullptr;
   FindingsDialog question(
       found,
-      FindingsDialog::Question::GoWithout,
+      FindingsDialog::Question::StartDespiteFailures,
       mayMend ? FindingsDialog::CheckAgain(checkAll) : FindingsDialog::CheckAgain(),
       window());
   return question.exec() == QDialog::Accepted;

@@ -36,7 +36,7 @@ class DevicePanel final : public QWidget {
   /// Checks every device before a session. If a device or one of the other findings, @p otherwise,
   /// has failed, asks whether to start anyway; Enter cancels.
   /// @return whether the session may begin. Virtual devices always pass.
-  bool mayBegin(const std::vector<FindingsDialog::Found>& otherwise);
+  bool confirmDevicesReady(const std::vector<FindingsDialog::Found>& otherwise);
 
  public slots:
   /// Checks every device of the protocol and shows the findings.

@@ -35,11 +35,11 @@ void addRow(
   const int row = table.rowCount();
   table.insertRow(row);
   const std::array<QString, 5> cells{
-      spoken(part),
-      spoken(haptics::devices::nameOf(result.finding)),
-      spoken(result.what),
-      spoken(result.measured),
-      spoken(result.fix)};
+      deskText(part),
+      deskText(haptics::devices::nameOf(result.finding)),
+      deskText(result.what),
+      deskText(result.measured),
+      deskText(result.fix)};
   for (int column = 0; column < table.columnCount(); ++column) {
     auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
     table.setItem(row, column, cell);
@@ -77,11 +77,11 @@ QTableWidget* emptyTable(QWidget* parent) {
 FindingsDialog::FindingsDialog(
     const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
     : QDialog(parent), verdict_(bodyLabel({}, this)), table_(emptyTable(this)) {
-  setWindowTitle(asks == Question::GoWithout ? tr("Before the session") : tr("Devices"));
+  setWindowTitle(asks == Question::StartDespiteFailures ? tr("Before the session") : tr("Devices"));
   verdict_->setObjectName(QStringLiteral("verdict"));
   auto* buttons = new QDialogButtonBox(this);
   QPushButton* close = nullptr;
-  if (asks == Question::GoWithout) {
+  if (asks == Question::StartDespiteFailures) {
     start_ = buttons->addButton(tr("Start anyway"), QDialogButtonBox::AcceptRole);
     start_->setAutoDefault(false);
     close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);

@@ -25,7 +25,7 @@ class FindingsDialog final : public QDialog {
   };
 
   /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
-  enum class Question { Nothing, GoWithout };
+  enum class Question { Nothing, StartDespiteFailures };
 
   /// Called by the button *Check again*; empty: there is no such button.
   using CheckAgain = std::function<std::vector<Found>()>;

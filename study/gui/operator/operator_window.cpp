@@ -181,13 +181,13 @@ void OperatorWindow::arrange() {
 }
 
 void OperatorWindow::connectPanels() {
-  connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolIfFit);
+  connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolAfterChecks);
   connect(
       sessions_,
       &SessionsPage::resumeRequested,
       this,
       [this](qlonglong id, const QString& takeOver) {
-        resumeIfFit(SessionId{id}, takeOver.toStdString());
+        resumeAfterChecks(SessionId{id}, takeOver.toStdString());
       });
   connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
   connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
@@ -216,15 +216,15 @@ void OperatorWindow::resume(SessionId id, const std::string& takeOver) {
   attempt(this, [&] { begin(Session::resume(study_, id, takeOver)); });
 }
 
-void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
+void OperatorWindow::enrolAfterChecks(const Enrolment& enrolment) {
   if (controller_) return;
   attempt(this, [&] {
-    if (devices_->mayBegin(checkTexts(study_.protocol(), enrolment))) enrol(enrolment);
+    if (devices_->confirmDevicesReady(checkTexts(study_.protocol(), enrolment))) enrol(enrolment);
   });
 }
 
-void OperatorWindow::resumeIfFit(SessionId id, const std::string& takeOver) {
-  if (!controller_ && devices_->mayBegin({})) resume(id, takeOver);
+void OperatorWindow::resumeAfterChecks(SessionId id, const std::string& takeOver) {
+  if (!controller_ && devices_->confirmDevicesReady({})) resume(id, takeOver);
 }
 
 void OperatorWindow::begin(Session session) {
@@ -327,7 +327,7 @@ void OperatorWindow::moveHand(double share) {
   if (session.isOver() || session.step().kind != StepKind::Trial) return;
   const auto& need = deviceFor(session);
   const auto hand = hands_.find(need.id);
-  if (hand != hands_.end()) hand->second->moveTo(share * farthestFor(need));
+  if (hand != hands_.end()) hand->second->moveTo(share * pointerReachFor(need));
 }
 
 void OperatorWindow::updateAll() {

@@ -49,9 +49,9 @@ class OperatorWindow final : public QMainWindow {
   /// no takeover.
   void resume(SessionId id, const std::string& takeOver = {});
   /// Checks devices and texts, then enrols. If a check fails, the operator decides.
-  void enrolIfFit(const Enrolment& enrolment);
+  void enrolAfterChecks(const Enrolment& enrolment);
   /// Checks the devices, then resumes. If a check fails, the operator decides.
-  void resumeIfFit(SessionId id, const std::string& takeOver = {});
+  void resumeAfterChecks(SessionId id, const std::string& takeOver = {});
 
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }

@@ -122,7 +122,7 @@ void ServoPanel::refresh() {
                             .arg(health_.leastEnergy(), 0, 'f', 2)
                             .arg(energyUnit_)
                             .arg(priority);
-  showLight();
+  showTimingStatus();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
   // Its lines are wrapped in a narrow window, which the least height of the panel does not tell.
   constexpr int kUsualWidth = 300;  // [px], as long as it was not laid out
@@ -133,7 +133,7 @@ void ServoPanel::refresh() {
 /// One line: whether the trial will be warned about, as TrialRecord::judgement() does, and the
 /// numbers behind it. Force at its limit is named however short it was: what is felt then is not
 /// what the scene asked for.
-void ServoPanel::showLight() {
+void ServoPanel::showTimingStatus() {
   constexpr double kMostInvalid = 0.01;
   const auto ticks = static_cast<std::int64_t>(health_.ticks());
   const auto late = static_cast<std::int64_t>(health_.bars().back());

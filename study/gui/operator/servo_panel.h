@@ -31,7 +31,7 @@ class ServoPanel final : public QWidget {
 
  private:
   class Bars;
-  void showLight();
+  void showTimingStatus();
 
   ServoHealth health_;
   QString energyUnit_;

@@ -43,7 +43,7 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
       columns_(new QHBoxLayout(this)),
       table_(new QTableWidget(0, kSessionColumns, this)),
       details_(quietLabel({}, this)),
-      coming_(new QVBoxLayout),
+      cohortProgress_(new QVBoxLayout),
       cohort_(new QComboBox(this)),
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
@@ -143,7 +143,7 @@ QWidget* SessionsPage::makeEnrolment() {
   }
   layout->addLayout(form);
   layout->addWidget(enrol_);
-  layout->addLayout(coming_);
+  layout->addLayout(cohortProgress_);
   return card;
 }
 
@@ -224,7 +224,7 @@ void SessionsPage::fillTable(
         QString::fromStdString(s.participant),
         QString::fromStdString(s.site),
         cohortTitle(protocol, s.cohort),
-        spoken(nameOf(s.runMode)),
+        deskText(nameOf(s.runMode)),
         nativeName(QString::fromStdString(s.language)),
         localTime(s.startedUtc),
         statusInWords(s.state)};
@@ -242,7 +242,7 @@ void SessionsPage::fillTable(
 /// Shows how many participants of each cohort have completed.
 void SessionsPage::fillCohorts(
     const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
-  while (auto* item = coming_->takeAt(0)) {
+  while (auto* item = cohortProgress_->takeAt(0)) {
     delete item->widget();
     delete item;
   }
@@ -250,7 +250,7 @@ void SessionsPage::fillCohorts(
     const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
       return s.cohort == cohort.id && s.runMode == RunMode::Live && s.isCompleted();
     });
-    coming_->addWidget(new CohortBar(
+    cohortProgress_->addWidget(new CohortBar(
         cohortTitle(protocol, cohort.id), static_cast<int>(done), cohort.planned, this));
   }
 }
@@ -297,7 +297,7 @@ void SessionsPage::showSelected() {
   }
   QString words = describeUnfinished(*one);
   for (const auto& choice : one->choices) {
-    words += QStringLiteral("\n•  ") + spoken(choice);
+    words += QStringLiteral("\n•  ") + deskText(choice);
   }
   details_->setText(words);
 }

@@ -63,7 +63,7 @@ class SessionsPage final : public QWidget {
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
   QLabel* details_;
-  QVBoxLayout* coming_;  ///< the progress of each cohort
+  QVBoxLayout* cohortProgress_;  ///< the progress of each cohort
   QComboBox* cohort_;
   QComboBox* mode_;
   QComboBox* language_;

@@ -115,7 +115,7 @@ void TimelineTable::fillRow(int row, const SessionController& controller) {
   const std::array<QString, 5> cells{
       QString::number(row + 1),
       describe(step, session.protocol().protocol.labels),
-      spoken(nameOf(step.kind)),
+      deskText(nameOf(step.kind)),
       attempts > 0 ? QString::number(attempts) : QString(),
       isNow ? stateNow(controller) : stateOf(controller, row)};
   for (int column = 0; column < columnCount(); ++column) {

@@ -9,7 +9,7 @@ TravelScale travelScaleOf(const haptics::devices::DeviceKind& device) {
   const auto& shown = device.shown;
   return {
       shown.factor,
-      spoken(shown.unit),
+      deskText(shown.unit),
       asText(shown.suffix),
       asText(shown.velocityUnit),
       asText(shown.energyUnit)};

@@ -188,26 +188,26 @@ void ParticipantWindow::goOn() {
   }
   if (questions_->progress().open > 0) {
     questions_->showFirstOpen();
-    showOpen(true);
+    showUnanswered(true);
     return;
   }
-  saysWhatIsOpen_ = false;
+  showsUnanswered_ = false;
   if (!questions_->turn(true)) controller_.finishStep();
 }
 
 void ParticipantWindow::goBack() {
-  saysWhatIsOpen_ = false;
+  showsUnanswered_ = false;
   if (questions_ != nullptr) questions_->turn(false);
 }
 
 /// Says how many questions are open once Next was pressed, and which sheet is shown.
-void ParticipantWindow::showOpen(bool isAskedFor) {
+void ParticipantWindow::showUnanswered(bool isAskedFor) {
   if (questions_ == nullptr) return;
-  saysWhatIsOpen_ = saysWhatIsOpen_ || isAskedFor;
+  showsUnanswered_ = showsUnanswered_ || isAskedFor;
   back_->setVisible(questions_->sheet() > 0);
   const auto progress = questions_->progress();
   QString words;
-  if (saysWhatIsOpen_ && progress.open > 0) {
+  if (showsUnanswered_ && progress.open > 0) {
     words = tr("%1 of %2 left").arg(progress.open).arg(progress.required);
   } else {
     QStringList parts;
@@ -240,7 +240,7 @@ void ParticipantWindow::showPage(QWidget* page) {
 QWidget* ParticipantWindow::makePage() {
   trialPage_ = nullptr;
   questions_ = nullptr;
-  saysWhatIsOpen_ = false;
+  showsUnanswered_ = false;
   remark_->clear();
   back_->hide();
   next_->setVisible(true);
@@ -326,9 +326,9 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   connect(questions_, &QuestionnairePage::retracted, &controller_, &SessionController::retract);
   connect(&controller_, &SessionController::notSaved, questions_, &QuestionnairePage::markUnsaved);
   for (const auto signal : {&QuestionnairePage::progressChanged, &QuestionnairePage::scrolled}) {
-    connect(questions_, signal, this, [this] { showOpen(false); });
+    connect(questions_, signal, this, [this] { showUnanswered(false); });
   }
-  showOpen(false);
+  showUnanswered(false);
   return questions_;
 }
 

@@ -49,7 +49,7 @@ class ParticipantWindow final : public QWidget {
   void showPage(QWidget* page);
   void goOn();
   void goBack();
-  void showOpen(bool isAskedFor);
+  void showUnanswered(bool isAskedFor);
   void updateProgress();
   void updateTrial();
   void retranslate();
@@ -81,7 +81,7 @@ class ParticipantWindow final : public QWidget {
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   double scale_ = 0.0;
-  bool saysWhatIsOpen_ = false;  ///< true once Next was pressed on an incomplete page
+  bool showsUnanswered_ = false;  ///< true once Next was pressed on an incomplete page
   bool mayClose_ = false;
 };
 

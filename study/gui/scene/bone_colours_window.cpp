@@ -96,7 +96,7 @@ void BoneColoursWindow::choose(int index) {
 /// this window closes.
 void BoneColoursWindow::updatePicture() {
   if (!trial_) return painter_->submit(kOutside, false);
-  const Present now = trial_();
+  const FollowedTrial now = trial_();
   if (now.seen == nullptr || now.seen != followed_) {
     followed_ = nullptr;
     close();

@@ -22,11 +22,11 @@ class BoneColoursWindow final : public QWidget {
 
  public:
   /// The state of the trial that the window follows.
-  struct Present {
+  struct FollowedTrial {
     HipScene* seen = nullptr;  ///< the participant's view; nullptr: the trial is over
     bool isRunning = false;
   };
-  using Trial = std::function<Present()>;
+  using Trial = std::function<FollowedTrial()>;
 
   /// @param trial  returns the trial's state; the window closes when the trial is over. Empty: the
   /// bone does not change.

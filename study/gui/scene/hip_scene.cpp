@@ -43,7 +43,7 @@ void HipScene::addSpheres(const Options& options) {
   const auto& spec = *options.packing;
   const haptics::reaming::SphereField field(
       spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale));
-  const auto plunge = haptics::reaming::strokeInto(field, spec.bone->reamerRadius);
+  const auto plunge = haptics::reaming::plungePathInto(field, spec.bone->reamerRadius);
   start_ = kPerMetre * static_cast<float>(plunge.start);
   spheres_ = std::make_unique<SphereCloud>(
       field, SphereCloud::Options{.eye = kEye, .isHalved = true, .colours = options.colours});

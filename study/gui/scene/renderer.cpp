@@ -15,7 +15,7 @@ namespace {
 Graphics onProcessor(const QString& why) {
   return {
       std::make_unique<SoftwareRenderer>(),
-      spoken(
+      deskText(
           "The simulation is drawn by the processor: %1. It is complete, but coarser and slower. "
           "To have a graphics card draw it, sit at the computer itself instead of a remote "
           "desktop, and install the card's driver.")
@@ -26,12 +26,12 @@ Graphics onProcessor(const QString& why) {
 
 Graphics openGraphics(RendererChoice choice) {
   if (choice == RendererChoice::Software) {
-    return onProcessor(spoken("that was asked for"));
+    return onProcessor(deskText("that was asked for"));
   }
   const QString platform = QGuiApplication::platformName();
   if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
       platform == QLatin1String("vnc") || platform == QLatin1String("linuxfb")) {
-    return onProcessor(spoken("this display has no OpenGL (%1)").arg(platform));
+    return onProcessor(deskText("this display has no OpenGL (%1)").arg(platform));
   }
   try {
     const bool isFinest = choice == RendererChoice::Finest;
@@ -41,7 +41,7 @@ Graphics openGraphics(RendererChoice choice) {
         {}};
     if (graphics.renderer->isOnProcessor()) {
       graphics.remark =
-          spoken(
+          deskText(
               "The simulation is drawn without a graphics card (%1), at up to 30 pictures a "
               "second. For more, use a computer with a card and install its driver.")
               .arg(graphics.renderer->name());

@@ -17,7 +17,9 @@ std::optional<QString> OperatorPin::pinProblem(const QString& digits) {
   if (isNumber && digits.size() >= kFewestDigits && digits.size() <= kMostDigits) {
     return std::nullopt;
   }
-  return spoken("A PIN has %1 to %2 digits, and nothing else.").arg(kFewestDigits).arg(kMostDigits);
+  return deskText("A PIN has %1 to %2 digits, and nothing else.")
+      .arg(kFewestDigits)
+      .arg(kMostDigits);
 }
 
 bool OperatorPin::opensWith(const QString& digits) {

@@ -95,7 +95,7 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
 QString viewInWords(const SessionController& controller) {
   const auto report = controller.viewReport();
   if (!report || report->frames < 2) return {};
-  return spoken(" · %1 pictures a second, %2 ms old")
+  return deskText(" · %1 pictures a second, %2 ms old")
       .arg(report->rate, 0, 'f', 1)
       .arg(report->latencyMedian, 0, 'f', 0);
 }

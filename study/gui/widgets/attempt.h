@@ -18,7 +18,7 @@ bool attempt(QWidget* parent, Action&& action) {
     action();
     return true;
   } catch (const std::exception& error) {
-    QMessageBox::warning(parent, spoken("Error"), QString::fromUtf8(error.what()));
+    QMessageBox::warning(parent, deskText("Error"), QString::fromUtf8(error.what()));
     return false;
   }
 }

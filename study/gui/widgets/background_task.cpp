@@ -91,7 +91,7 @@ void BackgroundTask::showProgress() {
       return;
     }
     share = share_;
-    message = spoken(message_);
+    message = deskText(message_);
   }
   if (!message.isEmpty()) words_->setText(message);
   bar_->setRange(0, share < 0.0 ? 0 : kWholeBar);

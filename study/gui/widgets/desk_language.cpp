@@ -68,7 +68,7 @@ void setDeskLanguage(std::string_view language) {
   QCoreApplication::installTranslator(&texts);  // installed last, so Qt asks it first
 }
 
-void speakChosenLanguage() {
+void applyChosenLanguage() {
   const auto chosen = studioSettings().value(QLatin1String(kLanguageKey)).toString();
   const auto computer = QLocale::system().name().section(u'_', 0, 0);
   setDeskLanguage((chosen.isEmpty() ? computer : chosen).toStdString());
@@ -96,11 +96,11 @@ std::string said(std::string_view english) {
   return text == texts.end() ? std::string(english) : text->second;
 }
 
-QString spoken(std::string_view english) {
+QString deskText(std::string_view english) {
   return QString::fromStdString(said(english));
 }
 
-QString spoken(const base::Message& message) {
+QString deskText(const base::Message& message) {
   return QString::fromStdString(desk().texts.words()(message));
 }
 

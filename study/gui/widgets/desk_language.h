@@ -23,7 +23,7 @@ const std::string& deskLanguage() noexcept;
 void setDeskLanguage(std::string_view language);
 
 /// Sets the language that was chosen last; if none was, that of the computer.
-void speakChosenLanguage();
+void applyChosenLanguage();
 
 /// Adds the languages to a menu. A choice is applied at once and stored.
 void addLanguagesTo(QMenu& menu);
@@ -40,8 +40,8 @@ std::string said(std::string_view english, First&& first, Rest&&... rest) {
 }
 
 /// Translates a text from outside study/gui, for a label.
-QString spoken(std::string_view english);
+QString deskText(std::string_view english);
 /// Translates a message from outside study/gui.
-QString spoken(const base::Message& message);
+QString deskText(const base::Message& message);
 
 }  // namespace study::gui

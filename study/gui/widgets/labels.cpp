@@ -100,7 +100,7 @@ QString capitalised(const QString& words) {
 }
 
 QString statusInWords(SessionState state) {
-  return spoken(asText(statusOf(state)).replace(u'_', u' ').toStdString());
+  return deskText(asText(statusOf(state)).replace(u'_', u' ').toStdString());
 }
 
 QString describeUnfinished(const UnfinishedSession& session) {

@@ -140,7 +140,7 @@ class MnemonicFilter final : public QObject {
     if (!isShown && event->type() != QEvent::LayoutRequest) return false;
     auto* widget = qobject_cast<QWidget*>(watched);
     if (widget == nullptr || (isShown && !widget->isWindow())) return false;
-    if (isShown || widget->isVisible()) giveMnemonics(*widget->window());
+    if (isShown || widget->isVisible()) addMnemonics(*widget->window());
     return false;
   }
 };
@@ -156,7 +156,7 @@ QChar mnemonicOf(const QString& text) {
   return {};
 }
 
-void giveMnemonics(QWidget& window) {
+void addMnemonics(QWidget& window) {
   if (isPlain(window)) return;
   const auto places = placesIn(window);
   Letters letters;
@@ -175,7 +175,7 @@ void giveMnemonics(QWidget& window) {
   }
 }
 
-void offerMnemonics(QApplication& application) {
+void installMnemonics(QApplication& application) {
   application.installEventFilter(new MnemonicFilter(&application));
 }
 

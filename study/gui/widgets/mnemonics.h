@@ -9,10 +9,10 @@ namespace study::gui {
 /// the letter that chooses it together with Alt. The letter is one of the shown text, so it depends
 /// on the language; texts share a letter only if there are too few letters. Pages for participants
 /// are left out (disableMnemonics()).
-void giveMnemonics(QWidget& window);
+void addMnemonics(QWidget& window);
 
-/// Calls giveMnemonics() for each window and menu when it is shown and when its texts change.
-void offerMnemonics(QApplication& application);
+/// Calls addMnemonics() for each window and menu when it is shown and when its texts change.
+void installMnemonics(QApplication& application);
 
 /// Excludes @p page and its children from mnemonics.
 void disableMnemonics(QWidget& page);

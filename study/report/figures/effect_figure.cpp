@@ -85,7 +85,7 @@ class EffectPainter {
     }
     canvas_.dot(*difference, middle, colour, 5.5);
     canvas_.words(
-        rounded(difference, 2) + " " + intervalInWords(test.interval), y, kEffectRows.height);
+        rounded(difference, 2) + " " + formatInterval(test.interval), y, kEffectRows.height);
   }
 
   QPainter& painter_;

@@ -58,7 +58,7 @@ void paintPositionFigure(
       }
       canvas.dot(position.mean, middle, colour, 5.0);
       canvas.words(
-          rounded(position.mean, 2) + " " + intervalInWords(position.interval),
+          rounded(position.mean, 2) + " " + formatInterval(position.interval),
           y,
           kPositionRows.height);
       y += RowsCanvas::rowHeight(format, kPositionRows.height);

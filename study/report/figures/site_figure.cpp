@@ -92,7 +92,7 @@ class SitePainter {
     painter_.setBrush(colour);
     const double x = canvas_.x(*one.test.meanDifference);
     painter_.drawRect(QRectF(x - half, middle() - half, 2.0 * half, 2.0 * half));
-    auto words = rounded(one.test.meanDifference, 2) + " " + intervalInWords(one.interval);
+    auto words = rounded(one.test.meanDifference, 2) + " " + formatInterval(one.interval);
     if (one.weight > 0.0) words += "  " + rounded(100.0 * one.weight, 0) + " %";
     canvas_.words(words, y_, kSiteRows.height);
   }
@@ -130,7 +130,7 @@ class SitePainter {
     painter_.setBrush(categoryColour(1));
     painter_.drawPolygon(diamond);
     canvas_.words(
-        rounded(all.estimate, 2) + " " + intervalInWords(all.interval) +
+        rounded(all.estimate, 2) + " " + formatInterval(all.interval) +
             "  I² = " + rounded(100.0 * row.pooled->reml.iSquared, 0) + " %",
         y_,
         kSiteRows.height);

@@ -57,7 +57,7 @@ void list(const ListedErasure& erasure) {
   StationStore::findOrMake(StationStore::usualFolder()).append(kList, asLine(erasure));
 }
 
-std::vector<ListedErasure> missingErasures(
+std::vector<ListedErasure> erasuresToRepeat(
     Database& database, const std::vector<ListedErasure>& listed) {
   std::vector<ListedErasure> open;
   const auto done = ErasureRepository(database).all();

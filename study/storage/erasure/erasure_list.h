@@ -33,7 +33,7 @@ void list(const ListedErasure& erasure);
 
 /// The erasures of @p listed that have to be repeated in this database: it has the participant, and
 /// has not erased what @p listed says.
-std::vector<ListedErasure> missingErasures(
+std::vector<ListedErasure> erasuresToRepeat(
     Database& database, const std::vector<ListedErasure>& listed);
 
 }  // namespace study::storage

@@ -75,7 +75,8 @@ OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) 
   });
   const auto before = last == noted.end() ? std::string() : last->head.first;
   std::copy_if(noted.begin(), noted.end(), std::back_inserter(own.heads), [&](const auto& each) {
-    return !own.isKnown || isOfTrail(each) || each.head.first == before || trail.gaveUp(each.head);
+    return !own.isKnown || isOfTrail(each) || each.head.first == before ||
+           trail.isGivenUp(each.head);
   });
   return own;
 }
@@ -91,7 +92,7 @@ Findings checkHeads(
   std::size_t before = 0;
   for (const auto& each : noted) {
     if (trail.holds(each.head)) continue;
-    if (trail.gaveUp(each.head)) {
+    if (trail.isGivenUp(each.head)) {
       ++givenUp;
     } else if (trail.belongsToPreviousTrail(each.head)) {
       ++before;
@@ -166,7 +167,7 @@ std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore
   std::vector<SignedHead> missing;
   for (const auto& [head, folder] : own.heads) {
     const bool isAccountedFor =
-        trail.holds(head) || trail.gaveUp(head) || trail.belongsToPreviousTrail(head);
+        trail.holds(head) || trail.isGivenUp(head) || trail.belongsToPreviousTrail(head);
     if (!own.isKnown || !isAccountedFor) missing.push_back(head);
   }
   return missing;

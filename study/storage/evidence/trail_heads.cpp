@@ -74,30 +74,30 @@ std::string TrailHeads::hashOf(std::int64_t seq) const {
 void TrailHeads::readResealed() {
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::ResealedTrail))) {
     if (seq != 1) continue;
-    eventsBefore_ = numberIn(values, "events");
-    headBefore_ = textIn(values, "head");
+    previousTrailEvents_ = numberIn(values, "events");
+    previousTrailHead_ = textIn(values, "head");
   }
   // In a collected study, heads that stations signed belong to the stations' trails. They were
   // checked when the study was collected.
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::CollectedStudy))) {
     if (seq != 1) continue;
-    eventsBefore_ = numberIn(values, "events");
+    previousTrailEvents_ = numberIn(values, "events");
     isCollected_ = true;
   }
 }
 
 void TrailHeads::readRepeatedErasures() {
-  ownEnd_ = last_;
+  lastSharedEvent_ = last_;
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::Erased))) {
-    if (numberIn(values, "again") != 0) ownEnd_ = std::min(ownEnd_, seq - 1);
+    if (numberIn(values, "again") != 0) lastSharedEvent_ = std::min(lastSharedEvent_, seq - 1);
   }
 }
 
 void TrailHeads::readSigned() {
   const auto heads = eventsOf(database_, study::nameOf(EventKind::SignedHead));
   for (const auto& [seq, values] : heads) {
-    if (eventsBefore_ > 0 && seq <= eventsBefore_ + 1) {
-      ++signedBefore_;
+    if (previousTrailEvents_ > 0 && seq <= previousTrailEvents_ + 1) {
+      ++previousTrailHeads_;
       continue;
     }
     Signed found{
@@ -145,29 +145,32 @@ bool TrailHeads::holds(const SignedHead& head) const {
 }
 
 bool TrailHeads::endsBefore(const SignedHead& head) const {
-  const bool isOfAnother = eventsBefore_ > 0 && head.first != first_;
-  if (isOfAnother) return head.events > eventsBefore_;
+  const bool isOfAnother = previousTrailEvents_ > 0 && head.first != first_;
+  if (isOfAnother) return head.events > previousTrailEvents_;
   if (isSealedAgain(head) && hashOf(head.events) == head.hash) return true;
-  return head.events > ownEnd_ || (head.events == ownEnd_ && hashOf(ownEnd_) == head.hash);
+  return head.events > lastSharedEvent_ ||
+         (head.events == lastSharedEvent_ && hashOf(lastSharedEvent_) == head.hash);
 }
 
 bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
-  if (eventsBefore_ == 0 || head.first == first_ || head.events > eventsBefore_) return false;
+  if (previousTrailEvents_ == 0 || head.first == first_ || head.events > previousTrailEvents_)
+    return false;
   // Only a signature right after that event counts. A later one would not: the station may sign
   // sessions of a study whose beginning was replaced.
   const auto purpose =
       study::nameOf(isCollected_ ? EventKind::CollectedStudy : EventKind::ResealedTrail);
   return std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
     return each.isSound && each.head.key == head.key && each.head.purpose == purpose &&
-           each.head.events == eventsBefore_ + 1;
+           each.head.events == previousTrailEvents_ + 1;
   });
 }
 
 bool TrailHeads::isLastOfPreviousTrail(const SignedHead& head) const {
-  return isSealedAgain(head) && head.events == eventsBefore_ && head.hash == headBefore_;
+  return isSealedAgain(head) && head.events == previousTrailEvents_ &&
+         head.hash == previousTrailHead_;
 }
 
-bool TrailHeads::gaveUp(const SignedHead& head) const {
+bool TrailHeads::isGivenUp(const SignedHead& head) const {
   const auto found = givenUp_.find(head.key);
   return found != givenUp_.end() && found->second.count(nameOf(head)) > 0;
 }
@@ -191,9 +194,9 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
         std::to_string(count) + " signed by another station, whose key is " +
         inGroupsOfFour(other) + ": ask there whether that is its key");
   }
-  if (signedBefore_ > 0) {
+  if (previousTrailHeads_ > 0) {
     findings.remarks.push_back(
-        std::to_string(signedBefore_) +
+        std::to_string(previousTrailHeads_) +
         (isCollected_ ? " signed at stations, and checked when they were collected (event "
                         "collected_study)"
                       : " signed before the trail was sealed again (event resealed_trail)"));

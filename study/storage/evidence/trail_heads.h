@@ -45,7 +45,7 @@ class TrailHeads {
 
   /// Whether an event RestoredCopy lists @p head as given up, and the station of @p head signed
   /// that event.
-  bool gaveUp(const SignedHead& head) const;
+  bool isGivenUp(const SignedHead& head) const;
 
   /// Reports signatures that are invalid or not of the events before them; remarks say how much is
   /// signed.
@@ -64,13 +64,13 @@ class TrailHeads {
   std::string first_;
   std::int64_t last_ = 0;
   /// Events of the previous trail that follow the first event; 0: none.
-  std::int64_t eventsBefore_ = 0;
-  std::string headBefore_;    ///< hash of the last event of the previous trail
-  bool isCollected_ = false;  ///< it repeats the trails of several stations
+  std::int64_t previousTrailEvents_ = 0;
+  std::string previousTrailHead_;  ///< hash of the last event of the previous trail
+  bool isCollected_ = false;       ///< it repeats the trails of several stations
   /// The last event that the copy shares with the study: before the first erasure that was repeated
   /// in this copy only.
-  std::int64_t ownEnd_ = 0;
-  std::size_t signedBefore_ = 0;  ///< signed heads among eventsBefore_
+  std::int64_t lastSharedEvent_ = 0;
+  std::size_t previousTrailHeads_ = 0;  ///< signed heads among previousTrailEvents_
   std::vector<Signed> signed_;
   std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
 };

@@ -23,7 +23,7 @@ std::vector<std::byte> sealed(
     const SealingKey& key, std::string_view text, std::size_t size, const std::string& place) {
   std::string padded(text);
   padded.resize((text.size() / size + 1) * size, '\0');
-  return key.sealRepeatably(padded, place);
+  return key.sealDeterministically(padded, place);
 }
 
 std::string opened(
@@ -41,22 +41,22 @@ std::string opened(
 
 }  // namespace
 
-std::vector<std::byte> sealedCondition(
+std::vector<std::byte> sealCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition) {
   return sealed(key, condition, kSizeOfCondition, placeOf(session, step));
 }
 
-std::string openedCondition(
+std::string openCondition(
     const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& bytes) {
   return opened(key, bytes, placeOf(session, step));
 }
 
-std::vector<std::byte> sealedMeasurements(
+std::vector<std::byte> sealMeasurements(
     const SealingKey& key, const VisitKey& trial, std::string_view text) {
   return sealed(key, text, kSizeOfMeasurements, placeOf(trial));
 }
 
-std::string openedMeasurements(
+std::string openMeasurements(
     const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& bytes) {
   return opened(key, bytes, placeOf(trial));
 }

@@ -14,25 +14,25 @@ namespace study::storage {
 
 /// Seals the condition of a step. All sealed conditions have the same size, so that the size
 /// reveals nothing.
-std::vector<std::byte> sealedCondition(
+std::vector<std::byte> sealCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 
 /// @param key  the study's key; nullptr: it is not available
 /// @throws StorageError  if it was sealed with another key or for another step, or was changed; if
 ///     there is no key, the error says what to do.
-std::string openedCondition(
+std::string openCondition(
     const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed);
 
 /// Seals the measurements of a trial (JSON of columns and values). The size is the same for up to
 /// about 20 cuts.
-std::vector<std::byte> sealedMeasurements(
+std::vector<std::byte> sealMeasurements(
     const SealingKey& key, const VisitKey& trial, std::string_view text);
 
-/// As openedCondition().
-std::string openedMeasurements(
+/// As openCondition().
+std::string openMeasurements(
     const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& sealed);
 
-/// Advice for the operator when the key of a study is missing.
+/// ProtocolWarningCheck for the operator when the key of a study is missing.
 /// @param study  its folder, as typed in a command
 std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase);
 

@@ -41,7 +41,7 @@ std::vector<std::byte> SealingKey::seal(std::string_view text, std::string_view 
   return sealed(text, place, [](unsigned char* nonce) { randombytes_buf(nonce, kNonce); });
 }
 
-std::vector<std::byte> SealingKey::sealRepeatably(
+std::vector<std::byte> SealingKey::sealDeterministically(
     std::string_view text, std::string_view place) const {
   return sealed(text, place, [&](unsigned char* nonce) {
     const auto key = derived(kToRepeat);

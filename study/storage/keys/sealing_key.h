@@ -33,7 +33,7 @@ class SealingKey {
 
   /// Like seal(), but deterministic: the nonce is a keyed hash of text and place. For places to
   /// which only one text is written.
-  std::vector<std::byte> sealRepeatably(std::string_view text, std::string_view place) const;
+  std::vector<std::byte> sealDeterministically(std::string_view text, std::string_view place) const;
 
   /// std::nullopt if it was sealed with another key or for another place, or was changed.
   std::optional<std::string> open(std::span<const std::byte> sealed, std::string_view place) const;

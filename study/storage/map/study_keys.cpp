@@ -76,29 +76,29 @@ std::string saltOf(const WrappedKey& wrapped) {
 
 }  // namespace
 
-void holdKey(const BlindingSecret& key) {
+void holdStudyKey(const BlindingSecret& key) {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.insert_or_assign(key.commitment(), key);
 }
 
-void holdOpened(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
+void holdNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.insert_or_assign(saltOf(wrapped), BlindingSecret(key));
 }
 
-std::optional<SealingKey> heldKey(const WrappedKey& wrapped) {
+std::optional<SealingKey> heldNamesKey(const WrappedKey& wrapped) {
   const std::scoped_lock lock(heldKeys().mutex);
   const auto held = heldKeys().keys.find(saltOf(wrapped));
   if (held == heldKeys().keys.end()) return std::nullopt;
   return SealingKey(held->second.bytes());
 }
 
-void forgetHeldKeys() {
+void clearHeldKeys() {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.clear();
 }
 
-bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder) {
+bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folder) {
   const auto commitment = key.commitment();
   if (keyOnStation(commitment)) return false;
   const auto station = StationStore::findOrMake(StationStore::usualFolder());
@@ -108,7 +108,7 @@ bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder) {
   return true;
 }
 
-std::optional<BlindingSecret> keptKey(const std::string& commitment) {
+std::optional<BlindingSecret> findStudyKey(const std::string& commitment) {
   {
     const std::scoped_lock lock(heldKeys().mutex);
     const auto held = heldKeys().keys.find(commitment);

@@ -15,23 +15,23 @@ namespace study::storage {
 /// @param folder  the study's folder, noted for people who read the list
 /// @return  false if it was stored already
 /// @throws StorageError  if the station's own folder cannot be used.
-bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder);
+bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folder);
 
-/// Holds a key in memory until this program ends, so that keptKey() finds it: windows open a study
-/// more than once.
-void holdKey(const BlindingSecret& key);
+/// Holds a key in memory until this program ends, so that findStudyKey() finds it: windows open a
+/// study more than once.
+void holdStudyKey(const BlindingSecret& key);
 
-/// Holds the key of names, which a passphrase opened, in memory until this program ends; heldKey()
-/// finds it by @p wrapped.
-void holdOpened(const WrappedKey& wrapped, const SealingKey::Bytes& key);
-std::optional<SealingKey> heldKey(const WrappedKey& wrapped);
+/// Holds the key of names, which a passphrase opened, in memory until this program ends;
+/// heldNamesKey() finds it by @p wrapped.
+void holdNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key);
+std::optional<SealingKey> heldNamesKey(const WrappedKey& wrapped);
 
 /// For tests: clears all keys held in memory, as a restart does.
-void forgetHeldKeys();
+void clearHeldKeys();
 
 /// The study's key with that commitment, if this program holds it or this station has stored it.
 /// @throws StorageError  if the station's own folder cannot be used.
-std::optional<BlindingSecret> keptKey(const std::string& commitment);
+std::optional<BlindingSecret> findStudyKey(const std::string& commitment);
 
 /// Deletes the key of a study from this station. @return  whether it was there
 /// @throws StorageError

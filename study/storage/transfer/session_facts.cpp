@@ -73,8 +73,7 @@ std::vector<std::pair<int, std::string>> openAllocation(const Database& study, S
     const auto step = static_cast<int>(select.number(0));
     const auto sealed = select.blob(2);
     conditions.emplace_back(
-        step,
-        sealed.empty() ? select.text(1) : openedCondition(study.key(), session, step, sealed));
+        step, sealed.empty() ? select.text(1) : openCondition(study.key(), session, step, sealed));
   }
   return conditions;
 }
@@ -93,7 +92,7 @@ void addAllocation(
     if (key == nullptr) {
       insert.bind(3, std::string_view(condition)).bindNull(4);
     } else {
-      const auto sealed = sealedCondition(*key, session, static_cast<int>(*step), condition);
+      const auto sealed = sealCondition(*key, session, static_cast<int>(*step), condition);
       insert.bind(3, std::string_view("")).bind(4, std::span<const std::byte>(sealed));
     }
     insert.run();
@@ -196,14 +195,14 @@ void addFactsAs(
   addRows(study, facts, session, key, openTrials);
 }
 
-std::vector<SessionMark> sessionMarks(const Database& study) {
+std::vector<LastSessionEvent> lastSessionEvents(const Database& study) {
   Statement select(
       study,
       "SELECT s.id, p.code, e.seq, e.utc FROM session AS s "
       "JOIN participant AS p ON p.id = s.participant_id "
       "JOIN event AS e ON e.seq = (SELECT max(seq) FROM event WHERE session_id = s.id) "
       "ORDER BY s.id");
-  std::vector<SessionMark> marks;
+  std::vector<LastSessionEvent> marks;
   while (select.step()) {
     marks.push_back(
         {.session = SessionId{select.number(0)},

@@ -47,7 +47,7 @@ void addFactsAs(
     const std::set<VisitKey>& openTrials);
 
 /// The last event of a session in the audit trail.
-struct SessionMark {
+struct LastSessionEvent {
   SessionId session{};
   std::string participant;  ///< code
   std::int64_t lastEvent = 0;
@@ -55,6 +55,6 @@ struct SessionMark {
 };
 
 /// One mark for each session, in the order of their numbers.
-std::vector<SessionMark> sessionMarks(const Database& study);
+std::vector<LastSessionEvent> lastSessionEvents(const Database& study);
 
 }  // namespace study::storage

@@ -38,13 +38,13 @@ TEST(AttainableP, OfMannAndWhitneyIsThatOfGroupsThatDoNotOverlap) {
 }
 
 TEST(AttainableP, HasTheNumberOfParticipantsThatAFamilyNeeds) {
-  EXPECT_EQ(fewestForSignFlip(0.05, 1), 6U);
-  EXPECT_EQ(fewestForSignFlip(0.05, 3), 7U);
-  EXPECT_EQ(fewestForSignFlip(0.05, 6), 8U);
-  EXPECT_EQ(fewestForSignFlip(0.05, 10), 9U);
-  EXPECT_EQ(fewestForSignFlip(0.5, 1), 2U);
-  EXPECT_THROW(fewestForSignFlip(0.0, 1), std::invalid_argument);
-  EXPECT_THROW(fewestForSignFlip(0.05, 0), std::invalid_argument);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 1), 6U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 3), 7U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 6), 8U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.05, 10), 9U);
+  EXPECT_EQ(fewestParticipantsForSignFlip(0.5, 1), 2U);
+  EXPECT_THROW(fewestParticipantsForSignFlip(0.0, 1), std::invalid_argument);
+  EXPECT_THROW(fewestParticipantsForSignFlip(0.05, 0), std::invalid_argument);
 }
 
 TEST(AttainableP, OfVotesIsThatOfAUnanimousVote) {
@@ -55,12 +55,12 @@ TEST(AttainableP, OfVotesIsThatOfAUnanimousVote) {
 
 TEST(AttainableP, HasTheNumberOfVotesForSignificance) {
   // Two options are a sign test: 9 of 10 have p = 22/1024, 8 of 10 have 112/1024.
-  EXPECT_EQ(fewestVotesToWin(10, 2, 0.05), 9U);
-  EXPECT_EQ(fewestVotesToWin(6, 2, 0.05), 6U);
-  EXPECT_FALSE(fewestVotesToWin(5, 2, 0.05));  // 2/32
+  EXPECT_EQ(fewestVotesForSignificance(10, 2, 0.05), 9U);
+  EXPECT_EQ(fewestVotesForSignificance(6, 2, 0.05), 6U);
+  EXPECT_FALSE(fewestVotesForSignificance(5, 2, 0.05));  // 2/32
   // Three options, five votes: 5/0/0 has p = 3/243, 4/1/0 has (3 + 30)/243 = .136.
-  EXPECT_EQ(fewestVotesToWin(5, 3, 0.05), 5U);
-  EXPECT_FALSE(fewestVotesToWin(0, 3, 0.05));
+  EXPECT_EQ(fewestVotesForSignificance(5, 3, 0.05), 5U);
+  EXPECT_FALSE(fewestVotesForSignificance(0, 3, 0.05));
 }
 
 }  // namespace attainable_p_test

@@ -17,16 +17,16 @@ using Values = std::vector<double>;
 double slowP(const Values& differences) {
   double observed = 0.0;
   for (const double value : differences) observed += value;
-  double atLeastAsFar = 0.0;
+  double twoSidedByDistance = 0.0;
   const unsigned all = 1U << differences.size();
   for (unsigned choice = 0; choice < all; ++choice) {
     double sum = 0.0;
     for (std::size_t i = 0; i < differences.size(); ++i) {
       sum += (choice >> i & 1U) != 0 ? differences[i] : -differences[i];
     }
-    atLeastAsFar += std::abs(sum) >= std::abs(observed) - 1e-9 ? 1.0 : 0.0;
+    twoSidedByDistance += std::abs(sum) >= std::abs(observed) - 1e-9 ? 1.0 : 0.0;
   }
-  return atLeastAsFar / all;
+  return twoSidedByDistance / all;
 }
 
 // Fisher 1935, The Design of Experiments, § 21: Darwin's maize, crossed − self-fertilised, in

@@ -54,7 +54,7 @@ TEST(MetaAnalysis, AgreesWithMetafor) {
     expectSame(all.derSimonianLaird, set["dl"], name + " DL");
     expectSame(all.reml, set["reml"], name + " REML");
     expectSame(all.knappHartung, set["reml_knapp_hartung"], name + " Knapp-Hartung");
-    const auto without = analysis::withoutEach(sites, 0.95);
+    const auto without = analysis::leaveOneOut(sites, 0.95);
     ASSERT_EQ(without.size(), set["without"].size()) << name;
     for (std::size_t i = 0; i < without.size(); ++i) {
       expectSame(without[i], set["without"][i], name + " without " + std::to_string(i));
@@ -70,7 +70,7 @@ TEST(MetaAnalysis, IsTheSameToFourDigitsIfQuick) {
       sites.push_back({set["y"][i].get<double>(), set["se"][i].get<double>()});
     }
     const auto exact = analysis::pooled(sites, 0.95).knappHartung;
-    const auto quick = analysis::pooledQuickly(sites, 0.95);
+    const auto quick = analysis::pooledToFourDigits(sites, 0.95);
     EXPECT_NEAR(quick.estimate, exact.estimate, 1e-4 * exact.standardError) << name;
     EXPECT_NEAR(quick.standardError, exact.standardError, 1e-4 * exact.standardError) << name;
     EXPECT_NEAR(quick.p, exact.p, 1e-4) << name;

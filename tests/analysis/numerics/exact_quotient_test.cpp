@@ -9,7 +9,7 @@
 namespace exact_quotient_test {
 
 using analysis::exactQuotient;
-using analysis::Wide;
+using analysis::Int128;
 
 TEST(ExactQuotient, RoundsAsADoubleDivisionDoes) {
   std::mt19937_64 random(1);
@@ -17,7 +17,7 @@ TEST(ExactQuotient, RoundsAsADoubleDivisionDoes) {
     // Whole numbers below 2^53 are doubles, and a processor rounds their quotient exactly.
     const auto a = random() >> (11 + random() % 50);
     const auto b = (random() >> (11 + random() % 50)) + 1;
-    const auto quotient = exactQuotient(static_cast<Wide>(a), static_cast<Wide>(b));
+    const auto quotient = exactQuotient(static_cast<Int128>(a), static_cast<Int128>(b));
     ASSERT_EQ(quotient.high, static_cast<double>(a) / static_cast<double>(b)) << a << " / " << b;
     ASSERT_LE(std::abs(quotient.low), std::abs(quotient.high) * 0x1p-53);
   }
@@ -34,7 +34,7 @@ TEST(ExactQuotient, HasTheSignOfItsNumerator) {
 }
 
 TEST(ExactQuotient, AcceptsTheLargestNumbers) {
-  const Wide wide = Wide{1} << 126;
+  const Int128 wide = Int128{1} << 126;
   EXPECT_EQ(exactQuotient(wide, 1).high, 0x1p126);
   EXPECT_EQ(exactQuotient(1, wide).high, 0x1p-126);
   EXPECT_EQ(exactQuotient(wide - 1 + wide, wide).high, 2.0);
@@ -43,7 +43,7 @@ TEST(ExactQuotient, AcceptsTheLargestNumbers) {
 
 TEST(ExactQuotient, RoundsUpJustAboveATie) {
   // (2^53 + 1) · 2^60 lies in the middle of two doubles; one more does not.
-  const Wide middle = ((Wide{1} << 53) + 1) << 60;
+  const Int128 middle = ((Int128{1} << 53) + 1) << 60;
   EXPECT_EQ(exactQuotient(middle, 1).high, 0x1p113);
   EXPECT_EQ(exactQuotient(middle + 1, 1).high, 0x1p113 + 0x1p61);
 }

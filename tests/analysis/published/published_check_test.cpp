@@ -95,11 +95,11 @@ TEST(PublishedCheck, NoEqualSizesFitWholeAnswers) {
   EXPECT_EQ(of36.tried, 2197U);
   EXPECT_EQ(of36.fitting.size(), 62U);
   EXPECT_TRUE(of36.equalSizes().empty());
-  EXPECT_EQ(of36.fewestMissing(), (GroupSizes{36, 36, 28}));
+  EXPECT_EQ(of36.largestFittingSizes(), (GroupSizes{36, 36, 28}));
   const auto of30 = fits(others(), from(18, 30));
   EXPECT_EQ(of30.tried, 2197U);
   EXPECT_TRUE(of30.fitting.empty());
-  EXPECT_FALSE(of30.fewestMissing());
+  EXPECT_FALSE(of30.largestFittingSizes());
 }
 
 /// @p value as a table prints it.

@@ -9,7 +9,7 @@
 
 namespace unimodal_bound_test {
 
-using analysis::isBeyondUnimodal;
+using analysis::exceedsUnimodalVariance;
 using analysis::largestUnimodalVariance;
 using analysis::LikertCounts;
 
@@ -81,13 +81,13 @@ TEST(UnimodalBound, IsExceededByAnswersAtBothEndsOnly) {
   LikertCounts extremes(1, 5);
   extremes.add(1, 9);
   extremes.add(5, 9);
-  EXPECT_EQ(isBeyondUnimodal(extremes), true);
+  EXPECT_EQ(exceedsUnimodalVariance(extremes), true);
   LikertCounts even(1, 5);
   for (int point = 1; point <= 5; ++point) even.add(point, 4);
-  EXPECT_EQ(isBeyondUnimodal(even), false);
+  EXPECT_EQ(exceedsUnimodalVariance(even), false);
   LikertCounts one(1, 5);
   one.add(3);
-  EXPECT_EQ(isBeyondUnimodal(one), std::nullopt);
+  EXPECT_EQ(exceedsUnimodalVariance(one), std::nullopt);
 }
 
 TEST(UnimodalBound, RejectsInvalidArguments) {

@@ -59,7 +59,7 @@ TEST(SiteComparison, ComparesWithinPeopleSiteBySiteAndPools) {
   EXPECT_NEAR(row.pooled->reml.estimate, 1.06667, 0.02);
   EXPECT_NEAR(row.sites[0].weight + row.sites[1].weight, 1.0, 1e-12);
   EXPECT_LT(row.pooled->qP, 1e-6);
-  EXPECT_TRUE(row.withoutEach.empty());  // of two sites, one is left
+  EXPECT_TRUE(row.leaveOneOut.empty());  // of two sites, one is left
 }
 
 TEST(SiteComparison, CountsTheAnswersOfEachSite) {

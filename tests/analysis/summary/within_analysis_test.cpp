@@ -93,7 +93,7 @@ TEST(WithinAnalysis, TestsNothingWhereOnePersonAnswered) {
   const std::vector<analysis::DeclaredPair> pairs{{"interpolation", "fem"}};
   const auto result = analysis::compareWithin(table, pairs, {});
   for (const auto& test : result.rows.at(0).tests) {
-    if (!test.isOfFamily) continue;
+    if (!test.isInFamily) continue;
     EXPECT_FALSE(test.p) << test.id;
     EXPECT_FALSE(test.reason.empty()) << test.id;
   }

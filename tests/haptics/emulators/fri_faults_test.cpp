@@ -240,7 +240,7 @@ TEST_F(FriFaults, OfAnswersAreCounted) {
   const auto answers = session_.report().answers;
   EXPECT_EQ(answers.doubled - before.doubled, 1U);
   EXPECT_EQ(answers.wrongIdentifier, 1U);
-  EXPECT_EQ(answers.neverSent, 1U);
+  EXPECT_EQ(answers.toUnknownMessage, 1U);
   EXPECT_EQ(answers.lost, 6U);  // three that were not sent, three that were not taken
   EXPECT_EQ(answers.taken - before.taken, 1U);  // the first came after three more messages
   EXPECT_EQ(answers.late, 1U);

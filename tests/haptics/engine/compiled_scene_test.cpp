@@ -66,17 +66,19 @@ TEST(MeshView, StaysAtTheToolAsThePenetrationDoes) {
 }
 
 TEST(MeshView, FollowsTheForceOnRequest) {
-  const MeshView mesh(FiniteElementsSpec{}, SeenTissue::Force);
+  const MeshView mesh(FiniteElementsSpec{}, TissueDrawing::Force);
   EXPECT_NEAR(seenAtTheTool(mesh, 1.5, 8.0, 3.76), 3.76 / (12.0 / 7.0), 1e-12);  // 2.19
 }
 
 TEST(MeshView, OfARecordedCutBeginsAndIsStiffAsTheCut) {
   // No force up to 3.8, from where it rises slowly; 4.4 N at 7.2.
-  const auto like = elementsLike(publishedInterpolation());
+  const auto like = elementsMatching(publishedInterpolation());
   EXPECT_NEAR(like.parameters.contact, 3.9, 0.11);
   EXPECT_NEAR(like.parameters.yieldForce, 4.4, 0.01);
   const CompiledScene seen(
-      {.model = publishedInterpolation(), .isVisualised = true, .seenTissue = SeenTissue::Force});
+      {.model = publishedInterpolation(),
+       .isVisualised = true,
+       .seenTissue = TissueDrawing::Force});
   const double slope = 4.4 / (7.2 - like.parameters.contact);
   EXPECT_NEAR(seenAtTheTool(*seen.mesh(), 1.5, 7.2, 4.4), 4.4 / slope, 0.05);
   const CompiledScene follows({.model = publishedInterpolation(), .isVisualised = true});

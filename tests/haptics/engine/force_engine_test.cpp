@@ -215,8 +215,8 @@ TEST(SafetyLimits, AreRefusedIfTheyAreInvalid) {
         SafetyLimits{.maxRate = -1.0},
         SafetyLimits{.maxVelocity = 0.0},
         SafetyLimits{.rampTime = 0.0},
-        SafetyLimits{.quietShare = 0.0},
-        SafetyLimits{.quietShare = 1.5},
+        SafetyLimits{.softStartShare = 0.0},
+        SafetyLimits{.softStartShare = 1.5},
         SafetyLimits{.patience = -1.0},
         SafetyLimits{.maxForce = std::nan("")}}) {
     EXPECT_THROW(ForceEngine(device, limits), std::invalid_argument);

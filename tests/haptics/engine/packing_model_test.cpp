@@ -54,7 +54,7 @@ TEST(RemovalModel, RendersTheMaterialOnceAndReportsRemovedSpheresToTheView) {
   model.reset();
   for (int i = 0; i < 50; ++i) model.respond({.travel = -0.001});
   bool isToldAnew = false;
-  while (model.view()->next(change)) isToldAnew |= change.slot == SphereChange::kAllAnew;
+  while (model.view()->next(change)) isToldAnew |= change.slot == SphereChange::kWholeBoneReset;
   EXPECT_TRUE(isToldAnew);
 }
 

@@ -19,9 +19,9 @@ TEST(Passivity, GivesThePapersForceErrors) {
 }
 
 TEST(Passivity, GivesThePapersDamping) {
-  EXPECT_NEAR(at(375.0).neededDamping(), 5.9e-3, 5e-5);
-  EXPECT_NEAR(at(1000.0).neededDamping(), 2.2e-3, 5e-5);
-  EXPECT_NEAR(at(4000.0).neededDamping(), 5.5e-4, 5e-6);
+  EXPECT_NEAR(at(375.0).requiredDamping(), 5.9e-3, 5e-5);
+  EXPECT_NEAR(at(1000.0).requiredDamping(), 2.2e-3, 5e-5);
+  EXPECT_NEAR(at(4000.0).requiredDamping(), 5.5e-4, 5e-6);
 }
 
 TEST(Passivity, CountsEverythingThatMakesAForceOld) {
@@ -30,12 +30,12 @@ TEST(Passivity, CountsEverythingThatMakesAForceOld) {
   late.filterDelay = 0.0025;
   // A delay as often as Gil et al. 2009 have it, b > K (T/2 + τ): twice the paper's.
   EXPECT_DOUBLE_EQ(late.effectivePeriod(), 0.001 + 0.0005 + 2 * 0.0025);
-  EXPECT_NEAR(late.neededDamping(), late.stiffness * (0.0015 / 2 + 0.0025), 1e-12);
+  EXPECT_NEAR(late.requiredDamping(), late.stiffness * (0.0015 / 2 + 0.0025), 1e-12);
 }
 
 TEST(Passivity, AllowsTheStiffnessThatNeedsTheDampingThatThereIs) {
   const auto loop = at(1000.0);
-  EXPECT_NEAR(loop.allowedStiffness(loop.neededDamping()), loop.stiffness, 1e-12);
+  EXPECT_NEAR(loop.allowedStiffness(loop.requiredDamping()), loop.stiffness, 1e-12);
 }
 
 }  // namespace passivity_test

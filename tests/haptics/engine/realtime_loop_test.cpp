@@ -66,9 +66,9 @@ TEST(RealtimeLoop, CountsPeriodsThatItMissedItselfAsItsOwn) {
   });
   while (!isDone) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const auto& report = loop.finish();
-  EXPECT_GE(report.lateTicksOfOurs, 1U);
+  EXPECT_GE(report.ownLateTicks, 1U);
   EXPECT_GE(report.missedPeriods, 15U);
-  EXPECT_EQ(report.lateTicks, report.lateTicksOfOurs + report.holes);
+  EXPECT_EQ(report.lateTicks, report.ownLateTicks + report.holes);
   EXPECT_GE(report.compute.largest(), 20'000.0);
   EXPECT_EQ(report.ownLateness.count(), report.lateness.count());
   EXPECT_LE(report.ownLateness.largest(), report.lateness.largest());

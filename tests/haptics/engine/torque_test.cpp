@@ -82,7 +82,7 @@ struct HomogeneousCup {
     const std::vector<float> alike(bone->packing.spheres.size(), static_cast<float>(kPressure));
     bone->minimum = bone->average = bone->maximum = alike;
     const reaming::SphereField field(bone->packing, bone->densities(0.5, 1.0));
-    const auto plunge = reaming::strokeInto(field, bone->reamerRadius);
+    const auto plunge = reaming::plungePathInto(field, bone->reamerRadius);
     force = splineOf(plunge.start, forceAt);
     torque = splineOf(plunge.start, torqueAt);
   }

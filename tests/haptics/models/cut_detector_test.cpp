@@ -363,7 +363,7 @@ TEST(CutDetector, RefusesUnsoundParameters) {
   EXPECT_FALSE(Detector::isSound({.contactForce = 0.0}));
   EXPECT_FALSE(Detector::isSound({.creep = -0.1}));
   EXPECT_FALSE(Detector::isSound({.yieldLoad = -0.1}));
-  EXPECT_FALSE(Detector::isSound({.yieldKeeps = 1.0}));
+  EXPECT_FALSE(Detector::isSound({.leastLoadAfterYield = 1.0}));
   EXPECT_FALSE(Detector::isSound({.bottomAbove = std::numeric_limits<double>::infinity()}));
   EXPECT_FALSE(Detector::isSound({.retreat = std::numeric_limits<double>::quiet_NaN()}));
 }
@@ -406,7 +406,7 @@ Detector::Cut cutAlong(const std::vector<Sample>& corners, const Detector::Param
 
 TEST(CutDetector, FindsNoYieldThatLosesTooMuchOfItsLoad) {
   EXPECT_TRUE(cutAlong(kBlow).yield.found);
-  const auto cut = cutAlong(kBlow, {.yieldKeeps = 0.25});
+  const auto cut = cutAlong(kBlow, {.leastLoadAfterYield = 0.25});
   EXPECT_FALSE(cut.yield.found);
   EXPECT_FALSE(cut.bottomOut.found);
   EXPECT_TRUE(cut.interception.found);
@@ -422,7 +422,7 @@ TEST(CutDetector, FindsNoYieldBelowTheLeastLoad) {
 TEST(CutDetector, KeepsAYieldWhoseLoadIsLostOnlyWhileTheHandOpens) {
   const std::vector<Sample> tissue{
       {0, 0}, {4, 0}, {7, 4.4}, {9.5, 3.2}, {10, 3.2}, {9.5, 0}, {0, 0}};
-  const auto cut = cutAlong(tissue, {.yieldLoad = 3.0, .yieldKeeps = 0.25});
+  const auto cut = cutAlong(tissue, {.yieldLoad = 3.0, .leastLoadAfterYield = 0.25});
   expectAt(cut.yield, 7.0, 4.4);
 }
 

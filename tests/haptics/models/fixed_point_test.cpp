@@ -70,16 +70,16 @@ TEST(UniformCurve, IsTheStraightLineBetweenItsPoints) {
   EXPECT_FALSE(curve.at(Fixed::fromRaw(Fixed::kLargest)).isDefined);
 }
 
-TEST(SteadyFilter, HasTheGainsThatTheFilterSettlesTo) {
-  const auto gains = SteadyFilter<double>::gainsOf(KalmanNoise<double>().factored());
+TEST(SteadyStateFilter, HasTheGainsThatTheFilterSettlesTo) {
+  const auto gains = SteadyStateFilter<double>::gainsOf(KalmanNoise<double>().factored());
   EXPECT_NEAR(gains.finiteElements, 0.9999, 1e-4);  // as the step goes to 0
   EXPECT_NEAR(gains.interpolation, 0.4758, 1e-4);
 }
 
-TEST(SteadyFilter, IsTheFilterItselfOnAHandThatRests) {
+TEST(SteadyStateFilter, IsTheFilterItselfOnAHandThatRests) {
   const auto noise = KalmanNoise<double>().factored();
   KalmanFilter<double> filter(noise, KalmanScheme::AuthorsFirmware);
-  SteadyFilter<double> steady(SteadyFilter<double>::gainsOf(noise));
+  SteadyStateFilter<double> steady(SteadyStateFilter<double>::gainsOf(noise));
   double difference = 1.0;
   for (int i = 0; i < 300; ++i) {
     difference = filter.step(0.0, 2.0, 3.0) - steady.step(0.0, 2.0, 3.0);

@@ -209,7 +209,7 @@ TEST(KalmanFilter, ForgetsWhenReset) {
 
 TEST(KalmanNoise, GivesAReasonIfItIsInvalid) {
   const auto why = [](const Noise& noise) {
-    const char* reason = noise.whyUnsound();
+    const char* reason = noise.invalidReason();
     return std::string(reason == nullptr ? "" : reason);
   };
   EXPECT_EQ(why({}), "");
@@ -229,7 +229,7 @@ TEST(KalmanNoise, HasEveryReadingOfThePaperSound) {
        {ProcessNoiseReading::Symmetrised,
         ProcessNoiseReading::StateOrder,
         ProcessNoiseReading::Product}) {
-    EXPECT_EQ(Noise::published(reading).whyUnsound(), nullptr);
+    EXPECT_EQ(Noise::published(reading).invalidReason(), nullptr);
   }
 }
 

@@ -68,7 +68,7 @@ Count attack(double decades, bool isProcessNothing, int filters) {
   Count count;
   for (int i = 0; i < filters; ++i) {
     const auto noise = adversary.noise();
-    if (noise.whyUnsound() != nullptr) continue;
+    if (noise.invalidReason() != nullptr) continue;
     KalmanFilter<Scalar> filter(noise.factored(), kSchemes[i % 4]);
     for (int step = 0; step < 200; ++step) {
       const Scalar force = filter.step(adversary.travelled(), Scalar{3}, Scalar{2});

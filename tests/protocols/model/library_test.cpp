@@ -79,7 +79,7 @@ TEST(ProtocolLibrary, CallsEveryFileAfterItsStudy) {
 TEST(ProtocolLibrary, NeedsNoOtherFile) {
   for (const auto& name : kShipped) {
     for (const auto& file : read(name).loaded.files) {
-      EXPECT_TRUE(file.name.starts_with(kCopiesOfLibrary)) << name << " " << file.name;
+      EXPECT_TRUE(file.name.starts_with(kLibraryCopyPrefix)) << name << " " << file.name;
     }
     EXPECT_TRUE(read(name).loaded.protocol.instrumentFiles.empty()) << name;
   }
@@ -302,7 +302,7 @@ TEST(ProtocolLibrary, UsesTemplatesThatHaveTheSameBlanksInEveryLanguage) {
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name.ends_with(".schema.json")) continue;
     const auto instrument =
-        questionnaires::readSoundInstrument(file.content, std::string(file.name));
+        questionnaires::readValidInstrument(file.content, std::string(file.name));
     std::map<std::string, std::set<std::string>> blanks;
     for (const auto& problem : problemsOf(instrument).all()) {
       if (base::describe(problem.what).find("filled in") == std::string::npos) continue;

@@ -69,7 +69,7 @@ struct Shelf {
 Words ownFilesOf(const LoadedProtocol& loaded) {
   Words names;
   for (const auto& file : loaded.files) {
-    if (!file.name.starts_with(kCopiesOfLibrary)) names.push_back(file.name);
+    if (!file.name.starts_with(kLibraryCopyPrefix)) names.push_back(file.name);
   }
   return names;
 }
@@ -409,7 +409,7 @@ std::string susWords() {
   const auto files = questionnaires::libraryFiles();
   const auto file = std::find_if(
       files.begin(), files.end(), [](const auto& other) { return other.name == "sus.json"; });
-  auto instrument = questionnaires::readSoundInstrument(file->content, "sus");
+  auto instrument = questionnaires::readValidInstrument(file->content, "sus");
   std::string words = questionnaires::wordingTemplate(instrument, "en");
   for (std::size_t at = words.find("\"\""); at != std::string::npos; at = words.find("\"\"")) {
     words.replace(at, 2, "\"words\"");

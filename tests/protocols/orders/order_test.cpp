@@ -56,7 +56,7 @@ TEST(Orders, HaveEverythingOnceInEveryRow) {
         OrderType::LatinSquare,
         OrderType::BalancedLatinSquare,
         OrderType::Complete}) {
-    for (int k = 1; k <= kMostForComplete; ++k) {
+    for (int k = 1; k <= kMostConditionsForComplete; ++k) {
       for (const auto& row : rowsOf(type, k)) EXPECT_TRUE(isPermutation(row));
     }
   }
@@ -107,7 +107,7 @@ TEST(Orders, OfOneThingAreOne) {
 
 TEST(Orders, OfACompleteDesignAreAllThereAre) {
   std::size_t factorial = 1;
-  for (int k = 1; k <= kMostForComplete; ++k) {
+  for (int k = 1; k <= kMostConditionsForComplete; ++k) {
     factorial *= static_cast<std::size_t>(k);
     const auto rows = rowsOf(OrderType::Complete, k);
     EXPECT_EQ(rows.size(), factorial);

@@ -78,7 +78,7 @@ std::vector<base::Message> saidOf(haptics::engine::ModelSpec model) {
   block.trials.conditions = {"bone"};
   block.trials.questionnaires.push_back({.instrument = "reaming-realism"});
   loaded.protocol.phases.push_back(block);
-  loaded.instruments.push_back(questionnaires::readSoundInstrument(
+  loaded.instruments.push_back(questionnaires::readValidInstrument(
       questionnaires::readTextFile(
           (tests::repository() / "questionnaires/library/reaming-realism.json").string()),
       "reaming-realism"));

@@ -10,15 +10,15 @@ namespace names_test {
 
 TEST(IsSoundId, AcceptsWhatFileAndColumnNamesAllow) {
   for (const auto* id : {"a", "1.1", "realism-common", "A_b", "9"})
-    EXPECT_TRUE(isSoundId(id)) << id;
-  EXPECT_TRUE(isSoundId(std::string(64, 'x')));
+    EXPECT_TRUE(isValidId(id)) << id;
+  EXPECT_TRUE(isValidId(std::string(64, 'x')));
 }
 
 TEST(IsSoundId, RefusesWhatFileAndColumnNamesDoNotAllow) {
   for (const auto* id : {"", ".a", "-a", "_a", "a b", "a/b", "a,b", "ä", "a\n", "../a"}) {
-    EXPECT_FALSE(isSoundId(id)) << id;
+    EXPECT_FALSE(isValidId(id)) << id;
   }
-  EXPECT_FALSE(isSoundId(std::string(65, 'x')));
+  EXPECT_FALSE(isValidId(std::string(65, 'x')));
 }
 
 TEST(Nearest, FindsAWordWithOneTypingError) {

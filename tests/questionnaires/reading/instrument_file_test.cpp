@@ -216,7 +216,7 @@ TEST(InstrumentFile, ReadsTheSource) {
 
 TEST(InstrumentFile, ThrowsEverythingThatIsWrong) {
   try {
-    readSoundInstrument("{}", "mine.json");
+    readValidInstrument("{}", "mine.json");
     FAIL() << "nothing was thrown";
   } catch (const base::UserError& error) {
     const std::string text = error.what();

@@ -24,7 +24,7 @@ class Bundles : public tests::CollectTest {
     study::collect::Outbox outbox(folderOf(label), clock_);
     const auto station =
         study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
-    const auto home = study::collect::homeServerOf(folderOf(label));
+    const auto home = study::collect::serverSettingsOf(folderOf(label));
     last_ =
         study::collect::writeBundle(outbox, station, home.bundleKey, after, scratch_ / name).last;
     return scratch_ / name;
@@ -32,7 +32,7 @@ class Bundles : public tests::CollectTest {
 
   std::int64_t take(const std::string& file) {
     auto server = admin();
-    return study::collect::takeBundle(server, file).have;
+    return study::collect::ingestBundle(server, file).have;
   }
 
   void expectRefused(const std::string& file) {
@@ -93,7 +93,7 @@ TEST_F(Bundles, OfAnotherStationsKeyAreRefused) {
   const auto account = accountOf("oslo");
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   const auto other = study::storage::StationStore::findOrMake(scratch_ / "somebody else");
-  const auto home = study::collect::homeServerOf(folderOf("oslo"));
+  const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   study::collect::writeBundle(outbox, other, home.bundleKey, 0, scratch_ / "forged");
   expectRefused(scratch_ / "forged");
 }
@@ -136,7 +136,7 @@ TEST_F(Bundles, ThatDoNotFitOnTheDiskAreRemoved) {
   runSession("oslo");
   const auto account = accountOf("oslo");
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
-  const auto home = study::collect::homeServerOf(folderOf("oslo"));
+  const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   const auto station =
       study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
   rlimit before{};

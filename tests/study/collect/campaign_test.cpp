@@ -210,7 +210,7 @@ class Campaign : public tests::CollectTest {
     const auto account = accountOf(label);
     Outbox outbox(folderOf(label), clock_);
     outbox.setLimits(smallParts());
-    auto server = as(study::collect::homeServerOf(folderOf(label)).role);
+    auto server = as(study::collect::serverSettingsOf(folderOf(label)).role);
     const auto have = study::collect::ingest(server, outbox.question()).have;
     outbox.forEachBatch(have, [&](const Batch& batch) {
       for (int times = 0; times < 3; ++times) {
@@ -230,7 +230,7 @@ class Campaign : public tests::CollectTest {
     const auto account = accountOf(label);
     const auto station =
         study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
-    const auto home = study::collect::homeServerOf(folderOf(label));
+    const auto home = study::collect::serverSettingsOf(folderOf(label));
     const auto write = [&](std::int64_t after) {
       const auto file = scratch_ / ("bundle-" + std::to_string(++bundles_));
       Outbox outbox(folderOf(label), clock_);
@@ -244,7 +244,7 @@ class Campaign : public tests::CollectTest {
     work(label);
     const auto take = [&](const std::string& file) {
       try {
-        study::collect::takeBundle(owner, file);
+        study::collect::ingestBundle(owner, file);
       } catch (const study::UserError&) {
         ++refusals_;
       }

@@ -164,7 +164,7 @@ class Certificates : public tests::CollectTest {
       pushOver(label, way);
       ADD_FAILURE() << "it was let in: " << way;
     } catch (const ServerError& error) {
-      EXPECT_EQ(error.kind(), ServerError::Kind::NotLetIn) << error.what();
+      EXPECT_EQ(error.kind(), ServerError::Kind::LoginRefused) << error.what();
       return error.what();
     }
     return {};

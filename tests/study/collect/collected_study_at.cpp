@@ -56,7 +56,7 @@ std::string digestOf(
 
 PrivateServer& CollectTest::postgres() {
   if (server() == nullptr)
-    server() = std::make_unique<PrivateServer>(PrivateServer::Disk::NotWaited);
+    server() = std::make_unique<PrivateServer>(PrivateServer::Disk::Unflushed);
   return *server();
 }
 
@@ -129,24 +129,24 @@ std::string CollectTest::runSession(const std::string& label, const std::string&
   return session.participant();
 }
 
-study::collect::Pushed CollectTest::push(const std::string& label) const {
+study::collect::PushResult CollectTest::push(const std::string& label) const {
   return pushFrom(folderOf(label), label);
 }
 
-study::collect::Pushed CollectTest::pushFrom(
+study::collect::PushResult CollectTest::pushFrom(
     const std::string& folder, const std::string& label) const {
   const auto account = accountOf(label);
   study::collect::Outbox outbox(folder, clock_);
-  auto connection = as(study::collect::homeServerOf(folder).role);
+  auto connection = as(study::collect::serverSettingsOf(folder).role);
   return study::collect::push(outbox, connection);
 }
 
-study::collect::Pushed CollectTest::pushOver(
+study::collect::PushResult CollectTest::pushOver(
     const std::string& label, const std::string& server, std::chrono::milliseconds patience) const {
   const auto account = accountOf(label);
   study::collect::Outbox outbox(folderOf(label), clock_);
-  Connection connection(server, study::collect::homeServerOf(folderOf(label)).role);
-  connection.setPatience(patience);
+  Connection connection(server, study::collect::serverSettingsOf(folderOf(label)).role);
+  connection.setResponseTimeout(patience);
   return study::collect::push(outbox, connection);
 }
 

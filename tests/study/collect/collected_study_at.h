@@ -51,14 +51,14 @@ class CollectTest : public testing::Test {
   /// A live session in which feelAll() was done. @return  the participant's code
   std::string runSession(const std::string& label, const std::string& code = {});
 
-  study::collect::Pushed push(const std::string& label) const;
+  study::collect::PushResult push(const std::string& label) const;
   /// … over another way to the server. @param server  as libpq reads it
-  study::collect::Pushed pushOver(
+  study::collect::PushResult pushOver(
       const std::string& label,
       const std::string& server,
       std::chrono::milliseconds patience = std::chrono::minutes(1)) const;
   /// … from another folder of the station.
-  study::collect::Pushed pushFrom(const std::string& folder, const std::string& label) const;
+  study::collect::PushResult pushFrom(const std::string& folder, const std::string& label) const;
 
   /// The SHA-256 of every session's facts, and the samples of every trace without their seal, by
   /// participant and session number: of studies together.

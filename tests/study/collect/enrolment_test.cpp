@@ -58,7 +58,7 @@ TEST_F(JoinTest, MakesAStudyThatKnowsItsStation) {
   EXPECT_EQ(study.station().site, "oslo");
   EXPECT_EQ(study.station().label, "oslo");
   EXPECT_FALSE(study.isCollected());
-  EXPECT_EQ(study::collect::homeServerOf(scratch_ / "study").role, "station_oslo");
+  EXPECT_EQ(study::collect::serverSettingsOf(scratch_ / "study").role, "station_oslo");
 }
 
 TEST_F(JoinTest, EachStationSimulatesItsOwnPeople) {

@@ -161,7 +161,7 @@ TEST(LanguagesOfServers, ARefusalInGermanIsNotTakenForABrokenNetwork) {
     const Connection none(german.server());
     FAIL() << "it is connected";
   } catch (const ServerError& error) {
-    EXPECT_EQ(error.kind(), ServerError::Kind::NotLetIn);
+    EXPECT_EQ(error.kind(), ServerError::Kind::LoginRefused);
     EXPECT_NE(std::string(error.what()).find("kein pg_hba.conf-Eintrag"), std::string::npos);
   }
 }

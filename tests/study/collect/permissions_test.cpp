@@ -145,7 +145,8 @@ class Thief : public Permissions {
     std::memcpy(bytes.data(), secret.data(), bytes.size());
     {
       const auto account = accountOf("thief");
-      study::storage::keepKey(study::storage::BlindingSecret(bytes).of("oslo"), folderOf("thief"));
+      study::storage::storeStudyKey(
+          study::storage::BlindingSecret(bytes).of("oslo"), folderOf("thief"));
     }
     runSession("thief");
   }

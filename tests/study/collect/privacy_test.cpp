@@ -87,14 +87,14 @@ class Privacy : public tests::CollectTest {
     Outbox outbox(folderOf("oslo"), clock_);
     const auto station =
         study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
-    const auto home = study::collect::homeServerOf(folderOf("oslo"));
+    const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
     study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / name);
     return scratch_ / name;
   }
 
-  study::collect::TakenBundle take(const std::string& file) {
+  study::collect::IngestedBundle take(const std::string& file) {
     auto server = admin();
-    return study::collect::takeBundle(server, file);
+    return study::collect::ingestBundle(server, file);
   }
 
   std::int64_t count(const std::string& table) {

@@ -362,13 +362,13 @@ TEST_F(ServerFaults, ABundleThatIsNotTheStationsIsKeptAsAnIncident) {
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   const auto station =
       study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
-  const auto home = study::collect::homeServerOf(folderOf("oslo"));
+  const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / "a.bundle");
   auto changed = tests::contentOf(scratch_ / "a.bundle");
   changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
   auto owner = admin();
   EXPECT_THROW(
-      study::collect::takeBundle(owner, scratch_.write("changed", changed)), study::UserError);
+      study::collect::ingestBundle(owner, scratch_.write("changed", changed)), study::UserError);
   EXPECT_EQ(incidents(), std::vector<std::string>{"bundle"});
 }
 

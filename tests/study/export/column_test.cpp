@@ -63,7 +63,7 @@ Table<Row> table() {
               .revealsCondition()
               .inPublic("Which rendering, coded"),
           Column<Row>("seconds_s", Number{"s"}, "How long", &Row::seconds)
-              .inPublicIfTold("haste")}};
+              .inPublicIfReleased("haste")}};
 }
 
 std::vector<std::string> namesFor(const Readers& readers) {

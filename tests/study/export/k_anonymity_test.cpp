@@ -63,7 +63,7 @@ TEST(KAnonymity, HoldsForRandomParticipants) {
     if (!release) continue;
     EXPECT_GE(smallestClass(*release, people), k);
     EXPECT_EQ(release->after.smallest, smallestClass(*release, people));
-    EXPECT_EQ(release->after.inSmall, 0U);
+    EXPECT_EQ(release->after.peopleInSmallClasses, 0U);
     for (const auto& column : release->columns) toldCells += column.level ? people : 0;
   }
   EXPECT_GT(toldCells, 10'000U);  // releasing nothing would pass the test

@@ -310,7 +310,7 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
         .fix = isPlugged ? "" : "Plug the device in."};
     return std::vector<FindingsDialog::Found>{{"punch", {result}}};
   };
-  FindingsDialog dialog(check(), FindingsDialog::Question::GoWithout, check, nullptr);
+  FindingsDialog dialog(check(), FindingsDialog::Question::StartDespiteFailures, check, nullptr);
   const auto* verdict = dialog.findChild<QLabel*>(QStringLiteral("verdict"));
   EXPECT_TRUE(verdict->text().startsWith(QStringLiteral("Some checks failed.")));
   isPlugged = true;

@@ -103,7 +103,7 @@ void Participant::cut(int cuts) {
   QCoreApplication::processEvents();  // the page may be new
   auto* feel = page()->findChild<TrialPage*>();
   auto* controller = window_.controller();
-  const double far = study::farthestFor(study::deviceFor(controller->session()));
+  const double far = study::pointerReachFor(study::deviceFor(controller->session()));
   QTest::mouseClick(buttonSaying(feel, QStringLiteral("Begin")), Qt::LeftButton);
   for (int made = controller->trialStatus().cuts; made < cuts;) {
     drag(*feel, QEvent::MouseButtonPress, 0);  // the space bar would take its time

@@ -36,7 +36,7 @@ class RunningPunch {
  public:
   explicit RunningPunch(const PunchEmulator::Options& options)
       : punch_(options), loop_([this](const std::stop_token& stop) {
-          timing::raisePriority(timing::kStandInPriority);
+          timing::raisePriority(timing::kEmulatorPriority);
           for (std::int64_t due = timing::now(); !stop.stop_requested();
                due += timing::kMillisecond) {
             timing::sleepUntil(due);

@@ -483,7 +483,7 @@ QStringList unnamedElements(QWidget& window) {
 namespace {
 
 void checkMenu(QMenu& menu, QStringList& found) {
-  study::gui::giveMnemonics(menu);
+  study::gui::addMnemonics(menu);
   std::map<QChar, QString> taken;
   for (auto* action : menu.actions()) {
     if (action->isSeparator()) continue;

@@ -102,7 +102,7 @@ class Windows {
         {"QInputDialog", [] { return input(); }},
         {"QMessageBox", [] { return message(); }},
         {"ReportDialog", [=] { return make<ReportDialog>(summary); }},
-        {"SelfTestDialog", [] { return make<SelfTestDialog>(SelfTestOrder{.seconds = 0.1}); }},
+        {"SelfTestDialog", [] { return make<SelfTestDialog>(SelfTestOptions{.seconds = 0.1}); }},
         {"SelfTestDialog_Done", [] { return selfTest(); }},
         {"SimulateDialog", [=] { return make<SimulateDialog>(summary); }},
         {"SimulationView", [] { return knee(); }},
@@ -141,7 +141,7 @@ class Windows {
         {Finding::Fail, "port", "none", "Plug the device in."}};
     return make<FindingsDialog>(
         std::vector<FindingsDialog::Found>{{"punch", results}},
-        FindingsDialog::Question::GoWithout,
+        FindingsDialog::Question::StartDespiteFailures,
         FindingsDialog::CheckAgain{},
         nullptr);
   }
@@ -158,7 +158,7 @@ class Windows {
   }
 
   static Opened selfTest() {
-    auto opened = make<SelfTestDialog>(SelfTestOrder{.seconds = 0.1});
+    auto opened = make<SelfTestDialog>(SelfTestOptions{.seconds = 0.1});
     static_cast<SelfTestDialog&>(*opened.window).test();
     return opened;
   }
@@ -332,7 +332,7 @@ TEST_P(WindowWalk, FitsEveryScreenInEveryLanguage) {
 }
 
 TEST_P(WindowWalk, HasAMnemonicForEveryButtonAndMenu) {
-  giveMnemonics(window());
+  addMnemonics(window());
   expectNone(Check::Mnemonics, tests::textsWithoutMnemonic(window()));
 }
 

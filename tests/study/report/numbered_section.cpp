@@ -45,7 +45,7 @@ analysis::TestRow tested(
   analysis::TestRow row;
   row.id = id;
   row.p = p;
-  row.isOfFamily = true;
+  row.isInFamily = true;
   row.adjusted = adjusted;
   row.isSignificant = isSignificant;
   return row;
@@ -319,7 +319,7 @@ study::report::ReportSection numberedSection() {
   section.curves = feltCurves();
   section.quality = {
       .trials = 101,
-      .feltAgain = 102,
+      .optionalTrials = 102,
       .pass = 103,
       .warn = 104,
       .fail = 105,
@@ -355,7 +355,7 @@ analysis::SiteAnalysis numberedSites() {
       .iSquared = 0.37};
   analysis::SiteComparison comparison{.group1 = kFirst, .group2 = kSecond, .sites = {graz}};
   comparison.pooled = pooled;
-  comparison.withoutEach = {
+  comparison.leaveOneOut = {
       {.site = "Graz",
        .pooled = {
            .estimate = 8.38,

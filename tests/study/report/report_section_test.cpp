@@ -30,7 +30,7 @@ TEST(ReportSection, CountsOptionalTrialsSeparately) {
 
   EXPECT_EQ(section.quality.trials, 3);
   EXPECT_EQ(section.quality.cuts, 3);
-  EXPECT_EQ(section.quality.feltAgain, 1);
+  EXPECT_EQ(section.quality.optionalTrials, 1);
   const auto page = renderingAsHtml(section);
   EXPECT_NE(page.find("3 trials, 3 cuts or strokes: "), std::string::npos) << page;
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;

@@ -375,10 +375,10 @@ TEST_F(ReportTables, HaveVancouversNumbersInEveryTable) {
 }
 
 TEST(Wording, WritesBoundsAndOnesWithTheirDigits) {
-  EXPECT_EQ(pEquals(0.0001), "p < .001");
-  EXPECT_EQ(pEquals(0.0001, "Holm", Wording::Vancouver), "P_Holm < 0.001");
-  EXPECT_EQ(pEquals(1.0, {}, Wording::Vancouver), "P = 1.000");
-  EXPECT_EQ(pEquals(std::nullopt, {}, Wording::Vancouver), "P = –");
+  EXPECT_EQ(formatPWithSymbol(0.0001), "p < .001");
+  EXPECT_EQ(formatPWithSymbol(0.0001, "Holm", Wording::Vancouver), "P_Holm < 0.001");
+  EXPECT_EQ(formatPWithSymbol(1.0, {}, Wording::Vancouver), "P = 1.000");
+  EXPECT_EQ(formatPWithSymbol(std::nullopt, {}, Wording::Vancouver), "P = –");
 }
 
 TEST_F(ReportTables, HaveTheConfidenceThatGoesWithTheAlphaOfTheFamily) {

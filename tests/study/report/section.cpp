@@ -152,13 +152,13 @@ study::report::ReportSection madeUpSection() {
             .addedUtc = "2026-03-01T10:00:00.000Z",
             .isHarmless = true},
            {.title = "Fun",
-            .kind = Kind::PutBack,
+            .kind = Kind::Restored,
             .keys = {},
             .version = "3",
             .addedUtc = "2026-03-02T10:00:00.000Z",
             .isHarmless = true},
            {.title = "Ease",
-            .kind = Kind::PutBack,
+            .kind = Kind::Restored,
             .keys = {},
             .version = "4",
             .addedUtc = "2026-03-03T10:00:00.000Z"}},
@@ -178,7 +178,8 @@ study::report::ReportSection madeUpSection() {
       vote("professional", "2", {3, 0, 2}),
       vote("non-professional", "2", {2, 0, 3})};
   section.curves = {curve("interpolation", 3.0), curve("finite-elements", 5.0)};
-  section.quality = {.trials = 36, .feltAgain = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
+  section.quality = {
+      .trials = 36, .optionalTrials = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;
   for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
   section.quality.reasons = {{{study::message("trial.late", 3, 4000)}, 2}};

@@ -74,7 +74,7 @@ TEST(AnalysisPlanHistory, CountsARestoredFamilyAsDeclared) {
   EXPECT_TRUE(history.isDeclared("methods"));
   EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Changed);
   EXPECT_TRUE(history.changes[0].isHarmless);
-  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::PutBack);
+  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::Restored);
   EXPECT_TRUE(history.changes[1].isHarmless);
 }
 
@@ -88,7 +88,7 @@ TEST(AnalysisPlanHistory, DoesNotCountAFamilyAsDeclaredIfAParticipantBeganWithAn
   ASSERT_EQ(history.changes.size(), 2U);
   EXPECT_FALSE(history.isDeclared("methods"));
   EXPECT_FALSE(history.changes[0].isHarmless);
-  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::PutBack);
+  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::Restored);
   EXPECT_FALSE(history.changes[1].isHarmless);
 }
 
@@ -102,7 +102,7 @@ TEST(AnalysisPlanHistory, CountsAFamilyAsDeclaredThatWasRemovedAndRestoredBefore
   EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Added);
   EXPECT_FALSE(history.changes[0].isHarmless) << "it is in the protocol no longer";
   EXPECT_EQ(history.changes[2].family, "methods");
-  EXPECT_EQ(history.changes[2].kind, FamilyChange::Kind::PutBack);
+  EXPECT_EQ(history.changes[2].kind, FamilyChange::Kind::Restored);
   EXPECT_TRUE(history.isDeclared("methods"));
 }
 

@@ -49,8 +49,8 @@ TEST_F(OldStudy, ErasesOnlyAfterItsTrailWasSealedAgain) {
   EXPECT_THROW(erase(study, request), UserError);
   const auto head = study.events().headAsText();
   const auto events = study.events().last();
-  request.sealsTrailAgain = true;
-  EXPECT_TRUE(erase(study, request).wasTrailSealedAgain);
+  request.resealsTrail = true;
+  EXPECT_TRUE(erase(study, request).wasTrailResealed);
   EXPECT_EQ(problemsOf(study), "");
   const auto first = study.events().read().front();
   ASSERT_EQ(first.kind, EventKind::ResealedTrail);
@@ -68,7 +68,7 @@ TEST_F(OldStudy, IsAnOlderCopyOnceItsTrailWasSealedAgain) {
   backUp(folder_, last);
   {
     auto study = Study::open(folder_, clock_);
-    erase(study, {.participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true});
+    erase(study, {.participant = "Q1", .reason = "asked for it", .resealsTrail = true});
     EXPECT_EQ(problemsOf(study), "");
   }
   {
@@ -106,12 +106,11 @@ TEST_F(OldStudy, KeepsNamesBehindAPassphraseAndErasesLater) {
     EXPECT_GT(study.events().last(), events);
   }
   EXPECT_EQ(filesWith(folder_, kName), std::vector<std::string>{});
-  storage::forgetHeldKeys();
+  storage::clearHeldKeys();
   auto study = Study::open(folder_, clock_);
   EXPECT_TRUE(study.identities().isLocked());
-  const ErasureRequest request{
-      .participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true};
-  EXPECT_TRUE(erase(study, request).wasTrailSealedAgain) << "also without the passphrase";
+  const ErasureRequest request{.participant = "Q1", .reason = "asked for it", .resealsTrail = true};
+  EXPECT_TRUE(erase(study, request).wasTrailResealed) << "also without the passphrase";
   EXPECT_EQ(problemsOf(study), "");
   EXPECT_EQ(filesWith(folder_, "presence = 4"), std::vector<std::string>{});
   EXPECT_EQ(study.identities().count("Q1"), 0U);
@@ -151,8 +150,7 @@ TEST_F(OldStudy, IsSaidByVerifyToBeInTheOpen) {
 TEST_F(OldStudy, IsNotSealedAgainIfItIsNotSound) {
   auto study = Study::open(folder_, clock_);
   study.database().execute("UPDATE answer SET point = 5 WHERE item = 'presence'");
-  const ErasureRequest request{
-      .participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true};
+  const ErasureRequest request{.participant = "Q1", .reason = "asked for it", .resealsTrail = true};
   EXPECT_THROW(erase(study, request), storage::StorageError);
   EXPECT_EQ(study.events().read().front().kind, EventKind::MadeStudy);
 }
@@ -163,7 +161,7 @@ TEST_F(OldStudy, GoesOnAfterItsTrailWasSealedAgain) {
     auto other = Session::enrol(study, {.cohort = "surgeons"});
     tests::walkToTheEnd(other);
   }
-  erase(study, {.participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true});
+  erase(study, {.participant = "Q1", .reason = "asked for it", .resealsTrail = true});
   auto session = Session::enrol(study, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
   EXPECT_EQ(problemsOf(study), "");

@@ -8,16 +8,16 @@
 namespace study {
 namespace kept_defaults_test {
 
-using haptics::engine::SeenTissue;
+using haptics::engine::TissueDrawing;
 
 /// How the visible tissue follows in a condition whose protocol does not say so.
-SeenTissue seenIn(const protocols::LoadedProtocol& loaded) {
+TissueDrawing seenIn(const protocols::LoadedProtocol& loaded) {
   return loaded.protocol.conditions.front().seenTissue;
 }
 
 TEST(KeptDefaults, AreThoseOfThisReleaseInANewStudy) {
   tests::MadeStudy study;
-  EXPECT_EQ(seenIn(study->protocol()), SeenTissue::Penetration);
+  EXPECT_EQ(seenIn(study->protocol()), TissueDrawing::Penetration);
 }
 
 TEST(KeptDefaults, AreThoseOfRelease01InItsStudiesUntilTheProtocolIsAmended) {
@@ -26,11 +26,11 @@ TEST(KeptDefaults, AreThoseOfRelease01InItsStudiesUntilTheProtocolIsAmended) {
   study.close();
   tests::Sql(study.file("study.db")).run("UPDATE study SET app_version = '0.1.0'");
   study.reopen();
-  EXPECT_EQ(seenIn(study->protocol()), SeenTissue::Force);
+  EXPECT_EQ(seenIn(study->protocol()), TissueDrawing::Force);
 
   study->amend(protocol, "to see what the paper describes");
-  EXPECT_EQ(seenIn(study->protocol()), SeenTissue::Penetration);
-  EXPECT_EQ(seenIn(study->protocol(ProtocolId{1})), SeenTissue::Force);
+  EXPECT_EQ(seenIn(study->protocol()), TissueDrawing::Penetration);
+  EXPECT_EQ(seenIn(study->protocol(ProtocolId{1})), TissueDrawing::Force);
 }
 
 TEST(KeptDefaults, AreThoseOfRelease01IfThatReleaseAmendedTheProtocol) {
@@ -44,7 +44,7 @@ TEST(KeptDefaults, AreThoseOfRelease01IfThatReleaseAmendedTheProtocol) {
           "UPDATE study SET app_version = '0.1.0';"
           "UPDATE event SET detail = 'version 2: a change' WHERE kind = 'amended_protocol'");
   study.reopen();
-  EXPECT_EQ(seenIn(study->protocol(ProtocolId{2})), SeenTissue::Force);
+  EXPECT_EQ(seenIn(study->protocol(ProtocolId{2})), TissueDrawing::Force);
 }
 
 }  // namespace kept_defaults_test

@@ -93,7 +93,7 @@ TEST_F(FormatOneTest, GetsCopiesOfTheLibrarysFormsOnceThoughItsProtocolIsFrozen)
         std::count_if(
             stored.files.begin(),
             stored.files.end(),
-            [](const auto& file) { return file.name.starts_with(protocols::kCopiesOfLibrary); }),
+            [](const auto& file) { return file.name.starts_with(protocols::kLibraryCopyPrefix); }),
         static_cast<std::ptrdiff_t>(study.protocol().instruments.size()));
     after = kinds(study);
     EXPECT_NE(after.find(" copied_forms "), std::string::npos) << after;

@@ -67,7 +67,7 @@ TEST_F(TorqueTrialTest, RecordsTheTorqueOfEachSample) {
   }
   EXPECT_GT(largest, 0.1);
   EXPECT_NEAR(record.largestTorque, largest, 1e-6);
-  EXPECT_LT(record.leastTurnEnergy, 0.0) << "the wrist yields to a reamer that is driven";
+  EXPECT_LT(record.leastRotationEnergy, 0.0) << "the wrist yields to a reamer that is driven";
 }
 
 TEST_F(TorqueTrialTest, SaysWhereTheDeviceRendersNoTorque) {

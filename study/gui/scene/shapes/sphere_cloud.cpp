@@ -220,7 +220,7 @@ void SphereCloud::markChanged(std::size_t instance) {
 }
 
 void SphereCloud::apply(const haptics::engine::SphereChange& change) {
-  if (change.slot == haptics::engine::SphereChange::kAllAnew) {
+  if (change.slot == haptics::engine::SphereChange::kWholeBoneReset) {
     begin();
     return;
   }

@@ -42,7 +42,7 @@ TEST_F(IiwaFaultsTest, CountsExactlyWhatWentWrongOnTheWay) {
   EXPECT_EQ(seen.impostors, 6U);
   EXPECT_EQ(seen.misled, 0U);  // nobody else was ever answered
   EXPECT_EQ(seen.sixJoints + seen.notANumber, 4U);
-  EXPECT_EQ(seen.answers.doubled + seen.answers.neverSent + seen.answers.undecodable, 0U);
+  EXPECT_EQ(seen.answers.doubled + seen.answers.toUnknownMessage + seen.answers.undecodable, 0U);
   EXPECT_EQ(seen.lastEnd, emulators::FriEndReason::None);
   EXPECT_NEAR(seen.force, -5.0, 1e-3);
 }

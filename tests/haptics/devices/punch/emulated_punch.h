@@ -42,7 +42,7 @@ class Board {
 
   void goOn() {
     thread_ = std::jthread([this](const std::stop_token& stop) {
-      timing::raisePriority(timing::kStandInPriority);
+      timing::raisePriority(timing::kEmulatorPriority);
       std::int64_t due = timing::now();
       while (!stop.stop_requested()) {
         step();

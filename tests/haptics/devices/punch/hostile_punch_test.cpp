@@ -50,7 +50,7 @@ class LyingBoard {
   explicit LyingBoard(Hello hello) : hello_(hello) {
     hello_.build = kFirmwareBuild;
     thread_ = std::jthread([this](const std::stop_token& stop) {
-      timing::raisePriority(timing::kStandInPriority);
+      timing::raisePriority(timing::kEmulatorPriority);
       for (std::int64_t due = timing::now(); !stop.stop_requested(); due += kMillisecond) {
         turn();
         due = std::max(due, timing::now() - 5 * kMillisecond);
@@ -117,7 +117,7 @@ class LyingBoard {
   void turn() {
     const std::scoped_lock lock(gate_);
     hear();
-    if (!isGreeted_) return;
+    if (!hasHello_) return;
     ++clock_;
     lie_ ? lie_(*this, turns_++) : sayState(travel());
   }
@@ -131,7 +131,7 @@ class LyingBoard {
       SetForce told;
       if (frame.type == Type::Hello) {
         sayHello();
-        isGreeted_ = true;
+        hasHello_ = true;
       } else if (frame.type == Type::SetForce && read(frame, told)) {
         mostTold_ = std::max(mostTold_.load(), std::abs(int{told.voltage}));
       }
@@ -144,7 +144,7 @@ class LyingBoard {
   State state_;
   FrameDecoder decoder_;
   Lie lie_;
-  bool isGreeted_ = false;
+  bool hasHello_ = false;
   int turns_ = 0;
   int clock_ = 0;
   std::uint16_t sequence_ = 0;

@@ -34,7 +34,7 @@ BoneOptions options() {
 /// A bone, and a device that goes where it is told at a feed [m/s].
 struct Experiment {
   explicit Experiment(const BoneOptions& with = options(), double density = kDensity)
-      : bone(cup(), alike(density), with), plunge(strokeInto(bone.field(), 0.026)) {
+      : bone(cup(), alike(density), with), plunge(plungePathInto(bone.field(), 0.026)) {
     while (!bone.step(plunge.at(depth), kTick).isDefined) {
     }
   }
@@ -53,7 +53,7 @@ struct Experiment {
   double toolDepth() const { return bone.tool().centre.z - plunge.start; }
 
   Bone bone;
-  StrokeRange plunge;
+  PlungePath plunge;
   double depth = -0.0005;
   Vec3 last;
   double largestStep = 0.0;
@@ -171,8 +171,8 @@ TEST(Bone, RubsOnAReamerThatTurns) {
   const auto felt = e.to(0.006, 0.005);
   // Every part of the surface is at most the reamer's radius from its axis.
   const double most = options().friction * felt.contact.pressing * 0.026 / cup().coverage();
-  EXPECT_LE(felt.rubbing, most);
-  EXPECT_GT(felt.rubbing, 0.3 * most);
+  EXPECT_LE(felt.frictionTorque, most);
+  EXPECT_GT(felt.frictionTorque, 0.3 * most);
 }
 
 TEST(Bone, IsWholeAgainAfterAReset) {
@@ -191,7 +191,7 @@ TEST(Bone, IsWholeAgainAfterAReset) {
 
 TEST(Bone, GivesNoForceToADeviceThatStartsInside) {
   Bone bone(cup(), alike(), options());
-  const auto plunge = strokeInto(bone.field(), 0.026);
+  const auto plunge = plungePathInto(bone.field(), 0.026);
   for (int i = 0; i < 200; ++i) ASSERT_FALSE(bone.step(plunge.at(0.008), kTick).isDefined);
   EXPECT_EQ(bone.removedMass(), 0.0);
   int steps = 0;

@@ -166,15 +166,15 @@ TEST(SphereField, RefusesWhatIsNoBone) {
   EXPECT_THROW(SphereField({}, {}), std::invalid_argument);
 }
 
-TEST(StrokeRange, BeginsWhereTheReamerTouchesFirst) {
+TEST(PlungePath, BeginsWhereTheReamerTouchesFirst) {
   const auto packing = *pack(Acetabulum(), {.count = 3000});
   const SphereField field(packing, alike(packing, 1.0));
-  const auto plunge = strokeInto(field, 0.026);
+  const auto plunge = plungePathInto(field, 0.026);
   EXPECT_EQ(field.touch(plunge.at(0.0), false).touched, 0);
   EXPECT_GE(field.touch(plunge.at(0.00005), false).touched, 1);
   const Packing elsewhere{.spheres = {{0.1F, 0.0F, 0.0F, 0.001F}}, .volume = 1.0};
   const SphereField aside(elsewhere, alike(elsewhere, 1.0));
-  EXPECT_THROW(strokeInto(aside, 0.026), std::invalid_argument);
+  EXPECT_THROW(plungePathInto(aside, 0.026), std::invalid_argument);
 }
 
 }  // namespace sphere_field_test

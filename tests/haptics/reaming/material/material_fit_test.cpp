@@ -170,13 +170,13 @@ TEST(MaterialFit, ReportsWhereCurvesCrossAndTheRemedy) {
 
 TEST(WholeStudyFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
   const auto& fit = fitOfStudy();
-  const auto left = specimensLeftOf(fit.sets[0].force);
+  const auto left = specimenCountsOf(fit.sets[0].force);
   EXPECT_EQ(left.front().measured, 24);
   EXPECT_EQ(left.front().held, 0);
   for (const auto& stretch : left) EXPECT_EQ(stretch.measured + stretch.held, 24);
   EXPECT_EQ(left.back().measured, 1);
   // Those that stalled leave.
-  const auto reamed = specimensLeftOf(fit.sets[1].force);
+  const auto reamed = specimenCountsOf(fit.sets[1].force);
   EXPECT_EQ(reamed.front().measured, 22);
   EXPECT_LT(reamed.back().measured, 22);
   for (const auto& stretch : reamed) EXPECT_EQ(stretch.held, 0);

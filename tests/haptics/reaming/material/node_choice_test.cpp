@@ -32,7 +32,7 @@ constexpr SplineKind kKinds[]{
     SplineKind::NaturalCubic,
     SplineKind::Linear};
 
-NodeWish wish(double error, NodeRule rule, SplineKind kind = SplineKind::HermiteDataSlope) {
+NodeCriterion wish(double error, NodeRule rule, SplineKind kind = SplineKind::HermiteDataSlope) {
   return {rule, kind, error, kFloor};
 }
 

@@ -25,7 +25,7 @@ const Problem& problem() {
   static const Problem made = [] {
     Problem p{.packing = *pack(Acetabulum(), {.count = 4000})};
     const std::vector<double> ones(p.packing.spheres.size(), 1.0);
-    const auto plunge = strokeInto(SphereField(p.packing, ones), 0.026);
+    const auto plunge = plungePathInto(SphereField(p.packing, ones), 0.026);
     const auto series = noiselessSeries({.hardness = 0.5});
     for (std::size_t i = 0; i < 100; ++i) {
       const double depth = 0.016 * (static_cast<double>(i) + 0.5) / 100.0;
@@ -48,7 +48,7 @@ TEST(ContactMatrix, EqualsTheForceOfTheField) {
   std::vector<double> densities;
   for (std::size_t i = 0; i < p.packing.spheres.size(); ++i) densities.push_back(density(random));
   const SphereField field(p.packing, densities);
-  const auto plunge = strokeInto(field, 0.026);
+  const auto plunge = plungePathInto(field, 0.026);
   const auto forces = p.matrix.times(densities);
   for (std::size_t k = 0; k < p.depths.size(); ++k) {
     const double felt = -field.touch(plunge.at(p.depths[k]), false).force.z / p.packing.coverage();
@@ -70,7 +70,7 @@ TEST(LeverMatrix, EqualsTheLeverOfTheField) {
   std::vector<double> densities;
   for (std::size_t i = 0; i < p.packing.spheres.size(); ++i) densities.push_back(density(random));
   const SphereField field(p.packing, densities);
-  const auto plunge = strokeInto(field, 0.026);
+  const auto plunge = plungePathInto(field, 0.026);
   const auto levers =
       leverMatrix(p.packing, p.packing.coverage(), plunge, p.depths).times(densities);
   for (std::size_t k = 0; k < p.depths.size(); ++k) {
@@ -241,7 +241,7 @@ TEST(PackedBone, HasTheForceOfItsMaterialAtEveryHardness) {
   EXPECT_LT(report.curves[0].fit.touchedShare, 0.6);
   for (const double h : {0.0, 0.3, 0.5, 0.8, 1.0}) {
     const SphereField field(bone.packing, bone.densities(h, 0.5));
-    const auto plunge = strokeInto(field, bone.reamerRadius);
+    const auto plunge = plungePathInto(field, bone.reamerRadius);
     const auto wanted = curveOf(curves, h);
     for (const double depth : report.curves[0].depths) {
       const double felt = -field.touch(plunge.at(depth), false).force.z / bone.packing.coverage();

@@ -29,7 +29,7 @@ namespace help_test {
 class HelpTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    offerHelp(*qobject_cast<QApplication*>(QApplication::instance()));
+    installHelpKey(*qobject_cast<QApplication*>(QApplication::instance()));
   }
   void TearDown() override { delete openHelp(); }
 
@@ -51,7 +51,7 @@ TEST_F(HelpTest, OpensAtTheSectionOfEachDeskWindow) {
   VerifyDialog verify(study);
   ReportDialog report(study);
   ExportDialog exporting(study);
-  SelfTestDialog test(SelfTestOrder{});
+  SelfTestDialog test(SelfTestOptions{});
   Tour tour;
   ImportCutDialog import;
   const std::pair<QWidget*, const char*> expected[]{

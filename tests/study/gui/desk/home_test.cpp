@@ -105,7 +105,7 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
   EXPECT_EQ(listOf(home)->currentRow(), 0);
   tests::photographInAllThemes(home, QStringLiteral("home-german"));
   setDeskLanguage("en");
-  speakChosenLanguage();
+  applyChosenLanguage();
   EXPECT_EQ(deskLanguage(), "de");
   setDeskLanguage("en");
 }
@@ -291,7 +291,7 @@ TEST_F(HomeTest, CountsLiveParticipantsOnlyForTheNumberPlanned) {
   const auto words = sessionsInWords(summary);
   EXPECT_NE(words.find("0 of 1 pilot"), std::string::npos) << words;
   EXPECT_NE(words.find("2 of 2 simulated"), std::string::npos) << words;
-  EXPECT_EQ(likelyRunMode(summary), RunMode::Pilot) << "people come before simulated participants";
+  EXPECT_EQ(defaultRunMode(summary), RunMode::Pilot) << "people come before simulated participants";
 }
 
 TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {

@@ -39,7 +39,7 @@ class KeyDialogTest : public testing::Test {
 };
 
 TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
-  EXPECT_TRUE(summary().isOnlyCopyOfKey);
+  EXPECT_TRUE(summary().lacksKeyBackup);
   StudyPanel panel;
   const auto* remark = panel.findChild<QLabel*>(QStringLiteral("key-remark"));
   panel.show(summary());
@@ -53,7 +53,7 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   tests::photographInAllThemes(dialog, QStringLiteral("key"));
   go.click();
   EXPECT_TRUE(std::filesystem::exists(file_));
-  EXPECT_FALSE(summary().isOnlyCopyOfKey);
+  EXPECT_FALSE(summary().lacksKeyBackup);
   panel.show(summary());
   EXPECT_TRUE(remark->isHidden());
   EXPECT_EQ(dialog.findChild<WrittenFile*>()->path().toStdString(), file_);
@@ -89,7 +89,7 @@ TEST_F(KeyDialogTest, PutsNamesBehindAPassphrase) {
   EXPECT_FALSE(go.isEnabled()) << "typed twice, and not the same";
   the<QLineEdit>(dialog, "again").setText(QStringLiteral("twelve grey horses"));
   go.click();
-  storage::forgetHeldKeys();
+  storage::clearHeldKeys();
   study_.reopen();
   EXPECT_TRUE(study_->identities().isLocked());
   EXPECT_TRUE(study_->unlockNames("twelve grey horses"));

@@ -23,7 +23,7 @@ namespace questionnaire_page_test {
 std::vector<questionnaires::Item> itemsOf(const std::string& name) {
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name != name + ".json") continue;
-    auto items = questionnaires::readSoundInstrument(file.content, name).items;
+    auto items = questionnaires::readValidInstrument(file.content, name).items;
     for (auto& item : items) item.startsPage = false;
     return items;
   }

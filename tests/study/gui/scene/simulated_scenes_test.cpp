@@ -120,7 +120,7 @@ TEST(KneeScene, ShowsTheWholeInstrumentWithItsHandlesApart) {
 
 TEST(KneeScene, DeformsWithTheFiniteElements) {
   const haptics::engine::MeshView mesh{
-      haptics::engine::FiniteElementsSpec{}, haptics::engine::SeenTissue::Force};
+      haptics::engine::FiniteElementsSpec{}, haptics::engine::TissueDrawing::Force};
   KneeScene knee;
   knee.update({.travel = 3.9}, 0.016);
   const QImage before = pictureOf(knee);

@@ -51,7 +51,7 @@ std::string textOf(const std::string& literal) {
   return text;
 }
 
-/// The texts that a source hands to one of the functions @p names, "tr|spoken".
+/// The texts that a source hands to one of the functions @p names, "tr|deskText".
 std::set<std::string> textsIn(const std::string& source, const std::string& names) {
   std::set<std::string> texts;
   for (const auto& one : foundIn(source, "\\b(?:" + names + ")\\(\\s*(" + kLiteral + ")", 1)) {
@@ -76,7 +76,7 @@ std::set<std::string> textsOfWindows(bool areForParticipants) {
   std::set<std::string> texts;
   for (const auto& source : sourcesIn(tests::repository() / "study" / "gui")) {
     if (isForParticipants(source) != areForParticipants) continue;
-    texts.merge(textsIn(tests::contentOf(source), "tr|said|spoken"));
+    texts.merge(textsIn(tests::contentOf(source), "tr|said|deskText"));
   }
   return texts;
 }
@@ -201,7 +201,7 @@ TEST_F(DeskLanguage, IsThatOfTheOperatorsWindowsOnly) {
   EXPECT_EQ(deskLanguage(), "de");
   EXPECT_EQ(shown("study::gui::OperatorWindow", "Next"), QStringLiteral("Weiter"));
   EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
-  EXPECT_EQ(spoken("live"), QStringLiteral("echt"));
+  EXPECT_EQ(deskText("live"), QStringLiteral("echt"));
   EXPECT_EQ(said("{} warnings", 3), "3 Warnungen");
   // A session in English beside a German desk.
   EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Next"));

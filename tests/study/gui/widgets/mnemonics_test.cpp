@@ -22,7 +22,7 @@ TEST(Mnemonics, AreLettersThatNothingElseInTheWindowHas) {
   auto* box = new QCheckBox(QStringLiteral("Ruler"), &window);
   auto* field = new QLineEdit(&window);
   layout->addRow(QStringLiteral("Reason"), field);
-  giveMnemonics(window);
+  addMnemonics(window);
   EXPECT_EQ(report->text(), QStringLiteral("&Report…"));
   EXPECT_EQ(repeat->text(), QStringLiteral("R&epeat…"));
   EXPECT_EQ(given->text(), QStringLiteral("R&un"));
@@ -35,7 +35,7 @@ TEST(Mnemonics, AreTheSameForTheSameWords) {
   QWidget window;
   auto* one = new QPushButton(QStringLiteral("Open"), &window);
   auto* other = new QPushButton(QStringLiteral("Open"), &window);
-  giveMnemonics(window);
+  addMnemonics(window);
   EXPECT_EQ(one->text(), QStringLiteral("&Open"));
   EXPECT_EQ(other->text(), one->text());
 }
@@ -45,7 +45,7 @@ TEST(Mnemonics, LeavePagesOfParticipantsAlone) {
   auto* page = new QWidget(&window);
   disableMnemonics(*page);
   auto* next = new QPushButton(QStringLiteral("Next"), page);
-  giveMnemonics(window);
+  addMnemonics(window);
   EXPECT_EQ(next->text(), QStringLiteral("Next"));
 }
 
@@ -53,14 +53,14 @@ TEST(Mnemonics, AreGivenToMenusButNotToTheNamesOfKeys) {
   QMenu menu;
   auto* help = menu.addAction(QStringLiteral("…\tF1"));
   auto* tour = menu.addAction(QStringLiteral("Tour"));
-  giveMnemonics(menu);
+  addMnemonics(menu);
   EXPECT_TRUE(mnemonicOf(help->text()).isNull());
   EXPECT_EQ(tour->text(), QStringLiteral("&Tour"));
 }
 
 TEST(Mnemonics, ComeBackWhenATextChanges) {
   auto& application = *qobject_cast<QApplication*>(QApplication::instance());
-  offerMnemonics(application);
+  installMnemonics(application);
   auto* filter = application.children().last();
   QWidget window;
   auto* layout = new QVBoxLayout(&window);

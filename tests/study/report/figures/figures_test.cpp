@@ -111,7 +111,7 @@ TEST(Figures, ShowEffectsWithTheirNumbers) {
   const auto& comparison = section.results.families.front().cohorts.front().within.rows.front();
   const auto& row = comparison.test("paired_t");
   EXPECT_NE(
-      texts.find(rounded(row.estimate.value, 2) + " " + intervalInWords(row.interval)),
+      texts.find(rounded(row.estimate.value, 2) + " " + formatInterval(row.interval)),
       std::string::npos)
       << texts;
   EXPECT_NE(texts.find("Interpolation − FEM"), std::string::npos);
@@ -143,7 +143,7 @@ TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
   const auto& row = section.results.families.front().cohorts.front().sites->rows.back();
   const auto& all = row.pooled.value().knappHartung;
   EXPECT_NE(
-      texts.find(rounded(all.estimate, 2) + " " + intervalInWords(all.interval)), std::string::npos)
+      texts.find(rounded(all.estimate, 2) + " " + formatInterval(all.interval)), std::string::npos)
       << texts;
   for (const auto* words :
        {"Orthopaedic surgeons: Interpolation − KF",

@@ -20,7 +20,7 @@ class TrailHeadsTest : public testing::Test {
   }
 
   /// All events one place further, behind a first one that says so.
-  void sealAgain() {
+  void resealEvents() {
     edit(
         "DROP TRIGGER an_event_is_never_changed; DROP TRIGGER an_event_is_added_at_the_end;"
         "UPDATE event SET seq = -seq; UPDATE event SET seq = 1 - seq, hash = randomblob(32);"
@@ -45,13 +45,13 @@ TEST_F(TrailHeadsTest, HasEachSignedHead) {
   EXPECT_EQ(trail.all()[0].seq, 3);
   EXPECT_TRUE(trail.all()[0].isSound);
   EXPECT_TRUE(trail.holds(trail.all()[0].head));
-  EXPECT_FALSE(trail.gaveUp(trail.all()[0].head));
+  EXPECT_FALSE(trail.isGivenUp(trail.all()[0].head));
   EXPECT_TRUE(trail.checkSignatures(keyHere()).remarks.empty());
 }
 
 TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
   const auto before = TrailHeads(study_->database()).all().at(0).head;
-  sealAgain();
+  resealEvents();
   {
     const TrailHeads trail(study_->database());
     EXPECT_TRUE(trail.all().empty());
@@ -71,7 +71,7 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
 
 TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
   const auto before = TrailHeads(study_->database()).all().at(0).head;
-  sealAgain();
+  resealEvents();
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   signFor(EventKind::ResealedTrail);
   EXPECT_FALSE(TrailHeads(study_->database()).belongsToPreviousTrail(before));
@@ -79,7 +79,7 @@ TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
 
 TEST_F(TrailHeadsTest, AreNotOfTheTrailBeforeBecauseTheStationSignedSomethingElse) {
   const auto before = TrailHeads(study_->database()).all().at(0).head;
-  sealAgain();
+  resealEvents();
   tests::forgetWhatWasSigned();  // so that this station signs it at all
   signFor(EventKind::Exported);
   const TrailHeads trail(study_->database());
@@ -96,7 +96,7 @@ TEST_F(TrailHeadsTest, AreNotGivenUpByAnEventThatAnotherPurposeSigned) {
           {.kind = EventKind::RestoredCopy, .values = {{"given_up", nameOf(head)}}});
       study_->signTrail(study::nameOf(purpose));
     });
-    return TrailHeads(study_->database()).gaveUp(head);
+    return TrailHeads(study_->database()).isGivenUp(head);
   };
   EXPECT_FALSE(giveUp(EventKind::Exported));
   EXPECT_TRUE(giveUp(EventKind::RestoredCopy));

@@ -122,7 +122,7 @@ TEST_F(SphereCloudTest, IsRestoredByAReset) {
   for (std::uint32_t slot = 0; slot < 2000; ++slot) cloud.apply({slot, {}});
   copy.take(cloud);
   EXPECT_TRUE(copy.isLike(cloud));
-  cloud.apply({SphereChange::kAllAnew, {}});
+  cloud.apply({SphereChange::kWholeBoneReset, {}});
   EXPECT_EQ(cloud.shown(), before);
   copy.take(cloud);
   EXPECT_TRUE(copy.isLike(cloud));
@@ -184,7 +184,7 @@ TEST_F(SphereCloudTest, ReproducesItsStateInASecondCloud) {
   for (const auto& change : cloud.changesSoFar()) other.apply(change);
   EXPECT_EQ(other.shown(), cloud.shown());
   EXPECT_EQ(other.changesSoFar().size(), cloud.changesSoFar().size());
-  cloud.apply({SphereChange::kAllAnew, {}});
+  cloud.apply({SphereChange::kWholeBoneReset, {}});
   EXPECT_TRUE(cloud.changesSoFar().empty());
 }
 
