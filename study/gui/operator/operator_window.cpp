@@ -170,7 +170,7 @@ void OperatorWindow::arrange() {
   constexpr int kAround = 60;  // [px]: margins and scroll bar
   head_->setMinimumHeight(head_->layout()->totalHeightForWidth(width() - kAround));
   constexpr int kRoomForTwo = 900;  // [px]
-  constexpr int kControlsWidth = 430;
+  constexpr int kControlsWidth = 470;
   constexpr int kHeightOfEach = 420;  // above one another
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

@@ -13,7 +13,7 @@ namespace {
 
 /// Qt does not wrap the words of a button.
 QString inLines(QString text) {
-  constexpr qsizetype kLine = 60;  // [characters] that fit into the column of a small window
+  constexpr qsizetype kLine = 48;  // [characters] that fit into the column of a small window
   for (qsizetype start = 0; text.size() - start > kLine;) {
     const auto space = text.lastIndexOf(QLatin1Char(' '), start + kLine);
     if (space <= start) break;
