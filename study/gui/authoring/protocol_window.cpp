@@ -82,9 +82,11 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   head->addWidget(verdict_, 1);
   head->addWidget(preview_);
   head->addWidget(fill_);
-  head->addWidget(copy_);
+  auto* origin = new QHBoxLayout;  // beside the others it has no room on a small screen
+  origin->addWidget(readAt_, 1);
+  origin->addWidget(copy_);
   layout->addLayout(head);
-  layout->addWidget(readAt_);
+  layout->addLayout(origin);
   layout->addWidget(all, 1);
   constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
   constexpr int kLeastOfPart = 90;   // each has a scroll bar of its own
@@ -102,6 +104,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   fill_->setObjectName(QStringLiteral("texts"));
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   copy_->setObjectName(QStringLiteral("save-as"));
+  copy_->setProperty("role", QStringLiteral("tool"));
   copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
