@@ -177,8 +177,8 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       noun,
       action,
       "restored",
-      "Record in the audit trail that this folder was replaced on purpose by an older or another "
-      "copy, so that 'verify' accepts it",
+      "Record that this folder was replaced on purpose by another copy, so that 'verify' accepts "
+      "it",
       app::restored);
   addStudyFolder(*restored, noting.folder);
   restored->add_option("--reason", verifying.reason, "Reason; goes into the audit trail")

@@ -64,10 +64,7 @@ int drop(const KeyArguments& options) {
 
 void addKeyCommands(CLI::App& study, Action& action) {
   auto& noun = addCommandGroup(
-      study,
-      "key",
-      "Keep the key that encrypts which alternative is which condition: export, import, "
-      "passphrase, drop");
+      study, "key", "Keep the key that encrypts which alternative is which condition");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);

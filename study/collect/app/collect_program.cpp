@@ -12,9 +12,9 @@ namespace study::collect {
 
 std::unique_ptr<CLI::App> makeCollectProgram(Action& action) {
   auto program = std::make_unique<CLI::App>(
-      "One study at many sites, collected in PostgreSQL: each station (a computer that runs "
-      "sessions) keeps its own folder and "
-      "sends what is new.\nHow it fits together: docs/collecting.md. Try it on this computer "
+      "One study at many sites, collected in PostgreSQL: each station, a computer that "
+      "runs\nsessions, keeps its own folder and sends what is new.\nHow it fits together: "
+      "docs/collecting.md. Try it on this computer "
       "alone: "
       "palpate collect demo.",
       "palpate collect");

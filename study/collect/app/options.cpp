@@ -16,8 +16,8 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       .add_option(
           "--server",
           server,
-          "Connection string of PostgreSQL: \"service=NAME\", \"host=… dbname=…\" (default: "
-          "PGSERVICE, PGHOST … of the environment)")
+          "PostgreSQL: \"service=NAME\", \"host=… dbname=…\" (default: PGHOST … of the "
+          "environment)")
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }

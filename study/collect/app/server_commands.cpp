@@ -161,8 +161,8 @@ void addServerCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<ServerArguments>();
   auto* make = program.add_subcommand(
       "init",
-      "Create or update the database schema; with --study and --protocol create a study, with "
-      "--station enrol a station");
+      "Update the database schema; create a study (--study, --protocol) or enrol a station "
+      "(--station)");
   addServerOption(*make, given->server);
   make->add_option("--study", given->study, "Name of the study on the server");
   make->add_option(
@@ -182,7 +182,7 @@ void addServerCommands(CLI::App& program, Action& action) {
   make->add_option(
           "--address",
           given->address,
-          "Connection string with which the station reaches the server (default: that of --server)")
+          "How the station reaches the server, as for --server (default: the same)")
       ->type_name("WHERE");
   make->add_option(
           "--days", given->days, "Number of days for which the enrolment is valid (default: 30)")
@@ -209,8 +209,7 @@ void addServerCommands(CLI::App& program, Action& action) {
 
   auto* aside = program.add_subcommand(
       "set-aside",
-      "Let a station send everything again: its present data stay on the server under another name "
-      "and are pulled no more");
+      "Let a station send everything again; what the server has of it stays under another name");
   addServerOption(*aside, given->server);
   aside->add_option("--study", given->study, "Name of the study on the server");
   aside->add_option("--station", given->station, "Name of the station")->required();

@@ -244,8 +244,7 @@ void addStationCommands(CLI::App& program, Action& action) {
   joining->add_option(
       "--mark",
       given->mark,
-      "Mark (fingerprint) of the study, as its administrator read it out on the telephone; a file "
-      "with another one is refused");
+      "Mark (fingerprint) of the study, as its administrator read it out; another one is refused");
   joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
 
   auto* push = program.add_subcommand(
@@ -256,8 +255,7 @@ void addStationCommands(CLI::App& program, Action& action) {
 
   auto* bundle = program.add_subcommand(
       "bundle",
-      "Without a network: write what the server does not have to a file for 'palpate collect "
-      "ingest'");
+      "Without a network: write what the server lacks to a file for 'palpate collect ingest'");
   bundle->add_option("FOLDER", given->folder, "Folder of the study")->required();
   bundle->add_option("--out", given->out, "New file")->required();
   bundle->add_option(
