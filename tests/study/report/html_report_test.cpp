@@ -44,7 +44,8 @@ TEST(HtmlReport, SeparatesVotesBetweenDifferentRenderings) {
   auto section = tests::madeUpSection();
   analysis::VoteCounts others({"kalman", "interpolation"});
   others.add("interpolation", 3);
-  section.results.votes.push_back({"professional", "preference-2", "round-2", others, {}, {}});
+  section.results.votes.push_back(
+      {.cohort = "professional", .phase = "preference-2", .block = "round-2", .votes = others});
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "<th>After</th><th>Interpolation</th><th>FEM</th><th>KF</th>"));
   EXPECT_TRUE(has(page, "<th>After</th><th>KF</th><th>Interpolation</th>"));

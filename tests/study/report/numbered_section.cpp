@@ -221,7 +221,8 @@ study::VoteResult voteResult() {
   votes.add("interpolation", 81);
   votes.add("finite-elements", 82);
   votes.add("kalman", 83);
-  study::VoteResult result{kCohort, "preference-1", "round-1", votes, {}, {}};
+  study::VoteResult result{
+      .cohort = kCohort, .phase = "preference-1", .block = "round-1", .votes = votes};
   result.test.exactP = 0.804;
   result.test.p = 0.805;
   result.intervals = {

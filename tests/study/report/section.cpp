@@ -94,12 +94,12 @@ study::VoteResult vote(
     intervals.push_back(analysis::wilsonInterval(n[i], n[0] + n[1] + n[2]));
   }
   return {
-      cohort,
-      "preference-" + round,
-      "round-" + round,
-      votes,
-      analysis::equalSharesTest(votes),
-      intervals};
+      .cohort = cohort,
+      .phase = "preference-" + round,
+      .block = "round-" + round,
+      .votes = votes,
+      .test = analysis::equalSharesTest(votes),
+      .intervals = intervals};
 }
 
 }  // namespace
