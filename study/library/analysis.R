@@ -65,11 +65,17 @@ scored <- function(row) {
   answers$response_keyed <- answers[[column]]
   answers
 }
+# A family may compare some of the conditions that its questionnaire was answered about.
+conditions_of <- function(row) {
+  rows <- statistics[statistics$family_id %in% row$family_id & statistics$run_mode == row$run_mode, ]
+  unique(c(rows$group1, rows$group2))
+}
 answers_to <- function(row, cohort) {
   blocks <- strsplit(row$blocks, " ")[[1]]
   if (!is.na(row$score)) responses <- scored(row)
   responses[responses$run_mode == row$run_mode & responses$cohort == cohort &
-              responses$instrument == row$instrument & responses$block %in% blocks, ]
+              responses$instrument == row$instrument & responses$block %in% blocks &
+              responses$condition_code %in% conditions_of(row), ]
 }
 scores <- function(row, group) {
   answers <- answers_to(row, row$cohort)

@@ -69,12 +69,19 @@ def check(row, column, value):
     worst[name] = max(math.inf if math.isnan(distance) else distance, worst.get(name, 0.0))
 
 
+# A family may compare some of the conditions that its questionnaire was answered about.
+conditions_of = defaultdict(set)
+for each in statistics:
+    conditions_of[each["run_mode"], each["family_id"]] |= {each["group1"], each["group2"]}
+
+
 def answers_to(row, cohort):
     blocks = row["blocks"].split(" ")
     return [
         r for r in (scored(row) if row["score"] else responses)
         if r["run_mode"] == row["run_mode"] and r["cohort"] == cohort
         and r["instrument"] == row["instrument"] and r["block"] in blocks
+        and r["condition_code"] in conditions_of[row["run_mode"], row["family_id"]]
     ]
 
 

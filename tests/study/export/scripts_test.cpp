@@ -124,6 +124,19 @@ TEST_P(ExportScripts, EndWithAVerdictThatAgreesWithTheExitStatus) {
   EXPECT_NE(lastLineOf(differs.out).find("votes share"), std::string::npos);
 }
 
+TEST_P(ExportScripts, AgreeWhereAFamilyComparesSomeOfTheConditions) {
+  tests::MadeStudy study;  // three conditions, two of which are compared
+  simulateCohorts(*study, study.clock, 6, 3, [](const auto&) {});
+  const fs::path folder = scratch_ / "some";
+  exportStudy(
+      *study,
+      folder.string(),
+      {.format = ExportFormat::Csv, .runMode = RunMode::Simulated, .isBlinded = false},
+      "for a test");
+  const auto finished = runIn(folder, "analysis");
+  EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     InRAndPython,
     ExportScripts,
