@@ -133,8 +133,8 @@ class WithinComparer {
     if (needsBound) settings.bound = options_.equivalenceBound;
     for (auto& row : computeTest(test, data, settings)) {
       row.isInFamily = test.use == StudyUse::Pairs;
-      // An exact test of one participant is defined (p = 1), but meaningless.
-      if (row.isInFamily && row.p && data.values.front().values.size() < 2) {
+      // Exact tests and Friedman's are defined for one participant, but meaningless.
+      if (row.p && data.values.front().values.size() < 2) {
         row.p.reset();
         row.log10P.reset();
         row.reason = reason("two_participants_needed");

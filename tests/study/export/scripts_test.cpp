@@ -137,6 +137,19 @@ TEST_P(ExportScripts, AgreeWhereAFamilyComparesSomeOfTheConditions) {
   EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
 }
 
+TEST_P(ExportScripts, AgreeWhereOnePersonTookPart) {
+  tests::MadeStudy study(tests::libraryProtocol("punch-counterbalanced.json"));
+  simulateCohorts(*study, study.clock, 1, 3, [](const auto&) {});
+  const fs::path folder = scratch_ / "one";
+  exportStudy(
+      *study,
+      folder.string(),
+      {.format = ExportFormat::Csv, .runMode = RunMode::Simulated, .isBlinded = false},
+      "for a test");
+  const auto finished = runIn(folder, "analysis");
+  EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     InRAndPython,
     ExportScripts,
