@@ -55,6 +55,7 @@ class AnswerWriter : HtmlWriter {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
       sentences();
+      pooledAnswers();
       preferences();
       asRendered();
       references(*family);
@@ -84,6 +85,20 @@ class AnswerWriter : HtmlWriter {
       const auto text = sentenceOf(family, part);
       put("<p>{}: {}</p>", cohortLabelOf(family, part), text);
     });
+  }
+
+  /// The main weakness of pooled tests, beside their p values.
+  void pooledAnswers() {
+    const bool isRepeated = std::ranges::any_of(s_.results.families, [](const auto& family) {
+      if (!isPooled(Profile::Declared, family.family)) return false;
+      return std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
+        return raised.flag->id == "pseudo_replication";
+      });
+    });
+    if (!isRepeated) return;
+    paragraph(
+        "As the protocol declares, these tests take all answers of a person as independent: their "
+        "p may be far too small. “Within people” in the appendix compares people.");
   }
 
   /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.

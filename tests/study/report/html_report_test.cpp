@@ -40,6 +40,16 @@ TEST(HtmlReport, GivesTheReasonOfAnUndefinedTestAndPrintsNoNan) {
   EXPECT_FALSE(has(page, ">inf"));
 }
 
+TEST(HtmlReport, SaysBesidePooledTestsThatAnswersOfOnePersonAreNotIndependent) {
+  const std::string sentence = "these tests take all answers of a person as independent";
+  auto section = tests::madeUpSection();
+  EXPECT_TRUE(has(asHtml({section}), sentence));
+  for (auto& family : section.results.families) {
+    for (auto& cohort : family.cohorts) cohort.flags.clear();
+  }
+  EXPECT_FALSE(has(asHtml({section}), sentence));
+}
+
 TEST(HtmlReport, SeparatesVotesBetweenDifferentRenderings) {
   auto section = tests::madeUpSection();
   analysis::VoteCounts others({"kalman", "interpolation"});
