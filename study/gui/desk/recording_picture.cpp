@@ -213,7 +213,7 @@ CutPicture::CutPicture(QWidget* parent)
   plot_->plotLayout()->insertRow(0);  // above the axes: a legend inside them hides samples
   plot_->plotLayout()->addElement(0, 0, plot_->legend);
   plot_->plotLayout()->setRowStretchFactor(0, 1e-3);
-  const auto add = [&](const QString& name, QCPGraph::LineStyle line, QCPScatterStyle dots) {
+  const auto add = [&](const QString& name, QCPGraph::LineStyle line, const QCPScatterStyle& dots) {
     auto* graph = plot_->addGraph();
     graph->setName(name);
     graph->setLineStyle(line);

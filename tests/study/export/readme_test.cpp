@@ -63,11 +63,11 @@ class ExportReadme : public testing::TestWithParam<Asked> {
  protected:
   /// Enough people for a public folder. They are simulated once, which takes longest.
   static void SetUpTestSuite() {
-    study_ = std::make_unique<tests::MadeStudy>(tests::protocolFrom(tests::shortProtocol(
+    made = std::make_unique<tests::MadeStudy>(tests::protocolFrom(tests::shortProtocol(
         {.conditions = {"interpolation", "finite-elements"}, .form = "background-knee"})));
-    simulateCohorts(**study_, study_->clock, 6, 3, [](const auto&) {});
+    simulateCohorts(**made, made->clock, 6, 3, [](const auto&) {});
   }
-  static void TearDownTestSuite() { study_.reset(); }
+  static void TearDownTestSuite() { made.reset(); }
 
   ExportReadme() {
     ExportOptions options{
@@ -76,7 +76,7 @@ class ExportReadme : public testing::TestWithParam<Asked> {
         .isBlinded = reader() != For::Unblinded,
         .hasTexts = reader() != For::Public};
     if (reader() == For::Public) options.publicClass = kSmallestPublicClass;
-    exportStudy(**study_, folder_.string(), options, "for a test");
+    exportStudy(**made, folder_.string(), options, "for a test");
     readme_ = tests::contentOf(folder_ / "README.md");
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
       if (entry.is_regular_file()) files_.insert(fs::relative(entry.path(), folder_).string());
@@ -133,7 +133,7 @@ class ExportReadme : public testing::TestWithParam<Asked> {
     return tables;
   }
 
-  inline static std::unique_ptr<tests::MadeStudy> study_;
+  inline static std::unique_ptr<tests::MadeStudy> made;
   tests::ScratchFolder scratch_;
   fs::path folder_ = scratch_ / "out";
   std::string readme_;

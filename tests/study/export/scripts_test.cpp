@@ -34,17 +34,16 @@ class ExportScripts : public testing::TestWithParam<Language> {
   }
 
   static void SetUpTestSuite() {
-    study_ =
-        std::make_unique<tests::MadeStudy>(tests::libraryProtocol("punch-counterbalanced.json"));
-    simulateCohorts(**study_, study_->clock, 6, 3, [](const auto&) {});
+    made = std::make_unique<tests::MadeStudy>(tests::libraryProtocol("punch-counterbalanced.json"));
+    simulateCohorts(**made, made->clock, 6, 3, [](const auto&) {});
   }
-  static void TearDownTestSuite() { study_.reset(); }
+  static void TearDownTestSuite() { made.reset(); }
 
   /// An export in a folder whose name has a space.
   fs::path exported(ExportFormat format) const {
     const fs::path folder = scratch_ / "my data";
     exportStudy(
-        **study_,
+        **made,
         folder.string(),
         {.format = format, .runMode = RunMode::Simulated, .isBlinded = false},
         "for a test");
@@ -64,7 +63,7 @@ class ExportScripts : public testing::TestWithParam<Language> {
     return text.substr(begin + 1, end - begin);
   }
 
-  inline static std::unique_ptr<tests::MadeStudy> study_;
+  inline static std::unique_ptr<tests::MadeStudy> made;
   tests::ScratchFolder scratch_;
 };
 
