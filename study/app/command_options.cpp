@@ -32,18 +32,22 @@ protocols::LoadedProtocol usableProtocol(const std::string& file) {
 }
 
 void addRunModeOption(CLI::App& command, std::string& name) {
-  command.add_option("--run-mode", name, "Run mode of the sessions that count (default: live)")
+  command
+      .add_option(
+          "--run-mode",
+          name,
+          "Run mode of the sessions to include; others are left out (default: live)")
       ->check(CLI::IsMember({"live", "pilot", "simulated"}));
 }
 
 void addRunModeOfSession(CLI::App& command, std::string& name) {
-  auto* mode =
-      command
-          .add_option(
-              "--run-mode",
-              name,
-              "Run mode of the session; a pilot uses up none of the planned orders (default: live)")
-          ->check(CLI::IsMember({"live", "pilot"}));
+  auto* mode = command
+                   .add_option(
+                       "--run-mode",
+                       name,
+                       "Run mode of the session (default: live); a pilot takes none of the planned "
+                       "orders of conditions")
+                   ->check(CLI::IsMember({"live", "pilot"}));
   command
       .add_flag_callback(
           "--pilot", [&name] { name = "pilot"; }, "The same as --run-mode pilot")
@@ -72,8 +76,8 @@ void addWordingOption(CLI::App& command, std::string& wording) {
       .add_option(
           "--wording",
           wording,
-          "How sentences write numbers: apa, 'p = .021 [0.41, 2.42]'; vancouver, 'P = 0.021, 0.41 "
-          "to 2.42'")
+          "Style of numbers in sentences: apa (p = .021 [0.41, 2.42]), vancouver (P = 0.021, 0.41 "
+          "to 2.42)")
       ->check(CLI::IsMember({"apa", "vancouver"}))
       ->capture_default_str();
 }

@@ -109,7 +109,7 @@ void addDemoCommand(CLI::App& program, Action& action) {
   command->add_option(
       "--recording",
       options.recording,
-      "Recording of a real punch to use instead of the shipped cut");
+      "Recording (text) of a real punch; its cut replaces the shipped synthetic one");
 }
 
 }  // namespace study::app

@@ -122,13 +122,14 @@ void addExportCommand(CLI::App& program, Action& action) {
   auto* forPublic = command->add_flag(
       "--public",
       options.forPublic,
-      "Public release: bands, no free text, no times, new ids, k-anonymous (k = 5 or more)");
+      "Public release: ages and the like in bands, no free text, no times, new ids, k-anonymous "
+      "(--k)");
   forPublic->excludes(exact)->excludes(texts)->excludes(codes);
   command
       ->add_option(
           "--k",
           options.smallestClass,
-          "Smallest group of participants with the same attributes, 5 or more")
+          "Least number of participants who share their attributes with each other, 5 or more")
       ->needs(forPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();

@@ -175,7 +175,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ->required()
       ->check(CLI::Range(1, 100'000));
   orders->add_option(
-      "--seed", ordering.seed, "Seed of a study; its simulated sessions have these orders");
+      "--seed", ordering.seed, "Seed of the study whose simulated sessions have the listed orders");
   orders->add_flag(
       "--csv", ordering.csv, "Write the trials of all participants as CSV, without the balance");
 

@@ -351,10 +351,13 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--condition",
           options.conditions,
-          "Id of a condition; several are drawn together, a filter alone with the forces that it "
-          "fuses")
+          "Ids of conditions to draw together; a single filter is drawn with the two forces that "
+          "it fuses")
       ->required();
-  play->add_option("--profile", options.profile, "Motion of the tool; cut closes and opens again")
+  play->add_option(
+          "--profile",
+          options.profile,
+          "Motion of the tool: closing at constant speed, a cut (closes and opens), or a sine")
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
       ->capture_default_str();
   play->add_option(
@@ -368,22 +371,26 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--speed",
           options.speed,
-          "Speed of the tool [travel units/s, or m/s] (default: 57, or 0.005; at most 0.9 of a "
-          "reamer's)")
+          "Speed [travel units/s, or m/s] (default: 57, or 0.005 but at most 0.9 of a reamer's "
+          "largest feed)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
-  play->add_option("--encoder", options.quantum, "Resolution of the encoder [travel units]")
+  play->add_option(
+          "--encoder",
+          options.quantum,
+          "Resolution of the encoder [travel units] (default: 0, exact)")
       ->check(finiteRange(0.0, 1.0));
   play->add_option(
           "--interpolation-noise",
           options.interpolationNoise,
-          "Plot a filter for each R of the interpolation [N²], as in the paper's Fig. 11")
+          "Variances R of the interpolated force [N²]: plots the filter for each, as in the "
+          "paper's Fig. 11")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
-          "--smoothing", options.smoothing, "Smoothing of a filter, instead of the protocol's")
+          "--smoothing", options.smoothing, "Smoothing of the filter (default: the protocol's)")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
-  play->add_option("--over", options.over, "Abscissa of the figure")
+  play->add_option("--over", options.over, "Horizontal axis of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
   play->add_option(
@@ -408,9 +415,13 @@ void addSceneCommands(CLI::App& program, Action& action) {
   explain->add_option("--condition", options.condition, "Id of the condition in the protocol")
       ->required();
   explain->add_option(
-      "--devices", options.devices, "Device file: explain what its device renders of the scene");
+      "--devices",
+      options.devices,
+      "Device file: explain the scene for its device (default: the simulated device)");
   explain->add_flag(
-      "--visualised", options.visualised, "Explain the scene as in a block with visualisation");
+      "--visualised",
+      options.visualised,
+      "Explain the scene as in a block that shows the visualisation");
   explain->add_flag(
       "--cost",
       options.cost,

@@ -273,8 +273,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option(
       "--take-over",
       running.takeOver,
-      "Reason for taking a session from a computer that is gone or renamed; goes into the audit "
-      "trail");
+      "Reason for taking over a session of a lost or renamed computer; goes into the audit trail");
 
   auto [simulate, simulating] =
       add("simulate", "Simulate participants, through the same steps as a session", app::simulate);

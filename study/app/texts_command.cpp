@@ -133,7 +133,7 @@ AddedCommand<TextsArguments> addTexts(
       ->add_option(
           "--set",
           added.options.set,
-          "KEY=TEXT fills in a blank, de:KEY=TEXT its German; repeat it for several")
+          "Blank to fill in: KEY=TEXT, or de:KEY=TEXT for its German text; repeatable")
       ->allow_extra_args(false);
   added.command->add_flag("--json", added.options.json, "Print JSON");
   return added;

@@ -90,40 +90,51 @@ int check(const DeviceArguments& arguments) {
 }
 
 void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
-  verb.add_option("--seed", options.seed, "Seed of the hand's movements and of the faults")
+  verb.add_option(
+          "--seed",
+          options.seed,
+          "Seed of the simulated hand's movements and of the faults on command")
       ->capture_default_str();
   verb.add_option(
           "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
       ->check(CLI::PositiveNumber);
   verb.add_flag(
-      "--until-input-ends", options.endsWithInput, "Also end at the end of standard input");
+      "--until-input-ends",
+      options.endsWithInput,
+      "Also stop when standard input is closed (default: keep running)");
 }
 
 void addEmulate(CLI::App& noun, Action& action) {
   auto& emulate = addCommandGroup(
       noun,
       "emulate",
-      "Emulate a device on its real interface; 'help' on its input lists the faults");
+      "Emulate a device on its real interface; type 'help' while it runs to list its faults on "
+      "command");
   for (const auto* kind : haptics::deviceKinds()) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
     const std::string name(kind->name);
     auto [verb, options] = addCommand(
         emulate, action, name, "Emulate the " + name + " on a pseudo-terminal", emulateSerial);
     options.kind = kind;
-    verb->add_option("--link", options.link, "Symbolic link to make to the emulator's port");
+    verb->add_option(
+        "--link", options.link, "Symbolic link to create, which points to the emulator's port");
     verb->add_option("--clock-drift", options.clockDrift, "Drift of the device's clock [ppm]")
         ->check(CLI::Range(-10'000.0, 10'000.0));
     auto* rate = verb->add_option("--rate", options.rate, "Rate of the device's control loop [Hz]");
     rate->check(CLI::Range(100, 8000))->capture_default_str();
     verb->add_option(
-            "--firmware", options.firmware, "Run this firmware of the board under QEMU instead")
+            "--firmware",
+            options.firmware,
+            "Firmware of the device's board to run under QEMU, in place of the built-in emulation")
         ->excludes(rate);
     addEmulateOptions(*verb, options);
   }
   auto [iiwa, options] =
       addCommand(emulate, action, "iiwa", "Emulate the arm and its controller on UDP", emulateIiwa);
   iiwa->add_option(
-          "--client", options.client, "Address and port of the client, which receives the messages")
+          "--client",
+          options.client,
+          "Address and port of the FRI client (the driver of the arm) that receives the messages")
       ->capture_default_str();
   iiwa->add_option("--fri-version", options.version, "Version of the FRI protocol")
       ->check(CLI::IsMember({"1.11", "1.14", "1.15", "1.16", "2.5", "2.7"}))
@@ -131,10 +142,13 @@ void addEmulate(CLI::App& noun, Action& action) {
   iiwa->add_option("--model", options.model, "Model of the arm")
       ->check(CLI::IsMember({"iiwa7", "iiwa14"}))
       ->capture_default_str();
-  iiwa->add_option("--overlay", options.overlay, "Command mode: wrench or torque")
+  iiwa->add_option(
+          "--overlay",
+          options.overlay,
+          "How the arm takes forces: as a wrench at the tool, or as torques in the joints")
       ->check(CLI::IsMember({"wrench", "torque"}))
       ->capture_default_str();
-  iiwa->add_option("--period", options.period, "Time between messages [ms]")
+  iiwa->add_option("--period", options.period, "Time between two FRI messages [ms]")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   addEmulateOptions(*iiwa, options);

@@ -150,11 +150,12 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_flag(
       "--reseal",
       erasure.request.resealsTrail,
-      "Seal the audit trail of an older release first, once for the whole study");
+      "Encrypt an audit trail written by an older release first, once for the whole study");
   erase->add_option(
       "--also",
       erasure.also,
-      "Further copy: a backup to erase from, or an export or a report to remove; repeatable");
+      "Other copy of the data: a backup to erase from, or an export or a report to delete; "
+      "repeatable");
   erase->add_option(
       "--certificate",
       erasure.certificates,
@@ -163,7 +164,9 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
   erase->add_option(
-      "--by", erasure.by, "Certificate (.txt) of an erasure to repeat on this copy of the study");
+      "--by",
+      erasure.by,
+      "Certificate (.txt) of an erasure done elsewhere, to repeat on DIR, a copy of that study");
 
   auto [names, naming] =
       addCommand(noun, action, "names", "List names by participant code", app::names);

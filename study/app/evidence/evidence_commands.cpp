@@ -104,7 +104,8 @@ void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
       "--write-witness",
       options.newWitness,
-      "New witness file of the signed heads; keep it where the study's operators cannot change it");
+      "New file for the signed heads of the trail; keep it where the study's operators cannot "
+      "change it");
 }
 
 void addTimeStampCommand(CLI::App& noun, Action& action) {
@@ -154,11 +155,12 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_option(
       "--expect",
       verifying.noted,
-      "Head of the audit trail that was noted earlier: fails if the trail does not contain it");
+      "Head (hash of the trail's last event) noted earlier: fails if the trail does not contain "
+      "it");
   verify->add_option(
       "--witness",
       verifying.witness,
-      "Witness file of this study: fails if the study does not match it");
+      "Witness file from an earlier --write-witness: fails if the study does not match it");
   addNewWitness(*verify, verifying);
   verify
       ->add_option(
@@ -169,7 +171,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_flag(
       "--older-copy",
       verifying.isOlderCopy,
-      "DIR is an older backup: later signatures of this station may be missing");
+      "DIR is an older backup: heads that this station signed later may be missing");
 
   addTimeStampCommand(noun, action);
 

@@ -74,7 +74,10 @@ void addKeyCommands(CLI::App& study, Action& action) {
   out->add_option("--out", exporting.file, "New file; nothing is overwritten")->required();
   addAuditedReason(*out, exporting.reason)->required();
   auto [in, importing] = add("import", "Store a key that was handed over in this account", import);
-  in->add_option("FILE", importing.file, "The key's file (default: asks for the passphrase)");
+  in->add_option(
+      "FILE",
+      importing.file,
+      "File from 'key export' (default: asks for the passphrase that opens the key)");
   auto [words, setting] = add("passphrase", "Set a passphrase that opens the key", passphrase);
   addAuditedReason(*words, setting.reason)->required();
   auto [gone, dropping] = add(

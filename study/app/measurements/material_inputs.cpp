@@ -81,9 +81,12 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests");
   verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests");
   verb.add_option(
-      "--column", columns, "Heading of a quantity's column, if it does not name it: force=Kanal2");
-  verb.add_option("--unit", units, "Unit of a quantity, if its heading has none: force=kN");
-  verb.add_option("--axis", axis, "Abscissa of the curves; only depth can be rendered")
+      "--column",
+      columns,
+      "QUANTITY=HEADING of its column, if the heading does not name the quantity: force=Kanal2");
+  verb.add_option("--unit", units, "QUANTITY=UNIT, if the column's heading has no unit: force=kN");
+  verb.add_option(
+          "--axis", axis, "Horizontal axis of the curves; only curves over depth can be rendered")
       ->check(oneOf(kAxes))
       ->capture_default_str();
   verb.add_option(
@@ -102,15 +105,22 @@ void MaterialInputs::addTo(CLI::App& verb) {
           options.torqueCutoff,
           "One cut-off for all torques [Hz] (default: by the rule)")
       ->check(finiteRange(1e-4, 1e4));
-  verb.add_option("--envelope", envelope, "Rule for the curves of minimum, average and maximum")
+  verb.add_option(
+          "--envelope",
+          envelope,
+          "How minimum, average and maximum curves are formed: at each depth, or from whole "
+          "specimens")
       ->check(oneOf(kEnvelopes))
       ->capture_default_str();
-  verb.add_option("--nodes", nodes, "Rule by which nodes are chosen, or their number")
+  verb.add_option("--nodes", nodes, "Rule that chooses the spline's nodes, or their number")
       ->check(oneOf(kNodeRules) | CLI::Range(kFewestNodes, kMostNodes))
       ->capture_default_str();
-  verb.add_option("--nodes-of", nodesOf, "Use the nodes that are best for this other spline")
+  verb.add_option(
+          "--nodes-of",
+          nodesOf,
+          "Kind of spline for which nodes are chosen (default: that of --spline)")
       ->check(oneOf(kSplines));
-  verb.add_option("--spline", spline, "Spline: how slopes at the nodes are found")
+  verb.add_option("--spline", spline, "Kind of spline: how its slopes at the nodes are found")
       ->check(oneOf(kSplines))
       ->capture_default_str();
   verb.add_option(
@@ -120,13 +130,13 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--force-floor",
           options.forceFloor,
-          "Smaller forces count as this one in relative errors [N]")
+          "Errors of smaller forces are divided by this force to make them relative [N]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_option(
           "--torque-floor",
           options.torqueFloor,
-          "Smaller torques count as this one in relative errors [N·m]")
+          "Errors of smaller torques are divided by this torque to make them relative [N·m]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_flag(

@@ -137,21 +137,28 @@ void addBuildPacking(CLI::App& noun, Action& action) {
   verb->add_option(
       "MESH",
       command.mesh,
-      "Mesh file: STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
+      "Closed mesh (STL, OBJ, PLY) whose +z axis points into the cup (default: the built-in cup)");
   verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
   verb->add_option("--unit", command.unit, "Unit of the mesh (default: derived from its size)")
       ->check(CLI::IsMember({"m", "mm"}));
   auto* count =
       verb->add_option("--count", command.options.count, "Number of spheres (default: 201532)");
-  auto* coverage =
-      verb->add_option("--coverage", command.options.coverage, "Share of the volume to fill")
-          ->check(finiteRange(0.01, 0.8));
-  auto* smallest =
-      verb->add_option("--smallest-radius", command.smallest, "Radius of the smallest sphere [mm]")
-          ->check(finiteRange(0.001, 50.0));
+  auto* coverage = verb->add_option(
+                           "--coverage",
+                           command.options.coverage,
+                           "Share of the volume to fill, instead of --count")
+                       ->check(finiteRange(0.01, 0.8));
+  auto* smallest = verb->add_option(
+                           "--smallest-radius",
+                           command.smallest,
+                           "Radius of the smallest sphere, instead of --count [mm]")
+                       ->check(finiteRange(0.001, 50.0));
   count->excludes(coverage)->excludes(smallest);
   coverage->excludes(smallest);
-  verb->add_option("--largest-radius", command.largest, "Radius of the largest sphere [mm]")
+  verb->add_option(
+          "--largest-radius",
+          command.largest,
+          "Radius of the largest sphere [mm] (default: from count, smallest radius or volume)")
       ->check(finiteRange(0.001, 50.0));
   verb->add_option("--reamer-radius", command.reamerRadius, "Radius of the reamer [mm]")
       ->check(finiteRange(1.0, 100.0))
@@ -325,23 +332,28 @@ void addFitDensities(CLI::App& noun, Action& action) {
       ->check(CLI::IsMember({"exact", "swarm"}))
       ->capture_default_str();
   verb->add_option(
-          "--layers", command.layers, "Layers of a swarm, by depth; 0: each sphere on its own")
+          "--layers",
+          command.layers,
+          "With swarm: number of layers by depth, each of one density; 0: one density for each "
+          "sphere")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  verb->add_option("--particles", command.swarm.particles, "Number of particles of a swarm")
+  verb->add_option("--particles", command.swarm.particles, "With swarm: number of particles")
       ->check(CLI::Range(2, 100'000))
       ->capture_default_str();
-  verb->add_option("--iterations", command.swarm.iterations, "Number of iterations of a swarm")
+  verb->add_option("--iterations", command.swarm.iterations, "With swarm: number of iterations")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
-  verb->add_option("--seed", command.swarm.seed, "Random seed of a swarm")->capture_default_str();
+  verb->add_option("--seed", command.swarm.seed, "With swarm: random seed")->capture_default_str();
 }
 
 }  // namespace
 
 void addPackingCommands(CLI::App& program, Action& action) {
-  auto& noun =
-      addCommandGroup(program, "packing", "Sphere packings of bone for reaming with removal");
+  auto& noun = addCommandGroup(
+      program,
+      "packing",
+      "Bone as a packing of spheres that reaming removes: fill a mesh, fit densities");
   addBuildPacking(noun, action);
   addFitDensities(noun, action);
 }

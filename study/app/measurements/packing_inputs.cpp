@@ -58,7 +58,7 @@ double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMe
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
   verb.add_option("--material", choice.file, "Material file, or parametric (the built-in material)")
       ->required();
-  verb.add_option("--test-set", choice.set, "Test set of the material")
+  verb.add_option("--test-set", choice.set, "Test set of the material file whose curves are used")
       ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
       ->capture_default_str();
 }

@@ -236,7 +236,7 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--max-slope",
           command.options.maxSlope,
-          "Largest slope of the curve; steeper parts are limited [N per travel unit]")
+          "Largest slope of the curve; steeper parts are made gentler [N per travel unit]")
       ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
   import
@@ -271,8 +271,8 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows whose travel changed by less [travel units]; 0: as in the paper's eq. "
-          "(22)")
+          "Leave out rows where travel changes by less than this [travel units]; 0: as in the "
+          "paper's eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   noise->add_flag(

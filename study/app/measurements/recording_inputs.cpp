@@ -49,7 +49,7 @@ void RecordingInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--cutoff",
           cutoff,
-          "Cut-off of butterworth-zero-phase: frequency of half the amplitude [Hz] (default: 5)")
+          "Cut-off of butterworth-zero-phase, where the amplitude is halved [Hz] (default: 5)")
       ->check(finiteRange(1e-3, 1e5));
 }
 

@@ -75,14 +75,24 @@ void addCheckTableCommand(CLI::App& stats, Action& action) {
       ->required();
   command->add_option("COMPARISONS", options.comparisons, "A CSV file: group1, group2, p")
       ->required();
-  command->add_option("--sizes", options.sizes, "Group sizes to try: SMALLEST LARGEST")
+  command
+      ->add_option(
+          "--sizes",
+          options.sizes,
+          "Sizes to try for every group: SMALLEST LARGEST (default: column n)")
       ->expected(2)
       ->check(CLI::Range(2, 1000));
   auto* scale =
-      command->add_option("--scale", options.scale, "Range of the answer scale: LOWEST HIGHEST")
+      command
+          ->add_option(
+              "--scale", options.scale, "Lowest and highest point of the answer scale: 1 5")
           ->expected(2)
           ->check(CLI::Range(-1000, 1000));
-  command->add_option("--parts", options.parts, "Answers have steps of 1/PARTS of a point")
+  command
+      ->add_option(
+          "--parts",
+          options.parts,
+          "Steps of an answer per point: 2 if an answer is the mean of two statements")
       ->check(CLI::Range(1, 20))
       ->needs(scale)
       ->capture_default_str();

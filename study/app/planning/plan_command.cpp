@@ -60,7 +60,7 @@ void addSites(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--site-sd",
           options.siteDeviation,
-          "Standard deviation of the effect between sites [d_z]; the default: Klein et al. 2018")
+          "Standard deviation of the effect between sites [d_z] (default after Klein et al. 2018)")
       ->check(finiteRange(0.0, 10.0))
       ->capture_default_str()
       ->needs(sites);
@@ -72,8 +72,8 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--shares",
           options.shares,
-          "Variance components of an answer: participant, participant × condition, residual (.3 .2 "
-          ".5)")
+          "Shares of an answer's variance: participant, participant × condition, residual "
+          "(default: .3 .2 .5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
   command.add_option("--studies", question.studies, "Number of studies to simulate; 0 for none")
@@ -82,14 +82,14 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
   command.add_option("--seed", question.seed, "Seed of the simulation")->capture_default_str();
   command
       .add_option(
-          "--seconds-per-item", question.pace.perItem, "Seconds for a statement or a choice")
+          "--seconds-per-item", question.pace.perItem, "Time to answer a statement or a choice [s]")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
   command
       .add_option(
           "--seconds-per-cut",
           question.pace.perCut,
-          "Seconds for a cut on the device or the real tool")
+          "Time for a cut on the device or with the real tool [s]")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
 }
@@ -122,7 +122,7 @@ void addPlanCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--alpha",
           question.alpha,
-          "Significance level of a family (default: as declared in the protocol)")
+          "Significance level of a family of comparisons (default: as declared in the protocol)")
       ->check(finiteRange(1e-6, 0.5));
   command->add_option("--power", question.power, "Power to reach")
       ->check(finiteRange(0.5, 0.9999))

@@ -180,10 +180,12 @@ void addTestCommand(CLI::App& stats, Action& action) {
       ->add_option(
           "--bound",
           options.settings.bound,
-          "Bound of equivalence: smaller differences count as none")
+          "Equivalence margin: differences within ± this bound count as none")
       ->check(finiteRange(1e-300, 1e300));
   command->add_option(
-      "--from", options.settings.from, "Probabilities are of this answer or a higher one");
+      "--from",
+      options.settings.from,
+      "For answer_probability: gives the probability of this answer or a higher one");
   command->add_option("--level", options.settings.level, "Level of the confidence interval")
       ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();

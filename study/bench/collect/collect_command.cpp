@@ -219,19 +219,21 @@ void addCollectCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--participants",
           size.participants,
-          "Number of simulated participants with samples, 1 MB of each")
+          "Number of simulated participants whose samples are sent, 1 MB of each")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command
       ->add_option(
           "--repetitions",
           size.repetitions,
-          "Number of repetitions of counts, and of COPY of samples")
+          "Number of times that counts are queried, and that samples are copied (COPY)")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option(
-          "--disk", size.folder, "A folder for stations' folders (default: temporary files)")
+          "--disk",
+          size.folder,
+          "Folder in which stations' folders are created (default: that of temporary files)")
       ->check(CLI::ExistingDirectory);
 }
 

@@ -184,7 +184,11 @@ void addWindowsCommand(CLI::App& program, Action& action) {
   command->add_option("--colours", options.colours, "Colours of the spheres")
       ->check(CLI::IsMember({"neutral", "density", "removal"}))
       ->capture_default_str();
-  command->add_option("--renderer", options.renderer, "Renderer; finest: as on a graphics card")
+  command
+      ->add_option(
+          "--renderer",
+          options.renderer,
+          "Renderer: best that this computer has, finest (as on a graphics card), or software")
       ->check(CLI::IsMember({"best", "finest", "software"}))
       ->capture_default_str();
   command

@@ -129,7 +129,7 @@ void addPullCommands(CLI::App& program, Action& action) {
   out->add_option(
          "--reason",
          given->reason,
-         "Reason; the copy can name conditions, so its audit trail and the server keep it")
+         "Reason for a copy that can name conditions; its audit trail and the server keep it")
       ->required();
   out->callback([&action, given] { action = [given] { return pullStudy(*given); }; });
 
@@ -140,7 +140,11 @@ void addPullCommands(CLI::App& program, Action& action) {
   addServerOption(*stats, given->server);
   stats->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");
-  stats->add_option("--reason", given->reason, "Reason for naming conditions, as for 'pull'")
+  stats
+      ->add_option(
+          "--reason",
+          given->reason,
+          "Reason for reading data that can name conditions; the server keeps it")
       ->required();
   stats->allow_extras();
   stats->callback([&action, given, stats] {
@@ -152,7 +156,10 @@ void addPullCommands(CLI::App& program, Action& action) {
   addServerOption(*look, given->server);
   look->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");
-  look->add_option("--reason", given->reason, "Reason for naming conditions, as for 'pull'")
+  look->add_option(
+          "--reason",
+          given->reason,
+          "Reason for reading data that can name conditions; the server keeps it")
       ->required();
   look->callback([&action, given] { action = [given] { return checkStudy(*given); }; });
 }

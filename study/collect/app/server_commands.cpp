@@ -172,9 +172,10 @@ void addServerCommands(CLI::App& program, Action& action) {
       ->type_name("FILE");
   auto* seed = make->add_option(
       "--seed", given->seed, "Seed of the condition orders of all stations (default: random)");
-  make->add_option("--station", given->station, "Write an enrolment to this file")
+  make->add_option(
+          "--station", given->station, "Enrol a station: write its enrolment to this new file")
       ->type_name("FILE");
-  make->add_option("--site", given->site, "Name of the station's site: \"oslo\"");
+  make->add_option("--site", given->site, "Name of the site where the station is: \"oslo\"");
   make->add_option(
       "--name", given->name, "Name of the station (default: that of its site): \"oslo-2\"");
   make->add_option(
