@@ -59,7 +59,7 @@ class FloatPunch {
 
   Elements elements_{parameters()};
   Elements::State state_;
-  float shape_[kElements] = {};
+  float shape_[kElements] = {};  ///< displacements for a force of 1 N [travel units]
   float displacements_[kElements] = {};
   models::Interpolation<float> curve_{kCut, kCutPoints, {}};
   size_t hint_ = 0;
@@ -95,7 +95,7 @@ class ElementsPunch {
 
   Elements elements_{parameters()};
   Elements::State state_;
-  float shape_[kElements] = {};
+  float shape_[kElements] = {};  ///< displacements for a force of 1 N [travel units]
   float displacements_[kElements] = {};
 };
 

@@ -68,7 +68,7 @@ class Fixed {
   friend constexpr bool operator>=(Fixed a, Fixed b) noexcept { return a.raw_ >= b.raw_; }
 
  private:
-  /// The number of largest magnitude with the sign of @p value.
+  /// The end of the range of numbers on the side of @p value's sign, where results saturate.
   static constexpr int32_t end(int32_t value) noexcept { return value < 0 ? kSmallest : kLargest; }
   static constexpr int32_t saturated(int64_t value) noexcept {
     if (value > kLargest) return kLargest;

@@ -59,8 +59,8 @@ namespace haptics::wire::punch {
 
 /// A decoded frame: type u8, sequence u16, sender's clock u32 [µs], payload, CRC-32 of all before;
 /// little-endian throughout.
-inline constexpr size_t kHead = 7;
-inline constexpr size_t kTail = 4;
+inline constexpr size_t kHead = 7;  ///< bytes before the payload
+inline constexpr size_t kTail = 4;  ///< bytes after it: the CRC
 inline constexpr size_t kLargestPayload = 2 + kTableChunk * 8;
 inline constexpr size_t kLargestFrame = kHead + kLargestPayload + kTail;
 /// Encoded, with the zero at its end.
