@@ -52,6 +52,7 @@ class LinkLoop {
   LinkRun finish();
 
  private:
+  /// One period of the loop, of @p dt [s], that begins @p lateness [µs] after it was due.
   void tick(double dt, double lateness) noexcept;
   bool mustStall(double force) noexcept;
 

@@ -248,9 +248,10 @@ void sweepBadInput(double effort, StabilityResult& result) {
           std::isfinite(device.commanded) && std::abs(device.commanded) <= kLimits.maxForce;
       wrong += isSound ? 0 : 1;
     }
-    // After invalid input the force must be as before: open, then close to five units into the cut.
-    // Compare means of two ticks, because with paper-text two forces alternate, and which comes
-    // first depends on the number of valid ticks before.
+    // After invalid input the engine must render the same force as an engine that never had any:
+    // the tool opens, then closes to 5 travel units. Compare means of two ticks, because the
+    // scheme paper-text alternates between two forces, and which comes first depends on the number
+    // of valid ticks before.
     const auto feelAtFive = [](engine::ForceEngine& what, ScriptedDevice& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};

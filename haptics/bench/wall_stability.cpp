@@ -10,12 +10,12 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kMass = 0.004;  // mass of the simulated punch [N·s²/travel unit]
-constexpr double kWall = 5.0;    // [travel units]
-constexpr double kHand = 3.0;    // stiffness of a hand [N/travel unit]
-constexpr double kGoal = 5.4;    // position that the hand aims at
-constexpr double kSeconds = 2.0;
-constexpr double kWindow = 0.4;          // duration over which the amplitude is measured [s]
+constexpr double kMass = 0.004;   // mass of the simulated punch [N·s²/travel unit]
+constexpr double kWall = 5.0;     // travel at which the wall begins [travel units]
+constexpr double kHand = 3.0;     // stiffness of a hand [N/travel unit]
+constexpr double kGoal = 5.4;     // travel that the hand aims at, inside the wall [travel units]
+constexpr double kSeconds = 2.0;  // simulated time [s]
+constexpr double kWindow = 0.4;   // duration over which the amplitude is measured [s]
 constexpr double kWindowDistance = 1.0;  // time between two such windows [s]
 constexpr double kInside = 1e-5;         // time step of the simulated mechanism [s]
 

@@ -50,6 +50,7 @@ class SimulatedDevice final : public Device {
 
  private:
   double stopForce() const noexcept;
+  /// Advances the rotation about the tool's axis by @p dt [s].
   void turn(double dt) noexcept;
 
   Capabilities capabilities_;
@@ -58,10 +59,10 @@ class SimulatedDevice final : public Device {
   std::atomic<bool> isGone_{false};
   std::atomic<bool> isHeld_{true};
   std::atomic<bool> isReamerOn_{true};
-  double travel_ = 0.0;
-  double velocity_ = 0.0;
-  double force_ = 0.0;
-  double torque_ = 0.0;
+  double travel_ = 0.0;    ///< [travel unit]
+  double velocity_ = 0.0;  ///< [travel unit / s]
+  double force_ = 0.0;     ///< last commanded [N]
+  double torque_ = 0.0;    ///< last commanded [N·m]
   double turn_ = 0.0;      ///< [rad]
   double turnRate_ = 0.0;  ///< [rad/s]
 };

@@ -36,7 +36,7 @@ class WireDevice : public Device, private Pacer {
  protected:
   /// The keeper's time limits.
   struct KeeperLimits {
-    /// Longest wait for a message before the keeper checks whether to stop [ns].
+    /// Longest wait in one turn of the keeper's loop; it then checks whether to stop [ns].
     std::int64_t turn;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };

@@ -47,6 +47,7 @@ class FriCommandCheck {
       const wire::fri::CommandData& command, const wire::fri::Joints& joints) const noexcept;
 
  private:
+  /// The reason to refuse a command that lacks a field which its mode needs; None if it has all.
   FriEndReason missing(const wire::fri::CommandData& command) const noexcept;
   FriVerdict judgePosition(
       const wire::fri::Joints& position,
@@ -68,10 +69,10 @@ class FriCommandCheck {
 class FriAnswers {
  public:
   struct Counts {
-    std::uint64_t taken = 0;
-    std::uint64_t missed = 0;  ///< did not arrive before the next was due
-    std::uint64_t lost = 0;    ///< missing in the client's own counter
-    std::uint64_t doubled = 0;
+    std::uint64_t taken = 0;    ///< accepted
+    std::uint64_t missed = 0;   ///< did not arrive before the next was due
+    std::uint64_t lost = 0;     ///< missing in the client's own counter
+    std::uint64_t doubled = 0;  ///< to a message that was answered before
     std::uint64_t late = 0;     ///< to a message older than a receive period
     std::uint64_t unasked = 0;  ///< to a message sent in Idle
     /// To a message that was never sent, or was sent before a restart.
@@ -93,8 +94,11 @@ class FriAnswers {
   /// Processes an answer. Returns whether it is accepted; latency() is then that of this answer.
   bool take(const wire::fri::Header& header, std::int64_t now) noexcept;
 
+  /// Counts a datagram that is no valid answer, by the reason of the decoder.
   void refuse(wire::fri::Refusal refusal) noexcept;
+  /// Counts a datagram from another address than the client's.
   void refuseSender() noexcept { ++counts_.unexpectedSender; }
+  /// Counts an answer that was due and did not arrive.
   void miss() noexcept { ++counts_.missed; }
 
   /// Returns to the initial state, but keeps the counts.
@@ -106,7 +110,7 @@ class FriAnswers {
   const Counts& counts() const noexcept { return counts_; }
 
  private:
-  /// Number of messages; more than in a receive period.
+  /// Number of sent messages that are remembered; more than in a receive period.
   static constexpr std::uint32_t kRemembered = 128;
 
   struct Sent {
@@ -120,8 +124,8 @@ class FriAnswers {
   std::uint32_t multiplier_;
   std::uint32_t next_ = 0;
   std::array<Sent, kRemembered> sent_{};
-  std::uint32_t heard_ = 0;
-  bool hasHeard_ = false;
+  std::uint32_t heard_ = 0;  ///< the client's last counter
+  bool hasHeard_ = false;    ///< false before the first answer
   std::int64_t latency_ = 0;
   Counts counts_;
 };

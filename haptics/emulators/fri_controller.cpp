@@ -90,7 +90,7 @@ FriController::FriController(const Options& options)
 void FriController::step() noexcept {
   ++report_.periods;
   closePeriod();
-  takeOrders();
+  executeEvents();
   goOn();
   if (orders_.take(FriOrders::OneTime::Stall)) {
     ++report_.stalled;
@@ -123,7 +123,7 @@ void FriController::closePeriod() noexcept {
   isBlockAnswered_ = false;
 }
 
-void FriController::takeOrders() noexcept {
+void FriController::executeEvents() noexcept {
   using Event = FriOrders::Event;
   if (orders_.take(Event::WrongVersion)) isWrongVersion_ = !isWrongVersion_;
   if (orders_.take(Event::SafetyStop)) session_.setSafetyStop(true);

@@ -87,8 +87,8 @@ class FriController {
   /// | restart           | restarts the controller, with counters from 0                |
   /// | status            | none; the reply is status()                                  |
   struct Reply {
-    bool isTaken = false;
-    std::string text;  ///< the status, or the reason why the command was not accepted
+    bool isTaken = false;  ///< the command was accepted
+    std::string text;      ///< the status, or the reason why the command was not accepted
   };
   Reply command(std::string_view line);
 
@@ -105,11 +105,14 @@ class FriController {
  private:
   using Buffer = std::array<std::uint8_t, wire::fri::kLargestDatagram + 1>;
 
-  void takeOrders() noexcept;
+  /// Executes the events that command() has ordered since the last period.
+  void executeEvents() noexcept;
   void closePeriod() noexcept;
+  /// Advances the session, and lets the arm follow its state.
   void goOn() noexcept;
   void sendMessage() noexcept;
   void sendImpostor(const wire::fri::MonitoringMessage& message) noexcept;
+  /// Passes a datagram to the client, with the faults that are due.
   void hand(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
   bool corrupt(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
   void readImpostor() noexcept;
@@ -137,8 +140,8 @@ class FriController {
   int sinceCommand_ = 1;              ///< periods since lastPosition_
   int sinceAnswered_ = 0;             ///< periods since the last message that was answered
   int periodsInReceivePeriod_ = 0;    ///< number of periods in the present receive period so far
-  bool isBlockAnswered_ = false;
-  int missed_ = 0;  ///< number of consecutive missing answers
+  bool isBlockAnswered_ = false;      ///< an answer was accepted in the present receive period
+  int missed_ = 0;                    ///< number of consecutive missing answers
   bool isWrongVersion_ = false;
   bool hadOverlay_ = false;
   Buffer out_{};

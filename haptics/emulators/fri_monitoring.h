@@ -33,13 +33,13 @@ struct FriReport {
   std::uint64_t unsent = 0;     ///< datagrams that the system did not accept
   FriAnswers::Counts answers;
   Injected injected;
-  std::uint64_t sixJoints = 0;
-  std::uint64_t notANumber = 0;
-  std::uint64_t wrongVersion = 0;
-  std::uint64_t stalled = 0;      ///< periods in which nothing was sent, by order
-  std::uint64_t impostors = 0;    ///< datagrams sent by the impostor
-  std::uint64_t misled = 0;       ///< answers that the client sent to the impostor
-  std::uint64_t latePeriods = 0;  ///< periods that run() began late by a period or more
+  std::uint64_t sixJoints = 0;     ///< messages with six joints
+  std::uint64_t notANumber = 0;    ///< messages in which a joint is NaN
+  std::uint64_t wrongVersion = 0;  ///< messages framed as another version
+  std::uint64_t stalled = 0;       ///< periods in which nothing was sent, by order
+  std::uint64_t impostors = 0;     ///< datagrams sent by the impostor
+  std::uint64_t misled = 0;        ///< answers that the client sent to the impostor
+  std::uint64_t latePeriods = 0;   ///< periods that run() began late by a period or more
 };
 
 /// The report as one line of key=value pairs; the reason of the last end comes last, in quotes.
@@ -47,8 +47,8 @@ std::string statusOf(const FriReport& report);
 
 /// The fields of a monitoring message that describe the connection.
 struct FriLinkFields {
-  std::uint32_t sequence = 0;
-  std::uint32_t reflected = 0;
+  std::uint32_t sequence = 0;   ///< counter of this message
+  std::uint32_t reflected = 0;  ///< the client's last counter, sent back to it
   wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;
   std::uint32_t sendPeriod = 1;  ///< [ms]
   std::uint32_t receiveMultiplier = 1;

@@ -52,12 +52,14 @@ class FriOrders {
       const Word& word, std::string_view line, std::span<const std::string_view> texts);
   void add(OneTime order, int howMany) noexcept;
   void raise(Event event) noexcept;
+  /// The number of send periods in a time, rounded up.
   int periodsOf(int milliseconds) const noexcept;
 
   Impairment& impairment_;
   int period_;  ///< [ms]
+  /// How many of each OneTime are still pending.
   std::array<std::atomic<int>, kOneTimeCount> once_{};
-  std::atomic<std::uint32_t> events_{0};  ///< one bit each
+  std::atomic<std::uint32_t> events_{0};  ///< pending events, one bit each
   std::atomic<bool> isQualityPoor_{false};
 };
 

@@ -87,8 +87,8 @@ class Impairment {
     sendDue(send);
   }
 
-  /// Passes on @p frame without a fault, because it is already invalid; it does not count as
-  /// overtaking held frames.
+  /// Passes on @p frame, which the caller has made invalid already, without a further fault. It
+  /// does not count as overtaking held frames.
   template <typename Send>
   void passUnimpaired(std::span<const std::uint8_t> frame, Send&& send) {
     spare();
@@ -129,6 +129,7 @@ class Impairment {
 
   Delivery decide(std::span<const std::uint8_t> frame) noexcept;
   Delivery impair(std::span<const std::uint8_t> frame, Fault fault) noexcept;
+  /// Counts a frame that gets no fault; held frames come closer to being due.
   void spare() noexcept;
   std::optional<Fault> nextFault() noexcept;
   std::optional<Fault> orderedFault() noexcept;

@@ -76,15 +76,16 @@ class PunchEmulator {
   devices::SimulatedDevice handle_;
   std::int64_t start_;
   double travel_ = 0.0;
-  int voltage_ = 0;  // [mV]
-  std::int32_t leap_ = 0;
+  int voltage_ = 0;        // [mV]
+  std::int32_t leap_ = 0;  // error of the encoder [counts]
   bool hasDriverFault_ = false;
+  // Times on CLOCK_MONOTONIC [ns]; 0: none.
   std::int64_t stalledUntil_ = 0;
   std::int64_t stalledSince_ = 0;
   std::int64_t mutedUntil_ = 0;
   std::int64_t faultAt_ = 0;
   std::int64_t forceOffAt_ = 0;
-  bool hadForce_ = false;
+  bool hadForce_ = false;  // when the fault began, the motor had a voltage
   std::uint64_t steps_ = 0;
   std::array<std::uint8_t, 1024> input_{};
   std::size_t inputSize_ = 0;

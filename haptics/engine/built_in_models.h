@@ -25,9 +25,9 @@ std::vector<MaterialNode> parametricMaterial();
 /// builds it, in about a second. May be called from any thread.
 std::shared_ptr<const reaming::PackedBone> parametricBone();
 
-/// The curves of parametricMaterial(): lower, halfway, upper.
+/// The force curves of parametricMaterial() [N]: lower, halfway between both, upper.
 reaming::HardnessCurves parametricCurves();
-/// The torque curves of parametricMaterial() [N·m]: lower, halfway, upper.
+/// The torque curves of parametricMaterial() [N·m]: lower, halfway between both, upper.
 reaming::HardnessCurves parametricTorque();
 
 }  // namespace haptics::engine

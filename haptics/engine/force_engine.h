@@ -72,7 +72,7 @@ class ForceEngine {
   std::atomic<bool> isReamerOn_{true};
   std::uint64_t ticks_ = 0;
   ToolState tool_;
-  bool hasTool_ = false;  ///< tool_ holds a measurement
+  bool hasTool_ = false;  ///< tool_ is measured: false before the first valid sample
   bool isHeld_ = true;
   double moved_ = 0.0;            ///< change of travel in the last tick [device's travel unit]
   double desired_ = 0.0;          ///< force of the scene's last response [N]

@@ -25,9 +25,10 @@ class IndexedCurve {
   IndexedCurve& operator=(IndexedCurve&&) = delete;
 
   const models::Interpolation<double>& curve() const noexcept { return curve_; }
+  /// Largest magnitude of the slope between two neighbouring nodes [N/travel unit].
   double largestSlope() const noexcept;
   bool hasJumpAtEnd() const noexcept;
-  std::size_t bytes() const noexcept;
+  std::size_t bytes() const noexcept;  ///< memory of nodes and search index
 
  private:
   std::vector<models::CurveNode<double>> nodes_;
@@ -108,7 +109,7 @@ class KalmanModel final : public ForceModel {
 };
 
 using FactoredKalmanModel = KalmanModel<models::KalmanFilter<double>>;
-/// With Q exactly as eq. (22) prints it.
+/// With the process noise Q exactly as the punch paper prints it in eq. (22): not symmetric.
 using PrintedKalmanModel = KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 extern template class KalmanModel<models::KalmanFilter<double>>;
 extern template class KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;

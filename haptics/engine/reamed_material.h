@@ -36,6 +36,7 @@ class ReamedMaterialModel final : public ForceModel {
   bool hasTorque() const noexcept override { return material_.hasTorque(); }
 
   double depth() const noexcept { return depth_; }  ///< depth of the tool [m]
+  /// Memory of the force curve [bytes].
   std::size_t bytes() const noexcept { return material_.bytes(); }
 
  private:

@@ -75,7 +75,7 @@ std::vector<Closure> closuresOf(
 /// The rows that a cut is made of.
 struct CutChoice {
   std::vector<std::size_t> closures{};  ///< from 1; empty if rows were asked for
-  std::vector<RowRange> rows{};         ///< the closing branch of each closure, or the rows
+  std::vector<RowRange> rows{};         ///< the closing part of each closure, or the rows asked for
   std::string reason{};                 ///< why these, in a sentence
 };
 

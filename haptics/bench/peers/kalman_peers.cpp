@@ -5,7 +5,8 @@
 namespace haptics::bench::peers {
 namespace {
 
-/// Eq. (14)–(21) literally: S = H P Hᵀ + R is a matrix that is inverted.
+/// The Kalman filter of the punch paper as eq. (14)–(21) write it, with a matrix library: even the
+/// 1×1 matrix S = H P Hᵀ + R is inverted as a matrix.
 template <typename Matrix, typename Column, typename Row, typename One>
 double filterWith(const KalmanNumbers& n, int steps, double travelled) {
   Column x = Column::Zero(2, 1);

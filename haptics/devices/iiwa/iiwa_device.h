@@ -20,8 +20,8 @@ enum class IiwaOverlay : std::uint8_t {
   JointTorque,      ///< in the joints, under joint impedance control
 };
 
-/// The frame in which the robot expects a wrench, as the motion centre in the robot's program is
-/// set.
+/// The frame in which the robot reads a commanded wrench. It follows from the motion centre that is
+/// set in the robot's program.
 enum class WrenchFrame : std::uint8_t { Tool, Base };
 
 /// How an arm is connected, and its tool.
@@ -110,8 +110,8 @@ class IiwaDevice final : public WireDevice {
 
   wire::fri::MonitoringMessage heard_;
   wire::SequenceCheck<std::uint32_t> sequence_;
-  std::uint32_t ours_ = 0;
-  std::uint32_t sinceAnswer_ = 0;
+  std::uint32_t ours_ = 0;           // counter of the next answer
+  std::uint32_t sinceAnswer_ = 0;    // messages since the last answer
   std::int64_t period_ = 5'000'000;  // between messages [ns]
   Endpoint lastForeignSender_;       // the last sender that was not the robot
   std::int64_t lastGoodAt_ = 0;      // when the connection was last good enough [ns]
@@ -121,11 +121,11 @@ class IiwaDevice final : public WireDevice {
   Pose tool_;
   IiwaJacobian jacobian_ = IiwaJacobian::Zero();
   std::optional<Pose> start_;
-  double travel_ = 0.0;
-  double velocity_ = 0.0;
-  double turn_ = 0.0;  // [rad]
+  double travel_ = 0.0;    // [m]
+  double velocity_ = 0.0;  // [m/s]
+  double turn_ = 0.0;      // [rad]
 
-  std::uint32_t lastReflected_ = 0;
+  std::uint32_t lastReflected_ = 0;  // last counter of ours that the robot sent back
 };
 
 }  // namespace haptics::devices

@@ -88,17 +88,18 @@ class PunchDevice final : public WireDevice {
   wire::punch::FrameDecoder decoder_;
   wire::punch::Hello hello_;
   bool hasHello_ = false;
-  int helloCount_ = 0;  ///< number of Hello messages received
-  std::optional<wire::punch::ModelReply> taken_;
+  int helloCount_ = 0;                            ///< number of Hello messages received
+  std::optional<wire::punch::ModelReply> taken_;  ///< last reply to the parameters of a scene
+  /// Hash of the scene that the device renders itself; std::nullopt: it renders commanded forces.
   std::optional<std::uint32_t> sceneHash_;
 
   wire::SequenceCheck<std::uint16_t> sequence_;
   wire::punch::State state_;
-  std::int64_t armedAt_ = 0;  // [ns]
-  std::uint32_t damagedBefore_ = 0;
+  std::int64_t armedAt_ = 0;         // [ns]
+  std::uint32_t damagedBefore_ = 0;  // damaged frames when counting began
 
   std::uint16_t nextSequence_ = 0;
-  std::uint16_t lastEcho_ = 0;
+  std::uint16_t lastEcho_ = 0;  // last number of ours that the device acknowledged
 };
 
 }  // namespace haptics::devices

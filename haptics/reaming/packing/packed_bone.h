@@ -63,10 +63,10 @@ struct BoneFitOptions {
   std::size_t depths = 400;  ///< number of depths of the force; the torque uses a quarter of them
   /// μ between reamer and bone, >= 0; std::nullopt: μ is fitted.
   std::optional<double> friction = {};
-  std::function<void(const std::string&)> onProgress =
-      {};  ///< called with the name of the curve that is fitted next; may be empty
-  /// Fits the densities to the force only; friction is fitted afterwards. Empty: fitBone() with
-  /// force and torque.
+  /// Called before each curve is fitted, with its name; may be empty.
+  std::function<void(const std::string&)> onProgress = {};
+  /// A method that fits the densities to the force only; friction is fitted afterwards. Empty: the
+  /// exact fit, fitBone(), to force and torque.
   DensityMethod method = {};
 };
 
