@@ -13,7 +13,7 @@ namespace analysis {
 namespace {
 
 constexpr std::size_t kTooMany = 127;               // both votes and options must be fewer
-constexpr Int128 kMostOutcomes = Int128{1} << 126;  // what exactQuotient() can divide by
+constexpr Int128 kMostOutcomes = Int128{1} << 126;  // largest divisor of exactQuotient()
 
 /// Pascal's triangle up to the largest number of votes, kTooMany − 1.
 class Binomials {

@@ -33,6 +33,7 @@ enum class StudyUse {
 
 /// A statistical test that is selected by name and computed from a table of data.
 struct StatisticalTest {
+  /// The rows that the test returns, and the setting that it needs.
   enum class Form {
     OneRow,
     NeedsBound,      ///< one row, and TestSettings::bound

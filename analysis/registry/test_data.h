@@ -73,6 +73,8 @@ struct CrossTable {
   std::vector<std::vector<std::uint64_t>> counts;  ///< [row][column]
 };
 
+/// Counts how often each name of the first column occurs with each name of the second, by the
+/// numbers of cases (TestData::counts).
 /// @param isSquare  rows and columns both list the names of both columns, in the order of their
 ///     appearance.
 CrossTable crossTableOf(const TestData& data, bool isSquare);

@@ -60,6 +60,7 @@ struct WithinOptions {
   std::optional<double> equivalenceBound;  ///< [points of the scale]
 };
 
+/// Name of the models' factor that tells the compared conditions apart.
 inline constexpr const char* kMethodFactor = "method";
 
 /// The model of the single answers:

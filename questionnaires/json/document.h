@@ -41,8 +41,8 @@ struct Value::Member {
 /// The largest file that is read; files written by researchers are far smaller.
 inline constexpr std::size_t kLargestFile = 5'000'000;  ///< [bytes]
 inline constexpr std::size_t kDeepestNesting = 64;
-inline constexpr std::size_t kLongestText = 100'000;  ///< [bytes]
-inline constexpr std::size_t kMostElements = 100'000;
+inline constexpr std::size_t kLongestText = 100'000;   ///< [bytes]
+inline constexpr std::size_t kMostElements = 100'000;  ///< of one list or object
 
 /// Parses JSON from @p text. Stricter than most readers: duplicate keys, NUL characters in texts,
 /// nesting deeper than kDeepestNesting and files larger than kLargestFile are problems. Returns

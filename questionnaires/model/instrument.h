@@ -129,8 +129,8 @@ enum class Reference {
   Previous,  ///< what was felt just before ("than the previous cut")
 };
 
-/// What a question asks about. If a study lacks it, the question cannot be answered, and the
-/// protocol check reports it.
+/// What a question asks about besides an alternative, and what a study must therefore have. If the
+/// study lacks it, the question cannot be answered, and the protocol check reports it.
 enum class Referent {
   None,
   Benchmark,  ///< cuts with the physical tool in an earlier phase

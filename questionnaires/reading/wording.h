@@ -20,7 +20,8 @@ struct Wording {
   std::string source;    ///< publication that the researcher copied
   /// By TextPlace::name: "items/1/text", "scale/low_label".
   std::map<std::string, std::string> texts;
-  /// Keys of the items (1 or -1), compared with those of the instrument; may be empty.
+  /// Scoring keys by item: 1, or -1 for a reversed item. Compared with those of the instrument; may
+  /// be empty.
   std::map<std::string, int> keys;
 };
 
