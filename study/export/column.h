@@ -113,8 +113,8 @@ struct OneOf {
   static constexpr ColumnType kType = ColumnType::Text;
   ValueList list;
 };
-/// One value of a list that only this column has.
-struct OneOfThese {
+/// One value of a list that belongs to this column alone, and is given with it.
+struct OneOfOwnList {
   static constexpr ColumnType kType = ColumnType::Text;
   std::vector<Level> levels;
 };
@@ -203,7 +203,7 @@ class Column {
         }) {
     if constexpr (std::same_as<Holding, holds::Number>) head_.unit = holding.unit;
     if constexpr (std::same_as<Holding, holds::OneOf>) list_ = holding.list;
-    if constexpr (std::same_as<Holding, holds::OneOfThese>)
+    if constexpr (std::same_as<Holding, holds::OneOfOwnList>)
       head_.levels = std::move(holding.levels);
     head_.isFreeText = std::same_as<Holding, holds::FreeText>;
   }
@@ -241,7 +241,8 @@ class Column {
     return std::move(*this);
   }
 
-  /// As inPublic(), but only if the quasi-identifier named @p respect is released.
+  /// As inPublic(), but only if the public folder releases the quasi-identifier (a property of
+  /// people, such as their age) that is named @p respect.
   Column inPublicIfReleased(const std::string& respect, const std::string& description = {}) && {
     public_ = InPublic{.requiredIdentifier = respect, .description = description};
     return std::move(*this);

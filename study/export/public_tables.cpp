@@ -124,7 +124,7 @@ class PublicTables {
       const auto& language = study_.protocol().protocol.languages.front();
       return {
           column.name,
-          holds::OneOfThese{question.coarsening.values(*column.level)},
+          holds::OneOfOwnList{question.coarsening.values(*column.level)},
           question.item->text.in(language) + " Empty: not answered, or told by too few",
           value};
     }

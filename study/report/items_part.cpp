@@ -8,7 +8,7 @@
 namespace study::report {
 namespace {
 
-/// Writes every answered item by itself.
+/// Writes the part of a report that shows the answers to each item, and what participants wrote.
 class ItemsWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;

@@ -42,8 +42,9 @@ struct BlockPlan {
 struct SiteDetectability {
   double designEffect = 1.0;
   double power = 0.0;  ///< power for the requested effect, pooled over sites; closed form
-  std::optional<analysis::SimulatedSitePower> found;     ///< simulated with that effect
-  std::optional<analysis::SimulatedSitePower> invented;  ///< simulated without an effect
+  std::optional<analysis::SimulatedSitePower> found;  ///< simulated with that effect
+  /// Simulated without an effect: false positives.
+  std::optional<analysis::SimulatedSitePower> invented;
 };
 
 /// What a family of comparisons can detect with a number of participants.
@@ -54,8 +55,9 @@ struct Detectability {
   /// Smallest p of an exact Friedman test; for three or more conditions.
   std::optional<analysis::AttainableP> friedman;
   std::optional<double> power;  ///< of a paired t-test for the requested effect; needs two people
-  std::optional<analysis::SimulatedPower> found;     ///< simulated with that effect
-  std::optional<analysis::SimulatedPower> invented;  ///< simulated without an effect
+  std::optional<analysis::SimulatedPower> found;  ///< simulated with that effect
+  /// Simulated without an effect: false positives.
+  std::optional<analysis::SimulatedPower> invented;
   /// At several sites, if each has two participants.
   std::optional<SiteDetectability> sites = {};
 };

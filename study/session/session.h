@@ -110,6 +110,7 @@ class Session {
   void resumeAfterPause();
   /// Possible at any time. A running trial is stopped first and counts as stopped.
   void withdraw(const std::string& reason);
+  /// The operator rejects the session (SessionState::Rejected). Not possible during a trial.
   void reject(const std::string& reason);
   void giveUpOnDevice(const std::string& reason);
   void note(const std::string& text);

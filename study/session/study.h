@@ -84,8 +84,8 @@ class Study {
   /// Uses an exported key. @throws UserError  if it is the key of another study.
   void useKey(const storage::BlindingSecret& key);
 
-  /// Opens the key of names with their passphrase; this program holds it until it ends
-  /// (docs/decisions/0062). @return false if the passphrase is wrong
+  /// Opens the key that seals names with the passphrase of names; this program holds it until it
+  /// ends (docs/decisions/0062). @return false if the passphrase is wrong
   bool unlockNames(const std::string& passphrase);
 
   /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt in studies

@@ -29,7 +29,8 @@ struct VerifyOptions {
   /// who can write the study's folder can cut off its last events or recompute the trail. The
   /// station that signed it detects that; other computers detect it only by a head that was noted.
   std::string noted = {};
-  /// A file of heads that were signed earlier (storage::writeWitness()); empty: none.
+  /// Path of a witness file, of heads that were signed earlier (storage::writeWitness()); empty:
+  /// none.
   std::string witness = {};
   /// The study is an older copy, a backup: what this station noted later may be missing.
   bool isOlderCopy = false;

@@ -113,7 +113,7 @@ class EventLog {
   /// The hash of the tables in the last event of a session, or of the study itself.
   struct Content {
     std::vector<std::byte> hash;  ///< empty if format 1 wrote the event
-    bool isSealed = false;        ///< hashed with the participant's content key
+    bool isSealed = false;        ///< the hash is keyed with the participant's content key
   };
   /// std::nullopt if there is no event.
   std::optional<Content> lastContent(std::optional<SessionId> session) const;

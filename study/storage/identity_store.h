@@ -65,8 +65,8 @@ class IdentityStore {
   /// unsealed, or Content when the trail is sealed. Does nothing if there is one. One transaction.
   /// @throws StorageError  if @p kind is Identity and names are locked.
   void drawMissingKey(Key kind, const std::string& participant);
-  /// Stores the content key of a participant whose names are in another file, inside the caller's
-  /// transaction.
+  /// Stores a participant's content key that came from a station, whose own file keeps the names.
+  /// Inside the caller's transaction.
   void putContentKey(const std::string& participant, const SealingKey& key);
   /// std::nullopt if it was destroyed, or never drawn (participants of older releases).
   /// @throws StorageError  if @p kind is Identity and names are locked.

@@ -128,8 +128,9 @@ struct VerifiedTimeStamp {
   std::string whyNot = {};
 };
 
+/// Checks, with openssl, that an authority's reply is a time stamp of @p head.
 /// @param reply  the content of the reply file
-/// @param certificate  path of a PEM file
+/// @param certificate  path of the authority's root certificate (PEM)
 VerifiedTimeStamp prove(
     const std::string& head, const std::string& reply, const std::string& certificate) {
   const TemporaryFolder scratch;

@@ -43,7 +43,8 @@ struct SimulationOptions {
 /// The frame rate of a scene, and the lateness of the force loop meanwhile.
 struct SimulationSpeed {
   std::string name;
-  std::string remark;  ///< of the renderer, if there is one
+  std::string
+      remark;  ///< what the renderer says of itself, e.g. that it draws without a graphics card
   ViewReport view;
   TrialRecord felt;
   double making = 0.0;         ///< time to build the scene before the trial [ms]

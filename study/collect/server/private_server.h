@@ -30,7 +30,7 @@ class PrivateServer {
   PrivateServer(const PrivateServer&) = delete;
   PrivateServer& operator=(const PrivateServer&) = delete;
 
-  /// The connection string for Connection. @param database  must exist.
+  /// The string with which a Connection reaches this server. @param database  must exist.
   std::string server(const std::string& database = "postgres") const;
 
   enum class Stop {
@@ -50,6 +50,7 @@ class PrivateServer {
   /// With "data" (pg_hba.conf) and "server.log" in it. Belongs to the server's account.
   const std::filesystem::path& folder() const noexcept { return folder_; }
   int port() const noexcept { return port_; }
+  /// Process of the server; -1 while it is stopped.
   pid_t id() const noexcept { return id_; }
 
  private:

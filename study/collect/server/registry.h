@@ -15,8 +15,8 @@ struct StudyOnServer {
   std::string uuid;
   std::string name;  ///< short, unique on the server
   std::string title;
-  std::string seed;
-  std::vector<std::byte> secret;
+  std::string seed;               ///< of the orders of conditions, at all stations
+  std::vector<std::byte> secret;  ///< the study's storage::BlindingSecret
 };
 
 /// A version of a study's protocol. @param files  a JSON object: name to text
@@ -53,13 +53,12 @@ struct NewStation {
   std::string key;  ///< the station's public key
   int days = 30;    ///< days in which it has to push for the first time
 };
-/// Adds a station and its role, station_<label>, without a password.
-/// @return  the role, and until when the enrolment may be used (ISO 8601)
-/// @throws UserError  if the study has a station of that name.
 struct AddedStation {
-  std::string role;
-  std::string expiresUtc;
+  std::string role;        ///< with which the station logs in
+  std::string expiresUtc;  ///< until when its enrolment may be used (ISO 8601)
 };
+/// Adds a station and its role, station_<label>, without a password.
+/// @throws UserError  if the study has a station of that name.
 AddedStation addStation(Connection& server, const std::string& study, const NewStation& station);
 
 /// Revokes a station: the server accepts nothing more from it. Its data stay.
@@ -82,14 +81,15 @@ void setAsideStation(
 /// The state of a station's data on the server.
 struct StationStatus {
   std::string site;
-  std::string station;
-  std::int64_t events = 0;
+  std::string station;      ///< label
+  std::int64_t events = 0;  ///< of its audit trail
   std::int64_t sessions = 0;
-  std::int64_t incidents = 0;
-  std::string lastContact;  ///< empty: it never pushed
+  std::int64_t incidents = 0;  ///< refused requests, see Incident
+  std::string lastContact;     ///< empty: it never pushed
   bool isRevoked = false;
   bool isSetAside = false;
 };
+/// The stations of a study, or of all studies if @p studyName is empty.
 std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName);
 
 /// Stores an incident: data of a station that were refused before ingest() was called. @param
@@ -102,13 +102,13 @@ void addIncident(
 
 /// A refused request.
 struct Incident {
-  std::string at;
-  std::string role;
+  std::string at;       ///< UTC, ISO 8601
+  std::string role;     ///< that sent the request
   std::string station;  ///< label; empty: unknown
   std::string what;
   std::string detail;
 };
-/// The newest first.
+/// The last @p most incidents, the newest first.
 std::vector<Incident> incidentsOf(Connection& server, int most);
 
 }  // namespace study::collect

@@ -24,6 +24,7 @@ class KeyDialog final : public WorkDialog {
   void work() override;
 
  private:
+  /// What the operator has chosen to do; work() does it.
   enum class Wanted { Save, Take, SealNames };
 
   Wanted wanted() const;

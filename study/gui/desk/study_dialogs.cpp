@@ -212,10 +212,10 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
 }
 
 void ReportDialog::addFigures() {
-  constexpr int kLeastWidth = 60;  // [mm]
+  constexpr int kLeastWidth = 60;  // of figures [mm]
   constexpr int kMostWidth = 400;
   constexpr int kOneColumn = 85;
-  constexpr double kSmallest = 5.0;  // [pt]
+  constexpr double kSmallest = 5.0;  // of fonts [pt]
   constexpr double kLargest = 14.0;
   constexpr double kOfJournals = 8.0;
   figures_->setObjectName(QStringLiteral("figures"));

@@ -27,7 +27,7 @@ void fillCohorts(Study& study, StudySummary& summary) {
          .planned = cohort.planned});
   }
   const auto mode = defaultRunMode(summary);
-  if (mode == RunMode::Simulated) return;  // in a time of their own
+  if (mode == RunMode::Simulated) return;  // their times are virtual
   for (const auto& row : rows) {
     if (row.runMode == mode)
       summary.lastSessionUtc = std::max(summary.lastSessionUtc, row.startedUtc);

@@ -33,6 +33,7 @@ class TrialPanel final : public QWidget {
   void closeBoneWindow();
 
  private:
+  /// How a trial is, by the colour of its line: runs well, gives no force on purpose, broke off.
   enum class Health { Good, Resting, Bad };
 
   void beginTrial();

@@ -36,7 +36,7 @@ class ParticipantWindow final : public QWidget {
   /// Called when the operator closes the session. Before this call the window refuses to close.
   void allowClosing() { mayClose_ = true; }
 
-  /// Keeps the screen on this window until the operator's PIN is entered.
+  /// The lock that keeps the screen on this window until the operator's PIN is entered.
   ScreenLock& lock() noexcept { return *lock_; }
 
  protected:

@@ -47,7 +47,8 @@ class QuestionnairePage final : public QWidget {
   /// Whether a part of the sheet is below the lower edge of the page.
   bool hasMoreBelow() const;
 
-  int sheet() const noexcept { return sheet_; }
+  int sheet() const noexcept { return sheet_; }  ///< index of the sheet that is shown
+  /// Number of sheets that the questionnaire is divided into.
   int sheets() const noexcept { return static_cast<int>(sheets_.size()); }
   /// Shows the next sheet, or the one before, on which something is asked.
   /// @return false, with nothing changed, if there is none.

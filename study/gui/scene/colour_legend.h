@@ -33,6 +33,8 @@ class ColourLegend final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// Sets the title, the texts along the bar of colours, and what a screen reader and a tooltip
+  /// say.
   void setScale(const QString& title, std::vector<QString> marks, const QString& words);
 
   QString title_;

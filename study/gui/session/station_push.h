@@ -36,7 +36,8 @@ class StationPush final : public QObject {
   void send();
   bool isSending() const { return watching_.isActive(); }
 
-  /// What has arrived, by the note of the last push; empty for a study of one computer.
+  /// A sentence on what has arrived at the server, as the last push noted it; empty for a study of
+  /// one computer.
   std::string inWords() const;
   /// Whether something has been waiting for more than a day.
   bool isOverdue() const;

@@ -28,7 +28,9 @@ class AxisScale {
 
  private:
   double forward(double value) const;
+  /// Ticks of a logarithmic axis: powers of ten.
   std::vector<Tick> decades() const;
+  /// Ticks of a linear axis, about @p wanted, at steps of 1, 2 or 5 times a power of ten.
   std::vector<Tick> steps(int wanted) const;
 
   bool isLog_;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kUsualWidth = 860.0;
 constexpr double kHeight = 440.0;
-constexpr double kAxis = 54.0;   // below the plot
-constexpr double kEntry = 38.0;  // of a legend below the axis
+constexpr double kAxis = 54.0;   // height of the axis below the plot
+constexpr double kEntry = 38.0;  // height of a legend's entry below the axis
 
 double widthOf(const FigureFormat& format) {
   return format.width ? format.layoutWidth() : kUsualWidth;

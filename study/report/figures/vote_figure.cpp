@@ -16,7 +16,7 @@ struct Share {
   std::string name;
   std::uint64_t times = 0;
   std::optional<analysis::Interval> interval;
-  int colour = 0;  ///< of categoryColour()
+  int colour = 0;  ///< index for categoryColour()
 };
 
 /// Bars below a heading.

@@ -19,15 +19,15 @@ class TrailHeads {
   explicit TrailHeads(const Database& study);
 
   struct Signed {
-    std::int64_t seq = 0;  ///< of the event that holds it
+    std::int64_t seq = 0;  ///< number of the event that holds it
     SignedHead head;
     bool isSound = false;  ///< the signature is valid and is of the events before it
   };
 
   const std::vector<Signed>& all() const noexcept { return signed_; }
-  std::int64_t lastEvent() const noexcept { return last_; }
-  const std::string& study() const noexcept { return study_; }
-  const std::string& firstHash() const noexcept { return first_; }
+  std::int64_t lastEvent() const noexcept { return last_; }         ///< its number
+  const std::string& study() const noexcept { return study_; }      ///< uuid
+  const std::string& firstHash() const noexcept { return first_; }  ///< hash of the first event
 
   /// Whether the trail has all events that @p head vouches for, and the event that holds this head.
   bool holds(const SignedHead& head) const;
@@ -53,6 +53,7 @@ class TrailHeads {
   Findings checkSignatures(const std::string& key) const;
 
  private:
+  /// The hash of event number @p seq; empty if there is none.
   std::string hashOf(std::int64_t seq) const;
   void readResealed();
   void readRepeatedErasures();
@@ -67,12 +68,13 @@ class TrailHeads {
   std::int64_t previousTrailEvents_ = 0;
   std::string previousTrailHead_;  ///< hash of the last event of the previous trail
   bool isCollected_ = false;       ///< it repeats the trails of several stations
-  /// The last event that the copy shares with the study: before the first erasure that was repeated
-  /// in this copy only.
+  /// Number of the last event before the first erasure that was repeated in this copy of the study
+  /// only: up to there, all copies have the same events.
   std::int64_t lastSharedEvent_ = 0;
   std::size_t previousTrailHeads_ = 0;  ///< signed heads among previousTrailEvents_
   std::vector<Signed> signed_;
-  std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
+  /// Names of heads that were given up (nameOf()), by the public key of the station.
+  std::map<std::string, std::set<std::string>> givenUp_;
 };
 
 /// The text by which the event RestoredCopy refers to a head: "812:1a2b3c4d…".

@@ -35,8 +35,8 @@ SessionFacts factsOf(const Database& study, SessionId session);
 ///     knows it.
 SessionId addFacts(Database& study, const SessionFacts& facts);
 
-/// The same with the number that the session has in the file that it comes from, to be compared
-/// with what the audit trail of that file says.
+/// Like addFacts(), but the session keeps the number @p session of the file that it comes from, so
+/// that its rows can be compared with the audit trail of that file.
 /// @param key  with which conditions and measurements are sealed there; nullptr: they are not
 /// @param openTrials  trials whose measurements are not sealed there: an earlier program wrote them
 void addFactsAs(
@@ -54,7 +54,7 @@ struct LastSessionEvent {
   std::string utc;  ///< of that event
 };
 
-/// One mark for each session, in the order of their numbers.
+/// The last event of each session, in the order of the sessions' numbers.
 std::vector<LastSessionEvent> lastSessionEvents(const Database& study);
 
 }  // namespace study::storage
