@@ -183,8 +183,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       "it",
       app::restored);
   addStudyFolder(*restored, noting.folder);
-  restored->add_option("--reason", verifying.reason, "Reason; goes into the audit trail")
-      ->required();
+  restored->add_option("--reason", noting.reason, "Reason; goes into the audit trail")->required();
 }
 
 }  // namespace study::app

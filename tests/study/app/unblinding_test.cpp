@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "study/export/export.h"
+#include "study/session/backup.h"
 #include "study/session/erasure_copies.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
@@ -56,6 +58,24 @@ TEST_F(UnblindingTest, NeedsAReasonForSessionsOfPeopleOnly) {
   noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
   noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "pilot done");
   EXPECT_EQ(reasonsOf("unblinded_report"), (std::vector<std::string>{"plan signed", "pilot done"}));
+}
+
+TEST_F(UnblindingTest, KeepsTheReasonWhyAnOlderCopyWasPutBack) {
+  const auto copy = study_.scratch() / "copy";
+  backUp(study_.folder(), copy);
+  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "signed after the copy");
+  study_.close();
+  std::filesystem::remove_all(study_.folder());
+  std::filesystem::rename(copy, study_.folder());
+  study_.reopen();
+  const auto noted = palpate({"study", "restored", study_.folder(), "--reason", "the disk failed"});
+  EXPECT_EQ(noted.status, 0) << noted.out << noted.error;
+  const auto events = study_->events().read();
+  const auto restored = std::ranges::find(events, EventKind::RestoredCopy, &storage::Event::kind);
+  ASSERT_NE(restored, events.end());
+  const auto* reason = restored->value("reason");
+  ASSERT_NE(reason, nullptr);
+  EXPECT_EQ(std::get<std::string>(*reason), "the disk failed");
 }
 
 TEST(OpenStudy, NeedsNoReasonAndIsCalledBlindedNowhere) {
