@@ -371,8 +371,7 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--speed",
           options.speed,
-          "Speed [travel units/s, or m/s] (default: 57, or 0.005 but at most 0.9 of a reamer's "
-          "largest feed)")
+          "Speed [travel units/s, or m/s] (default: 57, or 0.005, at most 0.9 of the largest feed)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
@@ -384,8 +383,8 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--interpolation-noise",
           options.interpolationNoise,
-          "Variances R of the interpolated force [N²]: plots the filter for each, as in the "
-          "paper's Fig. 11")
+          "Variances R of the interpolated force [N²]: plots the filter for each (the paper's Fig. "
+          "11)")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
           "--smoothing", options.smoothing, "Smoothing of the filter (default: the protocol's)")

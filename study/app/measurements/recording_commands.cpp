@@ -271,8 +271,7 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows where travel changes by less than this [travel units]; 0: as in the "
-          "paper's eq. (22)")
+          "Leave out rows where travel changes by less than this [travel units]; 0: as in eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   noise->add_flag(

@@ -72,8 +72,8 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--shares",
           options.shares,
-          "Shares of an answer's variance: participant, participant × condition, residual "
-          "(default: .3 .2 .5)")
+          "Shares of the variance: participant, participant × condition, residual (default: .3 .2 "
+          ".5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
   command.add_option("--studies", question.studies, "Number of studies to simulate; 0 for none")
