@@ -1,7 +1,6 @@
 #include "study/gui/desk/recording_picture.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 #include <QEvent>
@@ -9,6 +8,7 @@
 #include <qcustomplot.h>
 
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/plot_axes.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/import_recording.h"
 
@@ -16,18 +16,6 @@ namespace study::gui {
 namespace {
 
 constexpr double kMilli = 1e-3;
-
-void paintAxes(QCustomPlot& plot, const Theme& colours, std::initializer_list<QCPAxis*> axes) {
-  plot.setBackground(colours.field.background);
-  for (auto* axis : axes) {
-    axis->setBasePen(QPen(colours.quiet));
-    axis->setTickPen(QPen(colours.quiet));
-    axis->setSubTickPen(QPen(colours.quiet));
-    axis->setTickLabelColor(colours.field.text);
-    axis->setLabelColor(colours.field.text);
-    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
-  }
-}
 
 QString sourceOfForce(const RecordingLook& look) {
   if (look.recording.readingUnit == "N") return RecordingPicture::tr("force in newtons");

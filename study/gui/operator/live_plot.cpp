@@ -9,6 +9,7 @@
 
 #include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/travel_scale.h"
+#include "study/gui/widgets/plot_axes.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -48,23 +49,13 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
 
 void LivePlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
-  plot_->setBackground(colours.field.background);
-  const auto paint = [&](QCPAxis* axis) {
-    axis->setBasePen(QPen(colours.quiet));
-    axis->setTickPen(QPen(colours.quiet));
-    axis->setSubTickPen(QPen(colours.quiet));
-    axis->setTickLabelColor(colours.field.text);
-    axis->setLabelColor(colours.field.text);
-    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
-    axis->grid()->setZeroLinePen(QPen(colours.line));
-  };
-  paint(plot_->xAxis);
+  paintAxes(*plot_, colours, {plot_->xAxis});
   const std::array<QColor, 4> channels{
       colours.force, colours.travel, colours.quiet, colours.torque};
   for (std::size_t i = 0; i < channels.size(); ++i) {
     auto* graph = plot_->graph(static_cast<int>(i));
     graph->setPen(QPen(channels[i], 1));
-    paint(graph->valueAxis());
+    paintAxes(*plot_, colours, {graph->valueAxis()});
     graph->valueAxis()->setLabelColor(channels[i]);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);

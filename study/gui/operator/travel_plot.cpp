@@ -6,6 +6,7 @@
 
 #include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/travel_scale.h"
+#include "study/gui/widgets/plot_axes.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -50,16 +51,7 @@ void TravelPlot::beginStroke() {
 
 void TravelPlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
-  plot_->setBackground(colours.field.background);
-  for (auto* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(QPen(colours.quiet));
-    axis->setTickPen(QPen(colours.quiet));
-    axis->setSubTickPen(QPen(colours.quiet));
-    axis->setTickLabelColor(colours.field.text);
-    axis->setLabelColor(colours.field.text);
-    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
-    axis->grid()->setZeroLinePen(QPen(colours.line));
-  }
+  paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis});
   const auto latest = curves_.size() < 2 ? 0 : curves_.size() - 2;  // the one that is complete
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     // A wider pen is many times slower.
