@@ -40,10 +40,11 @@ class ExportScripts : public testing::TestWithParam<Language> {
   static void TearDownTestSuite() { made.reset(); }
 
   /// An export in a folder whose name has a space.
-  fs::path exported(ExportFormat format) const {
+  fs::path exported(ExportFormat format) const { return exported(**made, format); }
+  fs::path exported(Study& study, ExportFormat format) const {
     const fs::path folder = scratch_ / "my data";
     exportStudy(
-        **made,
+        study,
         folder.string(),
         {.format = format, .runMode = RunMode::Simulated, .isBlinded = false},
         "for a test");
@@ -126,26 +127,14 @@ TEST_P(ExportScripts, EndWithAVerdictThatAgreesWithTheExitStatus) {
 TEST_P(ExportScripts, AgreeWhereAFamilyComparesSomeOfTheConditions) {
   tests::MadeStudy study;  // three conditions, two of which are compared
   simulateCohorts(*study, study.clock, 6, 3, [](const auto&) {});
-  const fs::path folder = scratch_ / "some";
-  exportStudy(
-      *study,
-      folder.string(),
-      {.format = ExportFormat::Csv, .runMode = RunMode::Simulated, .isBlinded = false},
-      "for a test");
-  const auto finished = runIn(folder, "analysis");
+  const auto finished = runIn(exported(*study, ExportFormat::Csv), "analysis");
   EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
 }
 
 TEST_P(ExportScripts, AgreeWhereOnePersonTookPart) {
   tests::MadeStudy study(tests::libraryProtocol("punch-counterbalanced.json"));
   simulateCohorts(*study, study.clock, 1, 3, [](const auto&) {});
-  const fs::path folder = scratch_ / "one";
-  exportStudy(
-      *study,
-      folder.string(),
-      {.format = ExportFormat::Csv, .runMode = RunMode::Simulated, .isBlinded = false},
-      "for a test");
-  const auto finished = runIn(folder, "analysis");
+  const auto finished = runIn(exported(*study, ExportFormat::Csv), "analysis");
   EXPECT_EQ(finished.status, 0) << finished.out << finished.error;
 }
 
