@@ -20,7 +20,7 @@ struct FamilyChange {
   std::vector<std::string_view> keys;  ///< Changed: the keys in the protocol whose values changed
   std::string version;                 ///< of the protocol, as its authors call it
   std::string addedUtc;                ///< when that version was added to the study, ISO 8601
-  /// Changed, Added: true if the family counts as declared all the same (see isDeclared()), because
+  /// Changed, Added: true if the family counts as declared nevertheless (see isDeclared()), because
   /// it was restored in time. Restored: true if no live participant had begun with a version in
   /// which the family differed.
   bool isHarmless = false;

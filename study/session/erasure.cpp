@@ -111,7 +111,7 @@ void noteEnd(Study& study, const storage::SignedHead& head) {
   try {
     storage::noteHead(StationStore::findOrMake(StationStore::usualFolder()), head, study.folder());
   } catch (const StorageError&) {
-    return;  // the head of the new trail is noted all the same
+    return;  // the head of the new trail is noted anyway
   }
 }
 

@@ -20,9 +20,9 @@ namespace {
 constexpr std::chrono::milliseconds kBusyPause{2};
 constexpr int kMostPauses = 1500;  // about 3 s in all; then the caller gets an error
 
-/// Whether nobody can write the file (an archive, or a read-only disk) and it has no log. A log
+/// Whether no account can write the file (an archive, or a read-only disk) and it has no log. A log
 /// would have to be read as well, which SQLite cannot do without writing.
-bool isSealed(const std::string& path) {
+bool isUnwritable(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr auto kAnyWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
@@ -68,11 +68,11 @@ int waitForOthers(void* /*unused*/, int pauses) {
 
 Database::Database(std::string path, int flags, Reading reading) : path_(std::move(path)) {
   const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
-  const bool isAsSealed = isOnlyRead && (reading == Reading::Immutable || isSealed(path_));
+  const bool isImmutable = isOnlyRead && (reading == Reading::Immutable || isUnwritable(path_));
   const int code = sqlite3_open_v2(
-      (isAsSealed ? sealedName(path_) : path_).c_str(),
+      (isImmutable ? sealedName(path_) : path_).c_str(),
       &handle_,
-      flags | SQLITE_OPEN_EXRESCODE | (isAsSealed ? SQLITE_OPEN_URI : 0),
+      flags | SQLITE_OPEN_EXRESCODE | (isImmutable ? SQLITE_OPEN_URI : 0),
       nullptr);
   if (code == SQLITE_OK) {
     sqlite3_busy_handler(handle_, waitForOthers, nullptr);

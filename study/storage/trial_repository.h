@@ -21,7 +21,7 @@ inline constexpr std::string_view kCutColumns =
     "step, attempt, number, interception_travel, interception_n, yield_travel, yield_n, "
     "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n";
 
-/// Trials and their cuts in the open, whatever seals them in a file.
+/// Trials and their cuts in the open, whether or not they are sealed in a file.
 struct TrialRows {
   std::vector<FactRow> trials;
   std::vector<FactRow> cuts;

@@ -27,7 +27,7 @@ std::vector<Item> withSignatures(std::vector<Item> items) {
 }
 
 constexpr int kAboveTitle = 6;  // [px] at scale 1
-// [ms] in which somebody who has already aimed notices that another question is there now
+// [ms] for a participant who has already aimed to notice that another question is there now
 constexpr int kSettling = 700;
 
 /// The clauses of a consent text: its paragraphs, each with the heading above it.
