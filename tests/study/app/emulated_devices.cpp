@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "haptics/devices/datagram_socket.h"
 #include "tests/study/storage/sql.h"
+#include "tests/support/free_port.h"
 #include "tests/support/programs.h"
 #include "tests/support/test_data.h"
 
@@ -23,11 +23,6 @@ using nlohmann::ordered_json;
 std::vector<std::string> emulate(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {tests::program(), "device", "emulate"});
   return arguments;
-}
-
-/// A free UDP port.
-std::uint16_t freePort() {
-  return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
 }
 
 /// The shipped protocol for both devices, with so many cuts and strokes in each trial.
@@ -83,7 +78,7 @@ std::map<std::string, std::string> Emulator::status() {
 }
 
 EmulatedLaboratory::EmulatedLaboratory(int cuts, int strokes) : port_(folder_ / "punch-port") {
-  const auto iiwaPort = freePort();
+  const auto iiwaPort = tests::freePort();
   punch_ = std::make_unique<Emulator>(std::vector<std::string>{"punch", "--link", port_});
   iiwa_ = std::make_unique<Emulator>(
       std::vector<std::string>{"iiwa", "--client", "127.0.0.1:" + std::to_string(iiwaPort)});

@@ -11,6 +11,7 @@
 #include "study/model/user_error.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/support/child_process.h"
+#include "tests/support/free_port.h"
 
 namespace certificates_test {
 
@@ -125,7 +126,7 @@ class Certificates : public tests::CollectTest {
     postgres().set("ssl_ca_file", postgres().folder() / "ca.crt");
     postgres().set("ssl_crl_file", postgres().folder() / "root.crl");
     postgres().set("ssl", "on");
-    postgres().listenAt(freePort());
+    postgres().listenAt(tests::freePort());
     postgres().stop();
     postgres().start();
     addStation("oslo");

@@ -1,9 +1,5 @@
 #include "tests/study/collect/collected_study_at.h"
 
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -148,18 +144,6 @@ study::collect::PushResult CollectTest::pushOver(
   Connection connection(server, study::collect::serverSettingsOf(folderOf(label)).role);
   connection.setResponseTimeout(patience);
   return study::collect::push(outbox, connection);
-}
-
-int CollectTest::freePort() {
-  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  auto* plain = reinterpret_cast<sockaddr*>(&address);
-  const bool isBound = bind(listener, plain, size) == 0 && getsockname(listener, plain, &size) == 0;
-  close(listener);
-  return isBound ? ntohs(address.sin_port) : 0;
 }
 
 std::map<std::string, std::string> CollectTest::contentOf(

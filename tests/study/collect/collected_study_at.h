@@ -32,8 +32,6 @@ class CollectTest : public testing::Test {
   static study::collect::PrivateServer& postgres();
 
   const std::string& database() const noexcept { return database_; }
-  /// At 127.0.0.1, where others may listen at all ports but this one.
-  static int freePort();
 
   /// Enrols a station, and makes its folder.
   void addStation(const std::string& site, const std::string& label = {});

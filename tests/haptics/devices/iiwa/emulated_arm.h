@@ -13,6 +13,7 @@
 #include "haptics/devices/iiwa/iiwa_device.h"
 #include "haptics/emulators/fri_controller.h"
 #include "tests/haptics/devices/device_expectations.h"
+#include "tests/support/free_port.h"
 
 /// An arm over FRI against the emulated controller. Periods of the controller go by when the test
 /// says so, and by its own clock, so that what is counted does not depend on how busy this computer
@@ -32,10 +33,6 @@ inline std::int64_t controllerClock() noexcept {
   return controllerTime.load();
 }
 
-inline std::uint16_t freePort() {
-  return DatagramSocket(Endpoint{}).local().port;
-}
-
 inline Joints startOfArm() {
   return emulators::FriArm::Options{}.start;
 }
@@ -45,7 +42,7 @@ inline const Eigen::Vector3d kDown{0.0, 0.0, -1.0};
 
 inline IiwaSettings settings(Version version = Version::V1_15, IiwaOverlay overlay = {}) {
   IiwaSettings made;
-  made.port = freePort();
+  made.port = tests::freePort();
   made.version = version;
   made.overlay = overlay;
   made.tool.position.z() = 0.2;

@@ -177,7 +177,7 @@ TEST_F(IiwaMessagesTest, TakesTheForceInTheAxesOfTheToolOrTheBase) {
   EXPECT_NEAR(inTool[2], -10.0, 1e-9);  // the tool's z points down, as the axis does
   device_.reset();
   settings_.wrenchFrame = WrenchFrame::Base;
-  settings_.port = freePort();
+  settings_.port = tests::freePort();
   arm();
   const auto inBase = wrenchFor(10.0);
   EXPECT_NEAR(inBase[2], 10.0, 1e-9);
@@ -198,7 +198,7 @@ TEST_F(IiwaMessagesTest, TakesTheTorqueAboutTheAxisOfTheToolOrTheBase) {
   EXPECT_EQ(wrenchInBytesFor(10.0, 0.0)[3], 0.0);
   device_.reset();
   settings_.wrenchFrame = WrenchFrame::Base;
-  settings_.port = freePort();
+  settings_.port = tests::freePort();
   arm();
   const auto inBase = wrenchInBytesFor(10.0, 1.25);
   EXPECT_NEAR(inBase[3], -1.25, 1e-9);
