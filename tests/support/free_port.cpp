@@ -1,11 +1,11 @@
 #include "tests/support/free_port.h"
 
-#include <atomic>
-#include <stdexcept>
-
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include <atomic>
+#include <stdexcept>
 
 namespace tests {
 namespace {
