@@ -21,7 +21,7 @@ bool isLetter(char c) {
 
 std::string pseudo(std::string_view pattern) {
   std::string text(pattern);
-  // Each letter depends on all before it, and the same pattern always gives the same text.
+  // Each new letter depends on all letters before it. A pattern always gives the same text.
   std::uint64_t state = 0x9e3779b97f4a7c15U * (pattern.size() + 1);
   int depth = 0;
   for (char& c : text) {

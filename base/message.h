@@ -76,7 +76,7 @@ class Message {
 /// The message in English; empty for no message.
 std::string describe(const Message& message);
 
-/// Several messages in English, between semicolons.
+/// Several messages in English, separated by semicolons.
 std::string describe(const std::vector<Message>& messages);
 
 /// A pattern, in any language, with its arguments filled in. In the pseudo-language its letters are
