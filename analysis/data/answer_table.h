@@ -53,7 +53,7 @@ struct AnswerTable {
 struct CompleteMeans {
   std::vector<std::size_t> participants;   ///< indices into the table's participants
   std::vector<std::vector<double>> means;  ///< [row][index into the requested methods]
-  std::vector<std::size_t> leftOut;        ///< participants without an answer about one of them
+  std::vector<std::size_t> leftOut;  ///< participants who lack an answer about a requested method
   std::vector<double> of(std::size_t method) const;  ///< the means of one method
 };
 

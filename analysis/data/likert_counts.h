@@ -14,17 +14,17 @@ namespace analysis {
 ///
 ///     m = S / n,   s² = (n Q − S²) / (n (n − 1)),
 ///
-/// so that both are exactly rounded, in any order of the answers.
+/// so that m and s² are correctly rounded, whatever the order of the answers.
 class LikertCounts {
  public:
   static constexpr int kMostPoints = 1024;
   static constexpr std::uint64_t kMostAnswers = std::uint64_t{1} << 40;
 
-  /// No answers yet on the scale @p lowest … @p highest, both in −10⁶ … 10⁶.
+  /// Starts without answers, on the scale @p lowest … @p highest, both in −10⁶ … 10⁶.
   /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints.
   LikertCounts(int lowest, int highest);
 
-  /// counts[i] answers are lowest + i.
+  /// @p counts[i] is the number of answers with the value @p lowest + i.
   /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints,
   ///     and for more than kMostAnswers answers.
   LikertCounts(int lowest, std::span<const std::uint64_t> counts);
@@ -42,14 +42,14 @@ class LikertCounts {
 
   int lowest() const noexcept { return lowest_; }
   int highest() const noexcept { return lowest_ + static_cast<int>(counts_.size()) - 1; }
-  /// From the lowest point to the highest.
+  /// The number of answers at each point, from the lowest point to the highest.
   std::span<const std::uint64_t> counts() const noexcept { return counts_; }
   std::uint64_t total() const noexcept { return total_; }
 
   /// std::nullopt without answers.
   std::optional<double> mean() const;
 
-  /// With n − 1; std::nullopt for fewer than two answers.
+  /// The sample variance (divided by n − 1); std::nullopt for fewer than two answers.
   std::optional<double> variance() const;
 
   bool operator==(const LikertCounts&) const = default;

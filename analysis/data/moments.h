@@ -15,7 +15,8 @@ namespace analysis {
 /// have a variance.
 struct Moments {
   std::uint64_t n = 0;
-  int exponent = 0;       ///< of the unit 2^exponent of the mean, and 4^exponent of the variance
+  /// The mean is in units of 2^exponent, the variance in units of 4^exponent.
+  int exponent = 0;
   DoubleDouble mean;      ///< [2^exponent]; 0 for n = 0
   DoubleDouble variance;  ///< [4^exponent], with n − 1; 0 for n < 2
 
@@ -39,7 +40,8 @@ struct Summary {
   std::uint64_t n = 0;
   std::optional<double> mean;      ///< std::nullopt for n = 0
   std::optional<double> variance;  ///< with n − 1; std::nullopt for n < 2, or beyond a double
-  /// Its root; may be defined where the variance is beyond a double.
+  /// Square root of the variance; may be defined although the variance exceeds the range of a
+  /// double.
   std::optional<double> standardDeviation;
 };
 
@@ -48,8 +50,8 @@ Summary summarise(std::span<const double> values);
 Summary summarise(const LikertCounts& counts);
 Summary summarise(const Moments& moments);
 
-/// Difference of the means and variances of two groups in common units, for t-tests and effect
-/// sizes.
+/// The difference of the means of two groups, and the variance of each group, in common units; for
+/// t-tests and effect sizes.
 ///
 /// The units are powers of two, so that scaling neither rounds nor overflows.
 struct Contrast {

@@ -11,7 +11,7 @@ namespace analysis {
 /// The ranks of values from the smallest, 1, to the largest; equal values get the mean of their
 /// ranks.
 struct Midranks {
-  /// Twice the rank, a whole number, in the order of the values.
+  /// Twice the midrank of each value, a whole number, in the order of the values.
   std::vector<std::uint64_t> doubled;
   Int128 tieSum = 0;  ///< Σ (t³ − t) over the groups of t equal values
 };
@@ -28,7 +28,7 @@ struct TiedValue {
 /// Two groups reduced to what a rank test uses: the order of the distinct values, and how often
 /// each occurs.
 struct TiedGroups {
-  /// With at most so many values in a group, every sum of squared ranks fits into 128 bits.
+  /// The largest size of a group for which every sum of squared ranks fits into 128 bits.
   static constexpr std::uint64_t kMostInAGroup = std::uint64_t{1} << 24;
 
   std::uint64_t n1 = 0;
@@ -47,11 +47,11 @@ TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> 
 /// Sums of placements. The placement of a value is the number of smaller values in the other group,
 /// plus half the number of equal ones. Placements are doubled, so that they are whole numbers.
 struct Placements {
-  Int128 sum1 = 0;      ///< of doubled placements of group 1: 2 U₁
-  Int128 sum2 = 0;      ///< of group 2: 2 n₁ n₂ − 2 U₁
-  Int128 squares1 = 0;  ///< of doubled placements of group 1
+  Int128 sum1 = 0;      ///< doubled placements of group 1: 2 U₁
+  Int128 sum2 = 0;      ///< doubled placements of group 2: 2 n₁ n₂ − 2 U₁
+  Int128 squares1 = 0;  ///< sum of squared doubled placements of group 1
   Int128 squares2 = 0;
-  Int128 equalPairs = 0;  ///< pairs of a value of group 1 and one of group 2 that are equal
+  Int128 equalPairs = 0;  ///< number of pairs of equal values, one from each group
   Int128 tieSum = 0;      ///< Σ (t³ − t) over all values of both groups together
 };
 

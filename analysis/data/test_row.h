@@ -30,21 +30,23 @@ struct GroupMoments {
 struct TestRow {
   std::string_view id;  ///< of the test: "welch", as in tables and on the command line
 
-  std::string group1;  ///< the compared groups; the sign is group 1 − group 2
+  std::string group1;  ///< the compared groups; differences are group 1 − group 2
   std::string group2;
-  /// Of group 1; the number of pairs, persons or cases if there is one n.
+  /// Size of group 1; the number of pairs, persons or cases if the test has a single n.
   std::optional<std::uint64_t> n1;
   std::optional<std::uint64_t> n2;
-  std::optional<std::array<GroupMoments, 2>> moments;  ///< of tests that compare means of groups
+  /// Set by tests that compare means of groups.
+  std::optional<std::array<GroupMoments, 2>> moments;
 
   NamedNumber estimate;
   std::optional<double> standardError;
   std::optional<Interval> interval;  ///< of the estimate
-  /// Of the estimate, simultaneous: its level is corrected for m tests.
+  /// Simultaneous confidence interval of the estimate: its level is corrected for the m tests of
+  /// the family.
   std::optional<Interval> adjustedInterval;
 
   NamedNumber statistic;     ///< may be infinite
-  std::optional<double> df;  ///< degrees of freedom; the first of F
+  std::optional<double> df;  ///< degrees of freedom; for F, of the numerator
   std::optional<double> df2;
 
   std::optional<double> p;            ///< two-sided unless docs/statistics.md says otherwise

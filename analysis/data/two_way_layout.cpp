@@ -7,7 +7,8 @@
 namespace analysis {
 namespace {
 
-/// A factor that scales the largest value to about one, as far as the range of a double allows.
+/// The power of two that scales the largest magnitude to about one, limited to the range of a
+/// double.
 double unitOf(std::span<const std::vector<double>> table) {
   double largest = 0.0;
   for (const auto& row : table) {
@@ -46,7 +47,7 @@ Table shiftedValues(std::span<const std::vector<double>> table) {
   return shifted;
 }
 
-/// The sum of squares of (count · sum − total).
+/// Σ (count · sum − total)² over @p sums.
 DoubleDouble squaresOf(
     const std::vector<DoubleDouble>& sums, double count, const DoubleDouble& total) {
   DoubleDouble squares;

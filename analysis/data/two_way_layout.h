@@ -21,13 +21,14 @@ struct TwoWayLayout {
   DoubleDouble rowSquares;
   DoubleDouble columnSquares;
   DoubleDouble residualSquares;
-  std::vector<DoubleDouble> residuals;  ///< row by row, times rows · columns
+  /// Of the additive model, row by row, multiplied by rows · columns.
+  std::vector<DoubleDouble> residuals;
 
-  /// Mean squares, in the same units. They need two rows and two columns.
+  /// Mean squares, in the units of the sums of squares. @pre at least two rows and two columns.
   DoubleDouble rowMeanSquare() const;
   DoubleDouble columnMeanSquare() const;
   DoubleDouble residualMeanSquare() const;
-  /// Mean square within rows: of columns and residuals together.
+  /// Mean square within rows: columns and residuals pooled.
   DoubleDouble withinMeanSquare() const;
 };
 

@@ -48,7 +48,8 @@ struct Support {
 Support supportOf(const LogIntegrand& logIntegrand, double farthest) {
   constexpr double kStep = 0.125;
   constexpr double kNegligible = 45.0;  // e^−45 = 3e-20
-  constexpr double kNearest = -8.0;     // e^(−e^8 / 2) = 1e-647
+  // The prior's factor e^(−1/(2g)) is e^(−e^8 / 2) = 1e-647 there.
+  constexpr double kNearest = -8.0;
   Support support{.low = kNearest, .high = farthest, .peak = logIntegrand(kNearest)};
   for (double u = kNearest; u < farthest; u += kStep) {
     support.peak = std::max(support.peak, logIntegrand(u));

@@ -11,8 +11,7 @@
 
 namespace analysis {
 
-/// An effect size (of MeanEffects and PairedEffects: in standard deviations) and its confidence
-/// interval.
+/// An effect size, a difference in units of a standard deviation, and its confidence interval.
 struct EffectSize {
   std::optional<double> value;
   std::optional<Interval> interval;
@@ -24,11 +23,11 @@ struct MeanEffects {
   double level = 0.95;  ///< of the intervals
 
   EffectSize cohenD;                ///< difference / pooled standard deviation
-  std::optional<double> hedgesJ;    ///< the correction for small samples, J(n₁ + n₂ − 2)
-  EffectSize hedgesG;               ///< J d
+  std::optional<double> hedgesJ;    ///< hedgesCorrection(n₁ + n₂ − 2)
+  EffectSize hedgesG;               ///< hedgesJ · cohenD
   EffectSize cohenDAv;              ///< difference / √((s₁² + s₂²) / 2)
-  std::optional<double> hedgesJAv;  ///< J(ν), with ν Welch's degrees of freedom
-  EffectSize hedgesGAv;             ///< J(ν) d_av
+  std::optional<double> hedgesJAv;  ///< hedgesCorrection(ν), with ν Welch's degrees of freedom
+  EffectSize hedgesGAv;             ///< hedgesJAv · cohenDAv
 
   std::optional<double> glassDelta1;     ///< difference / standard deviation of group 1
   std::optional<double> glassDelta2;     ///< difference / standard deviation of group 2
@@ -41,8 +40,8 @@ struct MeanEffects {
 struct PairedEffects {
   double level = 0.95;
   EffectSize cohenDz;             ///< mean difference / standard deviation of the differences
-  std::optional<double> hedgesJ;  ///< J(n − 1)
-  EffectSize hedgesGz;            ///< J d_z
+  std::optional<double> hedgesJ;  ///< hedgesCorrection(n − 1)
+  EffectSize hedgesGz;            ///< hedgesJ · cohenDz
   Reason reason;                  ///< why something above is missing; empty if nothing is
 };
 

@@ -43,7 +43,7 @@ std::size_t definedCount(std::span<const std::optional<double>> pValues);
 /// The adjusted p values, in the same order; a missing p value stays missing.
 ///
 /// @param pValues  as computed, never rounded.
-/// @throws std::invalid_argument  if one of them is not between 0 and 1.
+/// @throws std::invalid_argument  if a p value is not between 0 and 1.
 std::vector<std::optional<double>> adjust(
     std::span<const std::optional<double>> pValues, Adjustment method = Adjustment::Bonferroni);
 

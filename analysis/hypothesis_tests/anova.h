@@ -14,7 +14,7 @@ namespace analysis {
 /// The result of a one-way analysis of variance.
 struct OneWayAnovaResult {
   std::size_t groups = 0;
-  std::uint64_t n = 0;  ///< of all groups together
+  std::uint64_t n = 0;  ///< number of values in all groups
 
   std::optional<double> squaresBetween;     ///< sum of squares; std::nullopt beyond a double
   std::optional<double> squaresWithin;      ///< sum of squares; std::nullopt beyond a double
@@ -55,7 +55,7 @@ struct RepeatedMeasuresResult {
   std::optional<double> log10P;             ///< defined even if p is too small for a double
   std::optional<double> partialEtaSquared;  ///< in 0 … 1
 
-  std::optional<double> greenhouseGeisser;   ///< ε, from 1/(k − 1) to 1: how spherical they are
+  std::optional<double> greenhouseGeisser;  ///< ε, from 1/(k − 1) to 1; 1 for spherical conditions
   std::optional<double> pGreenhouseGeisser;  ///< with both degrees of freedom times ε
   std::optional<double> log10PGreenhouseGeisser;
 

@@ -46,7 +46,7 @@ struct BrownForsytheResult {
 /// Do k groups differ in their spread? Levene's test about the medians (Brown & Forsythe 1974): the
 /// one-way analysis of variance of |x − median of its group|.
 ///
-/// To be read beside a test of means, not to choose between tests.
+/// Report it together with a test of means; do not use it to choose between tests.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 BrownForsytheResult brownForsytheTest(std::span<const std::vector<double>> groups);

@@ -144,8 +144,8 @@ using Counts = std::vector<std::uint64_t>;
 constexpr std::uint64_t kMostCounts = 300;
 constexpr std::uint64_t kMostTables = 500'000;
 constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
-constexpr double kEqualProbability =
-    1e-20;  // relative difference below which probabilities of 31 digits count as equal
+// Relative difference below which probabilities of 31 digits count as equal.
+constexpr double kEqualProbability = 1e-20;
 
 /// Pascal's triangle in double-doubles (31 digits).
 class LongBinomials {

@@ -64,8 +64,8 @@ struct FisherExactResult {
 ///     P(table) = Π nᵢ.! Π n.ⱼ! / (n! Π nᵢⱼ!)
 ///
 /// Enumerates all tables, without empty rows and columns. Probabilities have 31 digits; two that
-/// agree to 20 digits are treated as equal. For at most 300 counts in all and half a million
-/// tables.
+/// agree to 20 digits are treated as equal. For a total count of at most 300, and at most half a
+/// million tables.
 ///
 /// @throws std::invalid_argument  for a table without rows, with rows of unlike length, or with a
 ///     count above 2^32.

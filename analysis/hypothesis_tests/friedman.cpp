@@ -16,7 +16,7 @@ namespace {
 
 using Block = std::vector<std::uint64_t>;
 constexpr std::size_t kMostMoves = 60'000'000;
-constexpr Int128 kMostPermutations = Int128{1} << 126;  // what exactQuotient() can divide by
+constexpr Int128 kMostPermutations = Int128{1} << 126;  // largest divisor of exactQuotient()
 
 /// The possible values of the doubled rank sums, minus 2 per block: a grid with one axis per
 /// treatment except the last, whose sum follows from the others.

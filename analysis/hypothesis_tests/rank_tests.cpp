@@ -199,7 +199,7 @@ Reason whyUndefined(const TiedGroups& groups) {
   return {};
 }
 
-/// 4 n S²: n Σ (2 placement)² − (Σ 2 placement)², over n − 1.
+/// 4 n S², S² the variance of the placements: (n Σ (2 placement)² − (Σ 2 placement)²) / (n − 1).
 DoubleDouble spread(Int128 n, Int128 sum, Int128 squares) {
   return exactQuotient(n * squares - sum * sum, n - 1);
 }

@@ -48,8 +48,8 @@ struct MannWhitneyResult {
   std::optional<double> u;
   std::optional<double> variance;  ///< of U, ties taken into account; zero if all values are equal
 
-  std::optional<double> p;         ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
-  std::optional<double> pAbs;      ///< exact, two-sided: P(U at least as far from its mean)
+  std::optional<double> p;     ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
+  std::optional<double> pAbs;  ///< exact, two-sided: P(U at least as far from its mean as observed)
   std::optional<double> pLess;     ///< exact, one-sided: P(≤ U); alternative: group 1 < group 2
   std::optional<double> pGreater;  ///< exact, one-sided: P(≥ U); alternative: group 1 > group 2
 

@@ -145,9 +145,9 @@ Binary mantissaAndExponent(double number) {
 }
 
 /// The numbers, none of them zero, in units of their smallest digit; std::nullopt if they differ so
-/// much in size that sums of them need more than 126 digits.
+/// much in size that sums of them need more than 126 binary digits.
 std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
-  constexpr int kMostShift = 66;  // with 53 digits and sums of 2^6 numbers
+  constexpr int kMostShift = 66;  // 53 digits + 66 + 6 for sums of 2^6 numbers < 126
   std::vector<Binary> binaries;
   binaries.reserve(numbers.size());
   for (const double number : numbers) binaries.push_back(mantissaAndExponent(number));

@@ -30,14 +30,14 @@ SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uin
 
 /// The treatment of differences of zero, which have no sign.
 enum class Zeros {
-  Dropped,           ///< before ranking, as Wilcoxon does
-  RankedThenDropped  ///< after ranking, as Pratt (1959) does: zeros take the lowest ranks
+  Dropped,           ///< dropped before ranking, as Wilcoxon does
+  RankedThenDropped  ///< dropped after ranking, as Pratt (1959) does: zeros take the lowest ranks
 };
 
 /// The result of the Wilcoxon signed rank test. An undefined number is std::nullopt, and `reason`
 /// says why.
 struct SignedRankResult {
-  std::uint64_t n = 0;  ///< all differences
+  std::uint64_t n = 0;  ///< number of all differences
   std::uint64_t positive = 0;
   std::uint64_t negative = 0;
   std::uint64_t zeros = 0;

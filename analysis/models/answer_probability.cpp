@@ -89,8 +89,8 @@ class Marginal {
 
   AnswerProbability result() const {
     const auto size = gradient_.size();
-    const auto covariance =
-        Eigen::Map<const Eigen::MatrixXd>(fit_.covariance.data(), size, size);  // symmetric
+    // The matrix is symmetric, so its storage order does not matter.
+    const auto covariance = Eigen::Map<const Eigen::MatrixXd>(fit_.covariance.data(), size, size);
     const double variance = gradient_.dot(covariance * gradient_);
     const double slope = probability_ * (1.0 - probability_);  // dP / d logit
     const double logit = std::log(probability_) - std::log1p(-probability_);

@@ -13,7 +13,7 @@ namespace analysis {
 /// Least squares with standard errors that are valid for any correlation within a cluster.
 struct ClusterRobustResult {
   std::vector<TEstimate> fixedEffects;  ///< one for each column; empty if the fit is not defined
-  Reason reason;                        ///< why fixedEffects is empty; empty if it is not
+  Reason reason;                        ///< why fixedEffects is empty; empty if the fit is defined
 };
 
 /// Fits y by ordinary least squares, with the bias-reduced covariance CR2 of the coefficients by

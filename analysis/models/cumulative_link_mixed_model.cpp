@@ -21,9 +21,11 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kSingularLogits = 1e-4;  // standard deviation [logits]
-constexpr double kInfiniteEffect = 50.0;  // standard error of an effect of standardised columns
-constexpr double kStartingLogits[] = {1.0, 0.3};  // of the standard deviations
+// Smaller standard deviations of intercepts count as 0 [logits]
+constexpr double kSingularLogits = 1e-4;
+// Larger standard errors, for standardised columns, count as infinite.
+constexpr double kInfiniteEffect = 50.0;
+constexpr double kStartingLogits[] = {1.0, 0.3};  // starting values of the standard deviations
 
 /// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1. All
 /// parameters are then of the order of one, as minimise() requires.
@@ -243,7 +245,7 @@ WaldEstimate contrast(
     throw std::invalid_argument(
         "a contrast needs one weight for each column, and none for the intercept");
   }
-  // Index of the first fixed effect in the covariance.
+  // Index of the first fixed effect in the covariance matrix.
   const std::size_t base = fit.thresholds.size();
   // w'β and w'Vw; weights[0] belongs to the intercept, which the model does not have.
   double value = 0.0;

@@ -48,10 +48,10 @@ struct CumulativeLinkResult {
 /// it. Standard errors come from the Hessian of the marginal log likelihood in θ, β and the
 /// standard deviations.
 ///
-/// Points of the scale that no answer has get no threshold. There is no fit, and `reason` says why,
-/// if the model is not defined (as for fitLinearMixedModel()), if the answers separate completely
-/// (all answers to a method are the highest, so that its effect is infinite), or if no maximum is
-/// found within 200 steps.
+/// Points of the scale that were never chosen get no threshold. There is no fit, and `reason` says
+/// why, if the model is not defined (as for fitLinearMixedModel()), if the answers separate
+/// completely (all answers to a method are the highest, so that its effect is infinite), or if no
+/// maximum is found within 200 steps.
 ///
 /// @throws std::invalid_argument  if y has another number of answers.
 CumulativeLinkResult fitCumulativeLinkMixedModel(

@@ -28,7 +28,7 @@ class FixedEffects {
 
   std::size_t answers() const noexcept { return answers_; }
   std::size_t columns() const noexcept { return columns_.size(); }
-  /// "(Intercept)", "method fem".
+  /// The name of a column: "(Intercept)", "method fem".
   const std::string& name(std::size_t column) const { return columns_.at(column).name; }
   std::span<const double> column(std::size_t column) const { return columns_.at(column).values; }
   const std::vector<Factor>& factors() const noexcept { return factors_; }

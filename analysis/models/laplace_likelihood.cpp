@@ -14,9 +14,10 @@ using Eigen::VectorXd;
 
 constexpr int kMostSteps = 100;
 constexpr int kMostHalvings = 40;
-constexpr double kNegligibleDecrease = 1e-18;  // of the penalised likelihood: u is accurate to
-                                               // 1e-9, and Newton's last step squares the error
-constexpr double kRounding = 1e-13;  // by which rounding can make a sum of logarithms rise
+// A Newton step that would decrease the penalised likelihood by less is not taken: u then has an
+// error of about 1e-9.
+constexpr double kNegligibleDecrease = 1e-18;
+constexpr double kRounding = 1e-13;  // relative rounding error of a sum of logarithms
 // Step of the central differences for the Hessian. Their truncation error, about the square of the
 // step, is then about as large as the rounding error, 1e-14 divided by the step.
 constexpr double kDifference = 5e-5;
@@ -26,7 +27,7 @@ double logLogistic(double x) {
   return x > 0.0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
 }
 
-/// The member @p number of all answers, as a vector.
+/// The member @p number of each of the @p answers, as a vector.
 VectorXd each(const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
   VectorXd numbers(static_cast<Index>(answers.size()));
   for (Index i = 0; const auto& answer : answers) numbers(i++) = answer.*number;

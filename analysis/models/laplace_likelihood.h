@@ -65,7 +65,7 @@ class LaplaceLikelihood {
 
   Eigen::Index parameters() const noexcept;
 
-  /// std::nullopt if the thresholds are not in order, or û is not found in 100 steps.
+  /// std::nullopt if the thresholds do not increase, or û is not found in 100 steps.
   std::optional<double> value(const Eigen::VectorXd& parameters);
   std::optional<Eigen::VectorXd> gradient(const Eigen::VectorXd& parameters);
   /// The gradient, and the Hessian computed by central differences of the gradient.
@@ -96,7 +96,7 @@ class LaplaceLikelihood {
   /// For each intercept, a matrix whose column i is 1 at the level of answer i.
   std::vector<Sparse> indicators_;
   Eigen::SimplicialLLT<Sparse> system_;  ///< D at the last mode
-  Eigen::VectorXd u_;  ///< the last mode, where the search for the next one starts
+  Eigen::VectorXd u_;  ///< û of the last mode; the search for the next mode starts there
 };
 
 }  // namespace analysis

@@ -18,7 +18,8 @@ namespace {
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::VectorXd;
 
-constexpr double kSingular = 1e-4;        // standard deviation relative to that of the residuals
+// Smaller standard deviations, relative to that of the residuals, count as 0.
+constexpr double kSingular = 1e-4;
 constexpr double kLargestLog = 40.0;      // e^40: beyond it no residual variance is left
 constexpr double kFlat = 1e-14;           // reciprocal condition of a Hessian that has no inverse
 constexpr double kStarts[] = {0.5, 2.0};  // two, since the deviance may have a second minimum

@@ -30,7 +30,7 @@ struct LinearMixedFit {
   std::vector<TEstimate> fixedEffects;  ///< one for each column of the design
   std::vector<VarianceComponent> components;
   double residualVariance = 0.0;
-  double logLikelihood = 0.0;  ///< restricted
+  double logLikelihood = 0.0;  ///< logarithm of the restricted likelihood
   int iterations = 0;
 
   std::vector<double> covariance;  ///< of the p fixed effects, p × p, row by row

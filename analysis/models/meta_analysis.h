@@ -51,7 +51,8 @@ struct MetaAnalysis {
 };
 
 /// @param level  of the intervals
-/// @throws std::invalid_argument  for fewer than two sites, or an error that is not positive.
+/// @throws std::invalid_argument  for fewer than two sites, or a standard error that is not
+///     positive.
 MetaAnalysis pooled(std::span<const EstimateWithError> sites, double level);
 
 /// Only MetaAnalysis::knappHartung, to four digits: for simulations of thousands of studies.

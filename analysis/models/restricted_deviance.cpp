@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNothing =
-    1e-12;  // relative to a sum of squares: smaller values are rounding errors
+// Relative to a sum of squares: smaller values are rounding errors.
+constexpr double kNothing = 1e-12;
 
 }  // namespace
 

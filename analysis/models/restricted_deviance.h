@@ -17,11 +17,11 @@ namespace analysis {
 struct RestrictedSolution {
   double deviance = 0.0;          ///< −2 × the restricted log likelihood
   double residualVariance = 0.0;  ///< σ²
-  Eigen::VectorXd coefficients;   ///< p
+  Eigen::VectorXd coefficients;   ///< p fixed effects
   Eigen::MatrixXd covariance;     ///< of the coefficients, p × p
   /// ∂covariance / ∂variance for the variance of each random intercept, then of the residuals.
   std::vector<Eigen::MatrixXd> covarianceDerivatives;
-  /// Second derivatives of the deviance by these variances.
+  /// Second derivatives of the deviance with respect to the variances in covarianceDerivatives.
   Eigen::MatrixXd hessian;
 };
 
@@ -70,14 +70,15 @@ class RestrictedDeviance {
 
   Eigen::Index answers_;
   Eigen::Index columns_;
-  std::vector<Eigen::Index> levels_;  ///< of each intercept
-  std::vector<Eigen::Index> from_;    ///< index of its first level among the random effects
-  double offset_ = 0.0;               ///< y of the first answer, subtracted from all
-  double sumOfSquares_ = 0.0;         ///< of y around its mean
-  double leastSquares_ = 0.0;         ///< sum of squares of rest_
-  Eigen::VectorXd rest_;              ///< y without the fixed effects
-  Eigen::MatrixXd triangle_;          ///< X = orthonormal × triangle
-  Eigen::VectorXd coefficients_;      ///< of least squares, orthonormal
+  std::vector<Eigen::Index> levels_;  ///< number of levels of each random intercept
+  /// For each random intercept, the index of its first random effect.
+  std::vector<Eigen::Index> from_;
+  double offset_ = 0.0;           ///< y of the first answer, subtracted from all
+  double sumOfSquares_ = 0.0;     ///< of y around its mean
+  double leastSquares_ = 0.0;     ///< sum of squares of rest_
+  Eigen::VectorXd rest_;          ///< y without the fixed effects
+  Eigen::MatrixXd triangle_;      ///< R of X = QR, with Q orthonormal
+  Eigen::VectorXd coefficients_;  ///< least-squares coefficients of the orthonormalised X
   Eigen::MatrixXd ztz_;
   Eigen::MatrixXd ztx_;
   Eigen::VectorXd zty_;

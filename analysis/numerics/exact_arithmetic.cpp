@@ -18,8 +18,8 @@ constexpr int kDigits = 120;  // binary digits; a double-double has at least 106
 
 constexpr std::int64_t kMostParts = 1000;
 constexpr double kNoise = 1e-12;  // relative to the largest number
-constexpr double kMostMultiples =
-    1e6;  // for larger multiples, any numbers would have a common unit by chance
+// For larger multiples, any numbers would have a common unit by chance.
+constexpr double kMostMultiples = 1e6;
 
 double largestOf(std::span<const double> numbers) {
   double largest = 0.0;

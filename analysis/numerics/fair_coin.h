@@ -47,7 +47,7 @@ class SubsetSums {
 
  private:
   std::uint64_t unit_ = 1;                   ///< the greatest common divisor of the weights
-  std::vector<DoubleDouble> probabilities_;  ///< of the sum i · unit_
+  std::vector<DoubleDouble> probabilities_;  ///< [i]: probability of the sum i · unit_
 };
 
 }  // namespace analysis

@@ -16,12 +16,13 @@ using Eigen::VectorXd;
 
 constexpr int kMostIterations = 200;
 constexpr int kMostHalvings = 40;
-constexpr int kLastSteps = 3;         // each step of Newton's method doubles the number of digits
-constexpr double kLongestStep = 2.0;  // both models have parameters of the order of one
-constexpr double kSufficientFall =
-    1e-4;  // relative to the decrease that the gradient predicts (Armijo)
-constexpr double kSmallestCurvature =
-    1e-10;                      // relative to the largest curvature; a direction below it is flat
+constexpr int kLastSteps = 3;  // each step of Newton's method doubles the number of digits
+// The minimised likelihoods have parameters of the order of one.
+constexpr double kLongestStep = 2.0;
+// Least decrease of the function, relative to the decrease that the gradient predicts (Armijo).
+constexpr double kSufficientFall = 1e-4;
+// Relative to the largest curvature; a direction of less curvature is flat.
+constexpr double kSmallestCurvature = 1e-10;
 constexpr double kNear = 1e-8;  // predicted decrease of a step, relative to the value
 
 struct Step {

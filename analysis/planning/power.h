@@ -28,8 +28,8 @@ double twoSidedTPower(double noncentrality, double df, double alpha);
 /// The largest number of participants that is considered.
 inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 
-/// The fewest participants with whom a paired t-test has at least this power; std::nullopt for an
-/// effect of zero and beyond kMostParticipants.
+/// The fewest participants with whom a paired t-test has at least the power @p power; std::nullopt
+/// for an effect of zero and beyond kMostParticipants.
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, a power
 ///     below alpha, or an effect that is NaN.
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);

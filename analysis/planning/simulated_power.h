@@ -100,7 +100,7 @@ struct SimulatedPower {
   DetectionRate signedRank;  ///< first pair, by Wilcoxon's signed rank test, exact with ties
   DetectionRate friedman;    ///< overall test of all conditions, means of participants, χ², at α
   DetectionRate anyPairedT;  ///< any pair
-  DetectionRate pooledWelch;     ///< first pair, all answers treated as independent
+  DetectionRate pooledWelch;     ///< first pair, all single answers treated as independent
   DetectionRate anyPooledWelch;  ///< any pair
 };
 

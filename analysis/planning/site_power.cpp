@@ -115,7 +115,7 @@ class SiteTrial {
   double level_;   ///< α of one comparison
   double family_;  ///< 1 − α
   double deviation_;
-  double criticalT_;  ///< of all participants together
+  double criticalT_;  ///< critical |t| of the test of all participants, sites ignored
   std::vector<SiteSums> sites_;
 };
 

@@ -17,8 +17,8 @@ namespace analysis {
 /// leniency cancels in differences within participants.
 struct SitePlan {
   /// Klein et al. 2018 (Adv. Methods Pract. Psychol. Sci. 1(4), 443–490,
-  /// doi:10.1177/2515245918810225) replicated 28 effects at 125 sites: τ was larger than this for
-  /// one effect, and about 0.1 for eight.
+  /// doi:10.1177/2515245918810225) replicated 28 effects at 125 sites: τ was above 0.2 for one
+  /// effect, and about 0.1 for eight.
   static constexpr double kUsualDeviation = 0.2;
 
   std::uint64_t sites = 2;
@@ -50,7 +50,7 @@ struct SitePlan {
 ///     an alpha that is not between 0 and 1, or an effect that is NaN.
 double pooledSitesPower(double dz, std::uint64_t participants, const SitePlan& plan, double alpha);
 
-/// The fewest participants, over all sites, with whom pooledSitesPower() is at least this;
+/// The fewest participants, over all sites, with whom pooledSitesPower() is at least @p power;
 /// std::nullopt if no number is enough, because the variance between few sites remains.
 /// @throws std::invalid_argument  as pooledSitesPower(), and for a power that is not between alpha
 ///     and 1.
@@ -65,7 +65,7 @@ struct SimulatedSitePower {
   DetectionRate pairedT;     ///< first pair, all participants, sites ignored
   DetectionRate anyPairedT;  ///< any pair
   /// Half the width of the first pair's pooled interval at 1 − alpha, median over studies [points];
-  /// std::nullopt if nothing could be pooled in half of them.
+  /// std::nullopt if half of the studies could not be pooled.
   std::optional<double> halfWidth;
 };
 

@@ -26,7 +26,7 @@ class PValueWindow {
 
  private:
   struct Limits {
-    double nearest = 0.0;  ///< t at the larger p
+    double nearest = 0.0;  ///< |t| at the largest p of the window
     double furthest = 0.0;
   };
 

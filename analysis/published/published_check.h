@@ -34,7 +34,8 @@ std::optional<std::vector<MeanAndVariance>> momentsGivingAllP(
     std::span<const std::uint64_t> sizes,
     const PublishedConvention& convention);
 
-/// The range of p of two groups whose means and variances are printed like this.
+/// The range of p values of two groups whose means and variances would be printed as @p group1 and
+/// @p group2.
 ///
 /// p falls with the difference of the means, so the smallest and the largest difference bound it.
 /// At a fixed ratio of the variances, p rises with their size, so the extremes of p lie on the
@@ -52,10 +53,10 @@ Interval attainableP(
 /// Whether two intervals have a number in common.
 bool overlap(const Interval& a, const Interval& b);
 
-/// The range of p values that is possible for one printed p value.
+/// The p values that are possible for one comparison, and whether the printed one is among them.
 struct ComparisonCheck {
   Interval attainable;
-  bool isAttainable = false;  ///< whether some attainable p would be printed like the given one
+  bool isAttainable = false;  ///< whether some attainable p would be printed like the published one
 };
 
 /// The check of a row of a published table at given group sizes, under one convention.
@@ -63,7 +64,7 @@ struct ConventionCheck {
   PublishedConvention convention;
   GroupSizes sizes;
   std::vector<ComparisonCheck> comparisons;  ///< in the order of the table
-  /// Means and variances that together give all p.
+  /// Means and variances that together give all printed p values; std::nullopt if none were found.
   std::optional<std::vector<MeanAndVariance>> row;
 
   bool allAttainable() const;

@@ -12,7 +12,7 @@
 
 namespace analysis {
 
-/// How the digits that are not printed were removed.
+/// How a publication shortened its numbers to the printed digits.
 enum class Reading {
   Rounded,    ///< to the nearest; a half may have been rounded up or down
   Truncated,  ///< cut off, towards zero
@@ -54,7 +54,7 @@ struct PublishedGroup {
   std::string name;
   std::optional<std::uint64_t> n;  ///< std::nullopt if the publication does not state it
   ReportedNumber mean;
-  ReportedNumber spread;  ///< the variance, or …
+  ReportedNumber spread;  ///< variance, or standard deviation if isStandardDeviation
   bool isStandardDeviation = false;
 };
 

@@ -12,11 +12,13 @@ namespace analysis {
 
 /// The options of a test.
 struct TestSettings {
-  double level = 0.95;                  ///< of confidence intervals, between 0 and 1
-  std::optional<double> adjustedLevel;  ///< level of the additional interval that is adjusted for
-                                        ///< several tests, if wanted
-  std::optional<double> bound;  ///< equivalence margin: ± this is regarded as no difference; > 0
-  /// Of answer probabilities: the probability of this answer or a higher one.
+  double level = 0.95;  ///< of confidence intervals, between 0 and 1
+  /// Level of an additional confidence interval, adjusted for several tests; std::nullopt: no such
+  /// interval.
+  std::optional<double> adjustedLevel;
+  /// Equivalence margin > 0: differences within ± bound do not matter.
+  std::optional<double> bound;
+  /// For tests of high answers: the lowest answer that counts as high.
   std::optional<int> from;
 };
 

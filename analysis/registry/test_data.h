@@ -14,7 +14,7 @@ namespace analysis {
 
 /// The layout of a table that a test is computed from.
 enum class DataShape {
-  TwoGroups,    ///< a column of group names, two of them, and a column of numbers
+  TwoGroups,    ///< a column with the names of two groups, and a column of numbers
   Groups,       ///< like TwoGroups, with two groups or more
   Pairs,        ///< two columns of numbers, one pair per line
   Columns,      ///< one line per participant, one column of numbers per condition, item or rater
@@ -31,7 +31,7 @@ struct DataColumn {
 
   std::string_view role;  ///< "group": the option --group names the column
   Kind kind = Kind::Number;
-  bool isRequired = true;  ///< if the option is not given, the file's next column is used
+  bool isRequired = true;  ///< true: without the option, the file's next column is used
   std::string_view what;   ///< description in messages
 };
 
@@ -82,9 +82,8 @@ CrossTable crossTableOf(const TestData& data, bool isSquare);
 /// Reads a table of comma-separated values (see readCsv()) for a test. If semicolons separate the
 /// cells, decimal commas are accepted.
 ///
-/// @throws UserError  in words for the person at the desk: a column that is not there or that the
-/// shape
-///     does not use, no rows, cells that are not numbers, too few or too many groups.
+/// @throws UserError  with a message for the operator: a column is missing or the shape does not
+///     use it, there are no rows, a cell is no number, or there are too few or too many groups.
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen);
 
 }  // namespace analysis

@@ -55,10 +55,10 @@ struct MethodChecks {
   std::string method;
   ShapiroWilkResult normality;  ///< of the participants' means
   CronbachAlpha alpha;          ///< of the statements about the method, averaged over rounds
-  OmegaTotal omega;             ///< of the same statements
+  OmegaTotal omega;             ///< of the statements of alpha
 };
 
-/// Reported as information; no test is chosen by these checks.
+/// Checks of assumptions. They are reported; no test is chosen by them.
 struct ScaleChecks {
   std::vector<MethodChecks> methods;
   BrownForsytheResult spread;  ///< of participants' means, between methods

@@ -26,7 +26,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Finds the flags of one cohort's answers, one function per kind.
+/// Finds the flags of one cohort's answers; one function per kind of flag.
 class FlagFinder {
  public:
   FlagFinder(const AnswerTable& table, const StudyFacts& facts) : table_(table), facts_(facts) {}

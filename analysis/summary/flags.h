@@ -126,11 +126,12 @@ struct Flag {
   std::vector<base::Message> what;    ///< what was found: the parts of one sentence
   base::Message why;                  ///< why it matters
   base::Message remedy;               ///< what to do
-  std::vector<base::Message> source;  ///< the source of the statement
+  std::vector<base::Message> source;  ///< where a paper or the manual explains it
   bool isOfPooled = false;            ///< it concerns pooled tests only
-  bool isOfRendering = false;         ///< what was felt is not what the methods are
+  /// It concerns the rendering: the rendered forces differ from those of the methods.
+  bool isOfRendering = false;
 
-  /// What it is about, as a heading for people.
+  /// A short heading for display.
   base::Message title() const;
 
   /// The sentence `what` in English.
@@ -140,11 +141,11 @@ struct Flag {
 /// A method with trials whose scene asked for more force than the device may give.
 struct SaturatedMethod {
   std::string title;
-  std::size_t saturated = 0;  ///< such trials
-  std::size_t trials = 0;     ///< all of the method
+  std::size_t saturated = 0;  ///< number of trials in which the force was limited
+  std::size_t trials = 0;     ///< number of all trials of the method
 };
 
-/// What an answer table does not know about the study that it comes from.
+/// Facts about a study that its answer table does not contain.
 struct StudyFacts {
   /// Whether the report also has unpaired tests that treat all answers as independent.
   bool isPooled = true;
@@ -154,15 +155,15 @@ struct StudyFacts {
   double alpha = 0.05;     ///< of the family
   std::optional<double> threshold;  ///< significance level of the smallest p of the family;
                                     ///< std::nullopt: alpha / tests
-  std::size_t tests = 1;            ///< of the family
+  std::size_t tests = 1;            ///< number of tests in the family
   /// Indices of the statements that compare with what was felt before.
   std::vector<std::size_t> relativeStatements;
-  std::vector<double> pValues;  ///< of the family's tests, unrounded
-  /// Number of answers of a participant, by method; empty: not known.
+  std::vector<double> pValues;  ///< p values of the family's tests, unrounded
+  /// Expected number of answers per participant, by method; empty: unknown.
   std::vector<std::size_t> expected;
   std::size_t trials = 0;
-  std::size_t lateTrials = 0;  ///< whose loop was late more often than the protocol bears
-  /// Those whose scene asked for more than the device may give, by method; no others.
+  std::size_t lateTrials = 0;  ///< number of trials with more late ticks than the protocol allows
+  /// The methods with trials whose scene asked for more force than the device may give.
   std::vector<SaturatedMethod> saturated;
 };
 

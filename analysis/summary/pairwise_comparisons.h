@@ -32,7 +32,8 @@ struct PairwiseComparisons {
   std::size_t tests = 0;  ///< m: the comparisons that have a p value
   /// alpha / m, the level of the adjusted intervals; std::nullopt for m = 0.
   std::optional<double> alphaPerTest;
-  std::vector<TestRow> rows;  ///< `welch`, with intervals at both levels
+  /// One row `welch` per pair, with the interval and the adjusted interval.
+  std::vector<TestRow> rows;
 };
 
 /// Computes the declared comparisons, in their order.

@@ -89,7 +89,8 @@ class SiteComparer {
     return differences;
   }
 
-  /// A standard error that is only rounding of the means would get nearly all of the weight.
+  /// Whether the site is pooled. A standard error that is only rounding noise of the means would
+  /// get nearly all of the weight.
   static bool isPooled(const SiteDifference& site) {
     constexpr double kRounding = 1e-9;  // [points]
     return site.test.meanDifference && site.test.standardError.value_or(0.0) > kRounding;

@@ -30,7 +30,7 @@ struct SiteAnswers {
 
 /// The pooled difference of all sites but one.
 struct LeaveOneOutEstimate {
-  std::string site;
+  std::string site;  ///< the site left out
   PooledEstimate pooled;
 };
 

@@ -39,15 +39,15 @@ struct WithinComparison {
 /// The analysis of one cohort's answers to a family of questions. The statistical unit is the
 /// participant: repeated answers are averaged first, or described by a mixed model.
 struct WithinAnalysis {
-  std::size_t participants = 0;  ///< number who judged every method
-  std::vector<std::string> leftOut;
-  std::size_t tests = 0;  ///< number of declared comparisons
+  std::size_t participants = 0;      ///< number who judged every method
+  std::vector<std::string> leftOut;  ///< participants who did not judge every method
+  std::size_t tests = 0;             ///< number of declared comparisons
   std::optional<double> alphaPerTest;
   std::vector<TestRow> overall;  ///< the registered tests of all methods at once
   LinearMixedResult mixed;       ///< score ~ method [+ round] + (1 | participant) + (1 | …)
-  CumulativeLinkResult ordinal;  ///< the same model of logits
+  CumulativeLinkResult ordinal;  ///< cumulative link model with the same terms
   /// `answer_probability` of each method: the probability of answers above the middle of the scale,
-  /// by `ordinal`.
+  /// from `ordinal`.
   std::vector<TestRow> probabilities;
   std::vector<WithinComparison> rows;  ///< in the order of the pairs
 };
@@ -60,7 +60,7 @@ struct WithinOptions {
   std::optional<double> equivalenceBound;  ///< [points of the scale]
 };
 
-/// Name of the models' factor that tells the compared conditions apart.
+/// Name of the factor of the models whose levels are the compared methods.
 inline constexpr const char* kMethodFactor = "method";
 
 /// The model of the single answers:
