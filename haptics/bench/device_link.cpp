@@ -94,7 +94,7 @@ LinkRun LinkLoop::finish() {
   run_.isRealtime = loop_->isRealtime();
   loop_.reset();
   run_.processor = processorTime() - processorBefore_;
-  // Before disarming, since the device's own thread would count further.
+  // Reads the counts before disarming: afterwards the device's keeper thread changes them.
   run_.link = device_.link();
   run_.fault = device_.fault();
   device_.disarm();

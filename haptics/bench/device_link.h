@@ -42,8 +42,9 @@ class LinkLoop {
   /// Whether the device has failed or is gone. Any thread.
   bool isOver() const noexcept { return isOver_.load(std::memory_order_acquire); }
 
-  /// Orders that a tick takes @p duration [ns] longer: the first in which a force above 5 % of the
-  /// maximum begins to fall, or after three seconds without one any tick. Any thread.
+  /// Orders a stall: one tick takes @p duration [ns] longer. It is the first tick in which a force
+  /// above 5 % of the maximum begins to fall; after three seconds without such a tick, any tick.
+  /// Any thread.
   void stallTick(std::int64_t duration) noexcept;
   /// When the last ordered stall began [ns on CLOCK_MONOTONIC]; 0: not yet. Any thread.
   std::int64_t stalledAt() const noexcept { return stalledAt_.load(std::memory_order_acquire); }
@@ -57,12 +58,12 @@ class LinkLoop {
   bool mustStall(double force) noexcept;
 
   devices::Device& device_;
-  double forceThatMatters_;  ///< [N]
+  double forceThatMatters_;  ///< least force at which a stall begins [N]
   double lastForce_ = 0.0;   ///< [N]
   engine::CompiledScene scene_;
   engine::ForceEngine engine_;
   std::atomic<bool> isOver_{false};
-  std::atomic<std::int64_t> orderedAt_{0};  ///< [ns]
+  std::atomic<std::int64_t> orderedAt_{0};  ///< time at which the stall was ordered [ns]
   std::atomic<std::int64_t> ordered_{0};    ///< duration of the ordered stall [ns]
   std::atomic<std::int64_t> stalledAt_{0};  ///< [ns]
   LinkRun run_;

@@ -18,7 +18,7 @@
 namespace haptics::bench {
 namespace {
 
-// Bound for the scheme paper-text with quantised travel [N].
+// Largest allowed step of the force for the scheme paper-text with quantised travel [N].
 constexpr double kPublishedChatter = 4.0;
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;

@@ -30,11 +30,11 @@ struct Measurement {
 /// Receives measurements, and selects how much is measured.
 struct AccuracyRun {
   std::function<void(const Measurement&)> report;
-  bool isShort = false;  ///< only errors, and only of small models: for ./check
+  bool isShort = false;  ///< true: measures only errors, and only of small models; for ./check
 
-  /// Compared times of contestants, see timing::compareTimes(); std::nullopt in a short run.
+  /// Times of @p contestants by timing::compareTimes(); std::nullopt in a short run.
   std::vector<std::optional<Timing>> times(const std::vector<Contestant>& contestants) const;
-  /// Compared times with cold caches, see timing::compareColdTimes().
+  /// Times with cold caches by timing::compareColdTimes(); std::nullopt in a short run.
   std::vector<std::optional<Timing>> coldTimes(
       const std::vector<Contestant>& contestants, int rounds) const;
 };

@@ -22,7 +22,7 @@ using reaming::PlungePath;
 using reaming::SphereField;
 
 constexpr const char* kPackingFamily = "packing";
-constexpr double kReachOfReamer = 0.026;  // its radius [m]
+constexpr double kReachOfReamer = 0.026;  // radius of the reamer [m]
 constexpr double kDensity = 2e5;          // [N/m²]
 
 /// Depth of the reamer in a step: it oscillates between 6 and 12 mm.
@@ -163,7 +163,7 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
 void measurePacking(const AccuracyRun& run) {
   if (run.isShort) return compareContacts(boneOf(5000), run);
   compareContacts(boneOf(50'000), run);
-  const Packing published = boneOf(201'532);  // the reaming paper's number
+  const Packing published = boneOf(201'532);  // number of spheres in the reaming paper
   compareContacts(published, run);
   timeRemoval(published, false, run);
   timeRemoval(published, true, run);

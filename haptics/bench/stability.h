@@ -23,12 +23,12 @@ struct StabilityCheck {
 struct VirtualWall {
   double rate = 0.0;       ///< [Hz]
   double stiffness = 0.0;  ///< K [N/travel unit]
-  double damping = 0.0;    ///< b, b, of mechanism and hand together [N·s/travel unit]
+  double damping = 0.0;    ///< b, of mechanism and hand together [N·s/travel unit]
   double quantum = 0.0;    ///< resolution of the encoder [travel units]
-  int delay = 0;           ///< of the force [ticks]
+  int delay = 0;           ///< delay of the force [ticks]
   bool isControlled = false;
   bool isStable = false;
-  bool isPredictedUnstable = false;  ///< eq. (25) allows it to be unstable
+  bool isPredictedUnstable = false;  ///< eq. (25) of the punch paper does not guarantee passivity
   bool isNoticed = false;            ///< the energy observer detected generated energy
   double amplitude = 0.0;            ///< peak to peak over the last 0.4 s [travel units]
 };

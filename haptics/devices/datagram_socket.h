@@ -47,7 +47,8 @@ class DatagramSocket {
     Endpoint from;
   };
   /// Receives the next datagram; waits at most @p wait [ns] for it. A datagram that is longer than
-  /// @p room is truncated: make @p room a byte larger than the longest valid one to notice.
+  /// @p room is truncated: if @p room is a byte larger than the longest valid datagram, the caller
+  /// can detect it.
   std::optional<Received> receive(std::span<std::uint8_t> room, std::int64_t wait = 0) noexcept;
 
   /// The address that the socket is bound to, with the port that the system assigned.

@@ -99,8 +99,8 @@ struct DeviceSample {
   double turn = 0.0;
   bool isHeld = true;      ///< the dead-man switch is held, or the device has no such switch
   bool isReamerOn = true;  ///< the reamer's switch or pedal is pressed, or the device has none
-  std::int64_t deviceTime =
-      0;  ///< time of measurement on the device's clock [ns]; 0: the device has no clock
+  /// Time of measurement on the device's clock [ns]; 0: the device has no clock.
+  std::int64_t deviceTime = 0;
   /// Time of arrival on CLOCK_MONOTONIC [ns]; 0: not transmitted (simulated)
   std::int64_t hostTime = 0;
 };
@@ -135,7 +135,7 @@ class Device {
   virtual void close() noexcept {}
 
   /// Listens for @p seconds and checks whether the device can be used. Opens it if needed; a device
-  /// that cannot be opened is a finding.
+  /// that cannot be opened is reported as a failed check.
   virtual std::vector<CheckResult> check(double seconds);
 
   /// Called before and after a trial: after arm() the device accepts forces, after disarm() it does

@@ -32,7 +32,7 @@ class Text {
   Text(std::string_view english, InLanguages others)
       : english_(english), others_(std::move(others)) {}
 
-  /// The text in @p language, English if it has no translation; "de" serves "de-CH", too.
+  /// The text in @p language, English if it has no translation; "de" also matches "de-CH".
   std::string_view in(std::string_view language) const noexcept {
     for (const auto& [tag, text] : others_) {
       if (language.substr(0, language.find('-')) == tag) return text;
@@ -74,7 +74,7 @@ struct DeviceKind {
     std::string_view unitName;  ///< written after a number: "travel units", "m"
     double least;               ///< [unit]
     double most;                ///< [unit]
-    double fastest;             ///< above this speed the tool is in no hand [unit/s]
+    double fastest;             ///< faster motion is impossible for a hand [unit/s]
     double playSpeed;           ///< default speed of `scene play` [unit/s]
   } travel;
 
@@ -121,8 +121,8 @@ struct DeviceKind {
   /// Defaults for a device on a serial line.
   struct Serial {
     double travelPerCount = 0.00439;  ///< of the encoder [unit]
-    Range believable{
-        -2.0, 14.0};  ///< travel outside this range means that the zero is wrong [unit]
+    /// Travel outside this range means that the zero is wrong [unit]
+    Range believable{-2.0, 14.0};
 
     /// Whether the mechanism can reach @p travel with any error of its zero. An encoder that lost
     /// count, or a fault in its cable, gives a travel far outside.
@@ -135,7 +135,7 @@ struct DeviceKind {
   // Texts.
   Text strokeName;   ///< "cut"
   Text strokesName;  ///< "cuts"
-  Text pointerHint;  ///< tells a participant what the keys and the mouse do
+  Text pointerHint;  ///< explains the keys and the mouse to a participant
 
   /// A sentence that replaces a general one in reports and exports of a study that uses only this
   /// kind of device.

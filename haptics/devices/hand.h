@@ -40,8 +40,8 @@ class SimulatedHand final : public Hand {
     double openTime = 0.5;   ///< [s], > 0
     double stiffness = 3.0;  ///< k [N / travel unit], > 0
     double damping = 0.12;   ///< b [N·s / travel unit], >= 0
-    double variation =
-        0.0;  ///< relative random variation of reach and closing time from cycle to cycle, [0, 0.5]
+    /// Relative random variation of reach and closing time from cycle to cycle, [0, 0.5]
+    double variation = 0.0;
     std::uint64_t seed = 0;  ///< of the random variation
   };
 
@@ -63,8 +63,8 @@ class SimulatedHand final : public Hand {
   Person person_;
   double time_ = 0.0;  ///< since the present cycle began [s]
   base::SplitMix64 random_;
-  double closed_ = 0.0;     ///< in this cycle
-  double closeTime_ = 0.0;  ///< in this cycle [s]
+  double closed_ = 0.0;     ///< travel that the hand aims at in this cycle
+  double closeTime_ = 0.0;  ///< duration of closing in this cycle [s]
 };
 
 /// A hand that follows a pointer, moved by the mouse or the keys, if there is no device. Another

@@ -22,7 +22,7 @@ class SerialPort {
   /// The supported speeds as a text: "115200, … or 2000000".
   static std::string supportedSpeeds();
 
-  /// @param baud  0: leave the speed (USB and pseudo-terminals have none).
+  /// @param baud  0: do not set a speed (USB and pseudo-terminals have none).
   /// @throws DeviceError  if the port does not exist, is not permitted, is in use, or is no serial
   ///                      port.
   void open(const std::string& path, int baud);

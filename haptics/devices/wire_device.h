@@ -36,14 +36,14 @@ class WireDevice : public Device, private Pacer {
  protected:
   /// The keeper's time limits.
   struct KeeperLimits {
-    /// Longest wait in one turn of the keeper's loop; it then checks whether to stop [ns].
+    /// Longest wait in one iteration of the keeper's loop, which then checks whether to stop [ns].
     std::int64_t turn;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
   WireDevice(Capabilities capabilities, KeeperLimits keeping);
 
-  /// Begins error messages: "The punch on /dev/ttyACM0".
+  /// The name with which error messages begin: "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
   virtual bool isConnected() const noexcept = 0;
   /// Closes the connection; @p isFault is sent as the reason where the protocol has one.

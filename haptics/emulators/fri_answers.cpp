@@ -81,7 +81,7 @@ void FriAnswers::sent(std::int64_t now, bool isAnswerable) noexcept {
 }
 
 bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcept {
-  // In messages; huge if the message was never sent.
+  // Age of the answered message [messages]; huge if it was never sent.
   const std::uint32_t age = next_ - 1U - header.reflected;
   if (header.reflected >= next_) {
     ++counts_.toUnknownMessage;

@@ -11,7 +11,7 @@ namespace haptics::emulators {
 ///
 /// The arm is either held stiffly at its position, as by brakes, or it runs a motion: the impedance
 /// of its control mode about the commanded joints, plus the overlay that the client commands. In
-/// wrench mode the overlay acts at the tool's origin in the tool's axes, which is our
+/// wrench mode the overlay acts at the tool's origin in the tool's axes, which is this emulator's
 /// interpretation of "the frame of the motion centre"; τA τB τC are about z, y and x, like KUKA's
 /// angles A B C.
 class FriArm {

@@ -15,7 +15,7 @@ namespace haptics::emulators {
 /// State and counts of an emulated controller.
 struct FriReport {
   FriSession::State state = FriSession::State::Idle;
-  /// As sent to the client.
+  /// The quality that is sent to the client.
   wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;
   ConnectionQuality::Measures connection;
   FriEndReason lastEnd = FriEndReason::None;
@@ -36,10 +36,10 @@ struct FriReport {
   std::uint64_t sixJoints = 0;     ///< messages with six joints
   std::uint64_t notANumber = 0;    ///< messages in which a joint is NaN
   std::uint64_t wrongVersion = 0;  ///< messages framed as another version
-  std::uint64_t stalled = 0;       ///< periods in which nothing was sent, by order
-  std::uint64_t impostors = 0;     ///< datagrams sent by the impostor
-  std::uint64_t misled = 0;        ///< answers that the client sent to the impostor
-  std::uint64_t latePeriods = 0;   ///< periods that run() began late by a period or more
+  std::uint64_t stalled = 0;      ///< periods in which nothing was sent because of an ordered stall
+  std::uint64_t impostors = 0;    ///< datagrams sent by the impostor
+  std::uint64_t misled = 0;       ///< answers that the client sent to the impostor
+  std::uint64_t latePeriods = 0;  ///< periods that run() began late by a period or more
 };
 
 /// The report as one line of key=value pairs; the reason of the last end comes last, in quotes.

@@ -28,7 +28,7 @@ class FriOrders {
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
-  /// @param impairment  gets the orders of its faults; must outlive this object.
+  /// @param impairment  receives the orders of its faults; must outlive this object.
   /// @param period      send period [ms]; times are rounded up to it.
   FriOrders(Impairment& impairment, int period) noexcept
       : impairment_(impairment), period_(period) {}

@@ -126,13 +126,13 @@ class FriSession {
     int monitoringWait = 0;
     int monitoringReady = 100;
     int commandingWait = 20;
-    int commandingActive = 0;  ///< exact, not the least time; 0: without an end
+    int commandingActive = 0;  ///< duration of the motion, not the least time; 0: unlimited
   };
 
   struct Options {
     Stay stay;
     int period = 1;               ///< send period [ms], 1 to 100
-    bool isTorque = false;        ///< commands must arrive every kCommandTimeout
+    bool isTorque = false;        ///< torque mode: a command must arrive every kCommandTimeout
     bool restartsMotion = false;  ///< the robot's program restarts a motion that failed
   };
 
@@ -151,7 +151,7 @@ class FriSession {
   /// Records whether an answer in CommandingWait mirrored the joints.
   void mirror(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
 
-  /// Ends the motion with reason @p end, if the state is a commanding one. Returns whether it was.
+  /// Ends the motion with reason @p end if the state is a commanding one; otherwise returns false.
   bool end(FriEndReason end) noexcept;
   void toIdle() noexcept;   ///< ends the session; the state stays Idle
   void restart() noexcept;  ///< begins a new session from Idle

@@ -77,7 +77,7 @@ bool keep(Values& target, const Values& value) noexcept {
   return isFinite;
 }
 
-/// Rotates both halves of @p values.
+/// Rotates the translational and the rotational half of @p values.
 Vector6 turned(const Eigen::Matrix3d& rotation, const Vector6& values) noexcept {
   Vector6 result;
   result.head<3>() = rotation * values.head<3>();

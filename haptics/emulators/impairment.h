@@ -16,11 +16,11 @@ namespace haptics::emulators {
 /// Faults in the transmission of a frame (a datagram, or a frame on a serial line).
 enum class Fault : std::uint8_t {
   Drop,     ///< the frame never arrives
-  Double,   ///< it arrives twice in succession
-  Reorder,  ///< it arrives after its successor
-  Delay,    ///< it arrives some frames later
-  Garbage,  ///< garbage is sent before it
-  Damage    ///< one of its bytes is changed
+  Double,   ///< the frame arrives twice in succession
+  Reorder,  ///< the frame arrives after its successor
+  Delay,    ///< the frame arrives some frames later
+  Garbage,  ///< random bytes are sent before the frame
+  Damage    ///< one byte of the frame is changed
 };
 
 inline constexpr std::array<std::string_view, 6> kFaultNames{
@@ -28,8 +28,9 @@ inline constexpr std::array<std::string_view, 6> kFaultNames{
 
 /// Numbers of frames and of injected faults.
 struct Injected {
-  std::uint64_t passed = 0;                            ///< frames that were given to pass()
-  std::array<std::uint64_t, kFaultNames.size()> of{};  ///< frames with each fault
+  std::uint64_t passed = 0;  ///< frames that were given to pass()
+  /// Number of frames with each fault, in the order of Fault.
+  std::array<std::uint64_t, kFaultNames.size()> of{};
 
   std::uint64_t operator[](Fault fault) const noexcept {
     return of[static_cast<std::size_t>(fault)];
@@ -41,7 +42,7 @@ struct Injected {
 ///
 /// - A frame gets at most one fault. Ordered faults come first, in the order of Fault; random
 ///   faults only if no order is pending.
-/// - The frame after a reordered one gets no fault, so that exactly two change places.
+/// - The frame after a reordered one gets no fault, so that exactly two frames change places.
 /// - A frame that is held back (Reorder, Delay) is sent only after a later frame has passed
 ///   undamaged, so that the receiver always sees it out of order. It is counted when it is sent.
 /// - If there is no space to hold a frame, the order stays pending. Frames that are empty or longer
@@ -60,9 +61,9 @@ class Impairment {
     std::uint64_t seed = 1;
     int delay = 5;             ///< number of frames by which Delay holds a frame back, >= 1
     std::size_t garbage = 24;  ///< size of a block of garbage [bytes], 1 to kLongestFrame
-    /// The byte that ends a frame, if there is one. Garbage then ends with it and does not contain
-    /// it otherwise, and damage neither changes nor creates one, so that each affects only one
-    /// frame.
+    /// The byte that ends a frame; std::nullopt: none. With a delimiter every fault affects one
+    /// frame only: garbage ends with the delimiter and does not contain it elsewhere, and damage
+    /// neither changes nor creates a delimiter.
     std::optional<std::uint8_t> delimiter;
   };
 
@@ -122,7 +123,7 @@ class Impairment {
   struct Held {
     Bytes bytes{};
     std::size_t size = 0;
-    int left = 0;  ///< number of frames still to pass
+    int left = 0;  ///< number of frames that pass before this one is due
     bool isOvertaken = false;
     Fault fault = Fault::Reorder;
   };

@@ -70,8 +70,8 @@ class JitterNoise {
     reset();
   }
 
-  /// Advances by @p dt [s] and returns the noise to add to @p force [N]. It is proportional to
-  /// small forces and never reverses their sign.
+  /// Advances by @p dt [s] and returns the noise to add to @p force [N]. For small forces the noise
+  /// is reduced in proportion to the force; it never reverses the force's sign.
   double step(double force, double dt) noexcept {
     if (!(rms_ > 0.0)) return 0.0;
     phase_ += std::min(rate_ * dt, 1.0);
@@ -132,7 +132,7 @@ class BlendedCurve {
 /// Force and torque of bone over depth, from curves that the constructor blends for one hardness.
 class MaterialModel final : public ForceModel {
  public:
-  /// @param spec  valid, see problemsOf(); so must be @p reamer.
+  /// @param spec  and @p reamer: valid, see problemsOf().
   explicit MaterialModel(const MaterialSpec& spec, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override {
@@ -170,13 +170,14 @@ class MaterialModel final : public ForceModel {
 /// increasing depth.
 std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec);
 
-/// The torque curve of @p spec [N·m], likewise; empty if the material has no torque.
+/// The torque curve of @p spec at its hardness, times its force scale [N·m]; empty if the material
+/// has no torque.
 std::vector<models::CubicSegment<double>> blendedTorque(const MaterialSpec& spec);
 
 /// Force of a bone of spheres that is not removed: a function of the reamer's depth.
 class PackingModel final : public ForceModel {
  public:
-  /// @param spec  valid, see problemsOf(); so must be @p reamer.
+  /// @param spec  and @p reamer: valid, see problemsOf().
   explicit PackingModel(const PackingSpec& spec, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -219,7 +220,7 @@ class RemovalModel final : public ForceModel {
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 
   const reaming::Bone& bone() const noexcept { return bone_; }
-  /// nullptr if it is not drawn.
+  /// nullptr if the bone is not drawn.
   BoneView* view() const noexcept { return view_.get(); }
 
  private:

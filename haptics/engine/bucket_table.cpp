@@ -8,7 +8,7 @@ namespace haptics::engine {
 namespace {
 
 constexpr std::uint32_t kMostBuckets = 1U << 18;
-constexpr std::uint32_t kPerPiece = 2;  // more buckets would need more cache
+constexpr std::uint32_t kPerPiece = 2;  // initial number of buckets; more would need more cache
 constexpr std::uint32_t kCrowd = 4;
 
 }  // namespace
@@ -30,7 +30,7 @@ bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
     return true;
   }
   shape_ = {.buckets = buckets, .origin = knots.front(), .perUnit = perUnit};
-  // A bucket's first piece is the last one that begins in a bucket before it.
+  // first_[b] is the last piece that begins in a bucket before b: that piece extends into b.
   first_.assign(buckets + 1U, 0);
   const auto pieces = static_cast<std::uint32_t>(knots.size() - 1);
   for (std::uint32_t piece = 1; piece < pieces; ++piece) {

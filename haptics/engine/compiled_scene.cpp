@@ -198,8 +198,8 @@ struct Builder {
   }
 };
 
-/// The finite elements that are drawn for a punch: the model's own, else elements like its recorded
-/// cut, else the default elements.
+/// The finite elements that are drawn for a punch: the model's own, else elements that match its
+/// recorded cut, else the default elements.
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
   if (parts.elements != nullptr) return *parts.elements;

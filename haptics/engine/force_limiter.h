@@ -14,7 +14,7 @@ struct SafetyLimits {
   double maxTorque = 5.0;       ///< about the tool's axis [N·m], > 0
   double maxTorqueRate = 50.0;  ///< how fast a torque may change [N·m/s], > 0
 
-  /// A faster tool is not in a hand and gets no force [device's travel unit/s], > 0.
+  /// Faster motion is impossible for a hand: the force then fades [device's travel unit/s], > 0.
   double maxVelocity = std::numeric_limits<double>::infinity();
 
   /// Duration of the ramp of the force when the gate opens or closes [s], > 0.

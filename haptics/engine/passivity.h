@@ -23,13 +23,14 @@ struct Passivity {
   double period = 0.001;     ///< of the loop [s]
   double lateness = 0.0;     ///< 99.9 % quantile of the loop's wake-up lateness [s]
   double filterDelay = 0.0;  ///< delay between sensor and force [s]
-  /// With a resting hand; no damping can make this passive.
+  /// The limit cycle with a resting hand; std::nullopt: none. With a limit cycle no damping makes
+  /// the rendering passive.
   std::optional<LimitCycle> limitCycle = {};
 
-  /// T [s] with lateness and delay: a late tick holds the old force for longer. A delay τ counts
-  /// twice, because a sampled force is T/2 old on average, but τ old always: b > K (T/2 + τ) (Gil,
-  /// Sánchez, Hulin, Preusche & Hirzinger 2009). `palpate bench stability` shows walls that vibrate
-  /// if the delay is counted once.
+  /// The period T [s], extended by lateness and delay: a late tick holds the old force for longer.
+  /// A delay τ counts twice, because a sampled force is T/2 old on average, but τ old always: b > K
+  /// (T/2 + τ) (Gil, Sánchez, Hulin, Preusche & Hirzinger 2009). `palpate bench stability` shows
+  /// walls that vibrate if the delay is counted once.
   constexpr double effectivePeriod() const noexcept {
     return period + lateness + 2.0 * filterDelay;
   }
@@ -58,8 +59,8 @@ struct Passivity {
 /// time-domain passivity (Hannaford & Ryu 2002; for a force that is held over a step Ryu, Preusche,
 /// Hirzinger & Hannaford 2005).
 ///
-/// The force f that is held while the tool moves by Δx takes up f Δx; the mechanism's damping b
-/// takes up b v² Δt:
+/// The force f that is held while the tool moves by Δx absorbs the energy f Δx; the mechanism's
+/// damping b absorbs b v² Δt:
 ///
 ///     E ← E + f Δx + b v² Δt.
 ///

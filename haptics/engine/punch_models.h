@@ -117,7 +117,7 @@ extern template class KalmanModel<models::KalmanFilter<double, models::TextbookC
 /// The steady-state weight of the interpolated force in the filter's output, from 0 (only finite
 /// elements) to 1 (only the recording), for a hand that moves 0.02 travel units per step. It is the
 /// mean of two steps, since some schemes use the two forces alternately. Smoothing does not affect
-/// it.
+/// the weight.
 ///
 /// @param spec  valid, see problemsOf().
 double interpolationWeight(const KalmanSpec& spec) noexcept;

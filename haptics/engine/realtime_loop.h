@@ -11,12 +11,13 @@
 
 namespace haptics::engine {
 
-/// Splits the lateness of a thread's wake-up by its cause: this machine, or a hole.
+/// Splits the lateness of a thread's wake-up into a part that this machine caused, and the rest,
+/// which is called a hole.
 ///
 /// The kernel counts in /proc/thread-self/schedstat how long a runnable thread waits for a
-/// processor: this part is caused by other work on this machine. The rest of the lateness is a
-/// hole: the timer fired late, because the host of this (virtual) machine, or the firmware, had
-/// stopped it. If the kernel does not count, all lateness is attributed to this machine.
+/// processor: this part is caused by other work on this machine. In a hole the timer fired late,
+/// because the host of this (virtual) machine, or the firmware, had stopped it. If the kernel does
+/// not count, all lateness is attributed to this machine.
 class HoleDetector {
  public:
   /// Measures the calling thread; only that thread may use the object.
@@ -55,7 +56,8 @@ class RealtimeLoop {
   /// time [µs]. Every whole period of lateness is a missed period.
   using Tick = std::function<void(double dt, double lateness)>;
 
-  /// More spinning could exceed the kernel's limit for real-time threads (950 ms per second).
+  /// Largest fraction of a period to spin; more could exceed the kernel's limit for real-time
+  /// threads (950 ms per second).
   static constexpr double kMostSpinning = 0.1;
 
   struct Options {
@@ -70,7 +72,7 @@ class RealtimeLoop {
     std::uint64_t lateTicks = 0;     ///< ticks that were late by more than a period
     std::uint64_t ownLateTicks = 0;  ///< late ticks that this machine caused
     std::uint64_t missedPeriods = 0;
-    std::uint64_t holes = 0;             ///< the other late ticks, see HoleDetector
+    std::uint64_t holes = 0;             ///< late ticks that a hole caused, see HoleDetector
     double longestHole = 0.0;            ///< [µs]
     bool detectsHoles = false;           ///< the kernel's count is available, so holes are detected
     double seconds = 0.0;                ///< from the first tick to the last

@@ -39,7 +39,7 @@ models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noe
     depth_ += std::min(advance, mostFeed * tool.dt);
   }
   const double force = kCoupling * (tool.travel - depth_);
-  // The jitter of the measurement came from the spinning reamer.
+  // The spinning reamer caused the jitter of the measurement: without feed there is none.
   const double noise = mostFeed > 0.0 ? jitter_.step(force, tool.dt) : 0.0;
   return {force + noise, kCoupling, true};
 }

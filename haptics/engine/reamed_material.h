@@ -20,11 +20,11 @@ namespace haptics::engine {
 /// along, and the bone there is whole again, so that every stroke meets the same curve.
 class ReamedMaterialModel final : public ForceModel {
  public:
-  static constexpr double kCoupling =
-      MaterialSpec::kCoupling;                       ///< K, the same as for a bone of spheres [N/m]
+  /// K, the same as for a bone of spheres [N/m]
+  static constexpr double kCoupling = MaterialSpec::kCoupling;
   static constexpr double kCuttingDamping = 2000.0;  ///< b for the default reamer [N·s/m]
 
-  /// @param spec  valid, see problemsOf(); so must be @p reamer.
+  /// @param spec  and @p reamer: valid, see problemsOf().
   ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;

@@ -14,7 +14,7 @@ constexpr double kStrokeSpeeds[]{10.0, 45.0};
 constexpr double kSlowSpeeds[]{0.1, 1.0};
 constexpr double kRest = 0.4;     // [s]
 constexpr double kSettled = 0.2;  // part of the rest after which the force should be constant [s]
-constexpr double kStill = 1e-3;   // [N] peak to peak
+constexpr double kStill = 1e-3;   // larger peak-to-peak forces at rest are a limit cycle [N]
 constexpr double kSlowStretch = 0.25;  // duration of the way forth, and of the way back [s]
 // Fraction of the range; smaller motions are rounding errors of a resting tool.
 constexpr double kLeastMove = 1e-9;

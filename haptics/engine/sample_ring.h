@@ -71,9 +71,10 @@ struct TickSample {
   double force = 0.0;          ///< sent to the device [N]
   double desiredTorque = 0.0;  ///< desired by the scene, about the tool's axis [N·m]
   double torque = 0.0;         ///< sent to the device [N·m]; 0 if it renders none
-  double energy = 0.0;  ///< taken up by the device during this contact [N·device's travel unit]
-  double turnEnergy = 0.0;  ///< likewise, for the rotation about the tool's axis [J]
-  float lateness = 0.0F;    ///< of this tick after its due time [µs]; 0 without a clock
+  double energy = 0.0;         ///< absorbed during this contact [N·device's travel unit]
+  /// Absorbed by the rotation about the tool's axis during this contact [J]
+  double turnEnergy = 0.0;
+  float lateness = 0.0F;  ///< of this tick after its due time [µs]; 0 without a clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
   std::uint8_t marks = None;

@@ -9,8 +9,8 @@ namespace haptics::filters {
 enum class CutoffRule {
   Floor,  ///< where the spectrum reaches the noise floor, after end-to-end detrending and a Hann
           ///< window
-  Plain,  ///< the same without detrending and window; the ramp leaks, and the cut-off is far too
-          ///< high
+  Plain,  ///< as Floor, but without detrending and window; the ramp leaks into the spectrum, and
+          ///< the cut-off is far too high
 };
 
 /// A one-sided amplitude spectrum.

@@ -323,7 +323,7 @@ class PunchProgram {
   uint32_t orderedAt_ = 0;
   uint32_t heardAt_ = 0;
   int32_t wanted_ = 0;
-  int32_t most_ = 0;  ///< largest voltage of its own rendering [mV]
+  int32_t most_ = 0;  ///< largest voltage while the device renders its scene itself [mV]
   int32_t voltage_ = 0;
 
   int32_t lastCounts_ = 0;

@@ -8,7 +8,7 @@
 namespace haptics::firmware {
 
 /// The parametric cut, haptics::recordings::parametricCut(), at 33 points: travel in travel units,
-/// force in N. A test compares it with its source.
+/// force in N. A test compares the table with parametricCut().
 inline constexpr int kCutPoints = 33;
 inline constexpr models::CurveNode<float> kCut[kCutPoints]{
     {2.000000f, 0.000000f},  {2.281250f, 0.000000f},  {2.562500f, 0.000000f},

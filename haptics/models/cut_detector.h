@@ -60,7 +60,8 @@ class CutDetector {
     Scalar contactForce = Scalar(0.2);  ///< rise of the force that counts as contact [N]
     Scalar creep = Scalar(0.5);       ///< a force that rises no faster is friction [N/travel unit]
     Scalar yieldDrop = Scalar(0.25);  ///< least fall of the force at a yield [N]
-    Scalar yieldDropRatio = Scalar(0.08);  ///< … also at least this fraction of the load
+    /// Least fall of the force at a yield, relative to the load.
+    Scalar yieldDropRatio = Scalar(0.08);
     /// Least load (force above that of the interception) at a yield [N].
     Scalar yieldLoad = Scalar(0);
     Scalar leastLoadAfterYield = Scalar(0);  ///< least fraction of the load after a yield; 0: any

@@ -10,7 +10,7 @@ namespace haptics::models {
 /// steps of 1/65536. For microcontrollers without a floating-point unit; results are bit-identical
 /// on every computer.
 ///
-/// Arithmetic saturates and never wraps around: a force that suddenly reverses its sign would throw
+/// Arithmetic saturates and never wraps around: a force that suddenly reverses its sign would jerk
 /// the hand.
 class Fixed {
  public:

@@ -34,9 +34,10 @@ struct CutLandmarks {
   friend bool operator==(const CutLandmarks&, const CutLandmarks&) = default;
 };
 
-/// A load from interception to yield that only tissue reaches [N]. In the published recordings each
-/// yield of meniscus has 3.6 N or more; the empty punch and a sheet of paper reach 2.7 N before the
-/// force falls (3.7 N in one fast closure, in which the force then falls to nothing).
+/// Default for the least load from interception to yield [N]; only tissue reaches it. In the
+/// published recordings each yield of meniscus has 3.6 N or more; the empty punch and a sheet of
+/// paper reach 2.7 N before the force falls (3.7 N in one fast closure, in which the force then
+/// falls to zero).
 inline constexpr double kLeastYieldLoad = 3.0;
 
 /// The landmarks of the first completed cut in the samples, or of the incomplete cut at their end.

@@ -22,7 +22,7 @@ std::string describe(std::span<const RowRange> ranges) {
   return "rows " + words;
 }
 
-/// The chosen rows as one curve; what was merged goes into the report.
+/// The chosen rows as one curve; adds the number of merged samples to the report.
 ForceCurve drawn(const Trace& trace, ImportReport& report) {
   std::vector<ForceCurve> curves;
   std::size_t samples = 0;
@@ -50,7 +50,7 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   return mean->curve;
 }
 
-/// The recording of the opening after the chosen closures; std::nullopt if rows were requested, or
+/// The opening branch recorded after the chosen closures; std::nullopt if rows were requested, or
 /// the hand did not open.
 std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportReport& report) {
   std::vector<ForceCurve> curves;
@@ -75,7 +75,7 @@ double largestForce(std::span<const double> forces) {
   return *std::ranges::max_element(forces);
 }
 
-/// The largest force of the rows; of several closures, the mean of theirs.
+/// The largest force of the rows; of several ranges, the mean of their largest forces [N].
 double recordedPeak(const Trace& trace, std::span<const RowRange> ranges) {
   double sum = 0.0;
   for (const RowRange& rows : ranges) {
@@ -84,7 +84,7 @@ double recordedPeak(const Trace& trace, std::span<const RowRange> ranges) {
   return sum / static_cast<double>(ranges.size());
 }
 
-/// From each node to the first that lies kSlopeStep or more beyond it.
+/// The largest slope from a node to the first node that is kSlopeStep or more beyond it.
 double steepnessOf(const ForceCurve& curve) {
   const auto& nodes = curve.nodes();
   double largest = 0.0;
@@ -124,7 +124,8 @@ ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& repor
   return std::move(gentle.curve);
 }
 
-/// What the import did to the peak, before all other changes; nothing where it is the recorded one.
+/// Reports the change of the peak before all other changes; reports nothing if the peak did not
+/// change.
 void reportPeak(ImportReport& report) {
   constexpr double kShown = 0.005;  // [N]: two decimals
   const double change = report.peakAfter - report.peakBefore;
@@ -148,14 +149,14 @@ std::string shortest(double value) {
   return digits;
 }
 
-/// Which readings a calibration does not cover, in words.
+/// Describes the readings outside the range of a calibration.
 std::string outside(const ForceCalibration& calibration) {
   const std::string more = "more than " + shortest(calibration.highest) + " " + calibration.unit;
   if (!std::isfinite(calibration.lowest)) return more;
   return "less than " + shortest(calibration.lowest) + " or " + more;
 }
 
-/// What the sensor did not really see in the chosen rows.
+/// Adds warnings about saturated and uncalibrated readings in the chosen rows.
 void warnOfTheSensor(
     const Recording& recording, const ForceCalibration& calibration, ImportReport& report) {
   std::size_t saturated = 0;

@@ -37,12 +37,12 @@ bool isExtrapolated(double reading, const ForceCalibration& calibration) noexcep
 ForceCalibration publishedCalibration();
 
 /// `recorder-2021`, the force column of the published recordings (in grams, although their heading
-/// says otherwise), for comparison; at full scale it gives a sixth less:
+/// says otherwise), for comparison; at full scale it gives a sixth less than `paper-eq1`:
 ///
 ///     f = (3·10⁻⁷ r³ − 3·10⁻⁴ r² + 0.7261 r) · 9.81·10⁻³
 ForceCalibration recorder2021();
 
-/// `newtons`: the readings are forces already.
+/// `newtons`: for readings that are forces [N].
 ForceCalibration newtons();
 
 /// Newtons per unit of force or weight: N, mN, kN; g and kg at standard gravity, 9.80665 m/s². 0
@@ -62,7 +62,7 @@ struct CalibrationTable {
   std::vector<CalibrationPoint> points{};
 };
 
-/// The columns of a calibration table that has not the default columns and headings.
+/// The columns of a calibration table, if they are not the default ones.
 struct CalibrationColumns {
   std::string reading{};      ///< heading; empty: the first column
   std::string force{};        ///< heading; empty: the second column

@@ -46,8 +46,8 @@ struct MonotoneCurve {
   std::size_t merged = 0;   ///< number of samples − number of nodes
 };
 
-/// Makes the travel of a closing hand strictly increasing; does not change samples that already
-/// are.
+/// Makes the travel of a closing hand strictly increasing; does not change samples whose travel
+/// already increases.
 ///
 /// Where the travel does not increase, neighbouring samples are merged into their mean (of travel
 /// and force), and merged further with earlier ones until the means increase: the

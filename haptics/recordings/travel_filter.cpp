@@ -19,8 +19,8 @@ constexpr std::array kKinds{
     Kind::AuthorsFir, Kind::AuthorsFir333, Kind::ButterworthZeroPhase, Kind::None};
 constexpr int kMostTaps = 9999;
 
-/// Number of taps for which the window lasts as long at @p rate [Hz] as the authors' does at
-/// theirs.
+/// Number of taps with which the window at @p rate [Hz] has the duration of the authors' window at
+/// their rate.
 int tapsAt(double rate) {
   const KaiserLowPass::Design authors;
   const int half = (authors.taps - 1) / 2;  // taps is odd

@@ -9,7 +9,7 @@
 
 namespace haptics::recordings {
 
-/// The filter of a recording's travel before force is taken over travel.
+/// The filter that is applied to a recording's travel before the force is expressed over travel.
 ///
 /// One count of the published potentiometer is 0.256 travel units, so the raw travel is a
 /// staircase. Every filter is without delay (zero-phase) and designed for the sampling rate of the

@@ -20,7 +20,7 @@ enum class Refusal : std::uint8_t {
   CrcMismatch,     ///< 2.7
   Malformed,       ///< not protobuf, or a required field is missing
   WrongIdentifier,
-  JointCount,    ///< not exactly 7 of them
+  JointCount,    ///< a joint field without exactly 7 elements
   ElementCount,  ///< a force or wrench without exactly 6 elements; or a list with too many
   NotFinite,
   MissingIpoJointPosition  ///< in a commanding state, in which the client must mirror it
@@ -35,8 +35,8 @@ std::string_view nameOf(Refusal refusal) noexcept;
 /// elements (1.x: at most 12, 2.x: at most 7) depend on the version; fields of other versions are
 /// read as well.
 ///
-/// Sequence counters and the values of finite numbers are not checked. @param[out] out left as it
-/// was unless the answer is Refusal::None
+/// Sequence counters and the values of finite numbers are not checked. @param[out] out unchanged
+/// unless the result is Refusal::None
 Refusal decode(
     std::span<const std::uint8_t> datagram, Version version, MonitoringMessage& out) noexcept;
 Refusal decode(

@@ -196,7 +196,8 @@ struct CommandData {
   friend bool operator==(const CommandData&, const CommandData&) = default;
 };
 
-/// Not used in practice and not checked; absent in 2.7.
+/// An optional trailer with length and checksum. Not used in practice and not checked; absent in
+/// 2.7.
 struct EndOfMessage {
   struct Checksum {
     std::optional<std::int32_t> crc32;

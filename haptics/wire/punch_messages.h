@@ -51,8 +51,8 @@ enum Fault : uint8_t {
   kSaturated = 2,    ///< a voltage beyond the limit was requested
   kTooFast = 4,      ///< the velocity is impossible for a hand; off until armed again
   kDriverFault = 8,  ///< the motor's driver reports a fault; off until armed again
-  kEncoderFault =
-      16,  ///< a change of counts that is impossible for the mechanism; off until armed again
+  /// A change of counts that is impossible for the mechanism; off until armed again.
+  kEncoderFault = 16,
   kBadFrames = 32,     ///< damaged frames were received since the last State
   kNotArmed = 64,      ///< not armed, so there is no voltage
   kClockWrapped = 128  ///< the device's clock has wrapped to 0
@@ -136,8 +136,8 @@ struct ModelReply {
 struct Render {
   uint32_t hash = 0;    ///< ModelReply::hash of the model; the device renders no other
   uint8_t expiry = 10;  ///< [ms], 1 to 20
-  int16_t most =
-      32767;  ///< largest voltage in either direction [mV], >= 0: the limit that the host sets
+  /// Largest voltage in either direction [mV], >= 0: the limit that the host sets.
+  int16_t most = 32767;
 };
 
 enum class StopReason : uint8_t { Asked = 0, VersionMismatch = 1, HostFault = 2, DeviceFault = 3 };

@@ -21,8 +21,8 @@ struct SketchMesh {
   std::array<double, kMost> displacements{};
   std::size_t count = 0;  ///< 2 to kMost
 
-  /// Displacement at the tool as in the visualiser [travel units]: that of the element [xᵢ, xᵢ₊₁),
-  /// xᵢ = 0.5 + 1.5 i/N, that contains x = 1.5, without interpolation.
+  /// Displacement at the tool as the published visualiser shows it [travel units]: that of the
+  /// element [xᵢ, xᵢ₊₁), xᵢ = 0.5 + 1.5 i/N, that contains x = 1.5, without interpolation.
   double toolDisplacement() const noexcept;
 };
 

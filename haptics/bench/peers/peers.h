@@ -63,7 +63,7 @@ class SpherePeer {
 std::vector<std::unique_ptr<SpherePeer>> spherePeers(
     const reaming::Packing& packing, const std::vector<double>& densities);
 
-/// Noise of eq. (22)–(24), the same for all peers.
+/// Noise of eq. (22)–(24) of the punch paper, the same for all peers.
 struct KalmanNumbers {
   double q11 = 6.1024, q12 = 0.2772, q22 = 7.0275;
   double rElastic = 0.001, rRecorded = 7.742;

@@ -48,8 +48,8 @@ const char* wordFor(ClientCommandMode mode) noexcept {
   return kWords.at(static_cast<std::size_t>(mode));
 }
 
-/// Reports that the robot's command mode differs from the device file's: it would never accept a
-/// force.
+/// Reports that the robot's command mode differs from the device file's, so that the robot never
+/// accepts a force.
 CheckResult commandModeMismatch(ClientCommandMode mode, ClientCommandMode wanted) {
   const std::string theirs = wordFor(mode);
   const std::string ours = wordFor(wanted);

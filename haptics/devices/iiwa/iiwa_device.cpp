@@ -19,8 +19,8 @@ constexpr std::int64_t kMostSilence = 50 * kMillisecond;
 constexpr std::int64_t kMissedCycles = 20;
 constexpr std::int64_t kFirstMessage = 2000 * kMillisecond;
 constexpr std::uint32_t kSlowest = 20;  // longest accepted period of answers [ms]
-constexpr std::int64_t kCommanding =
-    10'000 * kMillisecond;  // as long as robot programs wait for a client
+// Longest wait for COMMANDING_ACTIVE: as long as robot programs wait for a client.
+constexpr std::int64_t kCommanding = 10'000 * kMillisecond;
 
 JointVector asVector(const Joints& joints) {
   return Eigen::Map<const JointVector>(joints.data());

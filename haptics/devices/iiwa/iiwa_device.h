@@ -34,8 +34,8 @@ struct IiwaSettings {
   IiwaOverlay overlay = IiwaOverlay::CartesianWrench;
   WrenchFrame wrenchFrame = WrenchFrame::Tool;
   Pose tool;  ///< of the reamer, as seen from the flange
-  Eigen::Vector3d axis{
-      0.0, 0.0, -1.0};  ///< direction of reaming in the base frame; travel is positive along it
+  /// Direction of reaming in the base frame; travel is positive along this direction.
+  Eigen::Vector3d axis{0.0, 0.0, -1.0};
   /// Joint angles [rad] at which travel is 0; std::nullopt: the pose at arm()
   std::optional<wire::fri::Joints> zero;
   double mostTravel = 0.02;  ///< [m]
@@ -52,11 +52,11 @@ struct IiwaSettings {
 /// cycle, and this class answers every n-th, with n the session's receive multiplier. Travel is the
 /// tool's displacement along the axis of reaming; a torque is about that axis, at the tool.
 ///
-/// Messages are sent to the robot's address only. Messages from other addresses are ignored, also
-/// damaged, duplicate, late or non-finite ones. Forces are sent in COMMANDING_ACTIVE only, and only
-/// while the connection is GOOD or better. A robot that receives no answer switches its force off,
-/// so this class only ever sends answers to messages. After 20 missed cycles, or 50 ms if that is
-/// less, the device is faulted until open().
+/// Messages are sent to the robot's address only. Messages from other addresses are ignored, and so
+/// are damaged, duplicate, late and non-finite messages. Forces are sent in COMMANDING_ACTIVE only,
+/// and only while the connection is GOOD or better. A robot that receives no answer switches its
+/// force off, so this class only ever sends answers to messages. After 20 missed cycles, or 50 ms
+/// if that is less, the device is faulted until open().
 class IiwaDevice final : public WireDevice {
  public:
   /// @throws DeviceError  if the settings are not valid.
@@ -125,7 +125,7 @@ class IiwaDevice final : public WireDevice {
   double velocity_ = 0.0;  // [m/s]
   double turn_ = 0.0;      // [rad]
 
-  std::uint32_t lastReflected_ = 0;  // last counter of ours that the robot sent back
+  std::uint32_t lastReflected_ = 0;  // this class's last counter that the robot sent back
 };
 
 }  // namespace haptics::devices

@@ -24,13 +24,13 @@ struct PunchSettings {
   std::optional<std::uint32_t> serial;
   /// Expected build of the firmware; std::nullopt: kFirmwareBuild.
   std::optional<std::uint64_t> build;
-  double travelPerCount =
-      kind->serial.travelPerCount;  ///< [travel units]; negative if the count falls while closing
-  double travelAtZero = 0.0;        ///< travel at count 0 [travel units]
-  double newtonsPerVolt = 0.667;    ///< measured at the handle; the same in every condition
-  double maxVoltage = 12.0;         ///< largest voltage on the motor [V]
-  int expiry = 10;                  ///< time without a command until the device switches its force
-                                    ///< off [ms], 1 to 20
+  /// [travel units]; negative if the count falls while closing.
+  double travelPerCount = kind->serial.travelPerCount;
+  double travelAtZero = 0.0;      ///< travel at count 0 [travel units]
+  double newtonsPerVolt = 0.667;  ///< measured at the handle; the same in every condition
+  double maxVoltage = 12.0;       ///< largest voltage on the motor [V]
+  int expiry = 10;                ///< time without a command until the device switches its force
+                                  ///< off [ms], 1 to 20
   double damping = kind->mechanism.damping;  ///< of the mechanism [N·s/travel unit]
 };
 
@@ -48,8 +48,8 @@ class PunchDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force, double torque) noexcept override;
 
-  /// Makes the device compute the forces of @p scene itself from the next arm() on; command() then
-  /// only tells it that the host is alive. Sends the scene's parameters, which the device confirms
+  /// Makes the device compute the forces of @p scene itself from the next arm() on; command() is
+  /// then only a sign of life of the host. Sends the scene's parameters, which the device confirms
   /// by their hash.
   /// @throws DeviceError  if the device cannot render the scene: it supports no opening branches,
   ///                      no smoothing, no stiffnesses per element and at most 128 points.
@@ -99,7 +99,7 @@ class PunchDevice final : public WireDevice {
   std::uint32_t damagedBefore_ = 0;  // damaged frames when counting began
 
   std::uint16_t nextSequence_ = 0;
-  std::uint16_t lastEcho_ = 0;  // last number of ours that the device acknowledged
+  std::uint16_t lastEcho_ = 0;  // last sequence number of the host that the device acknowledged
 };
 
 }  // namespace haptics::devices

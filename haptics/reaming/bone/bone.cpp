@@ -10,11 +10,12 @@ namespace haptics::reaming {
 
 namespace {
 
-constexpr std::size_t kMostChanges = 4096;     // reported per step
-constexpr std::size_t kRestoredAtOnce = 2048;  // groups per step
-constexpr std::size_t kTidiedAtOnce = 64;      // slots per step
+constexpr std::size_t kMostChanges = 4096;     // changes reported per step
+constexpr std::size_t kRestoredAtOnce = 2048;  // groups restored, or checked, per step
+constexpr std::size_t kTidiedAtOnce = 64;      // partly cut slots checked per step
 constexpr std::size_t kParts = 8;              // parts of the surface, one of which is cut per step
-// Fraction of a radius; a tool that has moved back by it has left the sphere.
+// A tool that has moved back from a cut by this fraction of the sphere's radius has left the
+// sphere.
 constexpr double kLeftShare = 0.1;
 
 double ballOf(double radius) noexcept {
@@ -136,8 +137,8 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   return felt;
 }
 
-/// Checks some groups per step for contact with the tool; returns true when all are known to be
-/// clear.
+/// Checks kRestoredAtOnce groups for contact with the tool; returns true when all groups are known
+/// to be clear.
 bool Bone::isClear() noexcept {
   const std::size_t groups = field_.groups().size();
   const std::size_t end = std::min(groups, cleared_ + kRestoredAtOnce);
@@ -191,8 +192,8 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   return slip > 0.0 ? back + atMost(across, slip) : back;
 }
 
-/// Cuts the spheres behind one of kParts parts of the surface. It goes on for kParts steps after
-/// the tool has last advanced, so that every part is cut.
+/// Cuts the spheres behind one of kParts parts of the surface. Cutting continues for kParts steps
+/// after the tool has last advanced, so that every part is cut.
 void Bone::cut() noexcept {
   if (pending_ == 0) return;
   --pending_;

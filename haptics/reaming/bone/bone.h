@@ -42,8 +42,8 @@ class Bone {
 
   struct Felt {
     Vec3 force;  ///< on the hand [N]
-    double frictionTorque =
-        0.0;                ///< torque of friction on a turning reamer, against its spin [N·m]
+    /// Torque of friction on a turning reamer, against its spin [N·m]
+    double frictionTorque = 0.0;
     ReamerContact contact;  ///< of the virtual tool
     /// False if the device's position is NaN, or was inside the bone at the beginning.
     bool isDefined = false;

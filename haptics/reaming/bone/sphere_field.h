@@ -27,7 +27,7 @@ struct ReamerContact {
   Vec3 normal;            ///< Σ a n, out of the bone [m²]
   Vec3 force;             ///< Σ a ρ n [N]
   double lever = 0.0;     ///< Σ a ρ times the distance from the reamer's axis [N·m]
-  int touched = 0;        ///< number of spheres
+  int touched = 0;        ///< number of spheres in contact
 
   /// Contact density Σ a ρ / Σ a of the reaming paper [N/m²]; 0 without contact.
   double density() const noexcept { return area > 0.0 ? pressing / area : 0.0; }

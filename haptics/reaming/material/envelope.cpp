@@ -54,7 +54,8 @@ double expectedMaximum(std::span<const Member> members) {
   return expectedExtreme(members, [](double a, double b) { return a > b; });
 }
 
-/// A statistic along the depth that does not fall because a specimen leaves, see depthEnvelopeOf().
+/// A statistic of the specimens as a function of depth. An offset compensates the fall that a
+/// leaving specimen would cause; see depthEnvelopeOf().
 class StatisticAlongDepth {
  public:
   using Statistic = double (*)(std::span<const Member>);
@@ -75,7 +76,8 @@ class StatisticAlongDepth {
   }
 
  private:
-  /// @param rise  change of the statistic by values. @param change by shares.
+  /// @param rise  change of the statistic caused by the values. @param change caused by the
+  ///     weights.
   void addChange(double rise, double change) {
     risen_ += rise;
     if (added_ == 0.0) highest_ = risen_;
@@ -89,8 +91,8 @@ class StatisticAlongDepth {
   Statistic statistic_;
   std::vector<Member> before_;
   double value_ = 0.0;
-  double added_ = 0.0;
-  double risen_ = 0.0;    // total change by values since the beginning
+  double added_ = 0.0;    // offset that compensates leaving specimens
+  double risen_ = 0.0;    // total change of the statistic caused by the values
   double highest_ = 0.0;  // maximum of risen_ while added_ is not 0
 };
 

@@ -27,15 +27,16 @@ struct SpecimenCurve {
   SampledCurve curve;  ///< over depth [m]
   double end = 0.0;    ///< depth at which the test ended [m]
   double last = 0.0;   ///< value at the end
-  bool isCensored =
-      false;  ///< the test ended at its force limit, so the value beyond the end is at least `last`
+  /// The test ended at its force limit, so the value beyond the end is at least `last`.
+  bool isCensored = false;
 };
 
 /// An envelope over depth, with the number of specimens at each depth.
 struct DepthEnvelope {
   Envelope curves;
   std::vector<int> measured;  ///< number of specimens whose test reaches the depth
-  /// Number of specimens that reached their force limit before, and count with it.
+  /// Number of specimens that ended at their force limit at a smaller depth, and count with their
+  /// last value.
   std::vector<int> held;
 };
 

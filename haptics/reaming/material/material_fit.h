@@ -18,12 +18,13 @@ namespace haptics::reaming {
 /// The abscissa of the curves of a test set.
 enum class DepthAxis {
   Depth,  ///< depth [m], see depthEnvelopeOf()
-  /// Displacement relative to the largest of the test set; ended tests do not count: one reading of
-  /// the paper's "normalized with reference to the maximum vertical displacement for each test
-  /// set".
+  /// Displacement relative to the largest of the test set; ended tests do not count: one
+  /// interpretation of the paper's "normalized with reference to the maximum vertical displacement
+  /// for each test set".
   Normalised,
-  /// Displacement relative to the largest of the series: the other reading. Every test is stretched
-  /// to the length of the longest, so a stiff specimen, whose test ended early, becomes soft.
+  /// Displacement relative to the largest of the series: the other interpretation. Every test is
+  /// stretched to the length of the longest, so a stiff specimen, whose test ended early, becomes
+  /// soft.
   NormalisedSeries,
 };
 
@@ -39,7 +40,7 @@ struct FitOptions {
   /// Fixed number of nodes, 2 to 200, instead of rule and error.
   std::optional<std::size_t> nodeCount;
   SplineKind spline = SplineKind::HermiteDataSlope;
-  std::optional<SplineKind> nodesOf;  ///< chooses nodes for this kind of spline instead
+  std::optional<SplineKind> nodesOf;  ///< chooses nodes as for this kind of spline
   double wantedError = 0.05;          ///< largest error of each spline, see NodeCriterion, > 0
   double forceFloor = 10.0;           ///< NodeCriterion::floor of forces [N], > 0
   double torqueFloor = 0.3;           ///< NodeCriterion::floor of torques [N·m], > 0
@@ -81,7 +82,7 @@ struct FittedEnvelope {
   FittedCurve maximum;
   bool isOrdered = false;     ///< the splines cannot cross: orderedSplines()
   std::vector<int> measured;  ///< at each abscissa of the data, see DepthEnvelope
-  std::vector<int> held;      ///< likewise
+  std::vector<int> held;      ///< at each abscissa of the data, see DepthEnvelope
 };
 
 /// A range of depth in which the numbers of specimens are constant; it ends where the next begins.
@@ -98,7 +99,7 @@ std::vector<SpecimenCounts> specimenCountsOf(const FittedEnvelope& envelope);
 struct TestSetFit {
   TestSet set = TestSet::Dynamic1;
   int used = 0;
-  double scale = 0.0;  ///< the largest displacement of the series [m]
+  double scale = 0.0;  ///< the largest displacement of all used series [m]
   FittedEnvelope force;
   std::optional<FittedEnvelope> torque;  ///< std::nullopt if no series has a torque
   Jitter jitter;                         ///< over all series

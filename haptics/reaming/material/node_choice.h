@@ -17,7 +17,7 @@ enum class NodeRule {
   Greedy,        ///< split the piece with the largest error there, until the error is met
   PaperLiteral,  ///< every sample whose |f″| exceeds a threshold, which falls until the error is
                  ///< met
-  Thinned,       ///< the middle of each run of such samples
+  Thinned,       ///< the middle of each run of samples that PaperLiteral chooses
   Optimal,       ///< as few nodes as possible, by dynamic programming over at most 2,001 samples
 };
 
@@ -38,12 +38,12 @@ struct NodeChoice {
   bool isMet = true;   ///< the error is at most NodeCriterion::error
 };
 
-/// Whether a piece of such a spline depends only on its two nodes.
+/// Whether a piece of a spline of this kind depends only on the two nodes at its ends.
 constexpr bool isLocal(SplineKind kind) noexcept {
   return kind == SplineKind::HermiteDataSlope || kind == SplineKind::Linear;
 }
 
-/// Why a wish is not valid; std::nullopt if it is. Optimal needs a local kind of spline.
+/// Why @p wish is not valid; std::nullopt if it is valid. Optimal needs a local kind of spline.
 std::optional<std::string> problemOf(const NodeCriterion& wish);
 
 /// Chooses nodes until the error is met. Greedy always meets it; Thinned may not

@@ -18,9 +18,9 @@ struct SampledCurve {
 /// reamer has not advanced are averaged, so that displacements are strictly increasing.
 SampledCurve curveOver(std::span<const double> displacement, std::span<const double> values);
 
-/// @p curve resampled at @p count evenly spaced x from 0 to its largest, which becomes 1: the
-/// paper's normalisation. Each point is the mean of the samples that are nearest to it, or is
-/// interpolated linearly if there are none; the ends are those of the curve.
+/// @p curve resampled at @p count evenly spaced x from 0 to its largest x, with all x divided by
+/// that largest x: the paper's normalisation. Each point is the mean of the samples that are
+/// nearest to it, or is interpolated linearly if there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
 /// @p curve at those of @p count evenly spaced x from 0 to @p whole that it reaches. Each point is
