@@ -44,7 +44,7 @@ struct AnswerTable {
   /// A sample of @p scores, counted by point if isOfPoints.
   AnswerSample sampleOf(std::span<const double> scores) const;
 
-  /// Mean score by participant and method, [participant][method], each exactly rounded;
+  /// Mean score by participant and method, [participant][method], each correctly rounded;
   /// std::nullopt without answers.
   std::vector<std::vector<std::optional<double>>> participantMeans() const;
 };

@@ -28,7 +28,7 @@ struct CsvTable {
 
   /// The index of a column.
   /// @throws UserError  if there is no such column (the message lists all columns and the most
-  ///     similar name), or if there are two.
+  ///     similar name), or if two columns have that name.
   std::size_t columnIndex(std::string_view name) const;
 };
 

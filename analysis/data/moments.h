@@ -18,7 +18,7 @@ struct Moments {
   /// The mean is in units of 2^exponent, the variance in units of 4^exponent.
   int exponent = 0;
   DoubleDouble mean;      ///< [2^exponent]; 0 for n = 0
-  DoubleDouble variance;  ///< [4^exponent], with n − 1; 0 for n < 2
+  DoubleDouble variance;  ///< [4^exponent], divided by n − 1; 0 for n < 2
 
   /// All values are equal.
   bool isConstant() const noexcept { return variance.isZero(); }
@@ -39,7 +39,7 @@ Moments momentsOf(const LikertCounts& counts);
 struct Summary {
   std::uint64_t n = 0;
   std::optional<double> mean;      ///< std::nullopt for n = 0
-  std::optional<double> variance;  ///< with n − 1; std::nullopt for n < 2, or beyond a double
+  std::optional<double> variance;  ///< divided by n − 1; std::nullopt for n < 2, or beyond a double
   /// Square root of the variance; may be defined although the variance exceeds the range of a
   /// double.
   std::optional<double> standardDeviation;

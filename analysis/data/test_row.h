@@ -22,7 +22,7 @@ struct NamedNumber {
 /// Mean and variance of one group.
 struct GroupMoments {
   std::optional<double> mean;
-  std::optional<double> variance;  ///< with n − 1
+  std::optional<double> variance;  ///< divided by n − 1
 };
 
 /// The result of any statistical test, as one row of a table. Text, JSON, CSV and reports are made

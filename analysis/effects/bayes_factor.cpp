@@ -48,7 +48,7 @@ struct Support {
 Support supportOf(const LogIntegrand& logIntegrand, double farthest) {
   constexpr double kStep = 0.125;
   constexpr double kNegligible = 45.0;  // e^−45 = 3e-20
-  // The prior's factor e^(−1/(2g)) is e^(−e^8 / 2) = 1e-647 there.
+  // At u = −8 the prior's factor e^(−1/(2g)) is e^(−e^8 / 2) = 1e-647.
   constexpr double kNearest = -8.0;
   Support support{.low = kNearest, .high = farthest, .peak = logIntegrand(kNearest)};
   for (double u = kNearest; u < farthest; u += kStep) {

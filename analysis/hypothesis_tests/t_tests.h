@@ -17,7 +17,7 @@ struct WelchResult {
   std::uint64_t n2 = 0;
   std::optional<double> mean1;
   std::optional<double> mean2;
-  std::optional<double> variance1;  ///< with n − 1
+  std::optional<double> variance1;  ///< divided by n − 1
   std::optional<double> variance2;
 
   std::optional<double> difference;     ///< mean of group 1 − mean of group 2
@@ -82,7 +82,7 @@ struct PairedTResult {
   std::uint64_t n = 0;  ///< number of pairs
 
   std::optional<double> meanDifference;  ///< of x − y
-  std::optional<double> variance;        ///< of the differences, with n − 1
+  std::optional<double> variance;        ///< of the differences, divided by n − 1
   std::optional<double> standardError;   ///< of their mean
   std::optional<double> t;               ///< ±infinity for differences that are all the same
   std::optional<double> degreesOfFreedom;

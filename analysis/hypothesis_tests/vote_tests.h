@@ -17,9 +17,9 @@ namespace analysis {
 ///
 /// summed over all outcomes v with a term not larger than that of the observed outcome.
 ///
-/// Computed in whole numbers, so that equal terms are recognised and p is exactly rounded. Returns
-/// std::nullopt without votes, and for too many outcomes: kⁿ > 2¹²⁶, that is from 127 votes on two
-/// options, 80 on three, 64 on four.
+/// Computed in whole numbers, so that equal terms are recognised and p is correctly rounded.
+/// Returns std::nullopt without votes, and for too many outcomes: kⁿ > 2¹²⁶, that is from 127 votes
+/// on two options, 80 on three, 64 on four.
 std::optional<double> equalSharesP(const VoteCounts& votes);
 
 /// The result of the test of equal shares. If a number is missing, `reason` says why.

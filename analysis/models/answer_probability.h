@@ -32,7 +32,7 @@ struct AnswerProbability {
 ///     more".
 /// @param designs  rows of the design matrix, as FixedEffects::combinations() returns them.
 /// @return std::nullopt if all answers or none are below the level: the model then has no threshold
-///     there.
+///     below the level.
 /// @throws std::invalid_argument  if @p designs is empty, or a row has not one number per column of
 ///     the fit.
 std::optional<AnswerProbability> answerProbability(

@@ -95,8 +95,9 @@ Reason whyNotDefinedHere(const RestrictedDeviance& deviance, std::span<const Fac
   return {};
 }
 
-/// Twice the inverse Hessian in the variances that are not zero; a variance estimated as zero is
-/// treated as known. Empty if the Hessian is not positive definite.
+/// Twice the inverse Hessian of the restricted deviance with respect to the variances that are not
+/// zero; a variance estimated as zero is treated as known. Empty if the Hessian is not positive
+/// definite.
 Matrix varianceCovariance(const RestrictedSolution& solution, const VectorXd& relative) {
   std::vector<Eigen::Index> used;
   for (Eigen::Index k = 0; k < relative.size(); ++k) {

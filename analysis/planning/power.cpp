@@ -33,7 +33,7 @@ double twoSidedTPower(double noncentrality, double df, double alpha) {
   // Beyond this shift the power is 1.
   constexpr double kLargestShift = 1000.0;
   if (shift > std::max(kLargestShift, 50.0 * critical)) return 1.0;
-  // Boost's series below would be slow here.
+  // For larger shifts Boost's series, used below, would be slow.
   constexpr double kFarOut = 100.0;
   if (shift > kFarOut) return 1.0 - noncentralTProbability(critical, df, shift);
   const boost::math::non_central_t law(df, shift);

@@ -99,9 +99,9 @@ struct SimulatedPower {
   DetectionRate pairedT;     ///< first pair, means of participants, at α / m
   DetectionRate signedRank;  ///< first pair, by Wilcoxon's signed rank test, exact with ties
   DetectionRate friedman;    ///< overall test of all conditions, means of participants, χ², at α
-  DetectionRate anyPairedT;  ///< any pair
+  DetectionRate anyPairedT;  ///< as pairedT, for any pair
   DetectionRate pooledWelch;     ///< first pair, all single answers treated as independent
-  DetectionRate anyPooledWelch;  ///< any pair
+  DetectionRate anyPooledWelch;  ///< as pooledWelch, for any pair
 };
 
 /// Simulates studies. The signed rank test drops differences of zero; its p is exact for up to 50

@@ -61,9 +61,9 @@ std::optional<std::uint64_t> participantsForPower(
 /// the same studies. "First pair" and "any pair" as in SimulatedPower.
 struct SimulatedSitePower {
   DetectionRate pooled;      ///< first pair: the sites' differences, pooled (REML, Knapp–Hartung)
-  DetectionRate anyPooled;   ///< any pair
+  DetectionRate anyPooled;   ///< as pooled, for any pair
   DetectionRate pairedT;     ///< first pair, all participants, sites ignored
-  DetectionRate anyPairedT;  ///< any pair
+  DetectionRate anyPairedT;  ///< as pairedT, for any pair
   /// Half the width of the first pair's pooled interval at 1 − alpha, median over studies [points];
   /// std::nullopt if half of the studies could not be pooled.
   std::optional<double> halfWidth;

@@ -20,7 +20,7 @@ struct AnswerScale {
 struct LatticePoint {
   std::uint64_t n = 0;
   double mean = 0.0;
-  double variance = 0.0;      ///< with n − 1
+  double variance = 0.0;      ///< divided by n − 1
   std::uint64_t sum = 0;      ///< Σ u, an answer being lowest + u/parts
   std::uint64_t squares = 0;  ///< Σ u²
 

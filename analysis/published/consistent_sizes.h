@@ -43,7 +43,7 @@ using GroupSizes = std::vector<std::uint64_t>;
 /// The group sizes for which answers exist that reproduce all printed numbers of a row.
 struct ConsistentSizes {
   PublishedConvention convention;
-  std::uint64_t tried = 0;  ///< number of combinations of sizes
+  std::uint64_t tried = 0;  ///< number of combinations of sizes that were tried
   /// The combinations for which answers exist that reproduce the whole row.
   std::vector<GroupSizes> fitting;
   /// For each group, the sizes that its mean and variance alone allow (GRIM, GRIMMER).

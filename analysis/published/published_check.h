@@ -12,7 +12,7 @@
 
 namespace analysis {
 
-/// A possible mean and variance (with n − 1) of a group.
+/// A possible mean and variance (divided by n − 1) of a group.
 struct MeanAndVariance {
   double mean = 0.0;
   double variance = 0.0;

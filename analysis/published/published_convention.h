@@ -36,7 +36,7 @@ std::vector<PublishedConvention> publishedConventions();
 /// For example "Welch, two-sided, variances with n − 1, rounded".
 std::string describe(const PublishedConvention& convention);
 
-/// The range of the variance (with n − 1) of a group, never negative.
+/// The range of the variance (divided by n − 1) of a group, never negative.
 /// @param n  at least 2.
 Interval varianceBounds(
     const PublishedGroup& group, std::uint64_t n, const PublishedConvention& convention);
@@ -47,7 +47,7 @@ struct SpreadOfDifference {
   double degreesOfFreedom = 1.0;  ///< at least 1
 };
 
-/// @param variance1  with n − 1, not negative; n at least 2.
+/// @param variance1  divided by n − 1, not negative; n at least 2.
 SpreadOfDifference spreadOfDifference(
     PublishedConvention::Test test,
     double variance1,
