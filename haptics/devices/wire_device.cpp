@@ -52,7 +52,7 @@ void WireDevice::resumeKeeper() noexcept {
 }
 
 void WireDevice::arm() {
-  stopKeeper();  // a fault that the keeper found counts below
+  stopKeeper();  // a fault that the keeper detected is handled below
   if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
     const std::string why = fault();
     throw DeviceError(

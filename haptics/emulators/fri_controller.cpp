@@ -18,7 +18,7 @@ using wire::fri::Version;
 constexpr std::int64_t kSecond = 1'000'000'000;   // [ns]
 constexpr std::int64_t kMillisecond = 1'000'000;  // [ns]
 constexpr int kLongestPeriod = 100;               // [ms]
-constexpr int kBacklog = 64;                      // most datagrams that are read in one go
+constexpr int kBacklog = 64;  // most datagrams that are read without a step in between
 
 bool isTorque(const FriController::Options& options) noexcept {
   return options.arm.command == wire::fri::ClientCommandMode::Torque;

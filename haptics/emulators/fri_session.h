@@ -11,8 +11,8 @@ namespace haptics::emulators {
 
 /// Rates the quality of the connection to a client, which the controller sends in every message.
 ///
-/// KUKA does not publish how its levels are defined. **These thresholds are our own.** They use
-/// three measures of the last 100 answers that were due:
+/// KUKA does not publish how its levels are defined. **These thresholds are Palpate's own.** They
+/// use three measures of the last 100 answers that were due:
 ///
 /// - share: the fraction that arrived in time, before the next was due;
 /// - latency: the mean time from a message to its answer;

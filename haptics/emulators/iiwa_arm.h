@@ -54,7 +54,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Inertia and damping of a simulated arm's joints.
 struct IiwaMechanics {
-  /// M, including the motors behind their gears [kg·m²], >= 0.05. Our own estimate.
+  /// M, including the motors behind their gears [kg·m²], >= 0.05. Palpate's own estimate.
   devices::JointVector inertia{2.0, 2.0, 1.0, 1.0, 0.4, 0.2, 0.1};
   /// D [N·m·s/rad], >= 0.
   devices::JointVector damping = devices::JointVector::Constant(0.5);

@@ -7,7 +7,7 @@
 
 namespace haptics::emulators {
 
-/// A pseudo-terminal: the program that opens port() reads what is written here, and vice versa.
+/// A pseudo-terminal: the program that opens port() reads what write() sent, and vice versa.
 class PseudoTerminal {
  public:
   /// @param link  path of a symbolic link to the port, which stays the same after plugIn(); empty:

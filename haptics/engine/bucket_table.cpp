@@ -24,7 +24,8 @@ BucketTable::BucketTable(std::span<const double> knots) {
 /// Fills the table with @p buckets buckets; leaves it empty if the knots' range is too small to
 /// divide. Returns false if more than kCrowd nodes share a bucket.
 bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
-  const double perUnit = buckets / (knots.back() - knots.front());  // subnormal spans overflow
+  // Infinite for a subnormal range.
+  const double perUnit = buckets / (knots.back() - knots.front());
   if (!std::isfinite(perUnit) || !(perUnit > 0.0)) {
     first_.clear();
     return true;

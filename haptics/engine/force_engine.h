@@ -31,9 +31,9 @@ class ForceEngine {
   /// tick, or stop the loop.
   void setScene(CompiledScene* scene) noexcept;
 
-  /// Sets the force to zero at once and until arm(), after which it starts softly. Any thread. A
-  /// device that is gone, faulty or silent for too long also stops the engine, which stays stopped
-  /// when the device comes back.
+  /// Sets the force to zero immediately, until arm() is called; the force then starts softly. Any
+  /// thread. A device that is gone, faulty or silent for too long also stops the engine, which
+  /// stays stopped when the device comes back.
   void stop() noexcept { isStopped_.store(true, std::memory_order_release); }
   void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
   bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }

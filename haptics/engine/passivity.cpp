@@ -7,7 +7,7 @@ namespace haptics::engine {
 
 void EnergyObserver::observe(double held, double moved, double velocity, double dt) noexcept {
   const double taken = held * moved + settings_.deviceDamping * velocity * velocity * dt;
-  if (!std::isfinite(taken)) return;  // one bad sample must not spoil the sum
+  if (!std::isfinite(taken)) return;  // a non-finite sample must not make the sum non-finite
   if (std::abs(held) < settings_.noForce) {
     energy_ = 0.0;
     return;

@@ -66,7 +66,7 @@ double microseconds(std::int64_t nanoseconds) noexcept {
   return static_cast<double>(nanoseconds) / 1000.0;
 }
 
-/// Touches the stack, so that no tick causes a page fault there.
+/// Touches the thread's stack, so that no tick causes a page fault in it.
 void touchStack() noexcept {
   constexpr std::size_t kEnough = std::size_t{64} * 1024;
   [[maybe_unused]] volatile char stack[kEnough];

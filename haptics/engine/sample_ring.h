@@ -55,7 +55,7 @@ struct TickSample {
   enum Mark : std::uint8_t {
     None = 0,
     Invalid = 1,          ///< the device gave no measurement; travel and velocity are the last ones
-    Undefined = 2,        ///< the scene has no force here
+    Undefined = 2,        ///< the scene defines no force at this travel
     Stopped = 4,          ///< stop was pressed
     Bare = 8,             ///< there is no scene, hence no force
     TooFast = 16,         ///< the tool exceeds the limit of velocity; the force fades

@@ -164,7 +164,8 @@ struct PackingSpec {
   double hardness = 0.5;    ///< h, from 0 (minimum curve) to 1 (maximum curve)
   double forceScale = 1.0;  ///< factor of all forces and torques, in (0, 1]
   bool isRemoved = true;    ///< the reamer removes the spheres that it passes through
-  double mostTravel = 0.0;  ///< largest depth of the device [m]; 0: through the bone
+  /// Largest depth of the device [m]; 0: until the reamer leaves the bone.
+  double mostTravel = 0.0;
   /// Options of removal, and the friction. The coverage is not used; it comes from the bone.
   reaming::BoneOptions options;
 };

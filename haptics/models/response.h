@@ -7,7 +7,7 @@ template <typename Scalar>
 struct Response {
   Scalar force{};          ///< [N]; positive pushes the tool back (opens, withdraws)
   Scalar stiffness{};      ///< derivative of the force by the position [N per position unit]
-  bool isDefined = false;  ///< false: the model has no force here, and force is 0
+  bool isDefined = false;  ///< false: the model defines no force at this position; force is then 0
 };
 
 /// Whether a number is neither infinite nor NaN, for any scalar, also in constant expressions, and

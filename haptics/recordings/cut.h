@@ -19,7 +19,7 @@ struct Provenance {
   std::vector<std::size_t> closures{};  ///< numbers from 1; empty if rows were chosen
   std::string calibration{};            ///< e.g. `paper-eq1`
   std::string filter{};                 ///< e.g. `authors-fir`
-  std::string filterParameters{};       ///< a description of them
+  std::string filterParameters{};       ///< a description of the filter's parameters
   std::optional<double> slopeLimit{};   ///< [N/travel unit]
   std::vector<std::string> changes{};   ///< changes to the recorded curve
 };

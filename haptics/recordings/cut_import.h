@@ -136,7 +136,7 @@ struct ImportReport {
   /// samples of a resting tool, divided by almost no travel, is noise [N/travel unit].
   double steepness = 0.0;
   double largestChange = 0.0;    ///< largest change of a node's force by the slope limit [N]
-  double largestChangeAt = 0.0;  ///< [travel units]
+  double largestChangeAt = 0.0;  ///< travel of that node [travel units]
   /// Of a mean curve: standard deviation between the closures at each node [N]
   std::vector<double> deviation{};
   std::vector<std::string> changes{};  ///< sentences about all changes, first that of the peak

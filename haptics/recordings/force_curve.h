@@ -83,7 +83,7 @@ SlopeLimited limitSlope(const ForceCurve& curve, double maxSlope);
 /// The mean and standard deviation of several curves over their common travel.
 struct MeanCurve {
   ForceCurve curve;               ///< kNodes nodes, evenly spaced
-  std::vector<double> deviation;  ///< standard deviation of the forces at each node, n − 1 [N]
+  std::vector<double> deviation;  ///< standard deviation of the forces at each node [N]
 
   static constexpr std::size_t kNodes = 201;
 };

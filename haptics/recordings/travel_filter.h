@@ -24,7 +24,7 @@ namespace haptics::recordings {
 ///   authors' table to the three decimals printed. The table determines the −6 dB point as
 ///   17.68…17.70 Hz; 17.69075 Hz also gives both numbers of eq. (22) of the punch paper that depend
 ///   on it, 7.0275 and 0.2772. No published number shows how MATLAB treats the ends of a recording,
-///   since no published cut is within 24 rows of one; here the end values are continued.
+///   since no published cut is within 24 rows of one; these filters continue the end values.
 /// - `butterworth-zero-phase` is filters::zeroPhaseLowPass() with a chosen cut-off. With 5 Hz it is
 ///   what the paper's text describes.
 /// - `none` does not filter.

@@ -9,7 +9,8 @@
 
 /// The messages between a robot controller and its client over KUKA's Fast Robot Interface.
 ///
-/// Plain values without heap. Written from the facts of the wire format, with our own names.
+/// Plain values without heap. Written from the facts of the wire format, with names that Palpate
+/// chose.
 namespace haptics::wire::fri {
 
 inline constexpr std::size_t kLargestDatagram = 1500;   ///< [bytes], in either direction
@@ -116,7 +117,8 @@ struct TimeStamp {
   friend bool operator==(const TimeStamp&, const TimeStamp&) = default;
 };
 
-/// 1.x: a 3 x 4 matrix, 12 elements. 2.x: 7 elements, x y z [mm] qw qx qy qz. There may be fewer.
+/// 1.x: a 3 x 4 matrix, 12 elements. 2.x: 7 elements, x y z [mm] qw qx qy qz. A message may have
+/// fewer elements.
 struct Transformation {
   Name name;
   BoundedArray<double, 12> elements;

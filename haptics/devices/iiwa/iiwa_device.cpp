@@ -351,7 +351,7 @@ void IiwaDevice::answer(double force, double torque) noexcept {
   if (isCommanding) {
     message.data.emplace();
     message.data->jointPosition =
-        // decode() guarantees ipoData and its positions in these states.
+        // decode() guarantees ipoData and its joint position in the commanding states.
         heard_.ipoData->jointPosition;
     const bool isActive = session == SessionState::CommandingActive &&
                           lifecycle() != Lifecycle::Open &&

@@ -77,7 +77,7 @@ class SphereField {
   std::size_t freeSlot(Vec3 place) const noexcept;
 
   /// Moves the sphere of @p slot to @p place. Its slot stays in the old cell, so searches widen by
-  /// its distance from there.
+  /// its distance from that cell.
   void move(std::size_t slot, Vec3 place) noexcept;
 
   /// To be called when all spheres are in their cells again.

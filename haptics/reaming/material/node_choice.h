@@ -14,7 +14,8 @@ namespace haptics::reaming {
 
 /// Which samples of a curve become nodes of its spline.
 enum class NodeRule {
-  Greedy,        ///< split the piece with the largest error there, until the error is met
+  Greedy,  ///< split the piece with the largest error, at the sample of that error, until the error
+           ///< is met
   PaperLiteral,  ///< every sample whose |f″| exceeds a threshold, which falls until the error is
                  ///< met
   Thinned,       ///< the middle of each run of samples that PaperLiteral chooses
@@ -67,7 +68,7 @@ double largestError(
 class SplineDeviation {
  public:
   struct Worst {
-    double error = 0.0;  ///< as the wish defines it
+    double error = 0.0;  ///< as NodeCriterion defines it
     std::size_t at = 0;  ///< index of the sample
   };
 

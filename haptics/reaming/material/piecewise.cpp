@@ -134,7 +134,7 @@ std::vector<double> dataSlopes(const SampledCurve& curve) {
   const std::size_t n = x.size();
   const auto secant = [&](std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
   std::vector<double> slopes(n);
-  // At an end, from the parabola through the three samples there.
+  // The slope at an end, from the parabola through the three samples nearest to that end.
   const auto endSlope = [&](std::size_t near, std::size_t next, double h0, double h1) {
     return ((2.0 * h0 + h1) * secant(near) - h0 * secant(next)) / (h0 + h1);
   };

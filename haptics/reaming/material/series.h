@@ -36,7 +36,7 @@ struct Series {
 };
 
 /// The columns of a table whose headings are not the usual ones: maps "time", "displacement",
-/// "force", "torque" to the heading in the file, and to its unit. Quantities that are missing here
+/// "force", "torque" to the heading in the file, and to its unit. Quantities that these maps lack
 /// are found by the usual headings.
 struct SeriesMapping {
   std::map<std::string, std::string> heads;

@@ -95,8 +95,8 @@ struct Dual {
   ///
   /// The curvature includes only the spheres of positive density. If many others become positive
   /// along the step, it is far too small, and the value may not rise anywhere on the step. Then
-  /// these spheres are included, too, and the step is repeated until none is missing; such a step
-  /// rises.
+  /// these spheres are included, too, and the step is repeated until none is missing; the value
+  /// rises along that step.
   std::optional<Point> next(const Point& from) const {
     auto counts = from.densities;
     Point end;
