@@ -113,7 +113,7 @@ class SiteTrial {
   std::size_t conditions_;
   int answers_;
   double level_;   ///< α of one comparison
-  double family_;  ///< 1 − α
+  double family_;  ///< level of a pooled interval: 1 − α of the family
   double deviation_;
   double criticalT_;  ///< critical |t| of the test of all participants, sites ignored
   std::vector<SiteSums> sites_;

@@ -15,7 +15,7 @@ struct Layout {
   double within = 0.0;
   double betweenFreedom = 0.0;
   double withinFreedom = 0.0;
-  double weighted = 0.0;  ///< Searle's n₀ times betweenFreedom
+  double weighted = 0.0;  ///< Searle's mean group size n₀, times betweenFreedom
 };
 
 struct Cell {
