@@ -107,7 +107,8 @@ std::vector<Spline> allSplines(int count) {
 double largestError(const Spline& spline) {
   constexpr int kPoints = 20'000;
   double largest = 0.0;
-  for (int i = 0; i < kPoints; ++i) {  // never exactly an end, which some libraries refuse
+  // x is never exactly 0 or kEnd: some libraries refuse the ends of a spline.
+  for (int i = 0; i < kPoints; ++i) {
     const double x = kEnd * (i + 0.5) / kPoints;
     largest = std::max(largest, std::abs(spline.at(x) - forceAt(x)));
   }

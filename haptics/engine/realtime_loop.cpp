@@ -163,10 +163,10 @@ void RealtimeLoop::run(const std::stop_token& stop) {
   report_.detectsHoles = holes.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
-  // Lateness above this is attributed to its cause; less is timer slack and wake-up latency. The
-  // count restarts every few ticks.
+  // Lateness above this is attributed to its cause; less is timer slack and wake-up latency.
   constexpr std::int64_t kLeastHole = 200'000;  // [ns]
   const std::int64_t suspicious = std::max(period / 4, kLeastHole);
+  // `holes` is reset every so many ticks, so that it measures little more than the late tick.
   constexpr std::uint64_t kRestartEvery = 8;
   Pace pace(options_, period);
   const std::int64_t start = now();
