@@ -162,7 +162,7 @@ struct StudyFacts {
   /// Expected number of answers per participant, by method; empty: unknown.
   std::vector<std::size_t> expected;
   std::size_t trials = 0;
-  std::size_t lateTrials = 0;  ///< number of trials with more late ticks than the protocol allows
+  std::size_t lateTrials = 0;  ///< number of trials whose loop was late too often
   /// The methods with trials whose scene asked for more force than the device may give.
   std::vector<SaturatedMethod> saturated;
 };

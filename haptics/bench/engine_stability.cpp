@@ -18,7 +18,8 @@
 namespace haptics::bench {
 namespace {
 
-// Largest allowed step of the force for the scheme paper-text with quantised travel [N].
+// Bound for schemes that use the two forces alternately, such as paper-text: of the force's steps
+// with quantised travel, and of its amplitude with a resting hand [N].
 constexpr double kPublishedChatter = 4.0;
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;

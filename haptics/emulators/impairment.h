@@ -61,9 +61,9 @@ class Impairment {
     std::uint64_t seed = 1;
     int delay = 5;             ///< number of frames by which Delay holds a frame back, >= 1
     std::size_t garbage = 24;  ///< size of a block of garbage [bytes], 1 to kLongestFrame
-    /// The byte that ends a frame; std::nullopt: none. With a delimiter every fault affects one
-    /// frame only: garbage ends with the delimiter and does not contain it elsewhere, and damage
-    /// neither changes nor creates a delimiter.
+    /// The byte that ends a frame; std::nullopt: none. With a delimiter, garbage and damage affect
+    /// one frame only: garbage ends with the delimiter and does not contain it elsewhere, and
+    /// damage neither changes nor creates a delimiter.
     std::optional<std::uint8_t> delimiter;
   };
 

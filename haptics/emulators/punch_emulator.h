@@ -52,7 +52,7 @@ class PunchEmulator {
   /// The faults of frames injected so far.
   Injected injected() const noexcept { return impairment_.counts(); }
   /// Time from the last command that caused a fault until the motor was without voltage [ms];
-  /// std::nullopt if there was no such command yet, or the motor had no voltage.
+  /// std::nullopt without such a command, if the motor had no voltage then, or while it still has.
   std::optional<double> motorOffAfter() const noexcept;
   double force() const noexcept { return 1e-3 * voltage_ * options_.newtonsPerVolt; }  ///< [N]
   double travel() const noexcept { return travel_; }  ///< [travel units]

@@ -8,7 +8,7 @@ namespace haptics::engine {
 namespace {
 
 constexpr std::uint32_t kMostBuckets = 1U << 18;
-constexpr std::uint32_t kPerPiece = 2;  // initial number of buckets; more would need more cache
+constexpr std::uint32_t kPerPiece = 2;  // initial buckets per piece; more would need more cache
 constexpr std::uint32_t kCrowd = 4;
 
 }  // namespace

@@ -124,8 +124,8 @@ ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& repor
   return std::move(gentle.curve);
 }
 
-/// Reports the change of the peak before all other changes; reports nothing if the peak did not
-/// change.
+/// Reports the change of the peak before all other changes; reports nothing if neither the peak
+/// changed nor a point moved.
 void reportPeak(ImportReport& report) {
   constexpr double kShown = 0.005;  // [N]: two decimals
   const double change = report.peakAfter - report.peakBefore;

@@ -137,8 +137,8 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   return felt;
 }
 
-/// Checks kRestoredAtOnce groups for contact with the tool; returns true when all groups are known
-/// to be clear.
+/// Checks kRestoredAtOnce groups for contact with the tool; returns false if it is inside a sphere.
+/// Sets isOutside_ when all groups are known to be clear.
 bool Bone::isClear() noexcept {
   const std::size_t groups = field_.groups().size();
   const std::size_t end = std::min(groups, cleared_ + kRestoredAtOnce);
