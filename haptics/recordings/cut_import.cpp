@@ -50,8 +50,8 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   return mean->curve;
 }
 
-/// The opening branch recorded after the chosen closures; std::nullopt if rows were requested, or
-/// the hand did not open.
+/// The opening branch recorded after the chosen closures; std::nullopt if rows were requested, the
+/// hand did not open, or the openings have no common travel.
 std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportReport& report) {
   std::vector<ForceCurve> curves;
   for (const std::size_t number : report.closures) {
