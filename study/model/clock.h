@@ -34,8 +34,8 @@ class SystemClock final : public Clock {
 /// A clock that the caller advances: for simulated sessions and tests.
 class SimulatedClock final : public Clock {
  public:
-  /// @param wall  [ms] since 1970; by default the year 2000, so that no session looks like a real
-  ///     one.
+  /// @param wall  [ms] since 1970-01-01; by default the year 2000, so that simulated sessions
+  ///     cannot be taken for real ones.
   explicit SimulatedClock(std::int64_t wall = 946'720'800'000)
       : now_{wall, 0} {}  // 2000-01-01T10:00Z
 

@@ -12,7 +12,7 @@ namespace study {
 /// One cell of an exported table. std::monostate is a missing value, never a zero.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// The value as a cell; a missing value if there is none.
+/// The cell of an optional value; std::monostate for std::nullopt.
 template <typename T>
 Cell cellOf(const std::optional<T>& value) {
   return value ? Cell(*value) : Cell();
@@ -34,12 +34,12 @@ struct DataTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// @p text, with an apostrophe before it if a spreadsheet would take it for a formula.
+/// @p text, with an apostrophe before it if a spreadsheet would read it as a formula.
 std::string withoutFormula(const std::string& text);
 
-/// One cell of a CSV file. Numbers have a point and as many digits as read back exactly, in every
-/// locale. A missing value is an empty cell. Free text that begins like a formula (= + - @ or a
-/// tab) gets an apostrophe before it.
+/// One cell of a CSV file. Numbers have a decimal point in every locale, and enough digits to be
+/// read back exactly. A missing value is an empty cell. Free text that begins like a formula (= + -
+/// @ or a tab) gets an apostrophe before it.
 std::string csvCell(const Cell& cell, bool isFreeText = false);
 
 /// The names of the columns, then the rows, each on a line that ends with LF.

@@ -17,7 +17,7 @@ struct EventFacts {
 constexpr EventPattern kSafety{
     "{times} times, {duration_s:.3f} s in all", "times", "{times} time, {duration_s:.3f} s in all"};
 
-/// In the order of EventKind.
+/// One row for each EventKind but Unknown, in the order of the enumerators.
 constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"made_study", {"{study}"}},
     EventFacts{"froze_protocol"},

@@ -7,8 +7,8 @@
 
 namespace study {
 
-/// What an event of the audit trail is about. Its name is stored and exported, and hashed with the
-/// event: it never changes.
+/// What an event of the audit trail is about. The name of a kind is stored, exported, and part of
+/// the event's hash, so it never changes.
 enum class EventKind {
   // A study
   MadeStudy,
@@ -18,21 +18,22 @@ enum class EventKind {
   UnblindedExport,
   UnblindedReport,
   UnblindedResults,
-  Exported,  ///< to which folder; an unblinded or public one also has an event of its own
+  Exported,  ///< the study was exported to a folder; an unblinded or public export has a second
+             ///< event
   MadeBackup,
-  RestoredCopy,     ///< an older copy took the study's place
-  NotedIdentities,  ///< rows of identity.db of which the trail had no event
-  SignedHead,       ///< a station vouches for all events before this one
-  HeadNotSigned,    ///< the station's key could not be used
-  Erased,           ///< names, answers or both of a participant
+  RestoredCopy,     ///< an older copy of the study, such as a backup, replaced it
+  NotedIdentities,  ///< fingerprints of rows of identity.db that the trail did not have yet
+  SignedHead,       ///< a station's signature of all events before this one
+  HeadNotSigned,    ///< the trail could not be signed, because the station's key could not be used
+  Erased,           ///< names, answers or both of a participant were erased
   CollectedStudy,   ///< the study was assembled from the data of its stations
   ResealedTrail,  ///< the trail of an older release was sealed, so that participants can be erased
                   ///< from it
-  ExportedKey,    ///< the study's key was exported from the station, with the reason
-  ImportedKey,    ///< another station, which signs this event, received the key
+  ExportedKey,    ///< the study's key was exported to a file, with the reason
+  ImportedKey,    ///< the study's key was imported at another station, which signs this event
   SetPassphrase,  ///< a passphrase for the study's key was set
   DroppedKey,     ///< this station deleted its copy of the key
-  TimeStamped,    ///< a time-stamp authority stamped a head that was signed earlier
+  TimeStamped,    ///< a time-stamp authority stamped an earlier signature
   SealedNames,    ///< names were sealed with a passphrase, or with a new one; with the reason
   CopiedForms,    ///< forms of the library were copied into a study of an older release
 
@@ -54,9 +55,9 @@ enum class EventKind {
 
   // Other events of a session
   Enrolled,
-  Resumed,   ///< by another run of the program
-  TookOver,  ///< from a computer that is gone, with a reason
-  ClockStepped,
+  Resumed,       ///< a program continued the session
+  TookOver,      ///< the session was taken over from another computer, with the reason
+  ClockStepped,  ///< the wall clock was changed during the session
   ChoseLanguage,
   Note,
   Answered,
@@ -86,7 +87,7 @@ enum class EventKind {
   SafetyTorqueSlewed,
   SafetyTorqueActive,
 
-  Unknown,  ///< a later release wrote it
+  Unknown,  ///< a kind of event that this release does not know
 };
 
 /// "finished_trial", as it is stored; empty for Unknown.

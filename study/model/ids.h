@@ -6,7 +6,7 @@
 
 namespace study {
 
-/// Ids have their own types, so that a session is not taken for a participant.
+/// Each kind of id has its own type, so that the compiler rejects one in place of another.
 enum class SessionId : std::int64_t {};
 enum class ProtocolId : std::int64_t {};
 

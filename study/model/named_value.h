@@ -7,7 +7,8 @@
 
 namespace study {
 
-/// The value of an enum whose names are in @p names in its order; std::nullopt for an unknown name.
+/// The enumerator that is named @p name; std::nullopt for an unknown name. @p names has the name of
+/// every enumerator, in their order.
 template <typename Value, std::size_t kCount>
 constexpr std::optional<Value> valueNamed(
     const std::array<std::string_view, kCount>& names, std::string_view name) noexcept {

@@ -63,7 +63,8 @@ void writeNewFile(const std::string& path, const std::string& content) {
     if (count < 0) fail(path, file);
     written += static_cast<std::size_t>(count);
   }
-  // Until here the data may be in memory only; a full or failing disk may be noticed only now.
+  // Before fsync() the data may be in memory only, so a full or failing disk may be reported only
+  // here.
   if (fsync(file) != 0) fail(path, file);
   close(file);
   flush(folderOf(path));

@@ -6,9 +6,10 @@
 
 namespace study {
 
-/// Called repeatedly during long work, with the share that is done and a description of the present
-/// task. May throw Cancelled: then the work stops and leaves no unfinished files.
-/// @param share  of the whole, 0 to 1; kUnknownShare if it cannot be known.
+/// Called repeatedly during long work. May throw Cancelled: then the work stops and leaves no
+/// unfinished files.
+/// @param share  part of the work that is done, 0 to 1; kUnknownShare if it cannot be computed
+/// @param words  a description of the present task
 using Progress = std::function<void(double share, const std::string& words)>;
 
 inline constexpr double kUnknownShare = -1.0;

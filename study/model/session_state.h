@@ -9,20 +9,22 @@ namespace study {
 
 /// The state of a session.
 enum class SessionState {
-  Enrolled,     ///< a place is reserved; no trial before consent
+  Enrolled,     ///< consent is not given yet, so no trial can begin; a place in the design is
+                ///< reserved
   Consented,    ///< between trials: reading, answering, break
-  InTrial,      ///< the force is on
-  Interrupted,  ///< a trial was broken off; the operator decides
+  InTrial,      ///< a trial is running
+  Interrupted,  ///< a trial was broken off; the operator must repeat it, skip it, or end the
+                ///< session
   Paused,
   Completed,
-  Declined,         ///< did not consent
+  Declined,         ///< the participant did not consent
   Withdrawn,        ///< the participant stopped
   Rejected,         ///< the operator stopped, with a reason
   AbortedHardware,  ///< a device could not be brought back
-  Erased,           ///< its answers were erased, whatever it was before
+  Erased,           ///< answers were erased, whatever the state was before
 };
 
-/// The events of a session.
+/// What can happen to a session. kSessionTransitions lists the states before and after.
 enum class SessionEvent {
   FinishedStep,
   GaveConsent,

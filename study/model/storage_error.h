@@ -15,7 +15,7 @@ class StorageError : public std::runtime_error {
     Other,
     Busy,  ///< another program is writing
     DiskFull,
-    Damaged,  ///< or not a study at all
+    Damaged,  ///< the file is damaged, or is not a study
     Newer,    ///< written by a later version of this program
     Unknown,  ///< whether the data were stored cannot be found out now
   };
@@ -23,7 +23,7 @@ class StorageError : public std::runtime_error {
   explicit StorageError(const std::string& what, Kind kind = Kind::Other)
       : std::runtime_error(what), kind_(kind) {}
 
-  /// About a file whose path is the first argument of @p message.
+  /// @param message  its first argument is the path of the file that could not be used
   explicit StorageError(base::Message message, Kind kind)
       : std::runtime_error(base::describe(message)), kind_(kind), message_(std::move(message)) {}
 

@@ -40,8 +40,8 @@ struct Finding {
   base::Message reason;
 };
 
-/// Warnings are for what a participant may have noticed. Every trial begins with a soft start: it
-/// causes a warning only if it took half of the trial, which then had hardly any force.
+/// Warns of what a participant may have noticed. Every trial begins with a soft start, which is
+/// reported only if it lasted for half of the trial: the trial then had hardly any force.
 Finding findingOf(const SafetyEvent& event, double duration) {
   const auto found = [&](Verdict verdict, auto key) {
     return Finding{verdict, message(key, event.times, event.duration)};
@@ -68,7 +68,7 @@ Finding findingOf(const SafetyEvent& event, double duration) {
     case SafetyKind::TorqueSaturated:
     case SafetyKind::TorqueSlewed:
     case SafetyKind::TorqueActive:
-      return {};  // reported elsewhere, or expected
+      return {};  // reported from other members of the record, or a normal effect of the limits
   }
   return {};
 }

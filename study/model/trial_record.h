@@ -14,16 +14,16 @@ namespace study {
 
 /// How smoothly the scene of a trial was shown on the display.
 struct ViewReport {
-  std::string renderer;  ///< what drew: a graphics card, a driver, or our software renderer
+  std::string renderer;  ///< the graphics card, driver or software renderer that drew
   std::int64_t frames = 0;
   std::int64_t dropped = 0;  ///< refreshes, at the display's nominal rate, without a new picture
   double rate = 0.0;         ///< from the first frame to the last [1/s]
-  double frameMedian = 0.0;  ///< from one frame to the next [ms]
-  double frameP99 = 0.0;     ///< [ms]
+  double frameMedian = 0.0;  ///< median interval between frames [ms]
+  double frameP99 = 0.0;     ///< 99th percentile of these intervals [ms]
   double latencyMedian =
       0.0;                  ///< from reading the device to handing the picture to the display [ms]
-  double latencyP99 = 0.0;  ///< [ms]
-  double period = 0.0;      ///< nominal, of the frames [ms]
+  double latencyP99 = 0.0;  ///< 99th percentile of that latency [ms]
+  double period = 0.0;      ///< nominal interval between frames [ms]
   std::int64_t lostChanges = 0;  ///< updates of a reamed bone that were never drawn
 };
 
@@ -32,12 +32,12 @@ base::NamedArguments valuesOf(const ViewReport& view);
 
 /// How a trial ended.
 enum class TrialEnding {
-  Finished,    ///< all cuts were made
-  Stopped,     ///< stop was pressed
-  DeviceGone,  ///< the device failed: no force; the operator decides
-  TraceLost,   ///< samples could not be stored
-  TimedOut,    ///< too few cuts in the time allowed
-  ProgramEnded,
+  Finished,      ///< all cuts were made
+  Stopped,       ///< stop was pressed
+  DeviceGone,    ///< the device failed, and its force is off
+  TraceLost,     ///< samples could not be stored
+  TimedOut,      ///< too few cuts in the time allowed
+  ProgramEnded,  ///< the program ended during the trial
 };
 
 std::string_view nameOf(TrialEnding ending) noexcept;
@@ -49,14 +49,15 @@ enum class SafetyKind {
   Released,         ///< the dead-man switch was not held
   NoSample,         ///< the device gave no measurement
   MissedPeriods,    ///< no tick for more than one period
-  SoftStart,        ///< the force waited for a small one, or rose slowly to its value
+  SoftStart,        ///< the force was withheld until the scene asked for a small one, or was ramped
+                    ///< up
   Saturated,        ///< the scene asked for more than the force limit
-  Slewed,           ///< … or for a faster change than the rate limit
-  NotFinite,        ///< … or its force was not a number
-  Active,           ///< the rendering generated energy
-  Damped,           ///< damping was added, because the rendering generated energy
+  Slewed,           ///< the scene asked for a faster change than the force rate limit
+  NotFinite,        ///< the scene asked for a force that is not a finite number
+  Active,           ///< the rendering gave more energy to the hand than it received
+  Damped,           ///< damping was added to dissipate that energy
   TorqueSaturated,  ///< the scene asked for more than the torque limit
-  TorqueSlewed,     ///< … or for a faster change than its rate limit
+  TorqueSlewed,     ///< the scene asked for a faster change than the torque rate limit
   TorqueActive,     ///< the torque did net work on the hand, as a motor does
 };
 
@@ -64,7 +65,7 @@ enum class SafetyKind {
 struct SafetyEvent {
   SafetyKind kind = SafetyKind::TooFast;
   std::int64_t times = 0;
-  double duration = 0.0;  ///< in all [s]
+  double duration = 0.0;  ///< total in the trial [s]
 };
 
 enum class Verdict { Pass, Warn, Fail };
@@ -72,7 +73,7 @@ enum class Verdict { Pass, Warn, Fail };
 std::string_view nameOf(Verdict verdict) noexcept;
 std::optional<Verdict> verdictNamed(std::string_view name) noexcept;
 
-/// Whether the loop was late in more ticks than a trial may have without a warning.
+/// Whether the share of late ticks exceeds 1 %, above which a trial gets a warning.
 bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept;
 
 /// The statistics of a device's link as named values: {"received", 5000}, {"lost", 2}, …
@@ -85,33 +86,36 @@ struct TrialRecord {
   std::string device;  ///< its name as shown to people
   std::string travelUnit;
   TrialEnding ending = TrialEnding::Finished;
-  double duration = 0.0;  ///< in simulated time: number of ticks / nominal rate [s]
+  double duration = 0.0;  ///< in simulated time: ticks / nominalRate [s]
   std::int64_t ticks = 0;
   double nominalRate = 1000.0;            ///< [Hz]
   std::optional<double> achievedRate;     ///< [Hz]; std::nullopt in simulated time
-  std::optional<double> latenessMedian;   ///< wake-up latency of the loop [µs]
-  std::optional<double> latenessP99;      ///< [µs]
-  std::optional<double> latenessLargest;  ///< [µs]
-  std::optional<std::int64_t> lateTicks;  ///< by more than a period
-  std::optional<std::int64_t> holes;      ///< of these, caused by the host machine
-  std::int64_t lostSamples = 0;           ///< dropped because the recorder's ring was full
-  std::int64_t invalidTicks = 0;          ///< the device gave no measurement
-  double saturated = 0.0;                 ///< the scene asked for more than the limit [s]
-  double slewed = 0.0;                    ///< … or for a faster change than the rate limit [s]
-  double undefined = 0.0;                 ///< the scene gave no force [s]
-  double contact = 0.0;                   ///< a force could be felt [s]
+  std::optional<double> latenessMedian;   ///< median wake-up latency of the loop [µs]
+  std::optional<double> latenessP99;      ///< 99th percentile of that latency [µs]
+  std::optional<double> latenessLargest;  ///< largest latency [µs]
+  std::optional<std::int64_t> lateTicks;  ///< ticks that began more than a period late
+  std::optional<std::int64_t> holes;      ///< late ticks that the host machine caused
+  std::int64_t lostSamples = 0;           ///< samples dropped because the recorder's ring was full
+  std::int64_t invalidTicks = 0;          ///< ticks in which the device gave no measurement
+  double saturated = 0.0;                 ///< time in which the scene asked for more than the force
+                                          ///< limit [s]
+  double slewed = 0.0;                    ///< time in which it asked for a faster change than the
+                                          ///< limit [s]
+  double undefined = 0.0;                 ///< time in which the scene gave no force [s]
+  double contact = 0.0;                   ///< time in which the force was at least 0.05 N [s]
   double largestForce = 0.0;              ///< largest commanded force [N]
-  std::int64_t traceSamples = 0;          ///< stored in traces.db
+  std::int64_t traceSamples = 0;          ///< number of samples stored in traces.db
   std::vector<Cut> cuts;
-  std::vector<SafetyEvent> safety;       ///< only kinds that occurred
+  std::vector<SafetyEvent> safety;       ///< only the kinds that occurred
   haptics::engine::Passivity passivity;  ///< of the rendering: eq. (25) of the punch paper
   double deviceDamping = 0.0;            ///< physical damping of the mechanism [N·s/travel unit]
   double leastEnergy = 0.0;              ///< smallest energy balance of a contact [N·travel unit]
   haptics::devices::LinkReport link;     ///< statistics of the device's wire, if it has one
   bool hasTorque = false;                ///< the scene has a torque about the tool's axis
   bool isTorqueRendered = false;         ///< the device rendered that torque
-  double torqueSaturated = 0.0;          ///< the scene asked for more torque than the limit [s]
-  double largestTorque = 0.0;            ///< commanded [N·m]
+  double torqueSaturated = 0.0;          ///< time in which the scene asked for more than the torque
+                                         ///< limit [s]
+  double largestTorque = 0.0;            ///< largest commanded torque [N·m]
   double leastRotationEnergy =
       0.0;                  ///< smallest energy balance of the rotation during a contact [J]
   std::string deviceFault;  ///< why the device ended the trial, a text for the operator; or empty
