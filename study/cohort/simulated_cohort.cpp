@@ -22,12 +22,13 @@ namespace {
 
 constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
-constexpr int kMostDisturbed = 60;    // additional failures allowed while the machine stood still
-constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier rendered nothing
+constexpr int kMostDisturbed = 60;    // further failures allowed if the machine stalled during them
+constexpr double kImmediately = 0.5;  // [s]: a trial that broke off earlier counts as an immediate
+                                      // failure
 // immediate failures in a row after which the device counts as broken
 constexpr int kMostImmediateFailures = 5;
 constexpr std::chrono::milliseconds kBetweenTries{500};
-constexpr std::chrono::seconds kLongestWait{30};          // for a device to be connected again
+constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
 using Done = Acknowledged::Kind;
@@ -99,8 +100,8 @@ class SimulatedSession {
     session_.skipStep("a simulated trial broke off");
   }
 
-  /// Runs the trial on real devices in real time. A device that fails is connected again, up to the
-  /// limits above.
+  /// Runs the trial on real devices in real time. A device that fails is connected again, at most
+  /// kMostFailures times and for at most kLongestWait.
   void runTrialOn(DeviceSet& deviceSet) {
     const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;
@@ -136,7 +137,7 @@ class SimulatedSession {
     session_.abortTrial(record);
     const std::string why =
         record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
-    // A break-off while the machine stood still is no evidence against the device.
+    // A trial that broke off while the machine stalled does not show that the device is faulty.
     const bool isDisturbed = stoodStill >= kDeviceTimeout;
     if (isDisturbed) {
       ++disturbed_;
@@ -195,14 +196,14 @@ class SimulatedSession {
   DeviceSet* devices_;
   haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
-  int failures_ = 0;           ///< of devices, in a row
-  int immediateFailures_ = 0;  ///< of these, before anything was rendered
-  int disturbed_ = 0;          ///< failures while the machine stood still; not in the other two
+  int failures_ = 0;           ///< consecutive failures of devices
+  int immediateFailures_ = 0;  ///< consecutive failures before anything was rendered
+  int disturbed_ = 0;          ///< failures while the machine stalled; not counted in the other two
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };
 
-/// The cohort with the fewest finished participants in proportion to its plan.
+/// The cohort with the smallest ratio of finished participants to planned ones.
 std::string nextCohort(
     const protocols::Protocol& protocol, const std::map<std::string, int>& have) {
   std::string next;
@@ -219,7 +220,8 @@ std::string nextCohort(
   return next;
 }
 
-/// A new session begins an hour after the last one began; a resumed one continues at its own time.
+/// Sets the clock to an hour after the start of the last session, for a new session; to the last
+/// event of the session, for a resumed one.
 void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> resumed) {
   std::int64_t latest = 0;
   std::int64_t latestStart = 0;

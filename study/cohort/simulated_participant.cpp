@@ -14,7 +14,7 @@ using questionnaires::Response;
 
 constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
 
-// Standard deviation of the noise of a choice between alternatives, as a share of that of an
+// Standard deviation of the noise of a choice between alternatives, relative to the noise of an
 // answer. An assumption, not a measurement: a person who has felt all alternatives compares them
 // directly, so choices follow realism more closely than answers do.
 constexpr double kNoiseOfAChoice = 0.5;
@@ -47,7 +47,7 @@ std::int64_t SimulatedParticipant::point(
   const double realism =
       session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
   const double felt = realism + truth_.answerDeviation * stream(purpose).normal();
-  // realism is defined on a scale of five points
+  // realism is defined on a five-point scale
   const double unit = (item.scale.points - 1) / 4.0;
   const double middle = (item.scale.lowest + item.scale.highest()) / 2.0;
   const double answer = middle + item.key * unit * felt;
@@ -58,7 +58,7 @@ double SimulatedParticipant::between(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double felt =
       realismOf(session.step().condition) + truth_.answerDeviation * stream(purpose).normal();
-  const double unit = (item.most - item.least) / 4.0;  // realism is defined on five points
+  const double unit = (item.most - item.least) / 4.0;  // realism is defined on a five-point scale
   const double answer = std::clamp(
       std::midpoint(item.least, item.most) + item.key * unit * felt, item.least, item.most);
   const double step = item.step > 0.0 ? item.step : 1.0;

@@ -16,21 +16,21 @@ namespace study {
 
 class DeviceSet;
 
-/// The devices on which trials run in real time; nullptr: trials are simulated.
+/// The devices of trials in real time. Without a device set, trials run in simulated time.
 struct OnDevices {
   DeviceSet* deviceSet = nullptr;
   haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
 };
 
-/// A simulated participant, who answers as a model says. The realism of a condition for this person
-/// is
+/// A simulated participant, whose answers are drawn from a model. The realism of a condition for
+/// this person is
 ///
 ///     realism(condition) + leniency(person) + taste(person, condition).
 ///
-/// An answer to a statement is that realism, reversed where the statement's key is −1, plus noise,
-/// rounded to the points of the scale. The preferred alternative is the one with the largest
-/// realism plus half of that noise. All random numbers depend on the seed, the place in the cohort
-/// and the name of what is asked only, so that a participant who is interrupted and resumed gives
+/// An answer to a statement is this realism, reversed if the statement's key is −1, plus noise,
+/// rounded to the points of the scale. The preferred alternative is the one with the largest sum of
+/// its realism and half as much noise. All random numbers depend on the seed, the place in the
+/// cohort and the name of the question only, so that a session that is interrupted and resumed has
 /// the same answers.
 class SimulatedParticipant {
  public:
@@ -40,7 +40,8 @@ class SimulatedParticipant {
       std::string cohort,
       std::uint64_t slot);
 
-  /// The response to @p item in @p step of @p session; std::nullopt if it is left out.
+  /// The response to @p item in @p step of @p session; std::nullopt if the participant skips the
+  /// item.
   std::optional<questionnaires::Response> answer(
       const Session& session, const questionnaires::Item& item) const;
 
@@ -54,8 +55,8 @@ class SimulatedParticipant {
   base::RandomStream stream(const std::string& purpose) const;
   std::int64_t point(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
-  /// The value of a slider about a condition: computed from realism like a point, rounded to the
-  /// slider's step.
+  /// The answer on a slider about a condition: drawn from the realism like a point of a scale,
+  /// rounded to the slider's step.
   double between(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   std::string preferred(const Session& session, const std::string& purpose) const;
@@ -66,18 +67,18 @@ class SimulatedParticipant {
   std::uint64_t slot_;
 };
 
-/// Where and how the session of a simulated participant ended.
+/// The end of a simulated participant's session.
 struct SimulatedEnding {
   std::string participant;
   SessionState state = SessionState::Completed;
   int step = 0;
   int attempts = 1;    ///< at that step
   std::string reason;  ///< empty if there is none
-  int trials = 0;      ///< trials of its plan; 0 for sessions that were over before
+  int trials = 0;      ///< trials of the session's plan; 0 if the session had ended before this run
   int trialsFinished = 0;
 };
 
-/// Something that has been committed, or a wait for a device.
+/// What the simulation has just committed, or that it waits for a device.
 struct Acknowledged {
   enum class Kind { Enrolment, Answer, Step, TrialOnDevice, Wait };
 
@@ -85,15 +86,16 @@ struct Acknowledged {
   std::string what;  ///< "P001 round-1 1.1"
 };
 
-/// How long a device waits for the next force before it switches its force off: the shortest time
-/// of all devices.
+/// How long a device waits for the next force before it switches its force off: the shortest such
+/// time of all devices.
 inline constexpr std::chrono::milliseconds kDeviceTimeout{10};
 
-/// Called after every commit.
+/// Called after every commit, and while the simulation waits for a device.
 using Acknowledge = std::function<void(const Acknowledged& done)>;
 
 /// Runs @p session from its present step to its end, with the same steps, transactions, engine and
-/// recorder as a real session, in @p clock's time; on @p devices if there are any, in real time.
+/// recorder as a real session. Times are those of @p clock. Trials run in real time if @p on has
+/// devices.
 void simulate(
     Study& study,
     Session& session,
@@ -109,9 +111,9 @@ void simulateUntil(
 
 /// Simulates until @p participants simulated participants have finished, divided among the cohorts
 /// in proportion to the plan. Interrupted sessions are resumed first. With a device file the trials
-/// run on its devices in real time; the movement comes from their side, normally from an emulator.
-/// A trial that breaks off is repeated. Five immediate break-offs in a row end the session. If @p
-/// watch is given, break-offs while the machine stood still for longer than kDeviceTimeout do not
+/// run on its devices in real time; the devices, normally emulators, move the tool themselves. A
+/// trial that breaks off is repeated. Five consecutive immediate break-offs end the session. If
+/// @p watch is given, break-offs while the machine stalled for longer than kDeviceTimeout do not
 /// count.
 /// @return how the session of each simulated participant of the study has ended.
 std::vector<SimulatedEnding> simulateCohorts(
