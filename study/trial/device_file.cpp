@@ -178,8 +178,8 @@ IiwaSettings readIiwa(const Node& node) {
   return settings;
 }
 
-/// A way of connecting a device: its name in files, its keys other than "id" and "type", and the
-/// function that reads them.
+/// A type of connection: its name in device files, its keys other than "id" and "type", and the
+/// function that reads these keys.
 struct Type {
   std::vector<std::string_view> keys;
   std::function<decltype(DeviceEntry::settings)(const Node&)> read;
@@ -193,7 +193,8 @@ std::string serialName(const DeviceKind& kind) {
 }
 constexpr std::string_view kIiwaName = "iiwa-fri";
 
-/// Every kind of device can be simulated. All kinds on a serial line use the punch's protocol.
+/// All types of connection: one for simulating each kind of device, and one for each real device.
+/// All kinds on a serial line use the punch's wire protocol.
 std::vector<std::pair<std::string, Type>> types() {
   std::vector<std::pair<std::string, Type>> types;
   for (const auto* kind : haptics::deviceKinds()) {
@@ -250,7 +251,7 @@ std::optional<DeviceEntry> readEntry(const Node& node) {
   if (!node.isObjectWith(keys)) return std::nullopt;
   const std::string id = node.id("id");
   if (!node.has("type")) {
-    static_cast<void>(node.text("type"));  // reports that it is missing
+    static_cast<void>(node.text("type"));  // reports that the key is missing
     return std::nullopt;
   }
   return DeviceEntry{id, choice(node, "type", known, known.front().second).read(node)};
@@ -264,7 +265,7 @@ std::string nameIn(const Choices<Value, N>& known, Value value) {
   return {};
 }
 
-/// [°]: rounded to nine decimals, beyond which there is only the error of the conversion.
+/// An angle in degrees, rounded to nine decimals; later digits are errors of the conversion.
 double inDegrees(double angle) {
   return std::round(1e9 * angle / kDegree) / 1e9;
 }

@@ -23,7 +23,7 @@ struct SerialPunchSettings {
   bool rendersOnDevice = false;
 };
 
-/// A device of a laboratory, by the name that protocols give it.
+/// A device of a laboratory, under the id that protocols use.
 struct DeviceEntry {
   std::string id;
   std::variant<SimulatedSettings, SerialPunchSettings, haptics::devices::IiwaSettings> settings;

@@ -27,7 +27,8 @@ class DeviceSet {
   virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
   virtual bool isOpen(const std::string& id) const = 0;
 
-  /// Called before a trial on that device. A device that renders by itself is sent the scene.
+  /// Called before a trial on that device. Sends the scene to a device that computes its force
+  /// itself.
   virtual void prepare(
       const protocols::DeviceNeed& /*need*/, const haptics::engine::SceneSpec& /*scene*/) {}
 };
@@ -75,7 +76,7 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
 /// A hand on a simulated instrument that follows the mouse pointer.
 std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
 
-/// The travel at which that hand has closed the instrument fully [device's travel unit].
+/// The travel at which pointerHandFor() has closed the instrument fully [device's travel unit].
 double pointerReachFor(const protocols::DeviceNeed& need) noexcept;
 
 }  // namespace study

@@ -20,7 +20,7 @@ bool isOpen(const Device& device) noexcept {
   return state != Lifecycle::Closed && state != Lifecycle::Faulted;
 }
 
-/// Makes the device of an entry. An alternative of the settings that is missing here does not
+/// Makes the device of an entry. A type of DeviceEntry::settings without an overload here does not
 /// compile.
 struct DeviceMaker {
   const DeviceEntry& entry;
@@ -110,7 +110,7 @@ std::vector<CheckResult> preflight(
   if (need == nullptr) return found;
   const auto& can = device.capabilities();
   const bool isKind = can.kind == need->kind;
-  if (isKind && !isOpen(device)) return found;  // a device that is not there passes nothing
+  if (isKind && !isOpen(device)) return found;  // an absent device cannot be checked further
   found.push_back(
       {isKind ? Finding::Pass : Finding::Fail,
        "instrument",

@@ -24,11 +24,11 @@ class HardwareDeviceSet final : public DeviceSet {
   haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
   bool isOpen(const std::string& id) const override;
 
-  /// The device, without opening it; nullptr if the file lists none of that name.
+  /// The device with this id, without opening it; nullptr if the file does not list it.
   haptics::devices::Device* find(const std::string& id);
   const std::vector<DeviceEntry>& entries() const noexcept { return entries_; }
 
-  /// Sends a scene to a punch that renders by itself; does nothing for other devices.
+  /// Sends a scene to a punch that computes its force itself; does nothing for other devices.
   void prepare(const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) override;
 
  private:

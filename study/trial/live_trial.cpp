@@ -31,10 +31,11 @@ LiveTrial::~LiveTrial() {
 
 void LiveTrial::tick(double dt, double lateness) noexcept {
   const std::int64_t sampleTime = haptics::timing::now();
-  // @p lateness is in µs: the quotient counts the whole periods that passed without a tick.
+  // @p lateness is in µs: the quotient is the number of whole periods without a tick.
   TickSample sample = trial_.step(dt, static_cast<int>(lateness * 1e-6 / dt));
   sample.lateness = static_cast<float>(lateness);
-  // Each of these is shown by itself and guards no other data, so relaxed order is enough.
+  // Each value is displayed by itself and orders no other memory access, so relaxed order is
+  // enough.
   cuts_.store(static_cast<int>(sample.cuts), std::memory_order_relaxed);
   travel_.store(sample.travel, std::memory_order_relaxed);
   force_.store(sample.force, std::memory_order_relaxed);
@@ -71,7 +72,7 @@ void LiveTrial::drain() {
     try {
       trial_.keep(sample);
     } catch (const std::exception&) {
-      trial_.stop();  // samples that cannot be recorded must not be felt
+      trial_.stop();  // a participant must not feel samples that are not recorded
       isTraceLost_.store(true, std::memory_order_relaxed);
     }
   }

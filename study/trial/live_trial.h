@@ -52,8 +52,8 @@ class LiveTrial {
   TrialRecord finish(TrialEnding ending);
 
  private:
-  /// Holds a minute at 1 kHz, eight seconds at 8 kHz: longer than a write to a disk is ever
-  /// delayed.
+  /// Holds the samples of one minute at 1 kHz, or of eight seconds at 8 kHz, while a write to the
+  /// disk is delayed.
   using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
   void tick(double dt, double lateness) noexcept;

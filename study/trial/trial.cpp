@@ -11,14 +11,14 @@ namespace {
 using haptics::engine::ForceLimiter;
 using haptics::engine::TickSample;
 
-constexpr double kFelt = 0.05;  // [N]: smaller forces do not count as contact
+constexpr double kFelt = 0.05;  // [N]: a smaller commanded force does not count as contact
 
 }  // namespace
 
 TrialStatistics::TrialStatistics(const haptics::devices::DeviceKind& device, double rate)
     : rate_(rate), detector_(device.stroke) {}
 
-/// Counts ticks, and rising edges as occurrences.
+/// Counts the ticks in which @p isNow is true, and its rising edges as occurrences.
 void TrialStatistics::count(SafetyKind kind, bool isNow) {
   auto& tally = tallies_[static_cast<std::size_t>(kind)];
   if (isNow) ++tally.ticks;

@@ -21,7 +21,8 @@ class TrialStatistics {
 
   void add(const haptics::engine::TickSample& sample);
 
-  /// Writes the results into @p record, except for those of clocks and traces.
+  /// Writes the counts into @p record, but not the timing of the loop or the number of stored
+  /// samples.
   void fillIn(TrialRecord& record) const;
 
  private:
@@ -50,9 +51,9 @@ class TrialStatistics {
   std::array<Tally, 13> tallies_{};  ///< by SafetyKind
 };
 
-/// One condition on one device, ready to be rendered and recorded. Study days and simulated cohorts
-/// use the same class. The haptic thread calls step() and the recorder thread calls keep(); a
-/// simulation calls both in turn.
+/// One condition on one device, ready to be rendered and recorded, in real and in simulated
+/// sessions. The haptic thread calls step() and the recorder thread calls keep(); a simulation
+/// calls both in turn.
 class Trial {
  public:
   /// Stores a chunk of about one second of samples; may throw storage::StorageError.
@@ -90,8 +91,8 @@ class Trial {
   void stop() noexcept { engine_.stop(); }
   bool isStopped() const noexcept { return engine_.isStopped(); }
 
-  /// May be called by any thread: switches the reamer on or off, as a pedal does. It is on at
-  /// first.
+  /// May be called by any thread: switches the reamer on or off, as a pedal does. It is on
+  /// initially.
   void switchReamer(bool isOn) noexcept { engine_.switchReamer(isOn); }
 
   /// Records a tick. @throws storage::StorageError  if a chunk could not be stored.
