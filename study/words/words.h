@@ -23,7 +23,7 @@ struct Catalogue {
   using Entries = std::map<std::string, std::string, std::less<>>;
   using Windows = std::map<std::string, Entries, std::less<>>;
 
-  Entries messages;  ///< messages of the other rooms (base::Message), by key
+  Entries messages;  ///< messages of all components (base::Message), by key
   Entries texts;     ///< texts of reports, by their English text
   Windows windows;   ///< texts of the participant's windows, by class and English text
   Entries desk;      ///< texts of the operator's windows, by their English text
