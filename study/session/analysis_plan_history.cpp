@@ -21,19 +21,20 @@ const Family* familyIn(const AnalysisPlan& plan, const std::string& id) {
   return found == plan.families.end() ? nullptr : &*found;
 }
 
-/// Whether both plans have family @p id, with the same declarations.
+/// Whether both plans have family @p id with equal declarations.
 bool isAlikeIn(const AnalysisPlan& one, const AnalysisPlan& other, const std::string& id) {
   const auto* first = familyIn(one, id);
   const auto* second = familyIn(other, id);
   return first != nullptr && second != nullptr && differingKeys(*first, *second).empty();
 }
 
-/// Follows the plan through the versions since the first live participant began.
+/// Collects the changes of the analysis plan over the versions since the first live participant
+/// began.
 class PlanTracker {
  public:
   explicit PlanTracker(const AnalysisPlan& declared) : declared_(declared) {}
 
-  /// Adds the changes of one version to the plan of the version before it.
+  /// Adds the changes that one version makes to the plan of the previous version.
   /// @param isUsed  whether a live participant began with this version
   void addVersion(
       const AnalysisPlan& before,

@@ -9,16 +9,17 @@
 namespace study {
 
 /// A change that a version of the protocol made to a family of comparisons after the first live
-/// participant had begun. Its author may have seen data.
+/// participant had begun. The author of that version may have seen data.
 struct FamilyChange {
-  /// Restored: the family was again as it had been when the first live participant began.
+  /// Restored: the family became again what it had been when the first live participant began.
   enum class Kind { Added, Changed, Removed, Restored };
 
   std::string family;  ///< its id
   std::string title;
   Kind kind = Kind::Changed;
-  std::vector<std::string_view> keys;  ///< Changed: the keys in the protocol whose values changed
-  std::string version;                 ///< of the protocol, as its authors call it
+  std::vector<std::string_view> keys;  ///< Changed: the JSON keys of the protocol whose values
+                                       ///< changed
+  std::string version;                 ///< of the protocol: its "version"
   std::string addedUtc;                ///< when that version was added to the study, ISO 8601
   /// Changed, Added: true if the family counts as declared nevertheless (see isDeclared()), because
   /// it was restored in time. Restored: true if no live participant had begun with a version in
@@ -29,16 +30,17 @@ struct FamilyChange {
 /// All changes to the analysis plan since it was first stored.
 struct AnalysisPlanHistory {
   std::size_t versions = 1;             ///< of the protocol
-  std::size_t versionsSinceBegun = 0;   ///< of these, added after the first live participant had
-                                        ///< begun
+  std::size_t versionsSinceBegun = 0;   ///< how many of them were added after the first live
+                                        ///< participant had begun
   std::vector<FamilyChange> changes;    ///< the oldest first
-  std::vector<std::string> undeclared;  ///< families whose present form was not declared in time
+  std::vector<std::string> undeclared;  ///< families that were not declared in time as they are now
 
-  /// Whether the declared test of @p family is confirmatory. That is so if no live participant has
-  /// begun yet, or if every version with which one began had the family as it is now. A family that
-  /// was changed and restored before anybody began in between is therefore declared. Otherwise it
-  /// is not: some of the data were collected under another plan, and the author of the restored
-  /// plan could choose between two plans with more data at hand.
+  /// Whether the declared test of @p family is confirmatory. It is if no live participant has begun
+  /// yet, or if the family is now as in every version with which a live participant began. A family
+  /// that was changed and restored before any participant began in between is therefore
+  /// confirmatory. Otherwise the test is exploratory: some of the data were collected under another
+  /// plan, and the author of the present plan could choose between two plans with more data at
+  /// hand.
   bool isDeclared(std::string_view family) const;
 };
 

@@ -12,28 +12,30 @@ namespace study {
 struct Arrivals {
   std::int64_t all = 0;
   std::int64_t arrived = 0;
-  /// UTC of the last event of the oldest session that has not arrived; empty: all have arrived.
+  /// UTC time of the last event of the oldest session that has not arrived; empty if all have
+  /// arrived.
   std::string waitingSince;
 };
 
-/// The arrivals at a server that has all events up to @p event.
+/// The arrivals at a server that has all events up to number @p event.
 Arrivals arrivalsBy(Study& study, std::int64_t event);
 
-/// The result of the last push of a study, as this account noted it. The desk shows it without a
-/// network.
+/// The result of the last push of a study to its server, as recorded in a list of this account. The
+/// operator's windows show it without a network connection.
 struct NotedPush {
   std::string utc;  ///< of the push; empty: there was none
   std::int64_t have = 0;
-  std::string problem;  ///< name of the refusal or kind of error; empty: it succeeded
+  std::string problem;  ///< name of the refusal or kind of error; empty: it succeeded  ///< number
+                        ///< of events that the server had after the push
 };
 
 /// @param study, station  their uuids
 NotedPush lastPush(const std::string& study, const std::string& station);
-/// Appends to the account's list. Does nothing if it cannot be written: the next push asks the
-/// server anyway.
+/// Appends the result to the account's list. Does nothing if the list cannot be written: the next
+/// push asks the server for its state anyway.
 void notePush(const std::string& study, const std::string& station, const NotedPush& push) noexcept;
 
-/// The server's confirmation that a session was erased there, too.
+/// The server's confirmation that it has erased a session, too.
 struct ErasureReceipt {
   std::int64_t session = 0;
   std::string participant;

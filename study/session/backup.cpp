@@ -23,7 +23,7 @@ using Access = Database::Access;
 
 constexpr double kShareOfCopying = 0.6;  // estimated share of the time; verifying takes the rest
 
-/// The three databases of a study, all as they were at the same moment.
+/// Connections to the three databases of a study, each in a read snapshot of one common moment.
 class Snapshot {
  public:
   explicit Snapshot(const StudyFiles& files)
@@ -31,9 +31,9 @@ class Snapshot {
             Database::open(files.study(), storage::studySchema(), Access::ReadOnly),
             Database::open(files.traces(), storage::traceSchema(), Access::ReadOnly),
             Database::open(files.identity(), storage::identitySchema(), Access::ReadOnly)} {
-    // Recording and answering both end with a commit to study.db. While this transaction holds its
-    // write lock, nothing can be committed there, so the three read snapshots belong together. Each
-    // snapshot then stays as it is after the lock is released.
+    // Recording and answering both end with a commit to study.db. While this transaction holds the
+    // write lock, no such commit is possible, so the three read snapshots belong together. They
+    // stay unchanged after the lock is released.
     auto writer = writerOf(files);
     std::optional<storage::Transaction> writeLock;
     if (writer) writeLock.emplace(*writer);
@@ -63,7 +63,7 @@ std::uintmax_t sizeOf(const fs::path& file) {
   return ignored ? 0 : size;
 }
 
-/// Whether the file is a database, or one that SQLite or the study creates again when needed.
+/// Whether the file is a database, or a file that SQLite or the study creates again when needed.
 bool isDatabaseOrRecreated(const std::string& name) {
   if (name == "ballast") return true;
   const auto stem = name.substr(0, name.find(".db"));
@@ -109,10 +109,11 @@ Verification verifyCopy(const fs::path& folder, const Progress& progress) {
   const auto told = [&](double share, const std::string& words) {
     tell(progress, kShareOfCopying + (1.0 - kShareOfCopying) * share, "reading the copy: " + words);
   };
-  return verify(copy, told, {.isOlderCopy = true});  // sessions may have ended meanwhile
+  return verify(copy, told, {.isOlderCopy = true});  // sessions may have ended while the study was
+                                                     // copied
 }
 
-/// Removes the log files that reading the copy left beside its databases.
+/// Removes the log files that SQLite left beside the copy's databases when they were read.
 void removeLogs(const fs::path& folder) {
   const StudyFiles files{folder};
   std::error_code ignored;
@@ -149,8 +150,8 @@ void refuseUnlessNew(const fs::path& from, const fs::path& target) {
   }
 }
 
-/// Removes the leases: the copy may be used on another computer, where no program would give them
-/// back.
+/// Removes the leases from the copy, because it may be used on another computer, where no program
+/// would end them.
 void clearLeases(const fs::path& copy) {
   const auto file = StudyFiles{copy}.study();
   {
@@ -162,8 +163,8 @@ void clearLeases(const fs::path& copy) {
   storage::Lease::clear(study);
 }
 
-/// Notes the backup in the study before it is copied, so that the copy has this event, too. A study
-/// that cannot be written is copied without it.
+/// Notes the backup in the study's audit trail before copying, so that the copy has this event,
+/// too. A study that cannot be written is copied without the event.
 void noteBackup(const fs::path& from, const fs::path& target) {
   try {
     auto study = Study::open(from);
@@ -191,7 +192,7 @@ Backup copyInto(
   backup.verification = verifyCopy(unfinished, told);
   removeLogs(unfinished);
   backup.bytes = bytesIn(unfinished);
-  // Last: the target appears only when the copy is complete and verified.
+  // Rename last, so that the target appears only when the copy is complete and verified.
   moveIntoPlace(unfinished, target);
   return backup;
 }
@@ -208,8 +209,8 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
   const auto unfinished = newFolderBeside(target);
   noteBackup(from, target);
   try {
-    // The copy holds names of people: it is for its owner alone, also of a study that an older
-    // release made for everybody to read.
+    // The copy holds names of people. Only its owner may read it, even if an older release made the
+    // study's folder readable for everyone.
     fs::permissions(unfinished, fs::perms::owner_all);
     return copyInto(from, unfinished, target, progress);
   } catch (const fs::filesystem_error& error) {

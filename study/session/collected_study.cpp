@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using storage::Database;
 using storage::Transaction;
 
-/// File of the EventSpool in the folder, until the trail is written.
+/// File of the EventSpool in the folder; it is removed when the trail is written.
 constexpr const char* kWaiting = "waiting.db";
 
 Database made(const std::string& path, const storage::Schema& schema) {
@@ -38,7 +38,7 @@ std::set<ProtocolId> liveProtocols(const Database& study) {
 
 }  // namespace
 
-/// The three files, each in one transaction.
+/// The three databases, each in one transaction.
 struct CollectedStudy::Files {
   explicit Files(const StudyFiles& names)
       : study(made(names.study(), storage::studySchema())),
@@ -109,7 +109,7 @@ CollectedStudy::~CollectedStudy() {
   files_.reset();
   events_.reset();
   std::error_code ignored;
-  fs::remove_all(folder_, ignored);  // it was never complete
+  fs::remove_all(folder_, ignored);  // the study was never complete
 }
 
 void CollectedStudy::add(std::int64_t number, const storage::SessionFacts& facts) {
@@ -120,7 +120,8 @@ void CollectedStudy::add(std::int64_t number, const storage::SessionFacts& facts
   if (row.state == SessionState::Erased) noteErasure(row);
 }
 
-/// Records an erasure of a station as finished, so that Study::open() does not repeat it.
+/// Records as finished an erasure that was done at a station, so that Study::open() does not repeat
+/// it.
 void CollectedStudy::noteErasure(const storage::SessionRow& row) {
   storage::ErasureRepository erasures(files_->study);
   if (erasures.hasErasedAnswersOf(row.participant)) return;
@@ -179,7 +180,8 @@ void CollectedStudy::appendTrail(const std::string& reason) {
        .kind = EventKind::MadeStudy,
        .values = {{"study", protocolName_}, {"secret", secret_.commitment()}}});
   std::size_t place = 0;
-  std::optional<std::int64_t> session;  // session of the key; events of a session are adjacent
+  std::optional<std::int64_t> session;  // the session that key belongs to; events of a session are
+                                        // adjacent
   std::optional<storage::SealingKey> key;
   events_->forEach([&](const storage::StoredEvent& event) {
     if (event.session != session) {
@@ -193,10 +195,10 @@ void CollectedStudy::appendTrail(const std::string& reason) {
   });
 }
 
-/// An event of a session that is in the study.
+/// The event of a session with its detail unsealed.
 storage::StoredEvent CollectedStudy::opened(
     const storage::StoredEvent& event, const storage::SealingKey& own) const {
-  // Its place in the trail of its station is what it was sealed for.
+  // The detail was sealed for its place in the trail of its station.
   const SessionId session{*event.session};
   const auto station = storage::SessionRepository(files_->study).load(session).station;
   const storage::SealingKey study(secret_.of(station).bytes());
@@ -205,7 +207,7 @@ storage::StoredEvent CollectedStudy::opened(
   if (!detail) return open;
   open.detail = std::move(*detail);
   open.sealed.clear();
-  // What is stored here has another digest: it is sealed with another key.
+  // The trace is sealed with another key here, so its digest differs from the station's.
   if (open.kind == nameOf(EventKind::KeptTrace)) {
     open.detail = files_->traces.digest(
         {session, static_cast<int>(event.step.value()), static_cast<int>(event.attempt.value())});

@@ -20,13 +20,13 @@
 
 namespace study {
 
-/// Builds one study from the data that its stations recorded: an ordinary folder that can be
+/// Builds one study from the data that its stations recorded: an ordinary study folder that can be
 /// verified, evaluated and exported. Its sessions cannot be continued.
 ///
-/// What tells conditions is sealed with the study's own key. Sessions get new numbers, and the
-/// audit trails of the stations follow one another in a trail of its own, whose first event says
-/// so. What each station's trail says was checked before against its hashes and signatures; the
-/// last hash of each is in that event.
+/// Conditions and measurements are sealed with the collected study's own key. Sessions get new
+/// numbers. The audit trails of the stations are appended one after another to a new trail, whose
+/// first event lists them with the hash of the last event of each. The caller has checked the
+/// stations' trails against their hashes and signatures.
 class CollectedStudy {
  public:
   struct Origin {
@@ -37,7 +37,7 @@ class CollectedStudy {
     std::vector<protocols::LoadedProtocol> protocols;  ///< all versions, the oldest first
   };
 
-  /// The trail of one station, as it is stored there.
+  /// The audit trail of one station, with the numbers that it has there.
   struct Trail {
     Station station;
     std::int64_t events = 0;
@@ -54,14 +54,15 @@ class CollectedStudy {
 
   /// Adds one session of the station. @param number  its number at the station
   void add(std::int64_t number, const storage::SessionFacts& facts);
-  /// @param chunk  in the open (storage::opened())
+  /// @param chunk  unsealed (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);
   void addKey(const std::string& participant, const storage::SealingKey& key);
-  /// Adds the trail of a station, after all its sessions; ends this station.
+  /// Adds the trail of a station. Call it after all sessions of this station were added, and before
+  /// those of the next one.
   void add(const Trail& trail, std::vector<storage::StoredEvent> events);
 
   /// Writes and signs the trail, and renames the folder to its final name.
-  /// @param reason  why it was collected
+  /// @param reason  why the study was collected
   void finish(const std::string& reason);
 
  private:
@@ -77,12 +78,13 @@ class CollectedStudy {
   storage::BlindingSecret secret_;
   std::string protocolName_;
   std::unique_ptr<Files> files_;
-  std::map<std::int64_t, SessionId> sessions_;  ///< of the present station, by their number there
+  std::map<std::int64_t, SessionId> sessions_;  ///< sessions of the present station, by their
+                                                ///< number at the station
   std::size_t sessionCount_ = 0;
   std::vector<Trail> trails_;
-  std::unique_ptr<storage::EventSpool> events_;  ///< with the sessions' new numbers
-  /// Index in events_ of the last event of each session; std::nullopt: of the last event without a
-  /// session.
+  std::unique_ptr<storage::EventSpool> events_;  ///< events with the new numbers of their sessions
+  /// Index in events_ of the last event of each session; at std::nullopt, of the last event without
+  /// a session.
   std::map<std::optional<std::int64_t>, std::size_t> lastOf_;
 };
 

@@ -38,7 +38,8 @@ bool hasFixedOrder(const Protocol& protocol, const std::set<std::string>& blocks
   });
 }
 
-/// The permutation: the condition that replaces each condition of the seed's schedule.
+/// The permutation: which condition replaces each condition of the schedule that the seed draws.
+/// Empty if the protocol itself fixes the conditions.
 std::map<std::string, std::string> exchanged(
     const Protocol& protocol, const storage::BlindingSecret& secret, RunMode mode) {
   std::map<std::string, std::string> parts;
@@ -54,16 +55,16 @@ std::map<std::string, std::string> exchanged(
   return parts;
 }
 
-/// The secret for a session. A station has only its own; in a collected study it is derived from
-/// the study's secret.
+/// The secret for a session. A station has only its own secret; a collected study derives the
+/// station's secret from its own.
 std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::SessionRow& row) {
   const auto* secret = study.secretFor(row.runMode);
   if (secret == nullptr) return std::nullopt;
   return study.isCollected() && !row.station.empty() ? secret->of(row.station) : *secret;
 }
 
-/// The seed of a station's orders, so that each station is balanced by itself. Without a station it
-/// is the study's seed, as in releases without stations.
+/// The seed of a station's orders, so that each station's design is balanced by itself. Without a
+/// station it is the study's seed, as in releases without stations.
 /// @param secret  of the station; nullptr: the seed is derived from study's seed and label alone
 std::uint64_t seedAt(
     const std::string& station, std::uint64_t seed, const storage::BlindingSecret* secret) {
@@ -80,8 +81,8 @@ std::uint64_t seedAt(
   return drawn;
 }
 
-/// Whether the orders are drawn with the station's secret (kOrdersOfStation in its first event).
-/// True for a collected study, which does not record this of each station.
+/// Whether the orders are drawn with the station's secret (kOrdersOfStation in the first event of
+/// its trail). True for a collected study, whose trail does not record it for each station.
 bool usesStationSecret(Study& study) {
   if (study.isCollected()) return true;
   const auto made = study.events().madeStudy();
@@ -90,7 +91,7 @@ bool usesStationSecret(Study& study) {
 }
 
 /// @param isSecret  whether the station's seed is derived with its secret; ignored if the protocol
-///     has a seed of its own
+///     has a "seed"
 protocols::Schedule scheduleOf(
     Study& study,
     const storage::SessionRow& row,

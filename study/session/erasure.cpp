@@ -83,7 +83,7 @@ bool isSealed(Study& study, const std::string& participant) {
   });
 }
 
-/// The codes of all participants who are not simulated.
+/// The codes of all participants of live and pilot sessions.
 std::set<std::string> people(Study& study) {
   std::set<std::string> codes;
   for (const auto& row : study.sessions().all()) {
@@ -92,7 +92,7 @@ std::set<std::string> people(Study& study) {
   return codes;
 }
 
-/// Signs the present end of the trail, which is about to be sealed again.
+/// Signs the last event of the trail before the trail is sealed again.
 std::optional<storage::SignedHead> signedEnd(Study& study) {
   try {
     return storage::signHead(
@@ -101,22 +101,22 @@ std::optional<storage::SignedHead> signedEnd(Study& study) {
         nameOf(EventKind::ResealedTrail),
         asUtc(study.clock().now().wall));
   } catch (const StorageError&) {
-    return std::nullopt;  // signTrail() then notes HeadNotSigned
+    return std::nullopt;  // signTrail() then appends HeadNotSigned
   }
 }
 
-/// Notes the last head of the unsealed trail in this station's list only: it distinguishes an older
-/// copy from the trail that was sealed again.
+/// Notes the last head of the unsealed trail in this station's list only. With it, an older copy
+/// can be distinguished from the trail that was sealed again.
 void noteEnd(Study& study, const storage::SignedHead& head) {
   try {
     storage::noteHead(StationStore::findOrMake(StationStore::usualFolder()), head, study.folder());
   } catch (const StorageError&) {
-    return;  // the head of the new trail is noted anyway
+    return;  // the head of the new trail is noted in any case
   }
 }
 
 void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
-  // Data that were tampered with must not be sealed and then look sound.
+  // Tampered data must not be sealed, because verification would then accept them.
   if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
     throw StorageError(
         "The audit trail is not sealed again, because the study is not sound: 'palpate study "
@@ -149,8 +149,8 @@ void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
   if (end) noteEnd(study, *end);
 }
 
-/// Texts that operators typed (notes, reasons) in sessions of a participant and in no session of
-/// others.
+/// Texts (notes, reasons) that operators typed in sessions of this participant, but not in sessions
+/// of others.
 std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   std::set<SessionId> theirs;
   for (const auto& row : sessionsOf(study, participant)) theirs.insert(row.id);
@@ -158,7 +158,7 @@ std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   std::set<std::string> others;
   for (const auto& event : study.events().read()) {
     if (!event.visit || event.actor != storage::Actor::Operator) continue;
-    if (event.kind == EventKind::Erased) continue;  // its reason stays
+    if (event.kind == EventKind::Erased) continue;  // the reason of an erasure is kept
     auto& found = theirs.count(event.visit->session) > 0 ? texts : others;
     found.insert(event.detail);
     if (const auto* reason = event.value("reason")) {
@@ -169,7 +169,7 @@ std::set<std::string> typedAbout(Study& study, const std::string& participant) {
   return texts;
 }
 
-/// The texts by and about the participant that the erasure removes.
+/// The texts by and about the participant that the erasure deletes.
 storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   storage::ByteSearch search;
   if (erasesNames(request.level) && !study.identities().isLocked()) {
@@ -212,8 +212,8 @@ std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
     }
   }
   study.events().append(erased);
-  // Names that stay had their fingerprints in details that can no longer be opened: note these
-  // again.
+  // If names are kept, their fingerprints were in details that can no longer be opened. Note the
+  // fingerprints again.
   const auto kept =
       erasesNames(erasure.level) ? std::string() : fingerprintsOf(study, erasure.participant);
   if (!kept.empty()) {
@@ -233,7 +233,7 @@ storage::ListedErasure asListed(Study& study, const Erasure& erasure) {
       .utc = erasure.utc};
 }
 
-/// @return  why the erasure could not be listed; empty if it is
+/// Adds the erasure to this station's list. @return  why it could not be added; empty if it was
 std::string listOnStation(const storage::ListedErasure& erasure) {
   try {
     storage::list(erasure);
@@ -243,8 +243,8 @@ std::string listOnStation(const storage::ListedErasure& erasure) {
   }
 }
 
-/// The part of an erasure outside of its transaction: keys, traces, bytes of files. May be repeated
-/// after an interruption.
+/// The part of an erasure outside of its transaction: destroys keys, deletes traces, overwrites
+/// freed bytes of the files. May be repeated after an interruption.
 void finish(Study& study, const Erasure& erasure) {
   if (erasesNames(erasure.level)) study.identities().destroy(Key::Identity, erasure.participant);
   if (erasesAnswers(erasure.level)) {
@@ -318,7 +318,7 @@ bool hasPendingErasures(storage::Database& database) {
 void finishPendingErasures(Study& study) {
   for (const auto& erasure : storage::ErasureRepository(study.database()).unfinished()) {
     study.withReservedSpace([&] { finish(study, erasure); });
-    listOnStation(asListed(study, erasure));  // it was interrupted before that
+    listOnStation(asListed(study, erasure));  // the interrupted erasure did not get this far
   }
   const auto listed = storage::listedErasures(study.uuid());
   for (const auto& erasure : storage::erasuresToRepeat(study.database(), listed)) {

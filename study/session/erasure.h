@@ -15,56 +15,58 @@ struct ErasureRequest {
   std::string participant;  ///< code
   storage::ErasureLevel level = storage::ErasureLevel::All;
   std::string reason;
-  /// Seals the unsealed trail of an older release first, for the whole study.
+  /// Whether the unsealed trail of an older release is sealed first, for the whole study.
   bool resealsTrail = false;
-  /// Repeats in this copy an erasure of another copy. The trail is then not signed, because the
-  /// study itself does not have these events.
+  /// The request repeats in this copy an erasure of another copy. The trail is then not signed,
+  /// because the study itself does not have these events.
   bool isAgain = false;
 };
 
 struct ErasureReport {
   storage::Erasure erasure;
   std::size_t sessions = 0;
-  std::int64_t answers = 0;  ///< that were deleted
-  std::size_t names = 0;     ///< that were deleted
-  /// Names were deleted without being read, so texts has none of them.
+  std::int64_t answers = 0;  ///< number of deleted answers
+  std::size_t names = 0;     ///< number of deleted names
+  /// The names were sealed and locked: they were deleted without being read, and texts lacks them.
   bool areNamesLocked = false;
   bool wasTrailResealed = false;
   storage::ByteSearch texts;  ///< texts by and about the participant
   /// Files of the study's folder that still contain one of these texts.
   std::vector<std::string> filesWithTexts;
-  storage::ListedErasure listed;  ///< for other copies of the study
-  std::string whyNotListed;       ///< empty: it was added to this station's list
+  storage::ListedErasure listed;  ///< the erasure, for repeating it in other copies of the study
+  std::string whyNotListed;       ///< why the erasure is not in this station's list; empty if it is
 };
 
-/// Erases a participant. Only code, cohort, times, the drawn order, events without their details,
-/// and the record of the erasure are left. The audit trail stays valid. The place is free again, as
-/// after a withdrawal; no result counts the participant.
+/// Erases a participant. Only the code, cohort, times, drawn order, events without their details,
+/// and the record of the erasure are kept. The audit trail stays valid. The participant's place in
+/// the design becomes free, as after a withdrawal; no result counts the participant.
 ///
-/// The decision is one transaction in study.db. Then the participant's keys are destroyed, and all
-/// three files are rebuilt without free pages and logs. If that is interrupted, the next
-/// Study::open() finishes it before anything can be read. Last, the erasure is added to this
-/// station's list: opening any other copy of the study repeats it there.
+/// The rows are erased and the erasure is recorded in one transaction of study.db. Then the
+/// participant's keys are destroyed, and all three files are rebuilt without free pages and logs.
+/// If this is interrupted, the next Study::open() finishes it before anything can be read. Last,
+/// the erasure is added to this station's list, so that it is repeated in every other copy of the
+/// study when this station opens the copy.
 /// @throws UserError  if there is no such participant, or it is a simulated one; if the reason is
 ///     missing or names the participant; if the trail is unsealed (of an older release) and
 ///     resealsTrail is not set
 /// @throws storage::StorageError  (Busy) if a session of the participant is open, or another
-///     program reads the study: then the rest is done when the study is opened next
+///     program reads the study: then the next Study::open() does the rest
 ErasureReport erase(Study& study, const ErasureRequest& request);
 
-/// Repeats in this copy an erasure that was done in another copy of the study; seals the trail
-/// first if need be. @throws storage::StorageError
+/// Repeats in this copy an erasure that was done in another copy of the study; seals an unsealed
+/// trail first. @throws storage::StorageError
 void repeatErasure(Study& study, const storage::ListedErasure& erasure);
 
-/// Whether an erasure must be finished before the study may be read: an interrupted one, or one of
-/// this station's list that was not repeated here. @param database  study.db
+/// Whether an erasure must be finished before the study may be read: one that was interrupted, or
+/// one of this station's list that was not repeated in this copy. @param database  study.db
 bool hasPendingErasures(storage::Database& database);
 
-/// Finishes and repeats these erasures. @throws storage::StorageError
+/// Finishes interrupted erasures and repeats those of this station's list.
+/// @throws storage::StorageError
 void finishPendingErasures(Study& study);
 
-/// A remark on how many participants have unsealed events, which an older release wrote; empty:
-/// none.
+/// A remark on the number of participants with unsealed events, which an older release wrote; empty
+/// if there are none.
 std::string remarkOnUnsealedTrail(Study& study);
 
 /// The remarks of `palpate study verify` on erasures and on unsealed parts of the trail.

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFilesNamingStudy{"codebook.json", "study.json", "dataset_description.json"};
 
-/// Whether a folder is an export of the study: its codebook, its document or its data set's
-/// description says so.
+/// Whether a folder is an export of the study: whether its codebook, document or data set
+/// description contains the study's uuid.
 bool isExportOf(const fs::path& folder, const std::string& uuid) {
   for (const char* name : kFilesNamingStudy) {
     std::ifstream stream(folder / name, std::ios::binary);
@@ -31,7 +31,8 @@ bool isExportOf(const fs::path& folder, const std::string& uuid) {
   return false;
 }
 
-/// Removes the files that name the study last, so that an interrupted removal can be repeated.
+/// Deletes an export, and last the files that name the study, so that an interrupted deletion can
+/// be repeated.
 void removeExport(const fs::path& folder) {
   const std::vector<fs::directory_entry> entries{fs::directory_iterator(folder), {}};
   for (const auto& entry : entries) {
@@ -44,7 +45,8 @@ void removeExport(const fs::path& folder) {
   fs::remove_all(folder);
 }
 
-/// @throws UserError  if it is another study
+/// Whether the erasure must be repeated in this backup.
+/// @throws UserError  if the folder is another study
 bool isToBeErasedFrom(const fs::path& folder, const storage::ListedErasure& erasure) {
   using storage::Database;
   auto database = Database::open(
@@ -83,13 +85,13 @@ void requireOwnFile(const fs::path& file, const std::vector<KnownCopy>& known) {
       "yourself.");
 }
 
-/// @throws UserError  if it is not proved to be the study's
+/// @throws UserError  if the trail does not prove that the study wrote the file
 void removeFile(const fs::path& file, const std::vector<KnownCopy>& known) {
   requireOwnFile(file, known);
-  fs::remove(fs::canonical(file));  // the file itself, if this is a link
+  fs::remove(fs::canonical(file));  // deletes the target if the path is a symbolic link
 }
 
-/// @throws UserError  if it is no copy of the study
+/// @throws UserError  if the folder is no copy of the study
 ErasedCopy eraseFrom(
     const fs::path& folder,
     const storage::ListedErasure& erasure,
@@ -103,7 +105,7 @@ ErasedCopy eraseFrom(
     return copy;
   }
   if (!fs::exists(StudyFiles{folder}.study())) {
-    // An empty folder is left if a removal was interrupted at its end.
+    // A deletion that was interrupted at its end leaves an empty folder.
     if (!fs::is_empty(folder) && !isExportOf(folder, erasure.study)) {
       throw UserError(
           "It is neither a backup nor an export of this study. Public exports do not say whose "
@@ -114,7 +116,7 @@ ErasedCopy eraseFrom(
     return copy;
   }
   if (isToBeErasedFrom(folder, erasure)) {
-    auto study = Study::open(folder, clock);  // erases what this station has listed
+    auto study = Study::open(folder, clock);  // opening repeats the erasures of this station's list
     for (const auto& open : storage::erasuresToRepeat(study.database(), {erasure}))
       repeatErasure(study, open);
   } else {
@@ -124,7 +126,7 @@ ErasedCopy eraseFrom(
   return copy;
 }
 
-/// A value of an event that belongs to no session; empty: it has none of that name.
+/// A text value of an event without a session; empty if the event has no such value.
 std::string textIn(const storage::Event& event, std::string_view name) {
   const auto* value = event.visit ? nullptr : event.value(name);
   const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);

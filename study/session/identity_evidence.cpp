@@ -13,7 +13,7 @@ namespace {
 using storage::Findings;
 
 constexpr const char* kGone = "-";
-constexpr const char* kUnknown = "";  ///< a release without fingerprints wrote the event
+constexpr const char* kUnknown = "";  ///< the event is of a release without fingerprints
 
 std::string nameOf(const storage::IdentityStore::Place& place, const std::string& item) {
   return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
@@ -26,8 +26,8 @@ std::string textOf(const storage::Event& event, std::string_view name) {
   return text == nullptr ? std::string() : *text;
 }
 
-/// The rows that identity.db must have according to the audit trail: the fingerprint of each, by
-/// its name.
+/// The rows that identity.db must have according to the audit trail: their fingerprints, by the
+/// names of the rows.
 class ExpectedIdentities {
  public:
   explicit ExpectedIdentities(Study& study) {
@@ -41,8 +41,8 @@ class ExpectedIdentities {
     return erased_.count(row.substr(0, row.find('/'))) > 0;
   }
 
-  /// Whether the row belongs to the present step of an unfinished session. Its differences are
-  /// noted when the session is resumed.
+  /// Whether the row belongs to the present step of an unfinished session. Differences of such rows
+  /// are noted when the session is resumed.
   bool isUnderWay(const std::string& row) const {
     for (const auto& [id, session] : sessions_) {
       if (isOver(session.state)) continue;
@@ -108,7 +108,8 @@ void compare(
   }
 }
 
-/// Notes the rows that differ from the trail and whose name begins with @p where.
+/// Appends to the trail the fingerprints of rows that differ from it and whose names begin with
+/// @p where.
 void noteRows(Study& study, const std::string& where) {
   if (!study.fingerprintSecret()) return;
   const auto present = presentRows(study);

@@ -7,15 +7,15 @@
 
 namespace study {
 
-/// A keyed hash of a stored row of identity.db, for the audit trail: it changes with the row, and
-/// reveals nothing without the study's secret. Empty if there is no such row, and in studies that
-/// have no secret.
+/// A fingerprint for the audit trail: a keyed hash of a row of identity.db. It changes with the
+/// row, and reveals nothing without the study's secret. Empty if there is no such row, or if the
+/// study has no secret.
 std::string fingerprintOf(
     Study& study, const storage::IdentityStore::Place& place, const std::string& item);
 
 /// Notes in the audit trail how identity.db differs from the trail in the present step of a
-/// session. They are different files, so a program that ended between their commits leaves them
-/// different.
+/// session. The trail is in another file, so a program that ends between the commits to both leaves
+/// a difference.
 void noteIdentities(Study& study, const storage::SessionRow& session);
 
 /// The fingerprints of a participant's rows in identity.db, in the format of the event

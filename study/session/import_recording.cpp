@@ -52,7 +52,8 @@ haptics::recordings::ImportedCut importRecording(
 }
 
 haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording) {
-  constexpr double kAsRecorded = 1e6;  // steeper than any recording [N/travel unit]
+  constexpr double kAsRecorded = 1e6;  // limit of the slope, steeper than any recording [N/travel
+                                       // unit]
   const auto rows = haptics::recordings::publishedCutIn(recording);
   if (!rows) return importRecording(recording, {});
   return importRecording(

@@ -7,27 +7,28 @@
 namespace study {
 
 /// Reads the calibration that 'palpate recording calibrate' wrote to @p file.
-/// @throws UserError  says where the file is wrong.
+/// @throws UserError  that names the place of the error in the file.
 haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
 
-/// Reads a recording of the punch's recorder; or, with a columns file, of another laboratory. A
-/// calibration file that the columns file names is in the same folder.
+/// Reads a recording of the punch's recorder or, with a columns file, of another laboratory. A
+/// calibration file that the columns file names must be in the folder of the columns file.
 ///
 /// @param columns  path of a columns file; empty: the recorder's five columns.
-/// @throws UserError  says where the columns file, the calibration file or the recording is wrong.
+/// @throws UserError  that names the place of the error in the columns file, the calibration file
+///     or the recording.
 haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
 
-/// Imports a cut under a name that a protocol can use.
+/// Imports a cut under a name that a protocol can refer to.
 haptics::recordings::ImportedCut importRecording(
     const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options);
 
-/// Imports the cut that the authors' program renders, unchanged and filtered by rows as they did,
-/// from one of their recordings; from another recording the most typical cut, with its slope
-/// limited for the device.
+/// From a recording of the authors of the punch paper: imports the cut that their program renders,
+/// unchanged and filtered by rows as in their program. From another recording: imports the most
+/// typical cut, with its slope limited for the device.
 haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording);
 
 /// The text of a shipped protocol of the punch, with the cut file @p file in place of the synthetic
-/// cut; its title calls the cut recorded.
+/// cut, and with "recorded" in its title.
 std::string withRecordedCut(std::string protocol, const std::string& file);
 
 /// The text of the cut file, with the SHA-256 of the recording file that it was made from.

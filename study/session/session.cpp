@@ -19,7 +19,8 @@ using storage::SlotState;
 using storage::StorageError;
 using storage::VisitStatus;
 
-constexpr double kClockSlack = 2.0;  // [s]: more is no drift: the clock was set
+constexpr double kClockSlack = 2.0;  // [s]: a larger difference is not drift; the wall clock was
+                                     // set
 
 [[noreturn]] void refuseDamaged(const std::string& what) {
   throw StorageError(
@@ -54,14 +55,15 @@ void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrol
   }
 }
 
-/// The first live participant freezes the protocol.
+/// Freezes the protocol when the first live participant begins.
 void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   if (row.runMode != RunMode::Live || study.protocols().current().frozenUtc) return;
   study.protocols().freeze(row.protocol, row.startedUtc);
   study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
 }
 
-/// Sessions of a collected study can be continued at their stations only.
+/// @throws UserError  for a collected study, whose sessions can be continued at their stations
+///     only.
 void requireOwnSessions(const Study& study) {
   if (!study.isCollected()) return;
   throw UserError(
@@ -70,14 +72,15 @@ void requireOwnSessions(const Study& study) {
       "collect pull' brings them here.");
 }
 
-/// The code begins with the station's name, so that codes of several sites cannot be the same.
+/// The participant's code, with the station's label before it, so that stations cannot have equal
+/// codes.
 std::string codeAt(const Station& station, const std::string& code) {
   if (code.empty() || station.isNone() || code.starts_with(station.label + "_")) return code;
   return station.label + "_" + code;
 }
 
-/// Draws the keys of a new participant. A returning participant of an older release gets none until
-/// the trail is sealed again, because a person's events are sealed all or not at all.
+/// Draws the keys of a new participant. A participant of an older release gets none until the trail
+/// is sealed again, because either all events of a person are sealed or none.
 void prepareFor(Study& study, const SessionRow& row) {
   if (storage::ErasureRepository(study.database()).hasErasedAnswersOf(row.participant)) {
     throw UserError(
@@ -102,10 +105,9 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   return plan;
 }
 
-/// When the session last stored something, on clocks that can be compared with the present ones.
-/// The monotonic clock is the same only on the computer on which the program ended, until it is
-/// restarted. Otherwise the time since then is taken from the wall clocks, and is 0 if these go
-/// back.
+/// When the session last stored an event, on clocks that can be compared with the present ones. The
+/// monotonic clock counts on only on the same computer, until it is restarted. Otherwise the time
+/// since that event is the difference of the wall clocks, or 0 if it is negative.
 std::optional<Moment> lastMomentOf(
     Study& study, const SessionRow& row, const std::optional<storage::Lease::Holder>& holder) {
   if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is simulated
@@ -170,7 +172,8 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
         id,
         asUtc(study.clock().now().wall),
         takeOver.empty() ? From::EndedPrograms : From::OtherComputersToo);
-    row = study.sessions().load(id);  // read again: with the lease, no other program can change it
+    row = study.sessions().load(id);  // read again: now that the lease is held, no other program
+                                      // can change the row
     transaction.commit();
   });
   auto plan = drawnPlan(study, row);
@@ -205,7 +208,7 @@ bool Session::isRightAfterConsent() const noexcept {
   return study::isRightAfterConsent(row_.state, plan_, row_.step);
 }
 
-/// The step before this one is never repeated: there is none, or it is the consent form.
+/// Whether the previous step cannot be repeated: there is none, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept {
   const bool isAgain = state == SessionState::Interrupted;
   const auto before = static_cast<std::size_t>(step) - 1;
@@ -240,7 +243,8 @@ void Session::transact(const std::function<void()>& action) {
   const auto lastMoment = lastMoment_;
   try {
     study_.transact([&] {
-      // Runs a second time if the disk was full: both runs must begin from the same state.
+      // The action runs a second time if the disk was full: both runs must begin with the same
+      // state.
       row_ = before;
       lastMoment_ = lastMoment;
       pendingEvents_.clear();
@@ -248,7 +252,7 @@ void Session::transact(const std::function<void()>& action) {
       action();
       study_.sessions().update(row_);
       for (const auto& event : pendingEvents_) study_.events().append(event);
-      // Simulated sessions can be reproduced from their seed, and are not signed one by one.
+      // Simulated sessions can be reproduced from their seed, so they are not signed.
       const bool isSigned = isOver() && runMode() != RunMode::Simulated && !pendingEvents_.empty();
       if (isSigned) study_.signTrail(pendingEvents_.back().name());
     });
@@ -262,8 +266,8 @@ void Session::transact(const std::function<void()>& action) {
   }
 }
 
-/// After a commit of unknown outcome: reads the row again, and stops the caller if its step is
-/// over.
+/// After a commit of unknown outcome: reads the session's row again.
+/// @throws UserError  if the commit succeeded, because the caller's step is over.
 void Session::resolveUnknownCommit() {
   if (!isCommitUnknown_) return;
   const auto kept = study_.sessions().load(row_.id);

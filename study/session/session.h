@@ -24,14 +24,14 @@ struct Enrolment {
 };
 
 /// One session of one participant: its steps, and the events that are possible next. Every step is
-/// on the disk before the next page is shown. The windows, the terminal and simulated cohorts all
+/// on the disk before the next page is shown. The windows, the terminal and simulated sessions all
 /// use this class.
 ///
 /// When a function returns, its change has been committed. When it throws storage::StorageError,
-/// nothing was committed and nothing has changed: the answers are still on the screen. The
-/// exception is an error of the kind Unknown, where the commit may have succeeded; the next call
-/// reads the row again, and reports it if it did. Functions for which allows() returns false throw
-/// UserError. The study must outlive its sessions.
+/// nothing was committed and nothing has changed: the answers are still on the screen. An error of
+/// the kind Unknown is the exception: the commit may have succeeded. The next call then reads the
+/// row again, and throws UserError if it did succeed. Functions for which allows() returns false
+/// throw UserError. The study must outlive its sessions.
 class Session {
  public:
   /// Reserves the next place of the cohort. The first live participant freezes the protocol.
@@ -39,9 +39,9 @@ class Session {
   static Session enrol(Study& study, const Enrolment& enrolment);
 
   /// Continues a session at its present step. A trial that was running counts as broken off.
-  /// @param takeOver  why a session is taken from a computer that is gone, for the audit trail;
-  ///     empty: it is not taken over.
-  /// @throws storage::StorageError  (Busy) if another program is running it.
+  /// @param takeOver  the reason, for the audit trail, to take the session over from another
+  ///     computer; empty: the session is not taken over.
+  /// @throws storage::StorageError  (Busy) if another program has the session open.
   static Session resume(Study& study, SessionId id, const std::string& takeOver = {});
 
   SessionId id() const noexcept { return row_.id; }
@@ -57,64 +57,63 @@ class Session {
   bool isOver() const noexcept { return study::isOver(row_.state); }
   bool allows(SessionEvent event) const noexcept;
 
-  /// The participant's present step. Must not be called when the session is over.
+  /// The present step. Must not be called when the session is over.
   const Step& step() const { return plan_.at(static_cast<std::size_t>(row_.step)); }
   int stepIndex() const noexcept { return row_.step; }
   VisitKey visit() const noexcept { return {row_.id, row_.step, row_.attempt}; }
 
-  /// The questionnaire of this step; nullptr if it has none.
+  /// The questionnaire of the present step; nullptr if it has none.
   const questionnaires::Instrument* instrument() const;
   std::vector<questionnaires::Item> items() const;
-  /// The answers given in this step so far.
+  /// The answers given in the present step.
   std::vector<GivenAnswer> answers() const;
-  /// Whether the answers given so far leave @p item, one of items(), to be asked.
+  /// Whether @p item, one of items(), is asked after the answers given so far (its showIf).
   bool isAsked(const questionnaires::Item& item) const;
-  /// The required items that are asked and have no answer. Answers that name a person count as
-  /// given.
+  /// The ids of required items that are asked but not answered. An answer that names a person
+  /// counts, although it is stored in identity.db.
   std::vector<std::string> missing() const;
 
-  /// Stores an answer, or a changed one, in one transaction.
+  /// Stores a new or a changed answer in one transaction.
   /// @throws UserError  if this step does not ask the item, or the response is not valid for it.
   void record(const GivenAnswer& answer);
 
-  /// Removes an answer: the item is missing again.
+  /// Deletes the answer to @p item.
   void retract(const std::string& item);
 
-  /// Stores how many physical cuts were counted in a benchmark, 0 or more.
+  /// Stores the number of cuts with the physical tool in a benchmark, 0 or more.
   void recordBenchmarkCuts(int cuts);
   int benchmarkCuts() const;
 
-  /// Finishes this step and moves to the next one. In the consent step the answers decide between
-  /// consent and refusal.
-  /// @throws UserError  if something required is missing, or this is a trial.
+  /// Finishes the present step and moves to the next one. The answers in the consent step decide
+  /// between consent and refusal.
+  /// @throws UserError  if a required answer is missing, or if the step is a trial.
   void finishStep();
 
-  /// Skips a trial that is only offered.
-  /// @throws UserError  if nothing is offered in this step.
+  /// Skips an optional trial (Step::isOffered). @throws UserError  if the present step is none.
   void skipOfferedTrial();
 
   void beginTrial();
   /// @param record  must have the ending Finished; a trial that ended otherwise goes to
   ///     abortTrial().
   void finishTrial(const TrialRecord& record);
-  /// The force is off. The operator now chooses between repeatStep(), skipStep() and
-  /// giveUpOnDevice().
+  /// Ends a trial that broke off; its force is off. The operator now chooses between repeatStep(),
+  /// skipStep() and giveUpOnDevice().
   void abortTrial(const TrialRecord& record);
 
-  /// Repeats this step (after a break-off) or the one before it from its start. Its answers are
-  /// kept and marked as repeated.
+  /// After a break-off, repeats the present step; otherwise goes back to the previous one. Answers
+  /// of the earlier attempt are kept and marked as repeated.
   void repeatStep(const std::string& reason);
-  /// Skips this step; after a trial also the questions about it.
+  /// Skips the present step; after a trial also the questions about it.
   void skipStep(const std::string& reason);
   void pause(const std::string& reason);
   void resumeAfterPause();
-  /// Possible at any time. A running trial is stopped first and counts as stopped.
+  /// The participant withdraws. Possible at any time; a running trial is stopped first.
   void withdraw(const std::string& reason);
   /// The operator rejects the session (SessionState::Rejected). Not possible during a trial.
   void reject(const std::string& reason);
   void giveUpOnDevice(const std::string& reason);
   void note(const std::string& text);
-  /// Notes that the reamer was switched on or off during a trial.
+  /// Appends to the audit trail that the reamer was switched on or off during a trial.
   void noteReamerSwitch(bool isOn);
   void setLanguage(const std::string& language);
 
@@ -157,12 +156,12 @@ class Session {
   bool isCommitUnknown_ = false;  ///< whether the outcome of the last commit is unknown
 };
 
-/// Whether @p event is possible for a session in @p state at step @p step of @p plan. Depends on
+/// Whether @p event is possible for a session in @p state at step @p step of @p plan; depends on
 /// the state and on the kind of the step.
 bool allows(
     SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept;
 
-/// Whether repeatStep() cannot go back a step: there is none before, or it is the consent form.
+/// Whether repeatStep() cannot go back: there is no previous step, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept;
 
 }  // namespace study

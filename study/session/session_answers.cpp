@@ -13,8 +13,8 @@ using storage::Actor;
 
 constexpr const char* kBenchmarkItem = "physical-cuts";
 
-/// An answer as it is stored: a number stays a number also if it was entered without a decimal
-/// point.
+/// The answer in its stored form: the answer to a numeric item is a number, also if it was entered
+/// without a decimal point.
 GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
   using questionnaires::AnswerKind;
   const bool isNumber = questionnaires::answerKindOf(item.type) == AnswerKind::Number;

@@ -50,7 +50,7 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
   }
   const auto* instrument = step.hasItems() ? loaded.instrument(step.instrument) : nullptr;
   if (instrument == nullptr) return part;
-  // The introduction of a questionnaire counts in the first position of a block only.
+  // The introduction is read the first time only: at the first position of a block.
   const bool isKnown = step.kind == StepKind::Questionnaire && step.position > 1;
   if (!isKnown) part.seconds += secondsToRead(instrument->introduction, pace);
   for (const auto& item : instrument->itemsOf(step.itemSet)) {

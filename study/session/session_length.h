@@ -13,33 +13,33 @@ struct Pace {
   double perItem = 8.0;         ///< to answer a statement or a choice [s]
   double perText = 40.0;        ///< to answer in free text [s]
   double perCut = 8.0;          ///< one cut or stroke [s]
-  double perChange = 20.0;      ///< to change from one trial to the next [s]
+  double perChange = 20.0;      ///< to prepare the next trial [s]
   double wordsPerSecond = 3.0;  ///< when reading a text
 };
 
-/// All steps of one kind.
+/// The steps of one kind, summed.
 struct PartOfSession {
   StepKind kind = StepKind::Reading;
   std::size_t steps = 0;
   std::size_t items = 0;
   int cuts = 0;
   double seconds = 0.0;
-  double secondsOfForce = 0.0;  ///< of these, in trials on the device
+  double secondsOfForce = 0.0;  ///< part of seconds in which trials run on the device
 };
 
 /// The expected duration of a session and of its parts.
 struct SessionLength {
   std::vector<PartOfSession> parts;  ///< in the order in which they first occur
   double seconds = 0.0;
-  double secondsOfForce = 0.0;  ///< of these, in trials on the device
+  double secondsOfForce = 0.0;  ///< part of seconds in which trials run on the device
 };
 
-/// One step of a session.
+/// The expected duration of one step.
 PartOfSession partOf(
     const protocols::LoadedProtocol& loaded, const Step& step, const Pace& pace = {});
 
-/// The sum over all steps of a session, which is the same for every participant. A trial is taken
-/// to last for its minimum number of cuts, or for one cut if the protocol names none.
+/// The expected duration of a session, which is the same for every participant. A trial is assumed
+/// to have its minimum number of cuts, or one cut if the protocol gives no minimum.
 SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace);
 
 }  // namespace study

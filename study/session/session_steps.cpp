@@ -121,7 +121,7 @@ void Session::keepTrial(const TrialRecord& record) {
   }
 }
 
-/// The record of a trial of a program that has ended: only the number of stored samples is known.
+/// The record of a trial whose program has ended: only the number of stored samples is known.
 TrialRecord Session::abortedRecord(TrialEnding ending) {
   TrialRecord record{.ending = ending};
   record.traceSamples = study_.traces().sampleCount(visit());
@@ -129,9 +129,10 @@ TrialRecord Session::abortedRecord(TrialEnding ending) {
   return record;
 }
 
-/// The step that repeatStep() goes back to. From a questionnaire this is the trial that it is
-/// about. From the step after a questionnaire it is that questionnaire, or the trial if that was
-/// not finished: questions about a condition are not asked again without the condition.
+/// The step that repeatStep() goes back to. From a questionnaire about a condition it is the trial
+/// of that condition. From the step after such a questionnaire it is the questionnaire, or the
+/// trial if the questionnaire was not finished: a condition is rendered again before questions
+/// about it are asked again.
 int Session::stepToRepeat() const {
   if (row_.state == SessionState::Interrupted) return row_.step;
   const auto isQuestionnaire = [&](int step) {
@@ -168,7 +169,7 @@ void Session::skipStep(const std::string& reason) {
     leaveStep(VisitStatus::Skipped, reason);
     enter(SessionEvent::SkippedStep, Actor::Operator, reason);
     int target = row_.step + 1;
-    // A skipped trial leaves nothing to ask about: its questionnaires are skipped, too.
+    // Without the trial there is nothing to ask about, so its questionnaires are skipped, too.
     while (skipped.kind == StepKind::Trial && target < static_cast<int>(plan_.size()) &&
            plan_[static_cast<std::size_t>(target)].kind == StepKind::Questionnaire) {
       const VisitKey unasked{row_.id, target, sessions.attempts(row_.id, target) + 1};

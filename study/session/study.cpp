@@ -137,7 +137,7 @@ void Study::findKey() noexcept {
     if (held) identities_.database().setKey(*held);
     readSecret();
   } catch (const std::exception&) {
-    return;  // much can be done without the key; secretFor() reports it when it is needed
+    return;  // most functions need no key; secretFor() reports the error when the key is needed
   }
 }
 
@@ -219,8 +219,8 @@ void Study::copyForms() {
       try {
         copied += protocols().addForms(id, protocol(id).files);
       } catch (const StorageError& error) {
-        // The library of this program lacks a form, or this release cannot read the protocol; a
-        // later one may.
+        // This program's library lacks a form, or this release cannot read the protocol; a later
+        // release may.
         if (error.kind() != StorageError::Kind::Damaged) throw;
       }
     }
@@ -296,15 +296,16 @@ void Study::transact(const std::function<void()>& action) {
       signer_.forget();
       storage::Transaction transaction(database_);
       action();
-      // The hash of the last event identifies this transaction if its commit seems to fail.
+      // After a commit that seemed to fail, the hash of the last event shows whether it was
+      // written.
       head = events().head();
       transaction.commit();
     } catch (const StorageError&) {
       if (!isEventStored(head)) throw;
     }
   });
-  // A head that cannot be noted now is covered by the next one; verify() reports how many are
-  // missing in the list.
+  // If the head cannot be noted now, the next one covers its events. verify() reports how many
+  // heads the list lacks.
   signer_.noteSigned();
 }
 

@@ -30,12 +30,13 @@ namespace study {
 class Study {
  public:
   /// Makes a new folder.
-  /// @throws storage::StorageError  if it exists already, or cannot be written.
-  /// @param seed  of all random draws; std::nullopt: the protocol's seed, or a random one.
-  /// @param secret  of its blinding; std::nullopt: a random one. The enrolment of a station gives
-  ///     one; tests do, to know codes and orders beforehand.
-  /// @param station  where its sessions take place; none: a study of one machine.
-  /// @param uuid  its permanent name; empty: derived from secret, seed and protocol
+  /// @throws storage::StorageError  if the folder exists already or cannot be written.
+  /// @param seed  seed of all random draws; std::nullopt: the protocol's seed, or a random one.
+  /// @param secret  blinding secret; std::nullopt: a random one. Given when a station is enrolled,
+  ///     and in tests that need known codes and orders.
+  /// @param station  where the study's sessions take place; Station::isNone(): a study of one
+  ///     machine.
+  /// @param uuid  permanent name of the study; empty: derived from secret, seed and protocol
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
@@ -60,36 +61,36 @@ class Study {
   const std::string& uuid() const noexcept { return uuid_; }
   std::uint64_t seed() const noexcept { return seed_; }
 
-  /// The secret that hides the conditions of that run mode; nullptr for simulated sessions, which
-  /// need no blinding, and in studies of release 0.1.
-  /// @throws storage::StorageError  if it is not the secret of this study, or if it is not
-  ///     available here; what() says what to do.
+  /// The secret that hides the conditions in sessions of @p mode; nullptr for simulated sessions,
+  /// which need no blinding, and in studies of release 0.1.
+  /// @throws storage::StorageError  if the secret is not this study's, or is not available on this
+  ///     computer; what() says what to do.
   const storage::BlindingSecret* secretFor(RunMode mode);
 
   /// Whether the conditions of live and pilot sessions are sealed with a key that is not in the
   /// study's folder (docs/decisions/0049).
   bool isSealed() const noexcept { return isSealed_; }
 
-  /// Whether sealed conditions can be read: this station has the key, or unlock() or useKey() gave
-  /// it.
+  /// Whether sealed conditions can be read: this station has the key, or unlock() or useKey() has
+  /// set it.
   bool hasKey() const noexcept { return database_.key() != nullptr; }
 
-  /// Whether a passphrase opens the key.
+  /// Whether the study's key can be opened with a passphrase.
   bool hasPassphrase() const { return storage::wrappedKeyIn(database_).has_value(); }
 
-  /// Opens the study's key with the passphrase; this program holds it until it ends. @return false
-  /// if the passphrase is wrong
+  /// Opens the study's key with its passphrase; this object then holds the key. @return false if
+  /// the passphrase is wrong
   bool unlock(const std::string& passphrase);
 
   /// Uses an exported key. @throws UserError  if it is the key of another study.
   void useKey(const storage::BlindingSecret& key);
 
-  /// Opens the key that seals names with the passphrase of names; this program holds it until it
-  /// ends (docs/decisions/0062). @return false if the passphrase is wrong
+  /// Opens the key that seals names with the passphrase of names (docs/decisions/0062); this object
+  /// then holds the key. @return false if the passphrase is wrong
   bool unlockNames(const std::string& passphrase);
 
-  /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt in studies
-  /// that have none. @throws storage::StorageError
+  /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt if the study
+  /// has none. @throws storage::StorageError
   std::optional<storage::BlindingSecret> fingerprintSecret();
 
   const std::string& createdUtc() const noexcept { return createdUtc_; }
@@ -99,17 +100,17 @@ class Study {
   /// a collected study.
   const Station& station() const noexcept { return station_; }
 
-  /// Whether it was collected from several stations (CollectedStudy). It can be evaluated and
-  /// exported; its sessions can be continued at their stations only.
+  /// Whether the study was collected from several stations (CollectedStudy). Such a study can be
+  /// evaluated and exported; its sessions can be continued at their stations only.
   bool isCollected() const noexcept { return isCollected_; }
 
-  /// The protocol that new sessions use, and the one of a given version.
+  /// The protocol that new sessions use, or the given version of it.
   const protocols::LoadedProtocol& protocol();
   const protocols::LoadedProtocol& protocol(ProtocolId id);
 
   /// New sessions use @p protocol from now on. Once a live participant has begun, this needs a
   /// reason.
-  /// @throws storage::StorageError  if that reason is missing.
+  /// @throws storage::StorageError  if the required reason is missing.
   void amend(const protocols::LoadedProtocol& protocol, const std::string& reason);
 
   storage::Database& database() noexcept { return database_; }
@@ -122,26 +123,27 @@ class Study {
   /// Another connection to traces.db, for the recorder's thread.
   storage::TraceStore openTraces() const;
 
-  /// Runs @p action. If the disk is full, releases the reserved disk space and tries once more.
+  /// Runs @p action. If the disk is full, frees the reserved disk space and runs @p action once
+  /// more.
   /// @throws everything that @p action throws.
   void withReservedSpace(const std::function<void()>& action);
 
-  /// Runs @p action in one transaction, and uses the reserved disk space if needed. The action must
-  /// append at least one event last. If a commit fails its outcome is unknown, so the audit trail
-  /// is read to find out whether it was written.
-  /// @throws storage::StorageError  and then nothing has changed, except for the kind Unknown,
-  ///     where it may have.
+  /// Runs @p action in one transaction; frees the reserved disk space if the disk is full. The last
+  /// change of the action must be an appended event. If a commit reports an error, the audit trail
+  /// is read to find out whether the event was written.
+  /// @throws storage::StorageError  nothing has changed, except after the kind Unknown, when it is
+  ///     not known.
   void transact(const std::function<void()>& action);
 
   /// Signs the audit trail with the key of this station. Must be the last change in the action of
   /// transact(). @param purpose  name of the kind of the event that causes the signature
   void signTrail(std::string_view purpose);
 
-  /// Whether it was opened for writing.
+  /// Whether the study was opened for writing.
   bool isWritable() const noexcept { return isWritable_; }
 
-  /// Appends an event without a session, such as an export or an unblinding, in a transaction of
-  /// its own, and signs the audit trail.
+  /// Appends an event without a session, such as an export or an unblinding, in its own
+  /// transaction, and signs the audit trail.
   void note(EventKind kind, const std::string& words);
   void note(storage::Event event);
 
@@ -177,10 +179,10 @@ class Study {
   std::optional<storage::BlindingSecret> secret_;
 };
 
-/// A random seed below 2^53, so that JSON files and scripts can hold it exactly.
+/// A random seed below 2^53, so that JSON files and scripts can represent it exactly.
 std::uint64_t drawnSeed();
 
-/// The version of this program, as stored with every session.
+/// The version of this program; it is stored with every session.
 std::string_view appVersion() noexcept;
 
 }  // namespace study

@@ -60,8 +60,8 @@ void begin(
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
   storage::IdentityStore identities(Database::create(files.identity(), storage::identitySchema()));
-  // Without blinding, the secret may be in the study's folder. Otherwise the station stores it,
-  // before there is a study that needs it.
+  // Without blinding, the secret may be in the study's folder. With blinding, the station stores it
+  // before the study is created.
   if (protocol.protocol.isBlindingOpen) {
     identities.put(secret);
   } else {
@@ -69,8 +69,8 @@ void begin(
     identities.storeFingerprintSecret(secret.forFingerprints());
   }
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
-  // The row of the study is committed last. A folder without it was never finished, and
-  // Study::open() refuses it.
+  // The row of table study is committed last. Study::open() refuses a folder without it as
+  // unfinished.
   Database database =
       Database::open(files.study(), storage::studySchema(), Database::Access::ReadWrite);
   storage::Transaction transaction(database);
@@ -133,7 +133,7 @@ Study Study::create(
         uuid.empty() ? usedSecret.studyUuid(usedSeed, hash) : uuid);
   } catch (const StorageError&) {
     std::error_code ignored;
-    fs::remove_all(folder, ignored);  // the study was never complete: no data are lost
+    fs::remove_all(folder, ignored);  // the study was not complete yet, so no data are lost
     throw;
   }
   return open(folder, clock);

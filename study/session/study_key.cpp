@@ -35,7 +35,8 @@ void requireLong(const std::string& passphrase) {
   }
 }
 
-/// Names that were tampered with must not be sealed and then look sound.
+/// Tampered names must not be sealed, because verification would then accept them.
+/// @throws storage::StorageError  (Damaged)
 void requireSoundNames(Study& study) {
   auto& identities = study.identities();
   if (!identities.hasUnsealedNames()) return;
@@ -46,8 +47,8 @@ void requireSoundNames(Study& study) {
       storage::StorageError::Kind::Damaged);
 }
 
-/// Draws missing Identity keys and seals names that an older release stored unsealed. The trail
-/// stays as it is: it has no names.
+/// Draws missing Identity keys and seals names that an older release stored unsealed. The audit
+/// trail contains no names and is not changed.
 void sealNamesOfOlderReleases(Study& study) {
   auto& identities = study.identities();
   for (const auto& row : study.sessions().all()) {
@@ -125,7 +126,7 @@ void setPassphraseOfNames(
   const auto wrapped = storage::WrappedKey::make(key.bytes(), passphrase, cost);
   study.note(EventKind::SealedNames, reason);
   study.withReservedSpace([&] {
-    // SQLite then overwrites replaced content of the file with zeros.
+    // With this setting SQLite overwrites deleted content with zeros.
     database.execute("PRAGMA secure_delete = ON");
     sealNamesOfOlderReleases(study);
     storage::Transaction transaction(database);

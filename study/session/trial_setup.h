@@ -9,16 +9,17 @@
 
 namespace study {
 
-/// The device that the protocol asks for in the present trial of @p session.
+/// The device that the protocol names for the present trial of @p session.
 const protocols::DeviceNeed& deviceFor(const Session& session);
 
-/// The scene of that trial: what is rendered and shown.
+/// The scene that the present trial renders and shows.
 haptics::engine::SceneSpec sceneFor(const Session& session);
 
-/// The setup of that trial. Its samples are stored in @p traces, which must outlive it.
+/// The setup of the present trial. Its samples are stored in @p traces, which must outlive the
+/// trial.
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);
 
-/// That trial, with its device of @p deviceSet opened and armed.
+/// The present trial, with its device of @p deviceSet opened and armed.
 /// @throws UserError, haptics::devices::DeviceError  if the device is missing or not ready.
 std::unique_ptr<Trial> trialFor(
     const Session& session, DeviceSet& deviceSet, storage::TraceStore& traces);

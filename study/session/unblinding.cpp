@@ -37,7 +37,8 @@ void noteReport(
     if (study.isWritable()) return study.note(event);
     Study::open(study.folder(), study.clock()).note(event);
   } catch (const storage::StorageError&) {
-    return;  // a full disk must not keep data from being rescued (as for exports)
+    return;  // a full disk must not prevent the user from writing a report, or an export, of the
+             // data
   }
 }
 

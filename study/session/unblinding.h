@@ -11,17 +11,18 @@
 namespace study {
 
 /// Results that name conditions unblind the reader. For live and pilot sessions the reason is
-/// written to the audit trail before anything is shown. Simulated sessions and studies whose
-/// protocol has no blinding need no reason, and nothing is written.
+/// appended to the audit trail before the results are shown. Simulated sessions and studies whose
+/// protocol has no blinding need no reason; nothing is appended for them.
 /// @param kind  UnblindedReport or UnblindedResults
-/// @throws storage::StorageError  if sessions of people are shown without a reason.
+/// @throws storage::StorageError  if results of live or pilot sessions are requested without a
+///     reason.
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
 
 /// Notes in the audit trail where a report or its figures will be written. They contain answers and
-/// texts of participants, so an erasure lists them (knownCopies()). Nothing is noted for simulated
-/// sessions. Does nothing if the study cannot be written.
+/// texts of participants, so knownCopies() lists them for an erasure. Nothing is noted for
+/// simulated sessions, or if the study cannot be written.
 /// @param how  "report" or "figures"
-/// @param content  of the file, for a fingerprint: an erasure deletes only a file with this
+/// @param content  of the file, for its fingerprint: an erasure deletes a file only if it has this
 ///     content; empty: @p path is a folder
 void noteReport(
     Study& study,
@@ -30,12 +31,12 @@ void noteReport(
     const std::filesystem::path& path,
     std::string_view content = {});
 
-/// A hash of a file that the program writes, keyed with the study's key if conditions are sealed.
-/// With an unkeyed hash, readers of the audit trail could compute the report of each possible order
-/// and recognise the true one.
+/// A hash of a file that the program writes; keyed with the study's key if conditions are sealed.
+/// With an unkeyed hash, readers of the audit trail could compute the report for each possible
+/// order and recognise the true one.
 std::string fingerprintOf(Study& study, std::string_view content);
 
-/// How a study must be opened for noteUnblinding().
+/// The access that noteUnblinding() needs: to write if there is a reason.
 inline storage::Database::Access accessForUnblinding(const std::string& reason) {
   return reason.empty() ? storage::Database::Access::ReadOnly
                         : storage::Database::Access::ReadWrite;

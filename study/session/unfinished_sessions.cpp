@@ -8,7 +8,7 @@
 namespace study {
 namespace {
 
-/// A step as text for the operator: with the label of the alternative, never its condition.
+/// A step as text for the operator, with the label of the alternative instead of its condition.
 std::string placeOf(const Step& step, const protocols::Labels& labels) {
   const bool hasLabel = step.kind == StepKind::Trial || step.kind == StepKind::Questionnaire;
   if (!hasLabel) return step.phase;
@@ -16,8 +16,8 @@ std::string placeOf(const Step& step, const protocols::Labels& labels) {
   return step.phase + (step.kind == StepKind::Trial ? ": " : ": questions on ") + label;
 }
 
-/// The sentence that offers the operator @p event in @p state; std::nullopt if the participant
-/// causes the event.
+/// The sentence that offers @p event to the operator in @p state; std::nullopt if the operator
+/// cannot choose it.
 std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
   const bool isBroken = state == SessionState::Interrupted;
   switch (event) {
@@ -55,7 +55,7 @@ std::vector<std::string> choicesFor(
         "last stored something at " +
             session.lastStoredUtc + "."};
   }
-  // A trial that no program ended is broken off when its session is resumed.
+  // A trial that was running when its program ended is broken off when the session is resumed.
   const auto found =
       session.state == SessionState::InTrial ? SessionState::Interrupted : session.state;
   std::vector<std::string> choices;

@@ -9,8 +9,8 @@
 
 namespace study {
 
-/// A session that is not over, as the next operator finds it after a break, or after the program or
-/// the computer has stopped.
+/// A session that is not over, as an operator finds it later, for example after the program or the
+/// computer has stopped.
 struct UnfinishedSession {
   SessionId id{};
   std::string participant;  ///< code
@@ -21,16 +21,17 @@ struct UnfinishedSession {
   std::string place;  ///< "round-1: Alternative 2"; never a condition
   std::string startedUtc;
   std::string lastStoredUtc;                     ///< of its last event
-  std::optional<storage::Lease::Holder> holder;  ///< the program that has it open, or had it open
-                                                 ///< when it ended
+  std::optional<storage::Lease::Holder> holder;  ///< the program that has the session open, or had
+                                                 ///< it open when it ended
   std::vector<std::string> choices;  ///< the possible actions, one sentence each; never empty
 
   bool isOpenElsewhere() const noexcept { return holder && holder->isAlive; }
-  /// Whether it is open on another computer, of which this one cannot tell whether it still runs.
+  /// Whether the session is open on another computer. This computer cannot see whether the program
+  /// there is still running.
   bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isHere; }
 };
 
-/// All unfinished sessions of a study, the oldest first. Changes nothing.
+/// All unfinished sessions of a study, the oldest first. Does not change the study.
 std::vector<UnfinishedSession> unfinishedSessions(Study& study);
 
 /// Why the session is unfinished: one sentence.

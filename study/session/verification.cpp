@@ -26,7 +26,7 @@ namespace {
 using Problems = std::vector<std::string>;
 
 constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
-// estimated share of the time; reading traces takes the rest
+// estimated share of the duration before traces are read
 constexpr double kShareBeforeTraces = 0.2;
 
 std::string nameOf(const VisitKey& visit) {
@@ -77,11 +77,11 @@ std::vector<std::string> remarksOn(Study& study) {
   try {
     return remarksOnErasure(study);
   } catch (const storage::StorageError&) {
-    return {};  // a damaged file: the checks say what is wrong
+    return {};  // a damaged file is reported by the checks
   }
 }
 
-/// Checks that the files are undamaged; remarks say who else may read them.
+/// Checks that the files are undamaged; a remark lists other accounts that may read them.
 storage::Findings filesAndRights(Study& study) {
   storage::Findings findings{.problems = files(study)};
   if (auto remark = describeOtherAccess(study.folder()); !remark.empty()) {
@@ -95,8 +95,7 @@ Problems auditTrail(Study& study) {
   return broken ? Problems{*broken} : Problems{};
 }
 
-/// Compares the tables' content with the hash in the last event. Events of format 1 have no such
-/// hash.
+/// Compares the hash of the tables with the one in the last event. Events of format 1 have none.
 void checkContent(
     Study& study, std::optional<SessionId> session, const std::string& name, Problems& problems) {
   const auto said = study.events().lastContent(session);
@@ -128,19 +127,19 @@ Problems contents(Study& study) {
   return problems;
 }
 
-/// Leaves conditions out, so that no key is needed. orders() checks them.
+/// The records without conditions, so that no key is needed. orders() checks the conditions.
 storage::Records recordsOf(Study& study) {
   return storage::Records(study.database(), storage::Records::Conditions::LeftOut);
 }
 
-/// Whether the event in the audit trail records the same answer as the table.
+/// Whether the event in the audit trail records the answer that the table has.
 bool isOf(const storage::Event& event, const GivenAnswer& answer) {
   const bool isOfRelease01 = !event.detail.empty();
   return isOfRelease01 ? event.detail == storage::release_0_1::detailOf(answer)
                        : event.values == storage::valuesOf(answer);
 }
 
-/// For each answer, the last event about it must agree with the table.
+/// Checks that the last event about each answer agrees with the table.
 Problems answers(Study& study) {
   std::map<std::pair<VisitKey, std::string>, storage::Event> said;
   for (auto& event : study.events().read()) {
@@ -208,7 +207,7 @@ storage::Findings orders(Study& study) {
   storage::Findings findings;
   const bool canRead = !study.isSealed() || study.hasKey();
   if (canRead) {
-    // throws if the secret is lost or wrong, even without a session
+    // throws if the secret is lost or wrong, also in a study without sessions
     study.secretFor(RunMode::Live);
   } else {
     findings.remarks.push_back(
@@ -217,8 +216,8 @@ storage::Findings orders(Study& study) {
   }
   for (const auto& row : study.sessions().all()) {
     if (study.isSealed() && row.runMode != RunMode::Simulated) {
-      // Without the key, a simulated session can be relabelled as live, but its order cannot be
-      // sealed.
+      // Without the key, a forger can relabel a simulated session as live, but cannot seal its
+      // order.
       if (!study.sessions().isSealed(row.id)) {
         findings.problems.push_back("the order of " + row.participant + " is not sealed");
         continue;
@@ -237,7 +236,7 @@ storage::Findings orders(Study& study) {
   return findings;
 }
 
-/// The digest of every trial's trace, from the audit trail.
+/// The digests of all traces according to the audit trail.
 std::map<VisitKey, std::string> keptTraces(Study& study) {
   std::map<VisitKey, std::string> kept;
   for (const auto& event : study.events().read()) {
@@ -284,7 +283,7 @@ Problems traces(Study& study, const Progress& progress) {
   return problems;
 }
 
-/// While this object exists, the study's connections see its three files in the state of one
+/// While this object exists, the study's connections read its three files in the state of one
 /// moment.
 class ConsistentSnapshot {
  public:
@@ -307,7 +306,7 @@ class ConsistentSnapshot {
  private:
   static constexpr int kMostTries = 1000;
 
-  /// Takes a snapshot of each file. Every change ends with an event in study.db: if there is no new
+  /// Takes a snapshot of each file. Every change ends with an event in study.db. If there is no new
   /// event after the last snapshot, all snapshots are of one moment.
   bool isTaken(Study& study) {
     try {
@@ -318,7 +317,7 @@ class ConsistentSnapshot {
           storage::Database::Access::ReadOnly);
       return storage::EventLog(study.database()).last() == storage::EventLog(now).last();
     } catch (const storage::StorageError&) {
-      return true;  // a damaged file: the checks report it
+      return true;  // a damaged file is reported by the checks
     }
   }
 
