@@ -29,7 +29,7 @@ const protocols::ConditionQuestionnaire* questionnaireIn(
   return nullptr;
 }
 
-/// The answers of one person in one visit.
+/// The answers of one participant in one visit of a step.
 struct AnsweredForm {
   OwnedAnswer first;
   std::vector<questionnaires::Answer> answers;

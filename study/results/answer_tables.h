@@ -11,13 +11,13 @@
 
 namespace study {
 
-/// An answer with its session.
+/// An answer with the participant who gave it.
 struct OwnedAnswer {
   const std::string* participant = nullptr;
   const storage::AnswerRecord* record = nullptr;
 };
 
-/// The value of a point or a number; std::nullopt for options and texts.
+/// The value of a point or a number; std::nullopt for options and free texts.
 std::optional<double> numberOf(const questionnaires::Response& response);
 
 /// The conditions that a family compares, in the protocol's order.
@@ -31,18 +31,18 @@ class FamilyLayout {
  public:
   FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
 
-  /// The table without answers.
+  /// The table's methods, rounds and statements; it has no answers.
   const analysis::AnswerTable& table() const noexcept { return table_; }
 
   /// The score that the family compares; nullptr if it compares items.
   const questionnaires::Score* score() const noexcept { return score_; }
 
-  /// Where an answer was given.
+  /// Where an answer was given, and to what.
   struct Origin {
     const std::string& instrument;
     const std::string& phase;
     const std::string& condition;
-    const std::string& item;  ///< or the score
+    const std::string& item;  ///< id of the item, or of the score
   };
   struct Cell {
     std::size_t method = 0;
@@ -50,8 +50,8 @@ class FamilyLayout {
     std::size_t statement = 0;
     double score = 0.0;  ///< the answer, reversed where the key is −1, so that more is better
   };
-  /// The cell of an answer. std::nullopt if the family does not compare it, or if it was given on
-  /// the scale of an earlier version of the protocol; it then counts as missing.
+  /// The cell of an answer. std::nullopt if the family does not compare the answer, or if it was
+  /// given on the scale of an earlier version of the protocol; the answer then counts as missing.
   std::optional<Cell> cellOf(const Origin& origin, double answer) const;
 
  private:
@@ -61,21 +61,21 @@ class FamilyLayout {
 };
 
 /// The table of a family's answers (see FamilyLayout); for a score, one value for each form from
-/// which it can be computed. The table's participants are @p people, whether or not they answered
-/// anything.
+/// which the score can be computed. The table's participants are @p people, also those without
+/// answers.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const std::vector<std::string>& people,
     const std::vector<OwnedAnswer>& answers);
 
-/// For each method of the table, the number of answers of a participant who answers everything.
+/// For each method of the table, the number of answers of a participant who answers all items.
 std::vector<std::size_t> expectedAnswers(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
-/// Indices of the statements that compare a condition with the previous one.
+/// The indices of the statements that ask for a comparison with the previous condition.
 std::vector<std::size_t> relativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

@@ -11,12 +11,12 @@
 namespace study {
 namespace {
 
-/// Degrees of freedom: whole ones without decimals.
+/// Degrees of freedom: whole numbers without decimals, others with two.
 std::string freedom(double df) {
   return df == std::floor(df) ? fmt::format("{:.0f}", df) : fmt::format("{:.2f}", df);
 }
 
-/// A limit with two decimals; from 1e5 in exponent notation.
+/// A confidence limit with two decimals; from 1e5 in exponent notation.
 std::string formatLimit(double value) {
   constexpr double kLong = 1e5;
   return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
@@ -122,7 +122,7 @@ class ApaWriter {
     return line;
   }
 
-  /// The sentence of a test that has no special sentence above.
+  /// The sentence of a test that none of the functions above handles.
   std::string other(const analysis::TestRow& test, const protocols::Family& family) const {
     const auto title = w_(analysis::statisticalTest(test.id).title);
     if (!test.reason.empty() && !test.p) return title + ": " + w_(test.reason);
@@ -174,8 +174,8 @@ class ApaWriter {
     return study::formatInterval(interval, wording_, w_);
   }
 
-  /// An interval in brackets: APA's square brackets, or round ones around Vancouver's "0.41 to
-  /// 2.42".
+  /// An interval in brackets: APA's "[0.41, 2.42]" as it is, Vancouver's "0.41 to 2.42" in
+  /// parentheses.
   std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
     const auto words = formatInterval(interval);
     return wording_ == Wording::Vancouver && interval ? "(" + words + ")" : words;
@@ -263,7 +263,7 @@ std::vector<std::string> apaLines(
       "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
   for (const auto& test : row.tests) {
     if (std::ranges::find(kTold, test.id) != kTold.end()) continue;
-    if (test.id == "tost") continue;  // is appended last
+    if (test.id == "tost") continue;  // appended last
     if (test.id == "mixed_model") {
       lines.push_back(writer.mixed(test, family));
     } else if (test.id == "ordinal_model") {

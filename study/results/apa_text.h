@@ -17,20 +17,21 @@ std::string rounded(const std::optional<double>& value, int digits);
 /// A Bayes factor with three significant digits; "> 1000" for all larger values.
 std::string formatBayesFactor(double bayesFactor);
 
-/// @p number with its relation sign: "= .021"; "< .001" and "> 1000" keep their own.
+/// @p number with "= " before it, unless it begins with a relation sign: "= .021", "< .001", ">
+///     1000".
 std::string withRelationSign(const std::string& number);
 
 /// "[0.41, 2.42]"; "–" if there is no interval.
 std::string formatInterval(const std::optional<analysis::Interval>& interval);
 
-/// How sentences write numbers: "p = .021, [0.41, 2.42]" as the APA asks (7th edition), or "P =
-/// 0.021, 0.41 to 2.42" as most medical journals do that have Vancouver's style of references.
+/// The style in which sentences report numbers: "p = .021, [0.41, 2.42]" (APA, 7th edition), or "P
+/// = 0.021, 0.41 to 2.42" (most medical journals that use Vancouver references).
 enum class Wording { Apa, Vancouver };
 
 /// A p value: ".021", "< .001"; "0.021", "< 0.001"; "–" if there is none.
 std::string formatP(const std::optional<double>& p, Wording wording = Wording::Apa);
 
-/// The wording named "apa" or "vancouver".
+/// The style that is named "apa" or "vancouver".
 Wording wordingNamed(std::string_view name) noexcept;
 
 /// "p = .021", "p_Holm < .001"; "P = 0.021", "P_Holm < 0.001".
@@ -43,16 +44,16 @@ std::string formatPWithSymbol(
 std::string formatInterval(
     const std::optional<analysis::Interval>& interval, Wording wording, const words::Words& words);
 
-/// The subscript of p: "Holm", "Bonferroni"; empty for none.
+/// The subscript of p for a correction: "Holm", "Bonferroni"; empty for no correction.
 std::string_view nameOf(protocols::CorrectionType correction) noexcept;
 
 /// A family's declared test and correction: "paired t-test of participants' means, Holm
 /// correction".
 std::string declaredInWords(const protocols::Family& family, const words::Words& words = {});
 
-/// A comparison within people: a line for the paired t-test, one for the exact tests, and one each
-/// for the mixed models and for equivalence if there are any. An undefined result is given with the
-/// reason.
+/// The sentences of one comparison within participants: one on the paired t-test, one on the exact
+/// tests, and one each on the mixed models and on equivalence if they were computed. An undefined
+/// result is reported with the reason.
 std::vector<std::string> apaLines(
     const analysis::WithinComparison& row,
     const protocols::Family& family,

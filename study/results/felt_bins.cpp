@@ -9,9 +9,11 @@ namespace study {
 namespace {
 
 constexpr int kBins = 80;                // over the device's whole travel
-constexpr double kOwnSpeed = 0.95;       // quantile of speeds that is taken for the hand's speed
-constexpr double kShareOfOwn = 0.1;      // threshold as a share of that speed
-constexpr double kSlowestStroke = 16.0;  // [s] over the whole travel: largest threshold
+constexpr double kOwnSpeed = 0.95;       // quantile of closing speeds that is used as the hand's
+                                         // speed
+constexpr double kShareOfOwn = 0.1;      // closing threshold as a share of the hand's speed
+constexpr double kSlowestStroke = 16.0;  // [s] for the whole travel: bounds the closing threshold
+                                         // from above
 
 using haptics::engine::TickSample;
 
@@ -29,15 +31,16 @@ double endOf(const haptics::engine::SceneSpec& scene) {
   return haptics::engine::endOfData(scene.model).value_or(0.0);
 }
 
-/// The lower of two middle values, so that the median is a force that was commanded.
+/// The lower of the two middle values if their number is even, so that the median is a force that
+/// was commanded.
 float lowerMedian(std::vector<float>& forces) {
   const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
   std::nth_element(forces.begin(), middle, forces.end());
   return *middle;
 }
 
-/// The speed at which the hand closed against a force in these samples [unit/s]; 0 if it never did.
-/// Movement in air is left out, because it may be much faster than reaming.
+/// The hand's speed while it closed against a force in these samples [unit/s]; 0 if it never did.
+/// Movement without a force is left out, because it may be much faster than reaming.
 double ownSpeed(std::span<const storage::TraceSample> samples) {
   std::vector<float> speeds;
   for (const auto& sample : samples) {
@@ -57,14 +60,14 @@ FeltBins::FeltBins(
     const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene)
     : width_(kind.travel.most / kBins), closing_(kind.travel.most / kSlowestStroke) {
   const double most = std::max(kind.travel.most, endOf(scene));
-  // The small difference keeps rounding from adding a bin.
+  // The small number keeps rounding errors from adding a bin.
   forces_.resize(static_cast<std::size_t>(std::ceil(most / width_ - 1e-9)));
 }
 
 void FeltBins::add(std::span<const storage::TraceSample> samples) {
   const double closing = std::min(closing_, kShareOfOwn * ownSpeed(samples));
   Stroke stroke;
-  // the previous sample, if the tool was closing there
+  // the previous sample, if the tool was closing then; otherwise nullptr
   const storage::TraceSample* before = nullptr;
   for (const auto& sample : samples) {
     const auto velocity = static_cast<double>(sample.velocity);
@@ -85,8 +88,8 @@ std::optional<std::size_t> FeltBins::binOf(double travel) const {
   return static_cast<std::size_t>(bin);
 }
 
-/// Adds to the bins that the tool passed between two samples a force, interpolated linearly between
-/// these.
+/// Adds a force, interpolated linearly between @p a and @p b, to the bins that the tool passed
+/// between these samples.
 void FeltBins::addBetween(
     const storage::TraceSample& a, const storage::TraceSample& b, Stroke& stroke) const {
   const auto first = binOf(a.travel);

@@ -13,32 +13,32 @@
 
 namespace study {
 
-/// Forces while a tool closes or advances, in bins of travel, each 1/80 of the device's travel.
-/// Each stroke counts once in each bin that it passed, with the median of its forces there,
-/// regardless of its speed. In a bin without a sample, the force is interpolated linearly between
-/// the two nearest samples.
+/// Commanded forces while a tool closes or advances, in bins of travel, each 1/80 of the device's
+/// travel. Each stroke counts once in each bin that it passed, with the median of its forces in the
+/// bin, regardless of its speed. In a bin without a sample, the force is interpolated linearly
+/// between the two nearest samples.
 ///
-/// A sample counts as closing if the tool is faster than a threshold. The threshold is a tenth of
-/// the hand's own closing speed in that trial (the 95th percentile of the speeds of samples that
-/// close against a force), or a sixteenth of the device's travel per second, whichever is slower.
+/// A sample counts as closing if the tool is faster than a threshold. The threshold is the smaller
+/// of two speeds: a tenth of the hand's closing speed in that trial (the 95th percentile over the
+/// samples that close against a force), and a sixteenth of the device's travel per second.
 /// Therefore both reaming at 0.01 mm/s, as in the measurements, and a stroke of 30 mm/s count as
 /// closing; a hand at rest does not.
 class FeltBins {
  public:
-  /// Bins over the device's travel, or over the data of @p scene if these reach farther.
+  /// Bins over the device's travel, or over the data of @p scene if they extend beyond the travel.
   FeltBins(const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene);
 
   /// Adds the strokes of a trial; samples without a force are left out.
   void add(std::span<const storage::TraceSample> samples);
 
-  /// The median over strokes in every bin that a stroke passed, by bin [N].
+  /// The median over strokes for every bin that a stroke passed, by the number of the bin [N].
   std::map<int, double> medians();
 
-  /// The same bins with 10th and 90th percentiles over strokes.
+  /// The bins with the median, 10th and 90th percentile over strokes.
   std::vector<FeltCurve::Point> points();
 
  private:
-  using Stroke = std::map<std::size_t, std::vector<float>>;  ///< its forces, by bin [N]
+  using Stroke = std::map<std::size_t, std::vector<float>>;  ///< forces of one stroke, by bin [N]
 
   std::optional<std::size_t> binOf(double travel) const;
   double middleOf(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width_; }
@@ -47,7 +47,7 @@ class FeltBins {
   void endStroke(Stroke& stroke);
 
   double width_;                            ///< [device's travel unit]
-  double closing_;                          ///< largest value of the closing threshold [unit/s]
+  double closing_;                          ///< upper bound of the closing threshold [unit/s]
   std::vector<std::vector<float>> forces_;  ///< of each stroke, by bin [N]
 };
 

@@ -15,8 +15,9 @@
 namespace study {
 namespace {
 
-/// The intended force of a bone at the travel of each point [N]: its force curve, or its spheres
-/// before any is removed, without jitter. Empty if the force depends on more than travel.
+/// The intended force of a bone model at the travel of each point [N], without jitter: from its
+/// force curve, or from its spheres before any is removed. Empty if the force depends on more than
+/// travel.
 std::vector<double> intendedForces(
     const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
   const auto model = haptics::engine::undisturbed(felt);
@@ -78,14 +79,14 @@ std::optional<double> rmsFromIntended(const FeltCurve& curve) {
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const double off = curve.points[i].median - curve.intended[i];
-    sum += off * off;  // not pow(), which compilers round differently
+    sum += off * off;  // not pow(), whose rounding depends on the compiler
   }
   return std::sqrt(sum / static_cast<double>(curve.points.size()));
 }
 
 namespace {
 
-using Medians = std::map<int, double>;  ///< by bin [N]
+using Medians = std::map<int, double>;  ///< median force, by bin [N]
 
 Medians mediansOf(const FeltCurve& curve) {
   Medians medians;
@@ -101,7 +102,8 @@ std::set<int> binsOfBoth(const Medians& a, const Medians& b) {
   return bins;
 }
 
-/// The root mean square difference over @p bins, which both have; std::nullopt if there are none.
+/// The root mean square difference over @p bins, which must be in @p a and in @p b; std::nullopt if
+/// there are no bins.
 std::optional<double> rmsDifference(const Medians& a, const Medians& b, const std::set<int>& bins) {
   if (bins.empty()) return std::nullopt;
   double sum = 0.0;
@@ -112,7 +114,7 @@ std::optional<double> rmsDifference(const Medians& a, const Medians& b, const st
   return std::sqrt(sum / static_cast<double>(bins.size()));
 }
 
-/// The medians of each participant who passed a common bin with both alternatives.
+/// The medians for @p a and for @p b of each participant for whom they have a bin in common.
 std::vector<std::pair<const Medians*, const Medians*>> pairsOf(
     const FeltCurve& a, const FeltCurve& b) {
   std::vector<std::pair<const Medians*, const Medians*>> pairs;

@@ -11,10 +11,10 @@
 
 namespace study {
 
-/// The rendered force of a condition: the commanded force while the tool closed or advanced, over
-/// travel, in all finished trials of completed sessions. This is a manipulation check: if the
-/// forces of alternatives do not differ at the handle, questionnaires cannot differ because of
-/// them.
+/// The commanded force of a condition over travel, while the tool closed or advanced, in all
+/// finished trials of completed sessions. It is a manipulation check: if the forces of two
+/// alternatives do not differ at the handle, forces cannot be the cause of differences in
+/// questionnaires.
 struct FeltCurve {
   struct Point {
     double travel = 0.0;  ///< middle of a bin [device's travel unit]
@@ -28,30 +28,31 @@ struct FeltCurve {
   std::string device;
   int trials = 0;
   std::vector<Point> points;
-  /// For bone: the quasi-static force of its material at the travel of each point [N]; otherwise
+  /// For bone: the quasi-static force of the material at the travel of each point [N]; otherwise
   /// empty.
   std::vector<double> intended = {};
   /// The median force in every bin that a participant reached, by participant [N].
   std::map<std::string, std::map<int, double>> medians = {};
 };
 
-/// How much the force of two alternatives differed at the handle: the root mean square difference
-/// of median forces [N]. Both values are over the same travel: the bins that every participant with
-/// both alternatives passed with both.
+/// How much the forces of two conditions differed at the handle: the root mean square difference of
+/// median forces [N]. Both `pooled` and `mean` use only the bins that every participant with both
+/// conditions passed in both.
 struct FeltDifference {
   std::string condition1;
   std::string condition2;
-  double pooled = 0.0;                         ///< of the medians over all participants' strokes
-  std::size_t participants = 0;                ///< who had both
-  std::optional<double> mean;                  ///< of the participants' own differences
-  std::optional<analysis::Interval> interval;  ///< of that mean, Student's, at 95 %
+  double pooled = 0.0;                         ///< between the medians over all participants'
+                                               ///< strokes
+  std::size_t participants = 0;                ///< number of participants with both conditions
+  std::optional<double> mean;                  ///< mean of the differences within participants
+  std::optional<analysis::Interval> interval;  ///< Student's 95 % interval of that mean
 };
 
 /// One curve for every condition that was rendered, in the protocol's order.
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
 
-/// The root mean square difference of the medians from FeltCurve::intended [N]; std::nullopt if
-/// that is empty.
+/// The root mean square difference between the medians and FeltCurve::intended [N]; std::nullopt if
+/// `intended` is empty.
 std::optional<double> rmsFromIntended(const FeltCurve& curve);
 
 /// The differences between all pairs of curves of the same device. Pairs without a common

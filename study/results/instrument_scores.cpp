@@ -13,7 +13,7 @@ namespace {
 using questionnaires::Answer;
 using questionnaires::Instrument;
 
-/// The answers of one person in one visit.
+/// The answers of one participant in one visit of a step.
 struct Form {
   std::string participant;
   std::string cohort;
@@ -54,7 +54,7 @@ class Summarising {
       for (const auto& form : forms_) {
         if (form.cohort != cohort || form.condition != condition) continue;
         const auto found = computeScore(instrument_, score, form.answers);
-        if (found.answered == 0) continue;  // this visit did not ask the items of this score
+        if (found.answered == 0) continue;  // the item set of this visit has no item of the score
         if (found.value) byParticipant[form.participant].push_back(*found.value);
         if (!found.value) ++summary.missing;
       }
@@ -67,7 +67,8 @@ class Summarising {
     }
   }
 
-  /// The conditions that the forms are about, in the protocol's order; first those about none.
+  /// The conditions that the forms are about, in the protocol's order, after "" for forms that are
+  /// about none.
   std::vector<std::string> conditionsIn(const std::string& cohort) const {
     std::vector<std::string> all{""};
     for (const auto& condition : protocol_.conditions) all.push_back(condition.id);
@@ -79,8 +80,8 @@ class Summarising {
     return all;
   }
 
-  /// Summaries of the first score, the last score and last − first, of participants with at least
-  /// two forms.
+  /// For participants with at least two forms: summaries of the score of the first form, of the
+  /// last form, and of last − first.
   void changesOf(const questionnaires::Score& score, const std::string& cohort) {
     std::map<std::string, std::vector<const Form*>> byParticipant;
     for (const auto& form : forms_) {

@@ -12,21 +12,24 @@
 
 namespace study {
 
-/// One score of an instrument in one cohort, about one condition.
+/// One score of an instrument in one cohort, about one condition (if the instrument is about
+/// conditions).
 struct ScoreSummary {
   std::string score;  ///< its id
   std::string cohort;
   std::string condition;       ///< empty if the instrument is not about a condition
-  std::string occasion;        ///< "before", "after", "change" if the change is scored; or empty
-  std::vector<double> values;  ///< one for each participant, the mean of their forms
-  std::size_t missing = 0;     ///< forms with answers to its items but without a score
+  std::string occasion;        ///< "before", "after" or "change" if the change between two forms is
+                               ///< scored; otherwise empty
+  std::vector<double> values;  ///< for each participant, the mean over their forms
+  std::size_t missing = 0;     ///< forms that answer items of the score, but not enough to compute
+                               ///< it
   std::optional<double> mean;
-  std::optional<double> standardDeviation;     ///< with n - 1
-  std::optional<analysis::Interval> interval;  ///< of the mean, at 95 %
+  std::optional<double> standardDeviation;     ///< of a sample: divided by n − 1
+  std::optional<analysis::Interval> interval;  ///< 95 % confidence interval of the mean
 };
 
-/// How many participants of one cohort answered acceptably about one condition, by the last answer
-/// of each.
+/// How many participants of one cohort answered an item acceptably about one condition. The last
+/// answer of each participant counts.
 struct AcceptabilitySummary {
   std::string cohort;
   std::string condition;  ///< empty if the instrument is not about a condition
@@ -39,14 +42,14 @@ struct InstrumentSummary {
   std::string instrument;
   std::vector<ScoreSummary> scores;
   std::vector<AcceptabilitySummary> acceptable;
-  std::size_t forms = 0;          ///< that were answered
-  std::size_t contradictory = 0;  ///< of these, with contradictory answers
+  std::size_t forms = 0;          ///< number of answered forms
+  std::size_t contradictory = 0;  ///< number of answered forms with contradictory answers
 };
 
 /// Scores every form by the rules of its instrument (questionnaires/scoring/scoring.h). A form is
 /// the answers of one visit.
-/// @param sessions  whose answers count
-/// @param answers  of those sessions
+/// @param sessions  the sessions that are evaluated
+/// @param answers  all answers of these sessions
 std::vector<InstrumentSummary> summariseInstruments(
     const protocols::LoadedProtocol& loaded,
     const std::map<SessionId, storage::SessionRecord>& sessions,

@@ -97,7 +97,7 @@ class Describing {
     }
   }
 
-  /// Sort key: the protocol's order of cohorts and conditions; items without a condition come
+  /// Sort key: the order of cohorts and conditions in the protocol; items without a condition come
   /// first.
   std::tuple<std::size_t, std::size_t> placeOf(
       const std::string& cohort, const std::string& condition) const {
@@ -149,20 +149,20 @@ class Describing {
           text != nullptr && !text->empty() && beforeBlocks_.count(answer.step.phase) == 0;
       if (isTold) quotes.push_back({instrument, item.id, aboutOf(answer), *text});
     });
-    // Sorted by text, so that the order does not reveal who wrote what.
+    // Sorted by text, so that the order does not reveal which participant wrote a text.
     std::ranges::sort(quotes, {}, [&](const Quote& quote) {
       return std::pair(placeOf({}, quote.condition), quote.text);
     });
     std::ranges::move(quotes, std::back_inserter(all));
   }
 
-  /// The condition that an answer is about; for the phase of a preference the chosen condition.
+  /// The condition that an answer is about: in a preference step the chosen condition.
   const std::string& aboutOf(const AnswerRecord& answer) const {
     const auto chosen = chosen_.find(answer.step.visit);
     return chosen == chosen_.end() ? answer.step.condition : chosen->second;
   }
 
-  /// Notes the condition that was chosen, if this is the answer to a preference.
+  /// Stores the chosen condition if @p answer is the answer of a preference.
   void noteChoice(const AnswerRecord& answer, const protocols::Phase& phase) {
     if (phase.type != PhaseType::Preference) return;
     const auto* item = loaded_.instrument(phase.instrument)->item(answer.answer.item);
@@ -179,7 +179,7 @@ class Describing {
   const protocols::LoadedProtocol& loaded_;
   const std::map<SessionId, storage::SessionRecord>& sessions_;
   const std::map<Records::Alternative, std::string>& allocation_;
-  std::set<std::string> beforeBlocks_;  ///< phases
+  std::set<std::string> beforeBlocks_;  ///< ids of phases before the first block
   /// The answers to each item, by instrument and item.
   std::map<std::pair<std::string, std::string>, std::vector<const AnswerRecord*>> answers_;
   std::map<VisitKey, std::string> chosen_;  ///< condition, by the visit of a preference

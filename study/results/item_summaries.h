@@ -12,23 +12,24 @@
 
 namespace study {
 
-/// The answers of one cohort to one item about one condition. The unit of numbers is the
-/// participant, with the mean of their answers; the unit of options is the answered form.
+/// The answers of one cohort to one item about one condition. Numeric answers are counted by
+/// participant, with the mean of a participant's answers; options are counted by answered form.
 struct ItemSummary {
   std::string instrument;
   std::string item;
   std::string cohort;
   std::string condition;    ///< empty if the item is not about a condition
-  std::size_t answers = 0;  ///< forms that answered it
+  std::size_t answers = 0;  ///< number of forms with an answer to the item
 
-  std::vector<double> values;  ///< points or numbers, not reversed: one mean for each participant
+  std::vector<double> values;  ///< points or numbers, not reversed: one mean per participant
   std::optional<double> mean;
-  std::optional<double> standardDeviation;  ///< with n - 1
+  std::optional<double> standardDeviation;  ///< of a sample: divided by n − 1
   std::optional<double> median;
   std::optional<double> least;
   std::optional<double> most;
 
-  /// How often each option was chosen, by id, in the order of the item; empty for other items.
+  /// How often each option was chosen: option id and count, in the item's order; empty for other
+  /// items.
   std::vector<std::pair<std::string, std::uint64_t>> options;
 };
 
@@ -36,7 +37,8 @@ struct ItemSummary {
 struct Quote {
   std::string instrument;
   std::string item;
-  std::string condition;  ///< the text's condition; for a preference the chosen one; empty: none
+  std::string condition;  ///< the condition it is about; for a preference the chosen one; empty if
+                          ///< none
   std::string text;
 
   bool operator==(const Quote&) const = default;
@@ -47,11 +49,11 @@ struct ItemResults {
   std::vector<Quote> quotes;       ///< by instrument, item and condition
 };
 
-/// Describes every answered item of questionnaires, forms, preferences and interviews. Left out are
-/// consent forms, items that name a person, choices among alternatives (VoteResult), and texts of
-/// forms before the first block: what people write about themselves may tell who they are.
-/// @param sessions  whose answers count
-/// @param answers  of those sessions
+/// Describes every answered item of questionnaires, forms, preferences and interviews. Leaves out
+/// consent forms, items that name a person, choices among alternatives (see VoteResult), and free
+/// texts of forms before the first block, because texts about the participant may identify them.
+/// @param sessions  the sessions that are evaluated
+/// @param answers  all answers of these sessions
 ItemResults summariseItems(
     const protocols::LoadedProtocol& loaded,
     const std::map<SessionId, storage::SessionRecord>& sessions,

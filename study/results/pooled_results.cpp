@@ -14,7 +14,7 @@
 namespace study {
 namespace {
 
-/// Removes the adjustment of p values.
+/// Removes the adjusted p values.
 void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   comparisons.alphaPerTest = comparisons.alpha;
   for (auto& row : comparisons.rows) {
@@ -24,7 +24,8 @@ void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   }
 }
 
-/// Removes the tests: answers of a single participant say nothing about differences between people.
+/// Removes the tests: answers of a single participant are no evidence on differences between
+/// people.
 void withoutTests(analysis::PairwiseComparisons& comparisons) {
   comparisons.tests = 0;
   comparisons.alphaPerTest.reset();
@@ -42,7 +43,7 @@ void withoutTests(analysis::PairwiseComparisons& comparisons) {
   }
 }
 
-/// The counts of one cohort, for the conditions that a family compares.
+/// The answer counts of one cohort for each condition that a family compares.
 std::vector<analysis::NamedSample> countsIn(
     const FamilyLayout& layout,
     const std::string& cohort,
@@ -123,7 +124,9 @@ Results pooledResults(Study& study, RunMode mode) {
   const bool isOfPoints = std::ranges::all_of(protocol.analysis.families, [&](const auto& family) {
     return FamilyLayout(loaded, family).table().isOfPoints;
   });
-  if (!isOfPoints) return computeResults(study, mode);  // numbers and scores cannot be counted
+  // numbers and scores have no countable
+  if (!isOfPoints) return computeResults(study, mode);
+  // points
   const auto history = analysisPlanHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});

@@ -12,19 +12,20 @@
 
 namespace study {
 
-/// Results of Profile::AsPublished only (docs/statistics.md): how often each point was chosen, by
-/// family, cohort and condition, over all answers, and the declared comparisons. Leaves out all
-/// that depends on who gave an answer: flags, votes, tests within people. Counts all answers on
-/// every call.
+/// The results of Profile::AsPublished only (docs/statistics.md): how often each point was chosen,
+/// by family, cohort and condition, over all answers, and the declared comparisons. Everything that
+/// depends on the participant who gave an answer is left out: flags, votes, tests within
+/// participants. Counts all answers on every call.
 /// @throws storage::StorageError
 Results pooledResults(Study& study, RunMode mode);
 
-/// How often each point was chosen, for each method of a table of answers.
+/// For each method of @p table, how often each point was chosen.
 std::vector<analysis::NamedSample> pooledCounts(const analysis::AnswerTable& table);
 
-/// The comparisons that a family declares, by Welch's test on pooled answers. They are adjusted as
-/// declared if Welch's test is the declared one, otherwise by Bonferroni's method. Answers of a
-/// single participant are not tested: they say nothing about differences between people.
+/// The comparisons that a family declares, by Welch's test on pooled answers. If the family
+/// declares Welch's test, p values are adjusted by the declared correction, otherwise by
+/// Bonferroni's. There is no test for a single participant, whose answers are no evidence on
+/// differences between people.
 analysis::PairwiseComparisons comparePooled(
     const protocols::Family& family,
     const std::vector<analysis::NamedSample>& conditions,

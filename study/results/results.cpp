@@ -146,7 +146,7 @@ class Computation {
     return rows;
   }
 
-  /// Every pair of cohorts, condition by condition.
+  /// Every pair of cohorts, in each condition.
   static std::vector<BetweenResult> betweenCohorts(const FamilyResult& family) {
     std::vector<BetweenResult> results;
     const auto& cohorts = family.cohorts;
@@ -184,7 +184,7 @@ class Computation {
     return answerTable(loaded_, family, people, owned);
   }
 
-  /// The significance threshold for the smallest p value of a family.
+  /// The largest value of the smallest p of a family at which it is significant.
   static double thresholdOf(const protocols::Family& family) {
     using enum protocols::CorrectionType;
     const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
@@ -225,7 +225,7 @@ class Computation {
   std::vector<analysis::Flag> flagsOf(
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
-        .isPooled = true,  // flagsByKind() leaves these flags out where no pooled test is shown
+        .isPooled = true,  // flagsByKind() removes flags on pooled tests if none are shown
         .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
         .threshold = thresholdOf(family),
@@ -265,7 +265,8 @@ class Computation {
             std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
   }
 
-  /// The condition of an alternative in a session; empty if the session had none.
+  /// The condition of an alternative in a session; empty if the session did not have that
+  /// alternative.
   std::string conditionOf(
       SessionId session, const std::string& block, const std::string& label) const {
     int number = 0;
@@ -274,7 +275,7 @@ class Computation {
     return felt == allocation_.end() ? std::string() : felt->second;
   }
 
-  /// @param site  empty: of all sites
+  /// @param site  empty: votes of all sites
   VoteResult votesOf(
       const protocols::Phase& phase,
       const std::string& cohort,
@@ -314,7 +315,8 @@ class Computation {
   Records records_;
   AnalysisPlanHistory history_;
   std::set<std::string> sites_;
-  std::map<std::string, std::string> siteOf_;  ///< of the participant's first session
+  std::map<std::string, std::string> siteOf_;  ///< site of the participant's first session, by
+                                               ///< participant
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;

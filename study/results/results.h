@@ -21,7 +21,7 @@
 
 namespace study {
 
-/// How many sessions of a cohort were begun, completed or ended otherwise.
+/// Numbers of sessions of a cohort: enrolled, and by their present state.
 struct CohortFlow {
   std::string cohort;
   int enrolled = 0;
@@ -33,32 +33,33 @@ struct CohortFlow {
   int abortedHardware = 0;
   int erased = 0;
 
-  /// Counts one more session.
+  /// Counts a session in that state.
   void add(SessionState state);
 };
 
-/// The keyed answers of one cohort to a family's instrument, condition by condition, and the
-/// declared comparisons between them.
+/// The results of one cohort for one family: its answers by condition, reversed where a statement's
+/// key is −1, and the declared comparisons.
 struct CohortResult {
   std::string cohort;
   analysis::AnswerTable table;
-  std::vector<analysis::NamedSample> conditions;  ///< by id; the answers are keyed
-  analysis::PairwiseComparisons comparisons;      ///< as in the punch paper
-  analysis::WithinAnalysis within;                ///< with the participant as the unit
+  std::vector<analysis::NamedSample> conditions;  ///< by condition id; answers are reversed by key
+  analysis::PairwiseComparisons comparisons;      ///< on pooled answers, as in the punch paper
+  analysis::WithinAnalysis within;                ///< tests within participants
   analysis::ScaleChecks checks;                   ///< distribution and reliability
-  analysis::PositionEffect position;              ///< effect of the position in the order
-  std::vector<analysis::Flag> flags;              ///< remarks on data and tests
-  /// Results of each site and pooled over sites, if there are several.
+  analysis::PositionEffect position;              ///< effect of the position of a condition in the
+                                                  ///< order
+  std::vector<analysis::Flag> flags;              ///< notes on doubtful data and tests
+  /// Results at each site and pooled over sites; std::nullopt for fewer than two sites.
   std::optional<analysis::SiteAnalysis> sites = std::nullopt;
 };
 
-/// The comparison of two cohorts in one condition, by participants' means. Positive effects, and
-/// probabilities above 0.5, mean larger values in cohort1.
+/// The comparison of two cohorts in one condition, based on one mean for each participant. Positive
+/// effects, and probabilities above 0.5, mean larger values in cohort1.
 struct BetweenResult {
   std::string condition;
   std::string cohort1;
   std::string cohort2;
-  std::vector<analysis::TestRow> tests;  ///< the registered tests of cohorts (StudyUse)
+  std::vector<analysis::TestRow> tests;  ///< all registered tests that compare cohorts (StudyUse)
 
   const analysis::TestRow& test(std::string_view id) const {
     return analysis::testNamed(tests, id);
@@ -70,62 +71,66 @@ std::string_view idOf(protocols::TestType test) noexcept;
 
 struct FamilyResult {
   protocols::Family family;
-  /// Whether its present form was declared before the first live participant
+  /// Whether the family was declared as it is now before the first live participant began
   /// (analysis_plan_history.h).
   bool isDeclared = true;
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 
-  /// Whether the protocol names the test with this id, declared in time or not.
+  /// Whether the protocol declares the test with this id for the family, in time or not.
   bool isNamed(std::string_view test) const { return idOf(family.test) == test; }
-  /// Whether this test was declared in time. It is then confirmatory; all others are exploratory.
+  /// Whether this test was declared in time. Such a test is confirmatory; all others are
+  /// exploratory.
   bool isConfirmatory(std::string_view test) const { return isDeclared && isNamed(test); }
 };
 
-/// A way to compute a study's results (docs/statistics.md).
+/// A set of statistics in which a study's results are shown (docs/statistics.md).
 enum class Profile {
-  Declared,     ///< for each family, the profile that has its declared test
-  AsPublished,  ///< all answers pooled, Welch's t-test, as in the punch paper
-  Recommended,  ///< the participant is the unit
+  Declared,     ///< for each family the profile that contains its declared test
+  AsPublished,  ///< Welch's t-test on all answers pooled, as in the punch paper
+  Recommended,  ///< tests within participants
 };
 
-/// A kind of flag, with the cohorts that have it.
+/// A kind of flag, and the cohorts for which it was raised.
 struct RaisedFlag {
-  const analysis::Flag* flag = nullptr;  ///< of the first cohort that has it
-  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< cohort and its flag
+  const analysis::Flag* flag = nullptr;  ///< of the first of these cohorts
+  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< id of each cohort, and its
+                                                                     ///< flag
 };
 
-/// Whether a profile shows the pooled tests of a family, and not those within people.
+/// Whether a profile shows a family's tests on pooled answers instead of those within participants.
 bool isPooled(Profile profile, const protocols::Family& family) noexcept;
 
-/// The flags of all cohorts of a family, each kind once, in order of first occurrence. Flags that
-/// concern pooled tests only are left out unless @p hasPooledTests.
+/// The flags of all cohorts of a family: each kind once, in the order of first occurrence. Flags on
+/// pooled tests are left out unless @p hasPooledTests is true.
 std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTests);
 
-/// The preferences of one cohort after one block.
+/// The votes of one cohort in a preference about one block.
 struct VoteResult {
   std::string cohort;
-  std::string site;   ///< empty: at all sites
-  std::string phase;  ///< of the preference
+  std::string site;   ///< empty: votes of all sites
+  std::string phase;  ///< phase of the preference
   std::string block;
-  analysis::VoteCounts votes;  ///< by condition id
+  analysis::VoteCounts votes;  ///< by id of the chosen condition
   analysis::EqualSharesResult test;
-  std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's, of each share, at 95 %
+  std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's 95 % interval of each
+                                                             ///< share
 };
 
-/// The results of a study in both profiles: as in the punch paper, and tests within participants;
-/// the participant is the unit. Answers to statements with key −1 are reversed. Only completed
-/// sessions count, and of those only steps that were finished and not repeated.
+/// The results of a study for both profiles: tests on pooled answers as in the punch paper, and
+/// tests within participants. Answers to statements with key −1 are reversed. Only completed
+/// sessions count, and of these only steps that were finished and not repeated.
 struct Results {
   RunMode runMode = RunMode::Live;
   std::vector<CohortFlow> flow;
-  /// The flow of all cohorts at each site, by its name; empty if there are fewer than two sites.
+  /// The flow of all cohorts at each site, by the site's name; empty for fewer than two sites.
   std::vector<std::pair<std::string, CohortFlow>> siteFlow = {};
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
-  std::vector<VoteResult> siteVotes = {};      ///< of each site; empty if there are not several
-  std::vector<InstrumentSummary> instruments;  ///< see InstrumentSummary
-  ItemResults answers;                         ///< every answered item by itself
+  std::vector<VoteResult> siteVotes = {};      ///< of each site; empty for fewer than two sites
+  std::vector<InstrumentSummary> instruments;  ///< scores, thresholds and consistency of
+                                               ///< instruments
+  ItemResults answers;                         ///< summaries of single items
 
   int completed() const;
 };

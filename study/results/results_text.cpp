@@ -12,8 +12,7 @@
 namespace study {
 namespace {
 
-/// The number of columns that a text takes on the screen: its bytes without continuation bytes of
-/// UTF-8.
+/// The number of columns of a text on a terminal: its bytes except continuation bytes of UTF-8.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -112,7 +111,7 @@ class Writer {
     return padded(words, 22, true);
   }
 
-  /// The tables of the profile as published; tests that are not declared are exploratory.
+  /// The tables of Profile::AsPublished. Tests that are not declared are marked as exploratory.
   void asPublished(const FamilyResult& family) {
     const bool isCorrected = !correctionOf(family.family).empty();
     line(fmt::format(
@@ -133,7 +132,8 @@ class Writer {
     }
   }
 
-  /// The declared correction applies to the declared test only; the paper's is Bonferroni's.
+  /// The correction of the pooled Welch's tests: the declared one if Welch's test is declared,
+  /// otherwise Bonferroni's as in the paper.
   static std::string_view correctionOf(const protocols::Family& family) {
     return nameOf(
         family.test == protocols::TestType::Welch ? family.correction
@@ -223,7 +223,7 @@ class Writer {
         withRelationSign(formatP(pooled.p))));
   }
 
-  /// The effect of order, and the reliability of the scale.
+  /// The effect of the position in the order, and the reliability of the scale.
   void checks(const CohortResult& cohort) {
     const auto& slope = cohort.position.slope;
     line(
@@ -290,7 +290,7 @@ class Writer {
     line(words + (isConfirmatory && row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
-  /// Each kind of flag once, with its cohorts.
+  /// One line for each kind of flag, with its cohorts.
   void flags(const FamilyResult& family) {
     const auto raised = flagsByKind(family, isPooled(profile_, family.family));
     if (raised.empty()) return;
@@ -350,7 +350,7 @@ class Writer {
     }
   }
 
-  /// Every item by itself; of free texts only their number.
+  /// One line for each item; free texts are only counted.
   void items() {
     const auto& [items, quotes] = results_.answers;
     if (!items.empty()) {

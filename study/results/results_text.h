@@ -7,8 +7,8 @@
 
 namespace study {
 
-/// The tables of a study for a terminal: means and preferences in the form of the punch paper's
-/// Tables 2 and 4, the comparisons of @p profile, and notes on them.
+/// The results of a study as tables for a terminal: means and preferences like Tables 2 and 4 of
+/// the punch paper, the comparisons of @p profile, and notes.
 std::string resultsAsText(
     Study& study, const Results& results, Profile profile, Wording wording = Wording::Apa);
 

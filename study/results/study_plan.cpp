@@ -60,7 +60,7 @@ std::set<std::string> comparedConditions(const protocols::Family& family) {
   return conditions;
 }
 
-/// The number of compared items that a participant answers about @p condition for @p family.
+/// The number of items of @p family that a participant answers about @p condition.
 std::size_t answersTo(
     const std::string& condition, const protocols::Family& family, const LoadedProtocol& loaded) {
   const auto& instrument = *loaded.instrument(family.instrument);

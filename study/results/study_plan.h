@@ -14,49 +14,53 @@
 
 namespace study {
 
-/// The options of a plan.
+/// What a study plan is computed for, beside the protocol.
 struct PlanQuestion {
-  std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the planned numbers
+  std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the numbers in the
+                                              ///< protocol
   double dz = 1.0;                            ///< the effect to detect: Cohen's d_z
-  std::optional<double> alpha;                ///< level of a family; std::nullopt: the declared one
-  double power = 0.8;                         ///< the required power
+  std::optional<double> alpha;                ///< significance level; std::nullopt: that of the
+                                              ///< family
+  double power = 0.8;                         ///< desired power
   std::uint64_t studies = 2000;               ///< number of simulated studies; 0: no simulation
-  std::uint64_t seed = 1;                     ///< of the simulation
-  /// How answers vary: see analysis::LikertModel. Points, conditions, answers and effect come from
-  /// the protocol and from the options above.
+  std::uint64_t seed = 1;                     ///< seed of the simulation
+  /// How answers vary: see analysis::LikertModel. Its numbers of points, conditions and answers and
+  /// its effect are replaced by those of the protocol and of the members above.
   analysis::LikertModel model;
   Pace pace;
   std::optional<analysis::SitePlan> sites = {};  ///< sites of each cohort; std::nullopt: one site
 };
 
-/// A block, and the number of participants that balances its orders.
+/// A block, and the number of participants for which its orders are balanced.
 struct BlockPlan {
   std::string phase;
   std::size_t conditions = 0;
   protocols::OrderType order = protocols::OrderType::Fixed;
-  std::size_t multipleOf = 1;  ///< as protocols::Balance::multipleOf
-  bool hasOneOrder = false;    ///< the same order for all participants
+  std::size_t multipleOf = 1;  ///< see protocols::Balance::multipleOf
+  bool hasOneOrder = false;    ///< whether all participants have the same order
 };
 
 /// What a family of comparisons can detect at several sites.
 struct SiteDetectability {
   double designEffect = 1.0;
-  double power = 0.0;  ///< power for the requested effect, pooled over sites; closed form
-  std::optional<analysis::SimulatedSitePower> found;  ///< simulated with that effect
-  /// Simulated without an effect: false positives.
+  double power = 0.0;  ///< closed form, for the requested effect, pooled over sites
+  std::optional<analysis::SimulatedSitePower> found;  ///< simulated with the requested effect
+  /// Simulated without an effect: the rate of false positives.
   std::optional<analysis::SimulatedSitePower> invented;
 };
 
 /// What a family of comparisons can detect with a number of participants.
 struct Detectability {
   std::uint64_t participants = 0;
-  analysis::AttainableP pair;  ///< smallest p of an exact paired test (sign flip, signed rank)
-  bool canFindPairs = false;   ///< whether that p reaches alpha per comparison
-  /// Smallest p of an exact Friedman test; for three or more conditions.
+  analysis::AttainableP pair;  ///< smallest attainable p of an exact paired test (sign flip, signed
+                               ///< rank)
+  bool canFindPairs = false;   ///< whether this p is at most alphaPerTest
+  /// Smallest attainable p of an exact Friedman test; for three or more conditions.
   std::optional<analysis::AttainableP> friedman;
-  std::optional<double> power;  ///< of a paired t-test for the requested effect; needs two people
-  std::optional<analysis::SimulatedPower> found;  ///< simulated with that effect
-  /// Simulated without an effect: false positives.
+  std::optional<double> power;  ///< of a paired t-test for the requested effect; from two
+                                ///< participants
+  std::optional<analysis::SimulatedPower> found;  ///< simulated with the requested effect
+  /// Simulated without an effect: the rate of false positives.
   std::optional<analysis::SimulatedPower> invented;
   /// At several sites, if each has two participants.
   std::optional<SiteDetectability> sites = {};
@@ -68,18 +72,20 @@ struct FamilyPlan {
   std::string title;
   std::size_t comparisons = 0;
   std::size_t conditions = 0;
-  std::size_t answers = 0;  ///< of one person to one condition; the smallest number over conditions
-  int points = 5;           ///< of the scale
+  std::size_t answers = 0;  ///< per participant and condition; the smallest number over conditions
+  int points = 5;           ///< number of points of the scale
   double alpha = 0.05;
   double alphaPerTest = 0.05;
-  bool isCorrected = true;  ///< alphaPerTest is the level of the strictest step
+  bool isCorrected = true;  ///< whether alphaPerTest is corrected for the number of comparisons
+                            ///< (for the smallest p)
   std::string correction;   ///< "Holm"
-  /// Fewest participants with which an exact paired test can be significant.
+  /// Fewest participants for which an exact paired test can be significant.
   std::uint64_t fewestForSignificance = 0;
-  std::optional<std::uint64_t> forPower;     ///< participants for the requested effect and power
-  std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
-  /// Participants over all sites for that effect and power; std::nullopt also if no number is
-  /// enough.
+  std::optional<std::uint64_t> forPower;     ///< participants needed for the requested effect and
+                                             ///< power
+  std::optional<std::uint64_t> recommended;  ///< next larger number that balances the orders
+  /// Participants over all sites needed for the requested effect and power; std::nullopt without
+  /// sites, or if no number suffices.
   std::optional<std::uint64_t> forPowerAtSites = {};
   std::vector<Detectability> prospects = {};  ///< for every cohort, in the protocol's order
 };
@@ -90,22 +96,22 @@ struct VotePlan {
   std::string cohort;
   int alternatives = 0;
   std::uint64_t votes = 0;
-  std::optional<std::uint64_t> toWin;  ///< fewest votes for one alternative to be significant
+  std::optional<std::uint64_t> toWin;  ///< fewest votes for one alternative that are significant
   bool canDecide = false;              ///< whether a unanimous vote would be significant
 };
 
-/// Two cohorts compared in one condition.
+/// A comparison of two cohorts in one condition.
 struct CohortPairPlan {
   std::string first;
   std::string second;
-  analysis::AttainableP smallest;  ///< smallest p of an exact Mann–Whitney test
+  analysis::AttainableP smallest;  ///< smallest attainable p of an exact Mann–Whitney test
 };
 
 struct CohortPlan {
   std::string id;
   std::string title;
-  std::uint64_t participants = 0;  ///< 0: the protocol does not say
-  /// Whether that number balances every block whose orders can be balanced.
+  std::uint64_t participants = 0;  ///< 0: not in the protocol
+  /// Whether `participants` balances every block whose orders can be balanced.
   bool isBalanced = false;
 };
 
@@ -114,21 +120,21 @@ struct StudyPlan {
   std::string title;
   PlanQuestion question;
   std::vector<BlockPlan> blocks;
-  /// A multiple of this number balances every block; 1: nothing to balance.
+  /// Every multiple of this number balances every block; 1: every number does.
   std::size_t balancedBy = 1;
   std::vector<CohortPlan> cohorts;
-  std::vector<CohortPairPlan> cohortPairs;  ///< for pairs of cohorts of known size
+  std::vector<CohortPairPlan> cohortPairs;  ///< for pairs of cohorts whose numbers are known
   std::vector<FamilyPlan> families;
   std::vector<VotePlan> votes;
   SessionLength length;
-  double mostForce = 0.0;  ///< largest force of all devices of the study [N]
+  double mostForce = 0.0;  ///< largest force limit of the study's devices [N]
 };
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const PlanQuestion& question);
 
 std::string studyPlanAsText(const StudyPlan& plan);
 
-/// A paragraph on numbers and duration for an application to an ethics committee.
+/// A paragraph on numbers of participants and durations for an application to an ethics committee.
 std::string ethicsParagraph(const StudyPlan& plan);
 
 }  // namespace study

@@ -13,7 +13,7 @@ namespace {
 
 using words::counted;
 
-/// .0167, 7.6e-06
+/// A p value: ".0167", "7.6e-06".
 std::string pText(double p) {
   if (p >= 0.99995) return "1";
   if (p < 0.0001) return fmt::format("{:.1e}", p);
@@ -178,7 +178,7 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
   return text;
 }
 
-/// A sentence on how many participants the requested power needs at these sites.
+/// A sentence on the number of participants that the desired power needs at these sites.
 std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
   if (!plan.question.sites) return {};
   const auto sites = counted(plan.question.sites->sites, "site");
@@ -413,7 +413,7 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
 }
 
 /// "all 3 conditions"; for several blocks "3 conditions in “a” and 2 conditions in “b”". Empty if
-/// no block has two conditions.
+/// no block has two conditions or more.
 std::string conditionsInWords(const StudyPlan& plan) {
   std::string words;
   std::size_t most = 0;

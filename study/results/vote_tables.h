@@ -10,20 +10,20 @@ namespace study {
 /// The votes of one cohort in all rounds.
 struct CohortVotes {
   std::string cohort;
-  std::vector<const VoteResult*> rounds;  ///< they point into the results given to voteTables()
-  analysis::VoteCounts sum;
+  std::vector<const VoteResult*> rounds;  ///< pointers into the argument of voteTables()
+  analysis::VoteCounts sum;               ///< votes summed over the rounds
 };
 
-/// The votes between the same conditions, by cohort and round, with their sums: Table 4 of the
-/// punch paper. A sum counts a participant once a round. Votes of one participant are not
-/// independent, so a sum has no p and no interval.
+/// The votes between one set of conditions, by cohort and round, with their sums: Table 4 of the
+/// punch paper. A sum counts a participant once for each round. Such votes are not independent, so
+/// a sum has no p value and no interval.
 struct VoteTable {
   std::vector<std::string> options;  ///< condition ids
   std::vector<CohortVotes> cohorts;  ///< cohorts that voted, in the protocol's order
   analysis::VoteCounts total;        ///< over all cohorts
 };
 
-/// The tables of all votes, one for each set of options. They point into @p results.
+/// The tables of all votes, one for each set of conditions. They point into @p results.
 std::vector<VoteTable> voteTables(const Results& results);
 
 }  // namespace study
