@@ -56,8 +56,8 @@ questionnaires::Response restored(const StoredResponse& response) {
 
 void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
-  // An update keeps the stored first touch. After a crash a person may answer the page sooner than
-  // that; then response_s is set to the first touch.
+  // An update keeps the stored time of the first touch. After a crash a person may answer the page
+  // in less time than that; response_s is then set to the time of the first touch.
   Statement put(
       database_,
       "INSERT INTO answer (session_id, step, attempt, " + std::string(kAnswerColumns) +

@@ -18,22 +18,22 @@ class AnswerRepository {
   /// The database must outlive this object.
   explicit AnswerRepository(Database& database) : database_(database) {}
 
-  /// Writes an answer, or replaces it. Inside the caller's transaction.
+  /// Inserts or replaces an answer, inside the caller's transaction.
   void put(const VisitKey& visit, const GivenAnswer& answer, const std::string& utc);
 
-  /// Inside the caller's transaction.
+  /// Deletes an answer, inside the caller's transaction.
   void remove(const VisitKey& visit, std::string_view item);
 
   std::optional<GivenAnswer> find(const VisitKey& visit, std::string_view item) const;
 
-  /// All answers of one visit, in the order of the page.
+  /// All answers of one visit, in the order of the items on the page.
   std::vector<GivenAnswer> of(const VisitKey& visit) const;
 
  private:
   Database& database_;
 };
 
-/// A response as it is stored: points and numbers in their own columns, an option or a text
+/// A response as columns of the table: points and numbers in their own columns, an option or a text
 /// unchanged, the ids of several options separated by spaces.
 struct StoredResponse {
   std::string kind;  ///< point, number, text, choices
@@ -42,8 +42,8 @@ struct StoredResponse {
   std::optional<std::string> text;
 };
 
-/// The values of an answer for the audit trail: {"item", "1.1"}, and {"point", 4}, "number" or
-/// "text"; "sha256" in place of a long text.
+/// The named values of an answer for the audit trail: {"item", "1.1"} and {"point", 4}, "number" or
+/// "text"; a long text is replaced by "sha256".
 base::NamedArguments valuesOf(const GivenAnswer& answer);
 
 StoredResponse stored(const questionnaires::Response& response);

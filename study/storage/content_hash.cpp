@@ -9,8 +9,8 @@
 namespace study::storage {
 namespace {
 
-// The columns are listed in a fixed order, so that a column which a later format adds does not
-// change older hashes. Every value of a row is hashed with its type, bit by bit.
+// The columns are listed in a fixed order, so that a column that a later format adds does not
+// change hashes of older formats. Every value is hashed exactly, with its type.
 constexpr std::array kOfASession{
     "SELECT p.id, p.code, p.cohort, p.run_mode, p.created_utc FROM participant AS p "
     "JOIN session AS s ON s.participant_id = p.id WHERE s.id = ?",
@@ -38,7 +38,8 @@ constexpr std::array kOfTheStudy{
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
 
-/// Hashed only where there is one, so that hashes of sessions of older formats stay the same.
+/// Hashed only if the session has such rows, so that hashes of sessions of older formats stay the
+/// same.
 constexpr const char* kSealedConditions =
     "SELECT step, sealed FROM allocation WHERE session_id = ? AND sealed IS NOT NULL ORDER BY step";
 constexpr const char* kSealedTrials =
@@ -46,7 +47,7 @@ constexpr const char* kSealedTrials =
     "ORDER BY step, attempt";
 constexpr const char* kWrappedKey = "SELECT salt, operations, memory, sealed FROM wrapped_key";
 
-/// Hashed only where there is a row, so that hashes of studies of older formats stay the same.
+/// Hashed only if there are such rows, so that hashes of studies of older formats stay the same.
 /// finished_utc is left out, because the trail has no event for it.
 constexpr const char* kErasures =
     "SELECT id, participant, level, reason, erased_utc FROM erasure ORDER BY id";
@@ -60,7 +61,7 @@ bool hasRows(const Database& database, const char* select, SessionId session) {
   return rows.bind(1, static_cast<std::int64_t>(session)).step();
 }
 
-/// The statements on sealed data that have rows for a session.
+/// The statements on sealed data that return rows for a session.
 std::vector<const char*> sealedParts(const Database& database, SessionId session) {
   std::vector<const char*> parts;
   if (hasFormatOfSealedConditions(database) && hasRows(database, kSealedConditions, session)) {
@@ -76,7 +77,7 @@ bool hasWrappedKey(const Database& database) {
   return hasFormatOfSealedConditions(database) && Statement(database, kWrappedKey).step();
 }
 
-/// Hashed only where a session has a station, so that hashes of other sessions stay the same.
+/// Hashed only if the session has a station, so that hashes of other sessions stay the same.
 constexpr const char* kStationOfASession =
     "SELECT site, station FROM session WHERE id = ? AND station <> ''";
 
@@ -84,8 +85,8 @@ bool wasAnyoneErased(const Database& database) {
   return database.hasTable("erasure") && Statement(database, "SELECT 1 FROM erasure").step();
 }
 
-/// Adds marks between rows and after the last one, so that no value can move to another row or
-/// table without a change of the hash.
+/// Adds separators between rows and after the last one, so that moving a value to another row or
+/// table changes the hash.
 void addRows(Hasher& hasher, Statement& rows) {
   while (rows.step()) {
     hasher.add("row");
@@ -97,7 +98,9 @@ void addRows(Hasher& hasher, Statement& rows) {
 }
 
 void addStation(const Database& database, SessionId session, Hasher& hasher) {
-  if (!database.hasColumn("session", "station")) return;  // an older format that is only read
+  // a file of an older format, opened for
+  if (!database.hasColumn("session", "station")) return;
+  // reading only
   Statement row(database, kStationOfASession);
   row.bind(1, static_cast<std::int64_t>(session));
   if (!row.step()) return;

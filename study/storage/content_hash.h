@@ -7,14 +7,14 @@
 
 namespace study::storage {
 
-/// The hash of all rows of a session: its participant, steps, visits, answers, trials, cuts. It
-/// changes with every bit of these.
-/// @param key  the participant's content key, for a keyed hash: it reveals nothing about the
-///     answers once the key is destroyed. nullptr: a hash without a key.
+/// The hash of all rows of a session: its participant, steps, visits, answers, trials and cuts. It
+/// changes with every bit of them.
+/// @param key  the participant's content key, for a keyed hash, which reveals nothing about the
+///     answers after the key is destroyed; nullptr: a hash without a key.
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key = nullptr);
 
-/// The hash of the rows of the study itself: its own row, its protocols, erasures and the key that
-/// a passphrase wraps.
+/// The hash of all rows that belong to no session: of the study, its protocols, erasures, and the
+/// key that is wrapped with a passphrase.
 Hash contentHash(const Database& database);
 
 }  // namespace study::storage

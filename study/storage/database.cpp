@@ -18,10 +18,10 @@ namespace study::storage {
 namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
-constexpr int kMostPauses = 1500;  // about 3 s in all; then the caller gets an error
+constexpr int kMostPauses = 1500;  // about 3 s in total; then the caller gets an error
 
-/// Whether no account can write the file (an archive, or a read-only disk) and it has no log. A log
-/// would have to be read as well, which SQLite cannot do without writing.
+/// Whether no account can write the file (an archive, or a read-only disk) and the file has no
+/// write-ahead log. SQLite cannot read a file with a log without write access.
 bool isUnwritable(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr auto kAnyWrite =
@@ -37,7 +37,7 @@ bool isUnwritable(const std::string& path) {
   return isReadOnlyDisk || (!mayWrite(path) && !mayWrite(folder) && !error);
 }
 
-/// A URI with which SQLite takes no locks and looks for no log ("immutable=1").
+/// A URI that makes SQLite read the file without locks and without a log ("immutable=1").
 std::string sealedName(const std::string& path) {
   std::string name = "file:";
   for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
@@ -56,8 +56,8 @@ std::int64_t pragmaNumber(const Database& database, const std::string& name) {
 }
 
 /// SQLite's busy handler: waits while another program writes; returns 0 to give up. SQLite's own
-/// handler waits for longer each time, up to 0.1 s, and finds the file busy every time while two
-/// other stations write without a pause.
+/// handler waits longer each time, up to 0.1 s, and finds the file busy every time while two other
+/// stations write without a pause.
 int waitForOthers(void* /*unused*/, int pauses) {
   if (pauses >= kMostPauses) return 0;
   std::this_thread::sleep_for(kBusyPause);
@@ -120,8 +120,8 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
   } catch (const StorageError& error) {
     if (error.kind() != StorageError::Kind::DiskFull) throw;
   }
-  // Even a reader needs some space, for the memory that it shares with other programs. Without any,
-  // a file that has no log is complete by itself; nobody can write one to a full disk.
+  // Even a reader needs some disk space, for the memory that it shares with other programs. If
+  // there is none, a file without a log is complete, and no program can write a log to a full disk.
   const bool hasSpace = ReservedSpace(fs::absolute(path).parent_path()).release();
   const bool hasLog =
       fs::exists(path + "-wal", ignored) && fs::file_size(path + "-wal", ignored) > 0;
@@ -147,8 +147,8 @@ Database Database::inMemory(const Schema& schema) {
 }
 
 void Database::configure(Access access) {
-  // A damaged or foreign file must not run functions from its schema, nor make SQLite read beyond a
-  // page. Without a memory map an I/O error is a return code, and not a signal.
+  // A damaged or foreign file must not run functions from its schema or make SQLite read beyond a
+  // page. Without a memory map, an I/O error is a return code instead of a signal.
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   execute("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");
   requirePragma("foreign_keys", "ON", "1");
@@ -204,8 +204,8 @@ void Database::bringUpToDate(const Schema& schema, Access access) {
     throw StorageError(
         path_ + " is of an older format. Open the study once for writing to bring it up to date.");
   }
-  // The version is read again inside the transaction: another program may have converted the file
-  // since.
+  // Read the version again inside the transaction, because another program may have converted the
+  // file since.
   Transaction transaction(*this);
   for (version = pragmaNumber(*this, "user_version"); version < newest; ++version) {
     execute(std::string(schema.steps[static_cast<std::size_t>(version)]));
@@ -220,8 +220,8 @@ void Database::execute(const std::string& sql) {
 }
 
 void Database::rollBackIfScheduled() {
-  // In autocommit mode no transaction is open: SQLite rolls back by itself after some errors, for
-  // example a full disk, and a ROLLBACK would then be an error.
+  // In autocommit mode there is no open transaction, and ROLLBACK would be an error: SQLite rolls
+  // back by itself after some errors, for example a full disk.
   if (isRollbackScheduled_ && sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
   isRollbackScheduled_ = false;
 }
@@ -264,7 +264,8 @@ std::int64_t Database::lastInsertedId() const noexcept {
 void Database::fail(int code, const std::string& action) const {
   const std::string reason = sqlite3_errmsg(handle_);
   const std::string could = "Could not " + action + " " + path_ + ": ";
-  // The low byte is the primary code. Some calls report a full disk as an I/O error.
+  // The low byte of the code is the primary result code. Some calls report a full disk as an I/O
+  // error.
   const bool isDiskFull = (code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC;
   switch (isDiskFull ? SQLITE_FULL : code & 0xff) {
     case SQLITE_BUSY:

@@ -14,36 +14,35 @@ struct sqlite3;
 
 namespace study::storage {
 
-/// The kind of a database file. It is written into the file's header, so that one kind is not taken
-/// for another.
+/// The type of a database file. Its application id is in the header of the file, so that a file of
+/// another type is refused.
 struct Schema {
   std::int32_t applicationId = 0;
-  std::string_view name;                    ///< for people: "a palpate study"
-  std::span<const std::string_view> steps;  ///< step n takes a file from version n to n + 1
-  /// The oldest version with all tables and columns of the newest: such a file can be read without
-  /// a conversion.
+  std::string_view name;                    ///< name in messages: "a palpate study"
+  std::span<const std::string_view> steps;  ///< step n converts a file from version n to n + 1
+  /// The oldest version with all tables and columns of the newest. A file of this version or a
+  /// later one can be read without conversion.
   std::size_t oldestReadable = steps.size();
 };
 
-/// A connection to a SQLite file. An object that exists is open and has the right kind and version.
-/// Its settings have been read back: write-ahead log, synchronous=FULL, foreign keys; with them a
-/// commit that returned is on the disk. Belongs to one thread.
+/// An open connection to a SQLite file of the expected type and version. These settings were read
+/// back: write-ahead log, synchronous=FULL, foreign keys; with them, a commit that has returned is
+/// on the disk. May be used by one thread only.
 class Database {
  public:
   enum class Access { ReadWrite, ReadOnly };
 
-  /// Creates a file. @throws StorageError  if it exists already, it cannot be written, or it would
-  ///     lie on a network drive.
+  /// Creates a file. @throws StorageError  if the file exists already, cannot be written, or would
+  /// be on a network drive.
   static Database create(const std::string& path, const Schema& schema);
 
-  /// Opens an existing file; older formats are first converted to the present one.
-  /// A full disk can be read: where a reader finds no space, the reserved space beside the file is
-  /// released.
-  /// @throws StorageError  if it is missing, in use, damaged, of another kind, or newer than this
-  ///     program.
+  /// Opens an existing file; converts a file of an older format to the present one first. If the
+  /// disk is too full for reading, frees the reserved space beside the file.
+  /// @throws StorageError  if the file is missing, in use, damaged, of another type, or newer than
+  ///     this program.
   static Database open(const std::string& path, const Schema& schema, Access access);
 
-  /// For tests: the same schema in memory only.
+  /// For tests: a database in memory.
   static Database inMemory(const Schema& schema);
 
   ~Database();
@@ -53,48 +52,49 @@ class Database {
   /// Runs one or more statements without results. @throws StorageError
   void execute(const std::string& sql);
 
-  /// Marks the open transaction to be rolled back by rollBackIfScheduled(): by the destructor of
-  /// the transaction or, if that fails, before the next one begins.
+  /// Marks the open transaction for rollBackIfScheduled(), which rolls it back: in the destructor
+  /// of the transaction or, if that fails, before the next transaction begins.
   void scheduleRollback() noexcept { isRollbackScheduled_ = true; }
   void rollBackIfScheduled();
 
-  /// False in a file of an older format that was opened for reading only.
+  /// False for tables and columns of later formats, in a file of an older format that was opened
+  /// for reading only.
   bool hasTable(const std::string& name) const;
   bool hasColumn(const std::string& table, const std::string& column) const;
 
-  /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
+  /// The problems that SQLite's integrity check and its check of foreign keys find; empty if none.
   std::string integrityProblems();
 
-  /// Like integrityProblems() without checking indices and references, in a fraction of the time.
+  /// Like integrityProblems(), but without checking indexes and references; much faster.
   std::string quickProblems();
 
-  /// Begins a read transaction: this connection sees the file as it is now, whatever others write,
-  /// until it is closed.
+  /// Begins a read transaction: until the connection is closed, it sees the file in its present
+  /// state, even if other connections write.
   void beginSnapshot();
 
-  /// Writes the file, as this connection sees it, to @p path, which must not exist. Others may
-  /// write meanwhile; after beginSnapshot() the copy has the state of that moment.
-  /// @param progress  called with the share that is done, 0 to 1; an exception that it throws ends
-  ///     the copying.
+  /// Writes the file in the state that this connection sees to @p path, which must not exist. Other
+  /// connections may write meanwhile; after beginSnapshot() the copy has the state of that moment.
+  /// @param progress  called with the share that is copied, 0 to 1; an exception that it throws
+  ///     ends the copying.
   /// @throws StorageError
   void copyTo(const std::string& path, const std::function<void(double share)>& progress) const;
 
-  /// Gives this connection the key of the study, with which conditions and measurements are
-  /// sealed and opened (docs/decisions/0049). Studies in which nothing is sealed have none.
+  /// Sets the study's key, with which conditions and measurements are sealed and unsealed
+  /// (docs/decisions/0049). Not called for studies without sealed data.
   void setKey(const SealingKey& key) { key_ = key; }
-  /// nullptr if this connection has no key.
+  /// nullptr if no key was set.
   const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
 
   std::int64_t lastInsertedId() const noexcept;
   const std::string& path() const noexcept { return path_; }
   sqlite3* handle() const noexcept { return handle_; }
 
-  /// Throws a StorageError that explains @p code of SQLite.
+  /// Throws a StorageError that describes SQLite's result code @p code. @param action  "read"
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:
-  /// WithOthers: with locks and memory shared with other programs. Immutable: as an immutable file,
-  /// without locks and log.
+  /// WithOthers: with locks and with memory that is shared with other programs. Immutable: without
+  /// locks and log, as SQLite reads an immutable file.
   enum class Reading { WithOthers, Immutable };
 
   Database(std::string path, int flags, Reading reading = Reading::WithOthers);

@@ -10,7 +10,7 @@
 namespace study::storage {
 namespace {
 
-// A megabyte. After each, progress is reported and the copying can be cancelled.
+// 1 MiB. After each, progress is reported and the copying can be cancelled.
 constexpr int kPagesAtATime = 256;
 
 struct BackupDeleter {
@@ -20,7 +20,7 @@ struct BackupDeleter {
 }  // namespace
 
 void Database::beginSnapshot() {
-  execute("BEGIN");  // takes no lock yet: the first statement that reads fixes the snapshot
+  execute("BEGIN");  // takes no lock yet: the snapshot is taken by the first statement that reads
   Statement look(*this, "SELECT count(*) FROM sqlite_schema");
   look.step();
 }

@@ -18,12 +18,12 @@
 namespace study::storage {
 namespace {
 
-/// Where what is sealed belongs.
+/// The associated data of a sealed detail: its place in the trail.
 std::string placeOf(std::int64_t number, const std::string& kind) {
   return std::to_string(number) + "/" + kind;
 }
 
-/// An event as it stands in a row. The number is given by those who write it.
+/// An event as a row of the table. The writer gives the row its number.
 struct Row : StoredEvent {
   Hash hashAfter(std::int64_t number, const std::vector<std::byte>& previous) const {
     Hasher hasher;
@@ -37,7 +37,7 @@ struct Row : StoredEvent {
     hasher.add(actor);
     hasher.add(kind);
     hasher.add(detail);
-    if (!sealed.empty()) {  // rows of older formats were hashed without it
+    if (!sealed.empty()) {  // rows of older formats were hashed without this field
       hasher.add("sealed");
       hasher.add(std::span<const std::byte>(sealed));
     }
@@ -62,7 +62,8 @@ constexpr const char* kColumnsBeforeSealing =
     "NULL";
 constexpr int kAfterEvent = 12;
 
-/// A file of an older format that was opened for reading only lacks the last column.
+/// The columns of events; a file of an older format that was opened for reading only lacks the last
+/// one.
 const char* columnsIn(const Database& database) {
   return database.hasTable("erasure") ? kEventColumns : kColumnsBeforeSealing;
 }
@@ -87,7 +88,7 @@ constexpr std::string_view kLimitCycle =
     ", at rest the force alternates by {limit_cycle_n:.3g} N at {limit_cycle_hz:.4g} Hz";
 constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
 
-/// Text that is not valid UTF-8 could not be exported.
+/// @throws StorageError  if @p words are not valid UTF-8, because they could not be exported.
 void requireText(const std::string& words) {
   if (!questionnaires::charactersIn(words) || words.find('\0') != std::string::npos) {
     throw StorageError("What is to be noted is no sound UTF-8 text. Write it with other letters.");
@@ -101,8 +102,8 @@ void requireText(const Event& event) {
   }
 }
 
-/// Reads detail and values of an event from its column. In kinds that have values, no sentence of
-/// release 0.1 begins with '{'.
+/// Reads detail and values of an event from the column `detail`: JSON, or a sentence of release
+/// 0.1, none of which begins with '{' in kinds of events with values.
 void readDetail(Event& event, const std::string& column) {
   event.detail = column;
   if (patternOf(event.kind).english.empty()) return;
@@ -114,8 +115,8 @@ void readDetail(Event& event, const std::string& column) {
   }
 }
 
-/// 381 for "2026-11-20T13:35:07.381Z"; 0 if it cannot be parsed. (SQLite's unixepoch() gives whole
-/// seconds only.)
+/// The milliseconds of a time: 381 for "2026-11-20T13:35:07.381Z"; 0 if it cannot be parsed.
+/// SQLite's unixepoch() returns whole seconds only.
 std::int64_t millisecondsIn(const std::string& utc) {
   constexpr std::size_t kWhere = 20;
   std::int64_t milliseconds = 0;
@@ -166,19 +167,19 @@ std::pair<std::int64_t, std::vector<std::byte>> end(const Database& database) {
   return {last.number(0) + 1, last.blob(1)};
 }
 
-/// The keys of sessions, each looked up once.
+/// The keys of sessions; each is read once.
 class Keys {
  public:
   explicit Keys(const EventLog& log) : log_(log) {}
 
-  /// nullptr if there is none.
+  /// nullptr if the session has no key.
   const SealingKey* find(std::int64_t session) {
     const auto [found, isNew] = keys_.try_emplace(session);
     if (isNew) found->second = log_.keyOf(SessionId{session});
     return found->second ? &*found->second : nullptr;
   }
 
-  /// Puts the detail back into its place. False if it cannot be opened.
+  /// Replaces a sealed detail by its text. False if it cannot be unsealed.
   bool open(Row& row) {
     const auto* key = find(row.session.value_or(0));
     auto detail = key != nullptr ? openedDetail(row, *key, log_.studyKey()) : std::nullopt;
@@ -191,7 +192,7 @@ class Keys {
   std::map<std::int64_t, std::optional<SealingKey>> keys_;
 };
 
-/// Whether the detail of an event of that kind reveals the condition.
+/// Whether the detail of events of that kind reveals the condition.
 bool revealsCondition(EventKind kind) {
   return kind == EventKind::FinishedTrial || kind == EventKind::Passivity ||
          kind == EventKind::Torque || kind == EventKind::DeviceLink ||
@@ -199,7 +200,8 @@ bool revealsCondition(EventKind kind) {
          (kind >= EventKind::SafetyTooFast && kind <= EventKind::SafetyTorqueActive);
 }
 
-/// Drops the triggers that forbid changes of events, so that the trail can be rewritten.
+/// The triggers that forbid changes of events. The constructor drops them, so that the trail can be
+/// rewritten.
 class ProtectiveTriggers {
  public:
   explicit ProtectiveTriggers(Database& database) : database_(database) {
@@ -265,7 +267,7 @@ std::string describe(const Event& event) {
     if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
     return words;
   } catch (const std::runtime_error&) {
-    return asJson(event.values);  // a later release may store other values
+    return asJson(event.values);  // a later release may have stored other values
   }
 }
 
@@ -293,14 +295,14 @@ void EventLog::append(const Event& event) {
 
 void EventLog::resealEvents(const Event& event) {
   std::vector<Row> rows;
-  std::map<std::int64_t, std::size_t> lastOf;  // the last event of every session
+  std::map<std::int64_t, std::size_t> lastOf;  // index of the last event of every session
   Keys keys(*this);
   {
     Statement select(
         database_, std::string("SELECT ") + kEventColumns + " FROM event ORDER BY seq");
     while (select.step()) {
       Row row = rowIn(select);
-      // What cannot be opened stays as it is: its participant was erased.
+      // A detail that cannot be unsealed is kept sealed: its participant was erased.
       if (!row.sealed.empty() && keys.open(row)) row.sealed.clear();
       if (row.session) lastOf[*row.session] = rows.size();
       rows.push_back(std::move(row));
@@ -369,7 +371,7 @@ std::string EventLog::headAsText() const {
   if (!select.step()) return {};
   std::string words = std::to_string(select.number(0)) + " events,";
   const auto hash = select.text(1);
-  if (hash.size() < kDigitsOfHead) return {};  // a damaged file
+  if (hash.size() < kDigitsOfHead) return {};  // the file is damaged
   for (std::size_t i = 0; i < kDigitsOfHead; i += 4) words += " " + hash.substr(i, 4);
   return words;
 }
@@ -400,7 +402,7 @@ std::int64_t EventLog::last() const {
 }
 
 base::NamedArguments EventLog::madeStudy() const {
-  // The first event, or the second if the trail was sealed again: then the first one is
+  // The first event, or the second if the trail was sealed again: its first event is then
   // ResealedTrail.
   Statement first(
       database_, "SELECT detail FROM event WHERE seq <= 2 AND kind = ? ORDER BY seq LIMIT 1");

@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view kKeptApart = " (kept apart)";
 constexpr std::size_t kLongestText = 200;
 
-/// A sentence with which release 0.1 described a trial, as a regular expression, and the type of
-/// each argument: a whole number (i), another number (d), a text (t).
+/// A sentence with which release 0.1 described a trial: its message key, a regular expression, and
+/// the type of each argument: an integer (i), another number (d), a text (t).
 struct Sentence {
   std::string_view key;
   const char* pattern;
@@ -93,7 +93,7 @@ base::Message messageOf(const Sentence& sentence, const std::smatch& found) {
   return {*kind, std::move(arguments)};
 }
 
-/// The message whose sentence begins at @p at; moves @p at behind it.
+/// The message whose sentence begins at @p at; moves @p at to its end.
 std::optional<base::Message> next(
     std::string::const_iterator& at, std::string::const_iterator end) {
   static const auto kPatterns = [] {
@@ -141,7 +141,7 @@ std::vector<base::Message> trialReasonsIn(const std::string& sentence) {
     if (!reason) return {base::Message::verbatim(sentence)};
     reasons.push_back(std::move(*reason));
   }
-  // An export must give the stored sentence to the digit.
+  // An export must give the stored sentence exactly.
   return base::describe(reasons) == sentence ? reasons
                                              : std::vector{base::Message::verbatim(sentence)};
 }

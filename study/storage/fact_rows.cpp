@@ -4,7 +4,7 @@ namespace study::storage {
 namespace {
 
 FactValue valueIn(const Statement& row, int column) {
-  // The first byte says the type (Statement::exactBytes).
+  // The first byte is the type (Statement::exactBytes).
   switch (row.exactBytes(column).front()) {
     case 'i':
       return row.number(column);

@@ -12,29 +12,29 @@
 #include "study/storage/database.h"
 #include "study/storage/statement.h"
 
-// Rows by the names of their columns, as they travel to other files (docs/decisions/0054).
+// Rows by the names of their columns, for copying to other files (docs/decisions/0054).
 namespace study::storage {
 
-/// A value of a column.
+/// A value of any SQLite type but BLOB.
 using FactValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-/// A row, by the names of its columns.
+/// The values of a row, by column name.
 using FactRow = std::map<std::string, FactValue>;
 
-/// @param columns  "step, attempt"
+/// The column names in a list. @param columns  "step, attempt"
 std::vector<std::string> namesIn(std::string_view columns);
 
-/// @param sql  selects @p columns; its only parameter is the session
+/// @param sql  selects @p columns; its only parameter is the number of the session
 std::vector<FactRow> rowsOf(
     const Database& database, const std::string& sql, std::string_view columns, SessionId session);
 
 void bind(Statement& statement, int index, const FactValue& value);
 
-/// @throws StorageError  if the row has not these columns and no others.
+/// @throws StorageError  if the columns of @p row are not exactly @p columns.
 void requireColumns(std::string_view table, std::string_view columns, const FactRow& row);
 
-/// Inserts rows that have these columns. @param keys  more columns, the same for all rows
-/// @throws StorageError  also as requireColumns()
+/// Inserts rows. @param keys  further columns with the same value in all rows
+/// @throws StorageError  as requireColumns(), or if the database refuses a row
 void insertRows(
     Database& database,
     std::string_view table,
@@ -42,7 +42,7 @@ void insertRows(
     const std::vector<FactRow>& rows,
     const std::vector<std::pair<std::string, std::int64_t>>& keys);
 
-/// Throws a StorageError: rows that came from elsewhere are not as this program knows them.
+/// Throws a StorageError: rows from another file are not in the form that this program knows.
 [[noreturn]] void refuseFacts(const std::string& what);
 
 }  // namespace study::storage

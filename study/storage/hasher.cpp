@@ -61,7 +61,7 @@ std::string inBase64(std::span<const std::byte> bytes) {
   std::string text(sodium_base64_encoded_len(bytes.size(), kBase64), '\0');
   const auto* from = reinterpret_cast<const unsigned char*>(bytes.data());
   sodium_bin2base64(text.data(), text.size(), from, bytes.size(), kBase64);
-  text.pop_back();  // the zero at its end
+  text.pop_back();  // the terminating zero
   return text;
 }
 

@@ -23,22 +23,22 @@ class Hasher {
 
   Hash finish() const;
 
-  /// A keyed hash: without the key, the fields cannot be found by trying.
+  /// A keyed hash: without the key, the fields cannot be found by guessing.
   Hash finish(std::span<const unsigned char> key) const;
 
  private:
   std::string fields_;
 };
 
-/// BLAKE2b-256 of the bytes alone.
+/// BLAKE2b-256 of the bytes, without a length.
 Hash hashOf(std::span<const std::byte> bytes);
 
-/// The bytes of a hash, to be stored in a column and compared with one.
+/// The bytes of a hash in the type of a BLOB column.
 std::vector<std::byte> asBytes(const Hash& hash);
 
 std::string inHexadecimal(const Hash& hash);
 
-/// Bytes as text, for files and events that hold text only (RFC 4648, with padding).
+/// Base64 (RFC 4648, with padding), for files and events that can hold text only.
 std::string inBase64(std::span<const std::byte> bytes);
 
 /// std::nullopt if @p text is not complete, valid Base64.

@@ -22,7 +22,7 @@ void bindPlace(Statement& statement, const Place& place, const std::string& item
       .bind(5, item);
 }
 
-/// The associated data of a sealed name: its place.
+/// The associated data of a sealed name: the place of its row.
 std::string asText(const Place& place, const std::string& item) {
   return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
          std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
@@ -32,10 +32,10 @@ std::string asText(const Place& place, const std::string& item) {
 struct NameRow {
   Place place;
   std::string item;
-  std::string text;  ///< empty if it is sealed
+  std::string text;  ///< empty if the text is sealed
   std::string utc;
   std::vector<std::byte> sealed;
-  std::vector<std::byte> writtenHash = {};  ///< empty: format 1 wrote it
+  std::vector<std::byte> writtenHash = {};  ///< empty if format 1 wrote the row
 
   Hash hash() const {
     Hasher hasher;
@@ -56,7 +56,7 @@ struct NameRow {
     text.clear();
   }
 
-  /// std::nullopt if it is sealed and cannot be opened.
+  /// std::nullopt if the text is sealed and cannot be unsealed.
   std::optional<std::string> opened(const std::optional<SealingKey>& key) const {
     if (sealed.empty()) return text;
     return key ? key->open(sealed, asText(place, item)) : std::nullopt;
@@ -65,7 +65,7 @@ struct NameRow {
 
 std::vector<NameRow> nameRows(
     const Database& database, const std::optional<std::string>& participant) {
-  // A file of an older format that was opened for reading only lacks the column.
+  // A file of an older format that was opened for reading only lacks the column `sealed`.
   const std::string sealed = database.hasTable("participant_key") ? "sealed" : "NULL";
   Statement select(
       database,
@@ -111,7 +111,8 @@ void insertSecret(Database& database, const std::string& table, const BlindingSe
   transaction.commit();
 }
 
-/// A file of an older format that was opened for reading only lacks the table.
+/// The secret in a table; std::nullopt also in a file of an older format that was opened for
+/// reading only, which lacks the table.
 std::optional<BlindingSecret> secretIn(const Database& database, const std::string& table) {
   if (!database.hasTable(table)) return std::nullopt;
   Statement select(database, "SELECT bytes FROM " + table + " WHERE id = 1");
@@ -142,14 +143,14 @@ std::vector<std::byte> sealedKey(
   return names.seal(bytes, placeOf(participant));
 }
 
-/// A participant's Identity key, as it is stored: open or sealed.
+/// A participant's stored Identity key. One of the members is empty.
 struct StoredKey {
   std::vector<std::byte> open;
   std::vector<std::byte> sealed;
 };
 
 std::optional<StoredKey> storedKey(const Database& database, const std::string& participant) {
-  // A file of an older format that was opened for reading only lacks the column.
+  // A file of an older format that was opened for reading only lacks the column `sealed_identity`.
   const std::string sealed =
       database.hasColumn("participant_key", "sealed_identity") ? "sealed_identity" : "NULL";
   Statement select(
@@ -331,7 +332,7 @@ std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& partic
 }
 
 void IdentityStore::destroy(Key kind, const std::string& participant) {
-  // SQLite then overwrites deleted content of the file with zeros; in Debian this is the default.
+  // With this setting SQLite overwrites deleted content with zeros; in Debian it is the default.
   database_.execute("PRAGMA secure_delete = ON");
   Transaction transaction(database_);
   Statement key(

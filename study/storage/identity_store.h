@@ -13,10 +13,10 @@
 namespace study::storage {
 
 /// identity.db: answers that name a person, and the secret for their fingerprints. They are stored
-/// apart from everything else and never exported. Names are sealed with the identity key of their
-/// participant; the keys are in the same file, and can themselves be sealed with a key that a
-/// passphrase opens (docs/decisions/0062). Each row carries a hash of itself, because the audit
-/// trail must not contain anything about them.
+/// apart from all other data and never exported. Names are sealed with the Identity key of their
+/// participant; the keys are in the same file, and can be sealed in turn with a key that a
+/// passphrase opens (docs/decisions/0062). Each row has a hash of itself, because the audit trail
+/// must not contain unkeyed hashes of names.
 class IdentityStore {
  public:
   explicit IdentityStore(Database database) : database_(std::move(database)) {}
@@ -32,12 +32,12 @@ class IdentityStore {
     int attempt = 1;  ///< from 1
   };
 
-  /// Writes an answer, or replaces it. One transaction. @throws StorageError  if names are locked.
+  /// Inserts or replaces an answer in one transaction. @throws StorageError  if names are locked.
   void put(
       const Place& place, const std::string& item, const std::string& text, const std::string& utc);
-  /// One transaction.
+  /// Deletes an answer in one transaction.
   void remove(const Place& place, const std::string& item);
-  /// @throws StorageError  if names are locked.
+  /// Whether the answer is stored. @throws StorageError  if names are locked.
   bool has(const Place& place, const std::string& item) const;
 
   /// An answer that names a person.
@@ -46,60 +46,62 @@ class IdentityStore {
     std::string item;
     std::string text;
   };
-  /// All of them, or those of one participant, by participant and item. Rows that cannot be opened
+  /// All names, or those of one participant, by participant and item. Rows that cannot be unsealed
   /// are left out; damaged() lists them. @throws StorageError  if names are locked.
   std::vector<Name> names(const std::optional<std::string>& participant = std::nullopt) const;
 
-  /// All answers that name people, each once.
+  /// All answers that name people, without duplicates.
   std::vector<std::string> texts() const;
 
   /// The number of rows of a participant; also works while names are locked.
   std::size_t count(const std::string& participant) const;
 
-  /// Draws both keys of a participant. Does nothing if they were drawn before, even if they were
-  /// destroyed since. One transaction.
+  /// Draws both keys of a participant in one transaction. Does nothing if they were drawn before,
+  /// even if they have been destroyed since.
   /// @throws StorageError  if names are locked.
   void drawKeys(const std::string& participant);
   bool hasDrawnKeys(const std::string& participant) const;
-  /// Draws one key of a participant of an older release: Identity while the trail is still
-  /// unsealed, or Content when the trail is sealed. Does nothing if there is one. One transaction.
+  /// Draws one key of a participant of an older release in one transaction: Identity while the
+  /// trail is still unsealed, or Content when the trail is sealed. Does nothing if the participant
+  /// has that key.
   /// @throws StorageError  if @p kind is Identity and names are locked.
   void drawMissingKey(Key kind, const std::string& participant);
-  /// Stores a participant's content key that came from a station, whose own file keeps the names.
-  /// Inside the caller's transaction.
+  /// Stores a participant's content key that was copied from a station; the names stay in the
+  /// station's file. Inside the caller's transaction.
   void putContentKey(const std::string& participant, const SealingKey& key);
-  /// std::nullopt if it was destroyed, or never drawn (participants of older releases).
+  /// std::nullopt if the key was destroyed, or never drawn (participants of older releases).
   /// @throws StorageError  if @p kind is Identity and names are locked.
   std::optional<SealingKey> key(Key kind, const std::string& participant) const;
-  /// Destroys a key; with the Identity key also the names. One transaction.
+  /// Destroys a key, and with the Identity key also the names, in one transaction.
   void destroy(Key kind, const std::string& participant);
 
-  /// Whether a passphrase opens the key with which the keys of names are sealed.
+  /// Whether the keys of names are sealed with a key that a passphrase opens.
   bool hasPassphrase() const;
-  /// Whether there is such a passphrase, and its key was not given to the database. Then no name
-  /// can be read or added.
+  /// Whether the keys of names are sealed and the database has no key for them. Then no name can be
+  /// read or added.
   bool isLocked() const { return database_.key() == nullptr && hasPassphrase(); }
-  /// Whether a name is not sealed: an older release wrote it.
+  /// Whether an older release stored a name that is not sealed.
   bool hasUnsealedNames() const;
-  /// Seals unsealed names of participants who have an Identity key. One transaction. @return the
-  /// codes of these participants @throws StorageError  if names are locked.
+  /// Seals unsealed names of participants who have an Identity key, in one transaction. @return the
+  /// codes of these participants
+  /// @throws StorageError  if names are locked.
   std::set<std::string> sealUnsealedNames();
-  /// Seals the Identity keys with @p key, inside the caller's transaction. The caller also stores
-  /// @p key wrapped with the passphrase, and afterwards gives it to the database.
+  /// Seals the Identity keys with @p key, inside the caller's transaction. The caller must also
+  /// store @p key wrapped with the passphrase, and afterwards set it as the database's key.
   void sealKeysWith(const SealingKey& key);
 
-  /// One transaction. @throws StorageError  if there is one already.
+  /// Stores the blinding secret in one transaction. @throws StorageError  if there is one already.
   void put(const BlindingSecret& secret);
-  /// std::nullopt if a station keeps it, and in studies of releases without such a secret.
+  /// std::nullopt if a station stores the secret, and in studies of releases without a secret.
   std::optional<BlindingSecret> blindingSecret() const;
 
-  /// Stores the secret for fingerprints of these rows, for studies whose blinding secret a station
-  /// keeps. One transaction.
+  /// Stores the secret for fingerprints of the rows, in studies whose blinding secret is stored by
+  /// a station. One transaction.
   void storeFingerprintSecret(const BlindingSecret& secret);
   std::optional<BlindingSecret> fingerprintSecret() const;
 
-  /// The rows that differ from what was written, or cannot be opened, by participant and item.
-  /// (Format 1 stored no hash.) While names are locked, opening is not tried.
+  /// The rows that differ from what was written or cannot be unsealed, by participant and item.
+  /// Rows of format 1 have no hash. While names are locked, sealed rows are not opened.
   std::vector<std::string> damaged() const;
 
   Database& database() noexcept { return database_; }

@@ -29,20 +29,20 @@ std::string thisBoot() {
   return boot;
 }
 
-/// The PID namespace of this process. Containers on one computer share the boot id, but not process
-/// numbers.
+/// The PID namespace of this process. Containers on one computer have the same boot id, but
+/// different process numbers.
 std::string thisNamespace() {
   std::error_code ignored;
   return std::filesystem::read_symlink("/proc/self/ns/pid", ignored).string();
 }
 
 /// Boot id and start time of a process, which distinguish it from a later process with the same
-/// number, and the namespace of its number. Empty if there is no such process.
+/// number, and the PID namespace. Empty if there is no such process.
 std::string processMarkOf(std::int64_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   if (!std::getline(stat, line)) return {};
-  // The process name stands in parentheses and may contain spaces and parentheses itself.
+  // The process name is in parentheses and may itself contain spaces and parentheses.
   std::istringstream fields(line.substr(line.rfind(')') + 1));
   std::string began;
   constexpr int kBegan = 20;  // the start time is field 22; fields 1 and 2 are already skipped
@@ -50,17 +50,17 @@ std::string processMarkOf(std::int64_t pid) {
   return thisBoot() + "/" + began + "@" + thisNamespace();
 }
 
-/// The program that wrote the row of a lease.
+/// The program that wrote a row of the table of leases.
 struct Writer {
   std::string station;
   std::int64_t pid = 0;
   std::string token;
 
-  /// "boot id/start time@namespace"; without namespace by release 0.1.
+  /// "boot id/start time@namespace"; release 0.1 wrote no namespace.
   std::string mark() const { return token.substr(0, token.find('#')); }
   bool isOfThisBoot() const { return mark().starts_with(thisBoot() + "/"); }
-  /// Whether its process number can be looked up here. A computer that got another name is still
-  /// the same one until it is restarted.
+  /// Whether this process can look up the process number. A computer that was renamed is still the
+  /// same one until it is restarted.
   bool isHere() const {
     const auto at = mark().find('@');
     if (at == std::string::npos || !isOfThisBoot()) return station == thisStation();
@@ -68,8 +68,8 @@ struct Writer {
   }
 };
 
-/// The leases that this process holds. If a row could not be removed when its lease ended, the row
-/// is still in the table but no longer in this set.
+/// The leases that this process holds. If the row of an ended lease could not be removed, it is
+/// still in the table but no longer in this set.
 class Tokens {
  public:
   std::string make() {
@@ -100,14 +100,14 @@ Tokens& tokens() {
 
 /// Whether the program that wrote a lease's row is still running.
 bool isAlive(const Writer& writer) {
-  if (!writer.isHere()) return true;  // this cannot be checked from here
+  if (!writer.isHere()) return true;  // the other computer cannot be asked
   if (writer.pid == getpid()) return tokens().isHeld(writer.token);
   const std::string mark = processMarkOf(writer.pid);
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
 }
 
-/// When a session last stored an event [UTC]. It is used in place of a heartbeat: a program
-/// elsewhere writes here only while both use one disk, and network drives are refused
+/// When a session last stored an event [UTC]. It is shown in place of a heartbeat: a program on
+/// another computer can store here only while both use one disk, and network drives are refused
 /// (docs/decisions/0063).
 std::string lastStored(const Database& database, SessionId session) {
   Statement last(database, "SELECT utc FROM event WHERE session_id = ? ORDER BY seq DESC LIMIT 1");
@@ -181,7 +181,8 @@ Lease::Lease(Lease&& other) noexcept
 
 Lease::~Lease() {
   if (database_ == nullptr) return;
-  tokens().drop(token_);  // first: if the row cannot be removed, isAlive() still finds it free
+  tokens().drop(token_);  // first, so that isAlive() finds the lease free even if the row cannot be
+                          // removed
   try {
     Statement give(*database_, "DELETE FROM lease WHERE session_id = ? AND process = ?");
     give.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);

@@ -9,17 +9,18 @@
 
 namespace study::storage {
 
-/// The exclusive right to run a session, for one program and one window. The destructor gives it
-/// back. A lease that a crashed program of this computer left, or that could not be given back, is
-/// taken over, also if the computer has got another name since. Whether a program on another
-/// computer is still running cannot be seen from here: its lease is taken over only on request, and
-/// the operator is shown when the session last stored something.
+/// The exclusive right of one program and window to run a session. The destructor ends it. The
+/// lease of a crashed program on this computer, or one whose row could not be removed, is taken
+/// over, even if the computer was renamed since. This computer cannot check whether a program on
+/// another computer is still running: its lease is taken over only on request, and the operator is
+/// shown when the session last stored an event.
 class Lease {
  public:
   enum class From { EndedPrograms, OtherComputersToo };
 
   /// Takes the lease, inside the caller's transaction.
-  /// @throws StorageError  (Busy) if the session is running elsewhere; says where.
+  /// @throws StorageError  (Busy) if another program holds the lease; names the computer and
+  ///     process.
   Lease(
       Database& database,
       SessionId session,
@@ -27,23 +28,23 @@ class Lease {
       From from = From::EndedPrograms);
   ~Lease();
 
-  /// The program that holds a session's lease.
+  /// The program that holds a session's lease, or held it when it ended.
   struct Holder {
-    std::string station;   ///< computer
-    std::int64_t pid = 0;  ///< process there
-    std::string since;     ///< UTC
-    bool isAlive = false;  ///< false: that program ended without giving the lease back
-    bool isHere = false;   ///< on this computer: then isAlive is certain
-    bool isOfThisBoot =
-        false;  ///< this computer was not restarted since: its monotonic clock went on
+    std::string station;   ///< name of the computer
+    std::int64_t pid = 0;  ///< process number on that computer
+    std::string since;     ///< UTC time of taking the lease
+    bool isAlive = false;  ///< whether the program is running; assumed if it is on another computer
+    bool isHere = false;   ///< whether the program is on this computer, so that isAlive is certain
+    bool isOfThisBoot = false;  ///< whether this computer was not restarted since, so that its
+                                ///< monotonic clock continued
   };
-  /// The present holder, without taking the lease; std::nullopt if there is none.
+  /// The present holder; std::nullopt if there is none. Does not take the lease.
   static std::optional<Holder> holder(const Database& database, SessionId session);
 
-  /// Removes the leases of all programs: in a copy of a study no session runs.
+  /// Removes all leases, because no session runs in a copy of a study.
   static void clear(Database& database);
 
-  /// @throws StorageError  (Busy) if another program took it over meanwhile.
+  /// @throws StorageError  (Busy) if another program has taken the lease over.
   void requireHeld() const;
 
   Lease(Lease&& other) noexcept;

@@ -23,7 +23,7 @@
 namespace study::storage {
 namespace {
 
-// Names as in /proc/filesystems, and names of programs after "fuse.".
+// Names of file systems as in /proc/filesystems, and of programs after "fuse.".
 constexpr auto kShared = std::to_array<std::string_view>(
     {"9p",     "afs",   "beegfs", "ceph",  "cifs",   "coda",     "drvfs", "glusterfs",
      "gfs2",   "gpfs",  "lustre", "ncpfs", "nfs",    "nfs4",     "ocfs2", "orangefs",
@@ -51,7 +51,7 @@ std::string fileSystemOf(std::string_view mounts, dev_t device) {
   const std::string number = std::to_string(major(device)) + ":" + std::to_string(minor(device));
   std::istringstream lines{std::string(mounts)};
   for (std::string line; std::getline(lines, line);) {
-    // 36 35 98:0 /root /place rw,noatime master:1 - ext3 /dev/root rw,errors=continue
+    // a line: 36 35 98:0 /root /place rw,noatime master:1 - ext3 /dev/root rw,errors=continue
     std::istringstream fields(line);
     std::string id;
     std::string parent;
@@ -95,7 +95,7 @@ bool ReservedSpace::take() const noexcept {
   if (std::filesystem::exists(file_, ignored)) return true;
   const int file = open(file_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) return false;
-  // Allocates the blocks. A file of this size alone would be sparse and reserve nothing.
+  // Allocates the blocks. Setting the size alone would make a sparse file, which reserves nothing.
   const bool hasRoom = posix_fallocate(file, 0, static_cast<off_t>(kSize)) == 0;
   close(file);
   if (!hasRoom) release();

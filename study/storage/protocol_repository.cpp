@@ -115,7 +115,8 @@ void ProtocolRepository::freeze(ProtocolId id, const std::string& utc) {
 }
 
 StoredProtocol ProtocolRepository::load(ProtocolId id) const {
-  const bool isOld = !database_.hasColumn("protocol", "forms");  // it is only read
+  const bool isOld = !database_.hasColumn("protocol", "forms");  // an older format, opened for
+                                                                 // reading only
   Statement select(
       database_,
       std::string("SELECT sha256, text, reason, added_utc, frozen_utc, ") +
@@ -143,9 +144,8 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
 }
 
 protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
-  // The release that stored this version: for the first version it is in the study's row; for an
-  // amendment the format of its event shows it (release 0.1 stored a sentence, later releases store
-  // values).
+  // The release that stored the first version is in the study's row. For an amendment, the format
+  // of its event shows the release: release 0.1 stored a sentence, later releases store values.
   Statement select(
       database_,
       "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "

@@ -14,7 +14,7 @@
 namespace study::storage {
 namespace {
 
-// All statements that read visits begin with these columns, and the sealed condition.
+// All statements that read visits begin with these columns, followed by the sealed condition.
 constexpr const char* kStepColumns =
     "v.session_id, v.step, v.attempt, s.kind, s.phase, s.instrument, s.position, s.label, "
     "coalesce(a.condition, ''), v.status, ";
@@ -38,7 +38,7 @@ std::vector<base::Message> reasonsIn(const std::string& text) {
                                                : release_0_1::trialReasonsIn(text);
 }
 
-/// A condition that may be sealed.
+/// Reads a condition that may be sealed.
 struct ConditionCell {
   const Database& database;
   Records::Conditions wanted = Records::Conditions::Shown;
@@ -63,13 +63,13 @@ StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
       .visitStatus = known(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
-/// The value of that name, if it is there and of that type.
+/// The value named @p name; std::nullopt if there is none of that type.
 template <typename Value>
 std::optional<Value> valueIn(const base::NamedArguments& values, std::string_view name) {
   for (const auto& [known, value] : values) {
     if (known != name) continue;
     if (const auto* found = std::get_if<Value>(&value)) return *found;
-    // JSON writes a whole number for 3.0.
+    // JSON has a whole number for 3.0.
     if constexpr (std::is_same_v<Value, double>) {
       if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
     }
@@ -136,8 +136,8 @@ void addCuts(
   }
 }
 
-/// The column of the table trial AS x with sealed measurements; files of older formats that were
-/// opened for reading only lack it.
+/// The column of the table trial AS x with sealed measurements; NULL in files of older formats that
+/// were opened for reading only.
 const char* sealedTrialColumn(const Database& database) {
   return database.hasColumn("trial", "sealed") ? "x.sealed" : "NULL";
 }
@@ -209,8 +209,8 @@ std::vector<AnswerRecord> Records::answers() const {
 }
 
 std::vector<PointCount> Records::pointCounts(RunMode mode) const {
-  // Two queries in the order of the visits, merged here. A single GROUP BY would be shorter, but
-  // SQLite then sorts all answers by text, which takes four times as long.
+  // Two queries in the order of the visits, merged here. SQLite would run a single GROUP BY four
+  // times as long, because it sorts all answers by text.
   Statement visits(
       database_,
       "SELECT v.session_id, v.step, v.attempt, n.cohort, s.phase, s.instrument, "

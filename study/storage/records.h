@@ -17,7 +17,7 @@
 
 namespace study::storage {
 
-/// A session, with the columns that analyses use.
+/// A session with the columns that analyses need.
 struct SessionRecord {
   SessionId id{};
   std::string participant;
@@ -38,7 +38,7 @@ struct SessionRecord {
   bool isCompleted() const noexcept { return state == SessionState::Completed; }
 };
 
-/// A visit to a step in which something was asked or rendered.
+/// A visit to a step in which questions were asked or a condition was rendered.
 struct StepRecord {
   VisitKey visit;
   StepKind kind = StepKind::Reading;
@@ -49,11 +49,11 @@ struct StepRecord {
   std::string condition;  ///< empty if the step has none, or if conditions are left out
   VisitStatus visitStatus = VisitStatus::Open;
 
-  /// False for visits that were skipped, broken off or repeated.
+  /// False also for visits that were skipped, broken off or repeated.
   bool isFinished() const noexcept { return visitStatus == VisitStatus::Finished; }
 
-  /// A trial that was offered once more before a preference. It has no position in the order, and
-  /// no statistic uses it.
+  /// Whether it is an optional trial before a preference. Such a trial has no position in the
+  /// order, and no statistic uses it.
   bool isOfferedAgain() const { return kind == StepKind::Trial && position == 0; }
 };
 
@@ -63,7 +63,7 @@ struct AnswerRecord {
   std::string savedUtc;
 };
 
-/// How often a point of an item's scale, or a whole number, was answered in one cohort, about one
+/// How often a point of an item's scale, or a whole number, was the answer in one cohort, about one
 /// condition, in one phase.
 struct PointCount {
   std::string cohort;
@@ -75,8 +75,8 @@ struct PointCount {
   std::uint64_t times = 0;
 };
 
-/// The landmarks of a cut: travel in the device's travel unit, forces in N. std::nullopt if a
-/// landmark was not reached.
+/// The landmarks of a cut: travel in the device's travel unit, force in N. std::nullopt for a
+/// landmark that was not reached.
 struct CutRecord {
   VisitKey visit;
   int number = 1;
@@ -87,7 +87,7 @@ struct CutRecord {
   double peakForce = 0.0;
 };
 
-/// A trial with its step; units as in TrialRecord.
+/// A trial with its step; units and meanings as in TrialRecord.
 struct TrialRow {
   StepRecord step;
   std::string device, travelUnit;
@@ -104,30 +104,29 @@ struct TrialRow {
   std::int64_t cuts = 0, traceSamples = 0;
 };
 
-/// Reads the recorded data of a study for analyses, in order of time.
+/// Reads the recorded data of a study for analyses, the oldest first.
 class Records {
  public:
-  /// Whether records of steps contain the condition. Sealed conditions need the study's key.
+  /// Whether records contain conditions. Reading sealed conditions needs the study's key.
   enum class Conditions { Shown, LeftOut };
 
-  /// All functions throw a StorageError that says what to do if the key is needed and not
-  /// available.
+  /// All functions throw StorageError if the key is needed but not available; what() says what to
+  /// do.
   explicit Records(Database& database, Conditions conditions = Conditions::Shown)
       : database_(database), conditions_(conditions) {}
 
   std::vector<SessionRecord> sessions() const;
   std::vector<AnswerRecord> answers() const;
 
-  /// How often each point was chosen in the questionnaires of completed sessions, of visits that
-  /// were finished and not repeated. Counts what answers() lists, without keeping an answer: a
-  /// million take 0.8 s (docs/decisions/0024). @throws StorageError
+  /// How often each point was chosen in the questionnaires of completed sessions, in visits that
+  /// were finished and not repeated. Equals counting the result of answers(), but does not keep the
+  /// answers: a million take 0.8 s (docs/decisions/0024). @throws StorageError
   std::vector<PointCount> pointCounts(RunMode mode) const;
 
   std::vector<TrialRow> trials() const;
   std::vector<CutRecord> cuts() const;
 
-  /// One labelled alternative ("Alternative 2") of a block in a session; allocation() gives its
-  /// condition.
+  /// A labelled alternative ("Alternative 2") of a block in a session.
   struct Alternative {
     SessionId session{};
     std::string block;

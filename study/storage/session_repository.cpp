@@ -23,7 +23,8 @@ constexpr const char* kNoStationColumns = "'', ''";
 constexpr const char* kFromTables =
     " FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
 
-/// A file of an older format that was opened for reading only has no stations.
+/// The statement for sessions. A file of an older format that was opened for reading only has no
+/// columns of stations.
 std::string selectFrom(const Database& database) {
   const bool hasStations = database.hasColumn("session", "station");
   return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + kFromTables;

@@ -19,11 +19,11 @@ enum class SlotState {
   Released,  ///< free for another participant
 };
 
-/// A session as its row stores it.
+/// A session as a row of the table.
 struct SessionRow {
   SessionId id{};
   std::string participant;  ///< code
-  int number = 1;           ///< of this participant's sessions
+  int number = 1;           ///< number among the participant's sessions, from 1
   ProtocolId protocol{};
   RunMode runMode = RunMode::Live;
   std::string cohort;
@@ -33,8 +33,8 @@ struct SessionRow {
   std::int64_t slot = 0;
   SlotState slotState = SlotState::Reserved;
   SessionState state = SessionState::Enrolled;
-  int step = 0;
-  int attempt = 1;
+  int step = 0;     ///< index of the present step, from 0
+  int attempt = 1;  ///< at the present step, from 1
   std::string startedUtc;
   std::optional<std::string> endedUtc;
   std::optional<std::string> endReason;
@@ -42,30 +42,30 @@ struct SessionRow {
   bool operator==(const SessionRow&) const = default;
 };
 
-/// How a visit ended; Open: it has not ended.
+/// How a visit ended; Open if it has not ended.
 enum class VisitStatus { Open, Finished, Skipped, Repeated, BrokenOff };
 
-/// The tables of participants, sessions, their steps and visits. All functions that write do so
+/// The tables of participants, sessions, steps and visits. All functions that write must be called
 /// inside the caller's transaction.
 class SessionRepository {
  public:
   explicit SessionRepository(Database& database) : database_(database) {}
 
-  /// The lowest free place of a design: each station has places of its own.
+  /// The lowest free place of the design. Each station has its own places.
   std::int64_t freeSlot(
       ProtocolId protocol,
       RunMode mode,
       const std::string& cohort,
       const std::string& station = {}) const;
 
-  /// The next unused code of a participant: P001, or PILOT-001, SIM-001; oslo_P001 at the station
-  /// "oslo".
+  /// The next unused participant code: P001, PILOT-001 or SIM-001; oslo_P001 at the station "oslo".
   std::string freeCode(RunMode mode, const std::string& station = {}) const;
   bool hasParticipant(const std::string& code) const;
-  /// When the participant was enrolled; empty if there is none with that code.
+  /// When the participant was enrolled; empty if there is no participant with that code.
   std::string enrolledUtc(const std::string& code) const;
 
-  /// Writes participant (if new), session, steps and allocation; fills in the id and the number.
+  /// Inserts the participant (if new), session, steps and allocation; sets the session's id and
+  /// number.
   /// @throws StorageError  if the code belongs to a participant of another cohort or run mode.
   void add(SessionRow& session, const std::vector<Step>& steps, const std::string& appVersion);
   void update(const SessionRow& session);
@@ -74,18 +74,18 @@ class SessionRepository {
   std::vector<SessionRow> all() const;
 
   void openVisit(const VisitKey& visit, const std::string& utc);
-  /// Closes a visit that is open; a visit that has ended is not changed.
+  /// Closes an open visit; a visit that has ended is not changed.
   void closeVisit(
       const VisitKey& visit, VisitStatus status, const std::string& utc, const std::string& reason);
-  /// How often a step has been begun.
+  /// The number of visits to a step.
   int attempts(SessionId session, int step) const;
   /// The status of a visit; Open for a step that was never begun.
   VisitStatus statusOf(const VisitKey& visit) const;
-  /// Marks the finished visits from @p step on as repeated, so that they no longer count.
+  /// Marks the finished visits to @p step and later steps as repeated, so that results ignore them.
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
-  /// The condition of every step that has one, as stored when it was drawn.
-  /// @throws StorageError  if it is sealed and the key is not available.
+  /// The stored condition of every step that has one, with the index of the step.
+  /// @throws StorageError  if conditions are sealed and the key is not available.
   std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
 
   /// Whether all conditions of the session are sealed with the study's key.
@@ -98,16 +98,17 @@ class SessionRepository {
   Database& database_;
 };
 
-/// The column of the table allocation AS a that holds sealed conditions; a file of an older format
-/// that was opened for reading only lacks it.
+/// The column of the table allocation AS a with sealed conditions; NULL in a file of an older
+/// format that was opened for reading only.
 const char* sealedColumn(const Database& database);
 
 std::string_view nameOf(SlotState state) noexcept;
 std::string_view nameOf(VisitStatus status) noexcept;
 std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept;
 
-/// @p value, which was looked up by the stored @p name.
-/// @throws StorageError  (Damaged) if this program does not know the name.
+/// Returns the enumerator in @p value, which was looked up by the stored @p name.
+/// @throws StorageError  (Damaged) if @p value is std::nullopt, because this program does not know
+///     the name.
 template <typename Value>
 Value known(const std::optional<Value>& value, const std::string& name) {
   if (value) return *value;

@@ -90,8 +90,8 @@ double Statement::real(int column) const noexcept {
   return sqlite3_column_double(statement_, column);
 }
 
-/// SQLite returns a null pointer for an empty value, and also when it is out of memory. Only the
-/// first is a value; the second throws.
+/// SQLite returns a null pointer for an empty value, and also when it is out of memory.
+/// @throws StorageError  in the second case
 void Statement::requireMemory(const void* value) const {
   if (value == nullptr && sqlite3_errcode(database_.handle()) == SQLITE_NOMEM) {
     database_.fail(SQLITE_NOMEM, "read");
@@ -160,13 +160,13 @@ Transaction::~Transaction() {
     database_.scheduleRollback();
     database_.rollBackIfScheduled();
   } catch (const StorageError&) {
-    // Still marked: the next transaction rolls it back before it begins.
+    // The transaction is still marked: it is rolled back before the next one begins.
   }
 }
 
 void Transaction::commit() {
-  // If COMMIT throws, the transaction stays open here and the destructor rolls it back, unless
-  // SQLite has ended it already (see Database::rollBackIfScheduled()).
+  // If COMMIT throws, the transaction is still open, and the destructor rolls it back unless SQLite
+  // has ended it already (see Database::rollBackIfScheduled()).
   database_.execute("COMMIT");
   isOpen_ = false;
 }

@@ -15,10 +15,10 @@ struct sqlite3_stmt;
 namespace study::storage {
 
 /// A prepared statement. As in SQLite, parameters are numbered from 1 and columns from 0. The
-/// database must outlive it.
+/// database must outlive the statement.
 class Statement {
  public:
-  /// @throws StorageError  like all functions here.
+  /// @throws StorageError  as do all functions of this class.
   Statement(const Database& database, const std::string& sql);
   ~Statement();
   Statement(const Statement&) = delete;
@@ -28,7 +28,7 @@ class Statement {
   Statement& bind(int index, double value);
   Statement& bind(int index, std::string_view value);
   Statement& bind(int index, std::span<const std::byte> value);
-  /// Three parameters: session, step, attempt.
+  /// Binds three parameters from @p first: session, step, attempt.
   Statement& bind(int first, const VisitKey& visit);
   Statement& bindNull(int index);
   template <typename T>
@@ -36,9 +36,9 @@ class Statement {
     return value ? bind(index, *value) : bindNull(index);
   }
 
-  /// True if there is another row, false at the end.
+  /// Advances to the next row. @return  false at the end
   bool step();
-  /// Runs a statement without results.
+  /// Runs a statement that returns no rows.
   void run();
   void reset();
 
@@ -52,7 +52,7 @@ class Statement {
   std::optional<std::string> optionalText(int column) const;
 
   int columnCount() const noexcept;
-  /// A value with its type, bit by bit: different values always give different bytes.
+  /// A value with its type as bytes; different values have different bytes.
   std::string exactBytes(int column) const;
 
  private:
@@ -62,20 +62,20 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// A transaction: all of its changes are written, or none. It takes the write lock at once, so that
-/// it cannot fail halfway because another program holds it.
+/// A transaction: all of its changes are written, or none. It takes the write lock at its
+/// beginning, so that it cannot fail later because another program holds the lock.
 class Transaction {
  public:
   /// @throws StorageError  (Busy) if another program holds the write lock for too long.
   explicit Transaction(Database& database);
-  /// Rolls back what was not committed.
+  /// Rolls back unless commit() has succeeded.
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  /// On return everything is on the disk.
-  /// @throws StorageError  and then the outcome is *unknown*: the caller reads the data back before
-  ///     reporting anything.
+  /// On return all changes are on the disk.
+  /// @throws StorageError  and then the outcome is *unknown*: the caller must read the data back
+  ///     before reporting anything.
   void commit();
 
  private:

@@ -70,8 +70,8 @@ void makeFolder(const fs::path& folder) {
   if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) fail(folder);
 }
 
-/// Draws uuid and key. If two programs do this at the same time, both use the key that was written
-/// first.
+/// Draws uuid and key and writes them to the folder. If two programs do this at the same time, both
+/// use the key that was written first.
 void makeKey(const fs::path& folder) {
   std::array<unsigned char, kUuidSize> uuid{};
   Seed seed{};
@@ -81,7 +81,7 @@ void makeKey(const fs::path& folder) {
   writeNewFile(
       unfinished.string(),
       std::string(kFirstLine) + "\n" + inHex(uuid) + "\n" + inHex(seed) + "\n");
-  // link() and not rename(): it never replaces a key that is there.
+  // link() instead of rename(), because link() does not replace an existing key.
   const int code = link(unfinished.c_str(), (folder / kKeyFile).c_str());
   const int reason = code == 0 ? 0 : errno;
   unlink(unfinished.c_str());
@@ -89,7 +89,7 @@ void makeKey(const fs::path& folder) {
     fail(folder / kKeyFile, std::generic_category().message(reason));
   }
   const int names = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-  fsync(names);  // some file systems cannot flush a folder: the key is there all the same
+  fsync(names);  // some file systems cannot flush a folder; the key is written nevertheless
   close(names);
 }
 
@@ -200,7 +200,7 @@ void StationStore::append(const std::string& list, const std::string& line) cons
   const auto path = folder_ / list;
   const int file = open(path.c_str(), O_CREAT | O_APPEND | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (file < 0) fail(path);
-  // One call: what several programs append does not mix.
+  // A single call of write(), so that lines of several programs do not mix.
   const std::string bytes = line + "\n";
   const auto written = write(file, bytes.data(), bytes.size());
   const bool isOnDisk = written == static_cast<ssize_t>(bytes.size()) && fsync(file) == 0;
@@ -212,7 +212,7 @@ void StationStore::append(const std::string& list, const std::string& line) cons
 void StationStore::rewrite(const std::string& list, const std::vector<std::string>& lines) const {
   const auto unfinished = folder_ / (list + ".new");
   std::error_code error;
-  fs::remove(unfinished, error);  // of a program that was killed
+  fs::remove(unfinished, error);  // left by a program that was killed
   std::string content;
   for (const auto& line : lines) content += line + "\n";
   writeNewFile(unfinished.string(), content);

@@ -9,13 +9,13 @@
 
 namespace study::storage {
 
-/// Values as columns store them, in JSON. Numbers read back exactly.
+/// Values in JSON, as columns store them. Numbers are read back exactly.
 
-/// [{"code": "trial.late", "arguments": [30, 4000]}]; an empty text for no message.
+/// [{"code": "trial.late", "arguments": [30, 4000]}]; an empty text for an empty list.
 std::string asJson(const std::vector<base::Message>& messages);
 
-/// @param text  written by asJson(), with codes of study::kMessages. An unknown code of a later
-///     release becomes a verbatim message.
+/// @param text  written by asJson(), with codes of study::kMessages. An unknown code, which a later
+///     release wrote, becomes a verbatim message.
 std::vector<base::Message> messagesIn(std::string_view text);
 
 /// {"item": "1.1", "point": 4}

@@ -6,8 +6,8 @@
 namespace study::storage {
 namespace {
 
-// Step n takes a database from version n to version n + 1. Steps are added and never changed,
-// because there are studies of every version.
+// Step n converts a database from version n to version n + 1. Steps are added and never changed,
+// because studies of every version exist.
 constexpr std::array<std::string_view, 10> kStudySteps{
     R"sql(
       CREATE TABLE study (

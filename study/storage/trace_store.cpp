@@ -21,13 +21,14 @@ static_assert(kWithoutTorque == 28 && sizeof(TraceSample) == 36, "as documented"
 static_assert(
     std::endian::native == std::endian::little, "samples are written as they lie in memory");
 
-/// Compares bits, so that even a negative zero counts as a torque and is restored exactly.
+/// Whether a sample has a torque. Compares bits, so that even a negative zero counts and is
+/// restored exactly.
 bool hasTorque(const TraceSample& sample) noexcept {
   return std::bit_cast<std::uint32_t>(sample.desiredTorque) != 0 ||
          std::bit_cast<std::uint32_t>(sample.torque) != 0;
 }
 
-constexpr std::int64_t kSealed = 2;  ///< is added to the layout of what is sealed
+constexpr std::int64_t kSealed = 2;  ///< added to the layout of sealed chunks
 
 bool isSealed(std::int64_t layout) noexcept {
   return layout > kSealed;
@@ -49,7 +50,7 @@ std::string_view textOf(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// std::nullopt if it was changed. @throws StorageError  without the key
+/// The plain text; std::nullopt if it was changed. @throws StorageError  without the key
 std::optional<std::string> opened(
     const Database& database,
     const std::vector<std::byte>& sealed,
@@ -61,7 +62,7 @@ std::optional<std::string> opened(
 
 }  // namespace
 
-/// Samples as they are written.
+/// A chunk of samples in its stored form.
 struct TraceStore::Chunk {
   explicit Chunk(const std::vector<TraceSample>& written)
       : samples(static_cast<std::int64_t>(written.size())),
@@ -74,8 +75,8 @@ struct TraceStore::Chunk {
     hash = hashOf(bytes);
   }
 
-  /// Hashes the sealed bytes. A hash of the samples could be compared with that of a simulation,
-  /// and reveal the condition.
+  /// Seals the bytes and hashes the sealed bytes. A hash of the samples could be compared with that
+  /// of a simulation, and reveal the condition.
   void seal(const SealingKey& key, const std::string& place) {
     bytes = key.sealDeterministically(textOf(bytes), place);
     layout += kSealed;

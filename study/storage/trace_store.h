@@ -10,36 +10,36 @@
 
 namespace study::storage {
 
-/// The stored part of a tick: 36 bytes, little-endian, in this order (layout 2). A chunk whose
-/// samples have no torque is stored without the last two members, in 28 bytes a sample, as release
-/// 0.1 stored all chunks (layout 1).
+/// The stored part of a tick: 36 bytes, little-endian, in this order (layout 2). A chunk without
+/// torques is stored without the last two members, in 28 bytes per sample; release 0.1 stored all
+/// chunks this way (layout 1).
 struct TraceSample {
-  std::uint32_t tick = 0;          ///< of the trial
+  std::uint32_t tick = 0;          ///< number of the tick in the trial
   float travel = 0.0F;             ///< [device's travel unit]
   float velocity = 0.0F;           ///< [device's travel unit / s]
-  float desired = 0.0F;            ///< what the scene asked for [N]
-  float force = 0.0F;              ///< what was sent to the device [N]
-  float lateness = 0.0F;           ///< [µs]
+  float desired = 0.0F;            ///< commanded by the scene [N]
+  float force = 0.0F;              ///< sent to the device after limiting [N]
+  float lateness = 0.0F;           ///< of the loop's wake-up [µs]
   std::uint8_t status = 0;         ///< haptics::devices::DeviceStatus
   std::uint8_t interventions = 0;  ///< haptics::engine::ForceLimiter::Intervention
   std::uint8_t marks = 0;          ///< haptics::engine::TickSample::Mark
   std::uint8_t landmark = 0;       ///< haptics::models::CutDetector::Event
-  float desiredTorque = 0.0F;      ///< what the scene asked for, about the tool's axis [N·m]
-  float torque = 0.0F;             ///< what the device was told [N·m]
+  float desiredTorque = 0.0F;      ///< commanded by the scene, about the tool's axis [N·m]
+  float torque = 0.0F;             ///< sent to the device after limiting [N·m]
 };
 
-/// traces.db: the samples of a trial in chunks of about one second, each complete and with its
-/// hash. What is sealed with the study's key has a layout of 3 or 4 in place of 1 or 2. A power
-/// failure loses the chunk in progress only. A connection belongs to one thread.
+/// traces.db: the samples of a trial in chunks of about one second, each complete and with a hash.
+/// Chunks that are sealed with the study's key have layout 3 or 4 in place of 1 or 2. A power
+/// failure loses only the chunk in progress. A connection may be used by one thread only.
 class TraceStore {
  public:
   explicit TraceStore(Database database) : database_(std::move(database)) {}
 
-  /// IfThereIsAKey: a trace that reveals the condition is sealed if the database has the study's
-  /// key.
+  /// IfThereIsAKey: if the database has the study's key, traces that reveal the condition are
+  /// sealed.
   enum class Sealing { IfThereIsAKey, Never };
 
-  /// Stores a chunk in one transaction. Does nothing if this chunk is stored already.
+  /// Stores a chunk in one transaction. Does nothing if the same chunk is stored already.
   /// @throws StorageError
   void add(
       const VisitKey& visit,
@@ -49,10 +49,10 @@ class TraceStore {
 
   /// All samples of a trial, in order.
   /// @throws StorageError  (Damaged) if a chunk differs from what was written; or if the key is
-  ///     needed and not available.
+  ///     needed but not available.
   std::vector<TraceSample> read(const VisitKey& visit) const;
 
-  /// How many samples of a trial are stored as they were written; needs no key.
+  /// The number of samples of a trial that are stored undamaged; needs no key.
   /// @throws StorageError  (Damaged) as read()
   std::int64_t intactSamples(const VisitKey& visit) const;
 
@@ -76,7 +76,7 @@ class TraceStore {
   Database database_;
 };
 
-/// A chunk as it is stored, to be written to another file.
+/// A chunk as a row of the table, to be copied to another file.
 struct TraceChunk {
   int step = 0;
   int attempt = 1;
@@ -90,15 +90,16 @@ struct TraceChunk {
 /// The chunks of a visit, in order. @param traces  traces.db
 std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit);
 
-/// Inside the caller's transaction. @throws StorageError  if the bytes are not those of the hash.
+/// Inserts a chunk, inside the caller's transaction. @throws StorageError  if its hash does not
+/// match.
 void addChunk(Database& traces, SessionId session, const TraceChunk& chunk);
 
-/// A chunk of a session without its seal; one that is not sealed as it is.
-/// @param key  with which it is sealed
-/// @throws StorageError  (Damaged) if it is sealed with another key, or for another place.
+/// A chunk of a session, unsealed; an unsealed chunk is returned unchanged.
+/// @param key  the key with which the chunk is sealed
+/// @throws StorageError  (Damaged) if the chunk was sealed with another key or for another place.
 TraceChunk opened(const TraceChunk& chunk, SessionId session, const SealingKey& key);
 
-/// An open chunk as a session of that number has it, sealed with @p key.
+/// An unsealed chunk, sealed with @p key for the session with that number.
 TraceChunk sealed(const TraceChunk& chunk, SessionId session, const SealingKey& key);
 
 }  // namespace study::storage

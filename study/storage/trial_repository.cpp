@@ -16,7 +16,7 @@ namespace study::storage {
 
 namespace {
 
-// What is sealed, in the order in which it is written there.
+// The columns that are sealed, in the order in which they are written to the sealed text.
 constexpr std::string_view kMeasured =
     "verdict, verdict_reason, duration_s, ticks, nominal_rate_hz, achieved_rate_hz, "
     "lateness_p50_us, lateness_p99_us, lateness_max_us, late_ticks, lost_samples, invalid_ticks, "
@@ -93,7 +93,7 @@ std::string prefixOf(std::int64_t cut) {
   return "cut_" + std::to_string(cut) + "_";
 }
 
-/// What was measured, by columns of trial and of cut; what has no value is left out.
+/// The measured values in JSON, by columns of trial and of cut; missing values are left out.
 std::string measured(const FactRow& trial, const std::vector<FactRow>& cuts) {
   base::NamedArguments values;
   const auto addAll = [&](const FactRow& row, std::string_view columns, const std::string& prefix) {
@@ -112,7 +112,7 @@ std::string measured(const FactRow& trial, const std::vector<FactRow>& cuts) {
   return asJson(values);
 }
 
-/// The opposite of measured().
+/// The inverse of measured().
 void fillIn(FactRow& trial, std::vector<FactRow>& cuts, const base::NamedArguments& values) {
   const auto fill = [&](FactRow& row, std::string_view columns, const std::string& prefix) {
     for (const auto& column : namesIn(columns)) {

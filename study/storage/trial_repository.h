@@ -11,7 +11,7 @@
 
 namespace study::storage {
 
-/// The columns of trial and of cut that are the same in every file.
+/// The columns of trial and of cut that do not depend on the file (no row numbers).
 inline constexpr std::string_view kTrialColumns =
     "step, attempt, device, ending, verdict, verdict_reason, force_unit, travel_unit, duration_s, "
     "ticks, nominal_rate_hz, achieved_rate_hz, lateness_p50_us, lateness_p99_us, lateness_max_us, "
@@ -21,7 +21,7 @@ inline constexpr std::string_view kCutColumns =
     "step, attempt, number, interception_travel, interception_n, yield_travel, yield_n, "
     "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n";
 
-/// Trials and their cuts in the open, whether or not they are sealed in a file.
+/// Trials and their cuts, unsealed, even if they are sealed in a file.
 struct TrialRows {
   std::vector<FactRow> trials;
   std::vector<FactRow> cuts;
@@ -32,15 +32,15 @@ class TrialRepository {
  public:
   explicit TrialRepository(Database& database) : database_(database) {}
 
-  /// Writes a trial inside the caller's transaction. What was measured is sealed if the database
-  /// has the study's key, but for simulated sessions.
+  /// Inserts a trial inside the caller's transaction. If the database has the study's key, the
+  /// measured values are sealed, except for simulated sessions.
   void add(const VisitKey& visit, const TrialRecord& record);
 
-  /// Writes trials of another file. The same rows are sealed to the same bytes, at the same place
-  /// with the same key.
-  /// @param key  nullptr: nothing is sealed
-  /// @param open  trials that are not sealed with it either
-  /// @throws StorageError  if a row is not as this program knows it.
+  /// Inserts trials from another file. Equal rows are sealed to equal bytes for the same place and
+  /// key.
+  /// @param key  nullptr: measured values are not sealed
+  /// @param open  trials that are not sealed even with a key
+  /// @throws StorageError  if a row is not in the form that this program knows.
   void add(
       SessionId session,
       const TrialRows& rows,
@@ -58,8 +58,8 @@ class TrialRepository {
   Database& database_;
 };
 
-/// The trials of a session and their cuts, in order.
-/// @throws StorageError  if a trial is sealed, and the key is not here or another.
+/// The trials of a session and their cuts, unsealed, in order.
+/// @throws StorageError  if a trial is sealed and the key is missing or wrong.
 TrialRows trialsOf(const Database& study, SessionId session);
 
 }  // namespace study::storage

@@ -64,7 +64,7 @@ std::string longestPlainPart(const std::string& text) {
   return longest;
 }
 
-/// Whether @p file is a database of @p open, or the log or the shared memory of one.
+/// Whether @p file is one of the @p open databases, or the log or shared memory of one.
 bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
   return std::any_of(open.begin(), open.end(), [&](const Database* database) {
     const auto& path = database->path();
@@ -85,7 +85,7 @@ bool ByteSearch::isIn(const Reader& read) const {
   for (const auto& text : texts_) longest = std::max(longest, text.size());
   std::string bytes;
   while (true) {
-    // A text may lie across two blocks: keep the end of the last one.
+    // A text may extend over two blocks: keep the end of the previous one.
     bytes.erase(0, bytes.size() - std::min(bytes.size(), longest - 1));
     const auto kept = bytes.size();
     bytes.resize(kept + kAtATime);

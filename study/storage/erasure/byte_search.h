@@ -20,8 +20,9 @@ class RawFile {
 
   const std::string& path() const noexcept { return path_; }
 
-  /// Reads the next bytes, at most @p most, into @p to. @return how many; 0 at the end. @throws
-  /// StorageError
+  /// Reads the next bytes, at most @p most, into @p to. @return their number; 0 at the end of the
+  /// file.
+  /// @throws StorageError
   std::size_t read(char* to, std::size_t most);
 
  private:
@@ -31,32 +32,32 @@ class RawFile {
   std::int64_t at_ = 0;
 };
 
-/// The database file, and its write-ahead log if that is open.
+/// The database file and, if it is open, its write-ahead log.
 std::vector<RawFile> rawFilesOf(const Database& database);
 
-/// Looks for texts in the bytes of files: in databases with their logs and free pages, in exports
-/// and pages.
+/// Searches the bytes of files for texts: of databases with their logs and free pages, and of
+/// exports and HTML pages.
 class ByteSearch {
  public:
-  /// Adds a text to look for. Only its longest part is used that every file format writes unchanged
-  /// (without quotes, line ends, '&', '<' and the like). If this part is shorter than @p shortest,
-  /// the text is left out, because it would be found everywhere.
+  /// Adds a text to search for. Only its longest part is used that every file format writes
+  /// unchanged (without quotes, line ends, '&', '<' and the like). If this part is shorter than
+  /// @p shortest, the text is ignored, because it would be found by chance.
   /// @param shortest  [bytes]
   void add(const std::string& text, std::size_t shortest);
 
-  /// The number of texts to look for.
+  /// The number of texts to search for.
   std::size_t size() const noexcept { return texts_.size(); }
 
   /// The files below @p folder that contain one of the texts, as sorted paths relative to @p
   /// folder.
   /// @param open  databases in that folder that this process has open. They are read through their
-  ///     connection: another file handle, once closed, would take their locks away.
+  ///     connection, because closing another handle of the file would release their locks.
   /// @throws StorageError  if a file cannot be read
   std::vector<std::string> filesIn(
       const std::filesystem::path& folder, const std::vector<const Database*>& open) const;
 
  private:
-  /// Reads the next bytes, at most @p most, into @p to; returns how many, 0 at the end.
+  /// Reads the next bytes, at most @p most, into @p to; returns their number, 0 at the end.
   using Reader = std::function<std::size_t(char* to, std::size_t most)>;
   bool isIn(const Reader& read) const;
   bool isIn(const std::filesystem::path& file) const;

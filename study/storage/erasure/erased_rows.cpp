@@ -13,8 +13,8 @@ void runFor(Database& database, const char* sql, SessionId session) {
   statement.run();
 }
 
-/// Other programs read for moments only. A program that keeps its snapshot is reported, because the
-/// pages that it still sees cannot be removed.
+/// Empties the write-ahead log. Other programs usually read for moments only; one that keeps its
+/// snapshot is reported as an error, because the pages that it still sees cannot be removed.
 void emptyLog(Database& database) {
   Statement checkpoint(database, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (checkpoint.step() && checkpoint.number(0) == 0) return;
@@ -33,7 +33,7 @@ std::int64_t eraseAnswers(Database& study, SessionId session, const std::string&
   count.step();
   const auto answers = count.number(0);
   count.reset();
-  // In this order, because of foreign keys: each table refers to the next.
+  // The order follows the foreign keys: each table refers to the next.
   constexpr std::array kDeletions{
       "DELETE FROM answer WHERE session_id = ?",
       "DELETE FROM cut WHERE session_id = ?",
@@ -77,8 +77,8 @@ std::vector<std::string> textsAbout(const Database& study, const std::string& pa
 }
 
 bool hasUnsealedEvents(const Database& study, SessionId session) {
-  // A file of an older format that was opened for reading only lacks the column: nothing is sealed
-  // in it.
+  // A file of an older format that was opened for reading only has no column `sealed` and no sealed
+  // events.
   const std::string sealed = study.hasTable("erasure") ? "sealed" : "NULL";
   Statement select(
       study,

@@ -9,23 +9,23 @@
 
 namespace study::storage {
 
-/// Deletes the rows of what a participant did in a session: answers, trials, cuts, visits, the
-/// lease. The session itself and its order stay, with the state `erased` and without the reason for
-/// its end; its place is free again. Inside the caller's transaction.
+/// Deletes what a participant did in a session: answers, trials, cuts, visits, and the lease. The
+/// session and its order are kept, with the state `erased` and without the reason for its end; its
+/// place in the design is released. Inside the caller's transaction.
 /// @return  the number of deleted answers
 std::int64_t eraseAnswers(Database& study, SessionId session, const std::string& utc);
 
-/// Deletes the traces of sessions. One transaction.
+/// Deletes the traces of sessions in one transaction.
 void eraseTraces(Database& traces, const std::vector<SessionId>& sessions);
 
 /// The free texts by or about a participant: answers, reasons of visits and sessions. Texts that
-/// other participants' rows contain, too, are left out.
+/// rows of other participants also contain are left out.
 std::vector<std::string> textsAbout(const Database& study, const std::string& participant);
 
 /// Whether the audit trail has unsealed events of a session, which an older release wrote.
 bool hasUnsealedEvents(const Database& study, SessionId session);
 
-/// Removes deleted rows from the bytes of the file: checkpoints the write-ahead log, rebuilds the
+/// Deletes the remains of deleted rows from the file: checkpoints the write-ahead log, rebuilds the
 /// file without free pages (VACUUM), and empties the log.
 /// @throws StorageError  (Busy) while another program reads the file
 void purge(Database& database);

@@ -8,12 +8,12 @@
 
 namespace study::storage {
 
-/// An erasure as it is recorded outside of the study: in the station's list and in certificates. It
-/// has to be repeated in every copy of the study.
+/// The record of an erasure outside of the study: in the station's list and in certificates. The
+/// erasure must be repeated in every copy of the study.
 struct ListedErasure {
   std::string study;  ///< uuid
   std::string participant;
-  std::string enrolledUtc;  ///< distinguishes participants with the same code
+  std::string enrolledUtc;  ///< distinguishes participants who had the same code
   ErasureLevel level = ErasureLevel::All;
   std::string utc;  ///< of the erasure
 
@@ -28,11 +28,11 @@ std::optional<ListedErasure> listedErasureIn(const std::string& line);
 /// The erasures of a study in this station's list; empty if there is no list. @throws StorageError
 std::vector<ListedErasure> listedErasures(const std::string& study);
 
-/// Adds an erasure to the list of this station, unless it is listed already. @throws StorageError
+/// Adds an erasure to this station's list, unless the list has it already. @throws StorageError
 void list(const ListedErasure& erasure);
 
-/// The erasures of @p listed that have to be repeated in this database: it has the participant, and
-/// has not erased what @p listed says.
+/// Those of the erasures in @p listed that must be repeated in this database: it has the
+/// participant, and the data of that level are not erased in it.
 std::vector<ListedErasure> erasuresToRepeat(
     Database& database, const std::vector<ListedErasure>& listed);
 

@@ -13,7 +13,7 @@ namespace study::storage {
 /// What is erased of a participant.
 enum class ErasureLevel {
   Identity,  ///< names and signatures
-  Answers,   ///< answers, scores, votes, texts, traces; what the audit trail says of them
+  Answers,   ///< answers, scores, votes, texts, traces, and their details in the audit trail
   All,       ///< both
 };
 
@@ -28,14 +28,14 @@ inline constexpr bool erasesAnswers(ErasureLevel level) noexcept {
 std::string_view nameOf(ErasureLevel level) noexcept;
 std::optional<ErasureLevel> erasureLevelNamed(std::string_view name) noexcept;
 
-/// The record of an erasure. Besides it only code, cohort and times of the participant are left.
+/// The record of an erasure. Beside it only the participant's code, cohort and times are kept.
 struct Erasure {
   std::int64_t id = 0;
   std::string participant;  ///< code
   ErasureLevel level = ErasureLevel::All;
   std::string reason;
   std::string utc;
-  /// std::nullopt: the work in other files is not finished.
+  /// std::nullopt: the erasure is not finished in the other files.
   std::optional<std::string> finishedUtc;
 };
 
@@ -44,16 +44,16 @@ class ErasureRepository {
  public:
   explicit ErasureRepository(Database& database) : database_(database) {}
 
-  /// Inside the caller's transaction. @return  its id
+  /// Inserts a row, inside the caller's transaction. @return  the row's id
   std::int64_t add(const Erasure& erasure);
-  /// One transaction.
+  /// Records that the erasure is finished in all files. One transaction.
   void finish(std::int64_t id, const std::string& utc);
 
-  /// In order of time.
+  /// All erasures, the oldest first.
   std::vector<Erasure> all() const;
-  /// Whether the answers of a participant were erased.
+  /// Whether the answers of @p participant were erased.
   bool hasErasedAnswersOf(const std::string& participant) const;
-  /// Erasures whose work in other files is not finished.
+  /// Erasures that are not finished in the other files.
   std::vector<Erasure> unfinished() const;
 
  private:

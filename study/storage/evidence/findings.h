@@ -5,10 +5,10 @@
 
 namespace study::storage {
 
-/// What a check found.
+/// The result of a check.
 struct Findings {
-  std::vector<std::string> problems = {};  ///< data that differ from what was written
-  std::vector<std::string> remarks = {};   ///< notes for the reader that are no problems
+  std::vector<std::string> problems = {};  ///< damage or tampering
+  std::vector<std::string> remarks = {};   ///< information for the reader that is no problem
 };
 
 }  // namespace study::storage

@@ -15,7 +15,7 @@ std::string asWords(const NotedHead& noted) {
          ")";
 }
 
-/// Why a head is missing, as far as the trail shows it.
+/// The reason why the trail lacks a head, as far as the trail shows it.
 std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
   const auto last = std::to_string(trail.lastEvent());
   if (trail.endsBefore(noted.head)) {
@@ -29,7 +29,7 @@ std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
 void addMissing(
     const TrailHeads& trail, const std::vector<NotedHead>& missing, Findings& findings) {
   if (missing.empty()) return;
-  // The first missing head shows where events begin to be missing, the last one how long the trail
+  // The first missing head shows where the trail was cut off or changed, the last one how long it
   // was.
   findings.problems.push_back(reasonFor(trail, missing.front()));
   if (missing.size() > 1) {
@@ -42,21 +42,21 @@ void addMissing(
       "study restored --reason \"…\"");
 }
 
-/// Whether @p head proves that the trail began, or was knowingly accepted, at the station that
-/// signed it. Heads of everyday work have other purposes.
+/// Whether @p head was signed because the trail began at the station that signed it, or was
+/// accepted there on purpose. Other heads have other purposes.
 bool vouchesForTheBeginning(const SignedHead& head) {
   using enum EventKind;
   const auto is = [&](EventKind kind) { return head.purpose == study::nameOf(kind); };
   return is(MadeStudy) || is(CollectedStudy) || is(ResealedTrail) || is(RestoredCopy);
 }
 
-/// The part of a station's list that concerns one trail. A uuid may have several trails: a study
-/// that was made again, collected, or sealed again.
+/// The heads in a station's list that concern one trail. Studies with the same uuid may have
+/// different trails, if a study was created again, collected, or sealed again.
 struct OwnHeads {
-  /// It began, or was taken over on purpose, at this station.
+  /// Whether the trail began, or was accepted on purpose, at this station.
   bool hasBeginning = false;
-  /// hasBeginning, or the first head of this study that the station noted, if any, is of this
-  /// trail. If false, the trail here is not the one that the station signed.
+  /// True with hasBeginning, and if the station's first noted head of this study belongs to this
+  /// trail, or none was noted. If false, the station signed a different trail.
   bool isKnown = false;
   std::vector<NotedHead> heads = {};  ///< heads that the trail must contain or explain
 };

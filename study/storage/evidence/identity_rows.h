@@ -7,10 +7,10 @@
 
 namespace study::storage {
 
-/// A row of identity.db that names a person, byte for byte as it is stored.
+/// A row of identity.db that names a person, with its stored bytes.
 struct IdentityRow {
-  std::string name;        ///< "P001/1/3/1/signature": participant, session, step, attempt, item
-  std::string bytes = {};  ///< all that the row stores, sealed or not
+  std::string name;        ///< participant, session, step, attempt, item: "P001/1/3/1/signature"
+  std::string bytes = {};  ///< all columns of the row, sealed or not
 };
 
 std::vector<IdentityRow> identityRows(const Database& identities);

@@ -11,7 +11,7 @@
 namespace study::storage {
 namespace {
 
-/// The text of each table, index and trigger, by kind and name.
+/// The SQL text of each table, index and trigger, by type and name.
 std::map<std::pair<std::string, std::string>, std::string> objectsOf(const Database& database) {
   Statement select(
       database, "SELECT type, name, tbl_name || ': ' || coalesce(sql, '') FROM sqlite_schema");

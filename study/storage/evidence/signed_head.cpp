@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kFirstWord = "palpate-head-1";
 
-/// The signed text. Its first word distinguishes it from other texts that a station signs.
+/// The text that is signed. Its first word distinguishes it from other texts that a station signs.
 std::string statementOf(const SignedHead& head) {
   std::string text(kFirstWord);
   for (const auto& field :

@@ -15,40 +15,40 @@ namespace study::storage {
 /// last one. An event's hash depends on all events before it, so the signature covers all of them
 /// (docs/decisions/0041).
 struct SignedHead {
-  std::string study;        ///< uuid
-  std::string first;        ///< hash of the first event: tells studies of one uuid apart
-  std::int64_t events = 0;  ///< how many there were
-  std::string hash;         ///< of the last of them
-  std::string utc;          ///< when it was signed
-  std::string purpose;      ///< name of the event kind that caused the signature, or kWitness
-  std::string key = {};     ///< the station's public key
-  std::string signature = {};
+  std::string study;           ///< uuid
+  std::string first;           ///< hash of the first event: distinguishes trails of one uuid
+  std::int64_t events = 0;     ///< number of events
+  std::string hash;            ///< hash of the last event
+  std::string utc;             ///< time of signing
+  std::string purpose;         ///< name of the event kind that caused the signature, or kWitness
+  std::string key = {};        ///< the station's public key
+  std::string signature = {};  ///< of the members above, with `key`
 
   bool isSigned() const;
 
-  /// One line without spaces at its ends, for a station's list and for files.
+  /// One line of text without leading or trailing spaces, for a station's list and for files.
   std::string asLine() const;
 
-  /// The values of an event SignedHead. Study and first event are left out: they are those of the
-  /// trail that has the event.
+  /// The values of an event SignedHead. Study and first event are left out, because the trail that
+  /// contains the event has them.
   base::NamedArguments asValues() const;
 };
 
-/// Purpose of a head that was signed for a witness file only: the trail has no event of it.
+/// Purpose of a head that is signed for a witness file only, without an event in the trail.
 inline constexpr std::string_view kWitness = "witness";
 
 /// Parses a line of asLine(); std::nullopt for other text. @p rest receives the text after the
 /// head.
 std::optional<SignedHead> headIn(const std::string& line, std::string* rest = nullptr);
 
-/// The present end of an audit trail.
-struct TrailEnd {
+/// The end of an audit trail.
+struct TrailEnd {  ///< number of events
   std::int64_t events = 0;
-  std::string hash;  ///< of the last one; empty before the first
+  std::string hash;  ///< hash of the last event; empty before the first
 };
 TrailEnd endOf(const Database& study);
 
-/// Signs the present head of the audit trail, which must have an event.
+/// Signs the last event of the audit trail, which must not be empty.
 SignedHead signHead(
     const Database& study, const StationStore& station, std::string_view purpose, std::string utc);
 

@@ -10,8 +10,8 @@
 namespace study::storage {
 namespace {
 
-/// A study's uuid comes from a file that others may have written: it must not lead out of the
-/// station's folder.
+/// The name of a study's list. A uuid comes from a file that other people may have written, so it
+/// must not be a path out of the station's folder.
 std::string listOf(const std::string& study) {
   constexpr std::size_t kLongest = 64;
   const bool isSound = !study.empty() && study.size() <= kLongest &&

@@ -9,21 +9,21 @@
 
 namespace study::storage {
 
-/// A head that a station signed, and the folder that the study was in.
+/// A head that a station signed, and the folder of the study at that time.
 struct NotedHead {
   SignedHead head;
   std::string folder;
 };
 
-/// Appends a head to the station's list of the study. It is on the disk on return.
+/// Appends a head to the station's list of the study. The list is on the disk on return.
 /// @throws StorageError
 void noteHead(
     const StationStore& station, const SignedHead& head, const std::filesystem::path& folder);
 
-/// A station's list of a study.
+/// The heads in a station's list of a study.
 struct NotedHeads {
   std::vector<NotedHead> heads = {};  ///< oldest first
-  /// Lines without a valid signature of this station: changed, or cut off by a full disk.
+  /// Number of lines without a valid signature of this station: changed, or cut off by a full disk.
   std::size_t unsound = 0;
 };
 

@@ -32,7 +32,7 @@ std::int64_t numberIn(const base::NamedArguments& values, std::string_view name)
   return 0;
 }
 
-/// The number and values of all events of a kind.
+/// Number and values of all events of @p kind.
 std::vector<std::pair<std::int64_t, base::NamedArguments>> eventsOf(
     const Database& study, std::string_view kind) {
   Statement select(study, "SELECT seq, detail FROM event WHERE kind = ? ORDER BY seq");
@@ -77,7 +77,7 @@ void TrailHeads::readResealed() {
     previousTrailEvents_ = numberIn(values, "events");
     previousTrailHead_ = textIn(values, "head");
   }
-  // In a collected study, heads that stations signed belong to the stations' trails. They were
+  // In a collected study, the heads that stations signed belong to the stations' trails, which were
   // checked when the study was collected.
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::CollectedStudy))) {
     if (seq != 1) continue;
@@ -119,7 +119,7 @@ void TrailHeads::readSigned() {
 
 void TrailHeads::readAbandonedHeads() {
   for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
-    // Counts only if the station that signed the heads also signed this event.
+    // Counts only if the station that signed the given-up heads also signed this event.
     const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
       return each.isSound && each.head.events == event.first &&
              each.head.purpose == study::nameOf(EventKind::RestoredCopy);
@@ -136,8 +136,8 @@ bool TrailHeads::holds(const SignedHead& head) const {
       head.purpose == kWitness || head.purpose == study::nameOf(EventKind::MadeStudy);
   return isElsewhereOnly || std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
            const bool isIt = each.seq == head.events + 1 && each.head.signature == head.signature;
-           // A copy of this trail was sealed again. This trail went on: the same station signed it
-           // later.
+           // A copy of this trail was sealed again, but this trail continued: the same station
+           // signed it later.
            const bool wentOn = isSealedAgain(head) && each.isSound && each.head.key == head.key &&
                                each.head.events > head.events;
            return isIt || wentOn;
@@ -155,8 +155,8 @@ bool TrailHeads::endsBefore(const SignedHead& head) const {
 bool TrailHeads::belongsToPreviousTrail(const SignedHead& head) const {
   if (previousTrailEvents_ == 0 || head.first == first_ || head.events > previousTrailEvents_)
     return false;
-  // Only a signature right after that event counts. A later one would not: the station may sign
-  // sessions of a study whose beginning was replaced.
+  // Only a signature right after that event counts. A later signature proves nothing, because the
+  // station may sign sessions of a study whose first events were replaced.
   const auto purpose =
       study::nameOf(isCollected_ ? EventKind::CollectedStudy : EventKind::ResealedTrail);
   return std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {

@@ -12,44 +12,44 @@
 
 namespace study::storage {
 
-/// The signed heads in an audit trail, and the heads that were given up when an older copy took the
-/// study's place.
+/// The signed heads in an audit trail, and the heads that were given up when an older copy replaced
+/// the study.
 class TrailHeads {
  public:
   explicit TrailHeads(const Database& study);
 
   struct Signed {
-    std::int64_t seq = 0;  ///< number of the event that holds it
+    std::int64_t seq = 0;  ///< number of the event that contains the head
     SignedHead head;
-    bool isSound = false;  ///< the signature is valid and is of the events before it
+    bool isSound = false;  ///< whether the signature is valid and covers the events before it
   };
 
   const std::vector<Signed>& all() const noexcept { return signed_; }
-  std::int64_t lastEvent() const noexcept { return last_; }         ///< its number
+  std::int64_t lastEvent() const noexcept { return last_; }         ///< number of the last event
   const std::string& study() const noexcept { return study_; }      ///< uuid
   const std::string& firstHash() const noexcept { return first_; }  ///< hash of the first event
 
-  /// Whether the trail has all events that @p head vouches for, and the event that holds this head.
+  /// Whether the trail has the events up to @p head unchanged, and the event that contains @p head.
   bool holds(const SignedHead& head) const;
 
-  /// Whether @p head was signed after the trail's last event, judging by its number of events.
+  /// Whether @p head was signed after the trail's last event, judged by its number of events.
   bool endsBefore(const SignedHead& head) const;
 
-  /// Whether @p head belongs to the trail before it was sealed again (event resealed_trail) or
-  /// collected, and the same station signed that event, too.
+  /// Whether @p head belongs to the trail before it was sealed again (event ResealedTrail) or
+  /// collected, and its station also signed that event.
   bool belongsToPreviousTrail(const SignedHead& head) const;
 
-  /// Whether @p head is the last head of the previous trail, signed just before that was sealed
+  /// Whether @p head is the last head of the previous trail, signed just before it was sealed
   /// again.
   bool isLastOfPreviousTrail(const SignedHead& head) const;
 
   /// Whether an event RestoredCopy lists @p head as given up, and the station of @p head signed
-  /// that event.
+  /// this event.
   bool isGivenUp(const SignedHead& head) const;
 
-  /// Reports signatures that are invalid or not of the events before them; remarks say how much is
-  /// signed.
-  /// @param key  public key of this station; empty: it has none
+  /// Reports signatures that are invalid or do not cover the events before them; remarks state how
+  /// many events are signed.
+  /// @param key  public key of this station; empty if the station has none
   Findings checkSignatures(const std::string& key) const;
 
  private:
@@ -64,20 +64,21 @@ class TrailHeads {
   std::string study_;
   std::string first_;
   std::int64_t last_ = 0;
-  /// Events of the previous trail that follow the first event; 0: none.
+  /// Number of events of the previous trail that follow the first event; 0 if there is no previous
+  /// trail.
   std::int64_t previousTrailEvents_ = 0;
   std::string previousTrailHead_;  ///< hash of the last event of the previous trail
-  bool isCollected_ = false;       ///< it repeats the trails of several stations
-  /// Number of the last event before the first erasure that was repeated in this copy of the study
-  /// only: up to there, all copies have the same events.
+  bool isCollected_ = false;       ///< whether the trail consists of the trails of several stations
+  /// Number of the last event that all copies of the study have in common: the one before the first
+  /// erasure that was repeated in this copy only.
   std::int64_t lastSharedEvent_ = 0;
-  std::size_t previousTrailHeads_ = 0;  ///< signed heads among previousTrailEvents_
+  std::size_t previousTrailHeads_ = 0;  ///< number of signed heads among previousTrailEvents_
   std::vector<Signed> signed_;
-  /// Names of heads that were given up (nameOf()), by the public key of the station.
+  /// nameOf() of the heads that were given up, by the public key of the station.
   std::map<std::string, std::set<std::string>> givenUp_;
 };
 
-/// The text by which the event RestoredCopy refers to a head: "812:1a2b3c4d…".
+/// The text that refers to a head in the event RestoredCopy: "812:1a2b3c4d…".
 std::string nameOf(const SignedHead& head);
 
 }  // namespace study::storage

@@ -20,23 +20,23 @@ std::optional<StationStore> thisStation() {
   }
 }
 
-/// Whether an event of this purpose explains why the trail is not the one that was signed before.
-/// The program writes such events only after it has checked that trail, or with a reason of the
-/// operator.
+/// Whether an event with this purpose explains why the trail differs from the one that was signed
+/// before. The program writes such events only after checking that trail, or with a reason given by
+/// the operator.
 bool explainsAnotherTrail(std::string_view purpose) {
   using enum EventKind;
   return purpose == nameOf(RestoredCopy) || purpose == nameOf(ResealedTrail) ||
          purpose == nameOf(CollectedStudy);
 }
 
-/// Whether this station may sign the trail. A signature vouches for all events before it, so
-/// signing a trail that was rewritten or cut off would make it look authentic.
+/// Whether this station may sign the trail. A signature covers all events before it, so signing a
+/// trail that was rewritten or cut off would make it look authentic.
 bool maySign(const Database& study, const StationStore& station, std::string_view purpose) {
   if (explainsAnotherTrail(purpose)) return true;
   try {
     return missingHeads(TrailHeads(study), station).empty();
   } catch (const StorageError&) {
-    return false;  // the list cannot be read
+    return false;  // the station's list cannot be read
   }
 }
 
@@ -72,7 +72,7 @@ void noteNewStudy(const Database& study, const std::filesystem::path& folder, co
     noteHead(
         *station, signHead(study, *station, nameOf(EventKind::MadeStudy), asUtc(now.wall)), folder);
   } catch (const StorageError&) {
-    return;  // the first signed head covers this event, too
+    return;  // the first signed head covers the event MadeStudy, too
   }
 }
 

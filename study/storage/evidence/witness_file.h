@@ -8,17 +8,19 @@
 
 namespace study::storage {
 
-/// Writes all signed heads of a trail, and one of its present end, to a new file. Kept out of reach
-/// of those who can write the study, the file proves later what the study contained.
+/// Writes all signed heads of a trail, and a signed head of its present end, to a new file. If
+/// people who can write the study cannot change this file, it proves later what the study
+/// contained.
 /// @throws StorageError  if the file exists or cannot be written, or this station has no key.
 void writeWitness(const Database& study, const std::string& path, const std::string& utc);
 
-/// The heads in such a file, with its name in place of a folder. Signatures are not checked.
-/// @throws UserError  if it is no such file, or cannot be read.
+/// The heads in a witness file; NotedHead::folder is the name of the file. Signatures are not
+/// checked.
+/// @throws UserError  if the file is no witness file, or cannot be read.
 std::vector<NotedHead> readWitness(const std::string& path);
 
-/// Checks that the heads of a file are signed and of that study, and that the trail has the events
-/// up to each.
+/// Checks that the heads of a witness file are signed and belong to this study, and that the trail
+/// contains the events up to each of them.
 Findings checkWitness(const TrailHeads& trail, const std::vector<NotedHead>& witness);
 
 }  // namespace study::storage

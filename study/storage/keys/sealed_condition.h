@@ -10,21 +10,21 @@
 
 namespace study::storage {
 
-// Data that reveal which condition was felt are sealed with the study's key (docs/decisions/0049).
+// Data that reveal the rendered condition are sealed with the study's key (docs/decisions/0049).
 
 /// Seals the condition of a step. All sealed conditions have the same size, so that the size
 /// reveals nothing.
 std::vector<std::byte> sealCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 
-/// @param key  the study's key; nullptr: it is not available
-/// @throws StorageError  if it was sealed with another key or for another step, or was changed; if
-///     there is no key, the error says what to do.
+/// @param key  the study's key; nullptr if it is not available
+/// @throws StorageError  if the condition was sealed with another key or for another step, or was
+///     changed; without a key, the error describes how to get it.
 std::string openCondition(
     const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed);
 
-/// Seals the measurements of a trial (JSON of columns and values). The size is the same for up to
-/// about 20 cuts.
+/// Seals the measurements of a trial (JSON of columns and values). The sealed size is the same for
+/// up to about 20 cuts.
 std::vector<std::byte> sealMeasurements(
     const SealingKey& key, const VisitKey& trial, std::string_view text);
 
@@ -32,8 +32,8 @@ std::vector<std::byte> sealMeasurements(
 std::string openMeasurements(
     const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& sealed);
 
-/// ProtocolWarningCheck for the operator when the key of a study is missing.
-/// @param study  its folder, as typed in a command
+/// Advice for the operator on how to get the missing key of a study.
+/// @param study  the study's folder, as typed in a command
 std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase);
 
 }  // namespace study::storage

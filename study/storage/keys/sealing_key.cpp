@@ -11,7 +11,7 @@ static_assert(kNonce == 24 && kProof == 16, "as documented");
 static_assert(std::tuple_size_v<SealingKey::Bytes> == crypto_kdf_KEYBYTES);
 static_assert(std::tuple_size_v<SealingKey::Bytes> == crypto_aead_xchacha20poly1305_ietf_KEYBYTES);
 
-// What a derived key is for. These numbers are part of the file format.
+// Purposes of derived keys. These numbers are part of the file format.
 constexpr unsigned kToSeal = 1;
 constexpr unsigned kToHash = 2;
 constexpr unsigned kToJoin = 3;

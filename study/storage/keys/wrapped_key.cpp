@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view kPlace = "a key behind a passphrase";
 static_assert(WrappedKey::kSalt == crypto_pwhash_SALTBYTES);
 
-// Limits for files from others, which must not keep the program busy for ever or take all memory.
+// Upper limits of PassphraseCost, because a file from another person must not keep the program busy
+// or take all memory.
 constexpr std::uint64_t kMostOperations = 16;
 constexpr std::uint64_t kMostMemory = 1024ULL * 1024 * 1024;  // [bytes]
 

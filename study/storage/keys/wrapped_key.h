@@ -16,12 +16,12 @@ struct PassphraseCost {
   std::uint64_t operations = 3;
   std::uint64_t memory = 256ULL * 1024 * 1024;  ///< [bytes]
 
-  /// For tests alone: no protection.
+  /// For tests only: too cheap to protect a key.
   static constexpr PassphraseCost least() { return {.operations = 1, .memory = 8192}; }
 };
 
-/// A key, sealed with a key that is derived from a passphrase. Others may read the sealed key, as
-/// long as the passphrase cannot be guessed.
+/// A key, sealed with another key that is derived from a passphrase. The sealed key may be public
+/// as long as the passphrase cannot be guessed.
 struct WrappedKey {
   static constexpr std::size_t kSalt = 16;
 
@@ -29,13 +29,13 @@ struct WrappedKey {
   PassphraseCost cost;
   std::vector<std::byte> sealed;
 
-  /// @throws std::invalid_argument  if the passphrase is empty; StorageError  without that much
-  ///     memory
+  /// @throws std::invalid_argument  if the passphrase is empty
+  /// @throws StorageError  if the memory of @p cost is not available
   static WrappedKey make(
       const SealingKey::Bytes& key, std::string_view passphrase, const PassphraseCost& cost);
 
   /// The key; std::nullopt if the passphrase is wrong, or if the sealed key was changed.
-  /// @throws StorageError  if opening needs more memory or time than any key of make().
+  /// @throws StorageError  (Damaged) if the stored cost exceeds the limits of this program.
   std::optional<SealingKey::Bytes> opened(std::string_view passphrase) const;
 };
 

@@ -39,7 +39,7 @@ std::optional<BlindingSecret> fromHex(const std::string& text) {
   return isSound ? std::optional(BlindingSecret(bytes)) : std::nullopt;
 }
 
-/// "COMMITMENT KEY FOLDER"
+/// The key in a line "COMMITMENT KEY FOLDER", if the line has that commitment.
 std::optional<BlindingSecret> keyIn(const std::string& line, const std::string& commitment) {
   std::istringstream words(line);
   std::string committed;
@@ -58,7 +58,8 @@ std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
   return std::nullopt;
 }
 
-/// The keys held in memory, by commitment (study) or salt (names). Used by several threads.
+/// The keys that this program holds in memory, by commitment (key of a study) or salt (key of
+/// names). Used by several threads.
 struct HeldKeys {
   std::mutex mutex;
   std::map<std::string, BlindingSecret> keys;
@@ -69,7 +70,7 @@ HeldKeys& heldKeys() {
   return held;
 }
 
-/// The salt, which identifies a wrapped key: 128 random bits.
+/// The salt of a wrapped key: 128 random bits that identify it.
 std::string saltOf(const WrappedKey& wrapped) {
   return {wrapped.salt.begin(), wrapped.salt.end()};
 }

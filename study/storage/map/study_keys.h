@@ -11,29 +11,30 @@
 namespace study::storage {
 
 /// Stores the key of a study in this station's list, outside of the study's folder
-/// (docs/decisions/0049). It is on the disk on return. Does nothing if it is stored already.
-/// @param folder  the study's folder, noted for people who read the list
-/// @return  false if it was stored already
+/// (docs/decisions/0049). The list is on the disk on return. Does nothing if the list has the key.
+/// @param folder  the study's folder, a note for people who read the list
+/// @return  false if the list had the key already
 /// @throws StorageError  if the station's own folder cannot be used.
 bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folder);
 
-/// Holds a key in memory until this program ends, so that findStudyKey() finds it: windows open a
-/// study more than once.
+/// Holds a key in memory until this program ends. findStudyKey() then finds it when a window opens
+/// the study again.
 void holdStudyKey(const BlindingSecret& key);
 
-/// Holds the key of names, which a passphrase opened, in memory until this program ends;
-/// heldNamesKey() finds it by @p wrapped.
+/// Holds the key of names, which a passphrase opened, in memory until this program ends.
+/// heldNamesKey() returns it for @p wrapped.
 void holdNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key);
 std::optional<SealingKey> heldNamesKey(const WrappedKey& wrapped);
 
 /// For tests: clears all keys held in memory, as a restart does.
 void clearHeldKeys();
 
-/// The study's key with that commitment, if this program holds it or this station has stored it.
+/// The study's key with that commitment; std::nullopt if neither this program holds it nor this
+/// station has stored it.
 /// @throws StorageError  if the station's own folder cannot be used.
 std::optional<BlindingSecret> findStudyKey(const std::string& commitment);
 
-/// Deletes the key of a study from this station. @return  whether it was there
+/// Deletes the key of a study from this station's list. @return  whether the list had it
 /// @throws StorageError
 bool dropKey(const std::string& commitment);
 
@@ -41,10 +42,10 @@ bool dropKey(const std::string& commitment);
 /// @throws StorageError
 void writeKeyFile(const std::string& path, const BlindingSecret& key, const std::string& title);
 
-/// @throws UserError  if it is no such file, or cannot be read.
+/// @throws UserError  if the file is no key file, or cannot be read.
 BlindingSecret readKeyFile(const std::string& path);
 
-/// Stores in study.db the key that the study's passphrase opens.
+/// Stores a study's key, wrapped with the passphrase, in study.db.
 void storeWrapped(Database& study, const WrappedKey& key);
 std::optional<WrappedKey> wrappedKeyIn(const Database& study);
 

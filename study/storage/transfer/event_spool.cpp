@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t kApplicationId = 0x50414c53;  // "PALS"
 
-// The columns of study.db, without what it requires of them: sequence numbers repeat.
+// The columns of study.db without its constraints, because sequence numbers repeat.
 constexpr std::array<std::string_view, 1> kSteps{R"sql(
   CREATE TABLE event (
     place INTEGER PRIMARY KEY, seq INTEGER, session_id INTEGER, step INTEGER, attempt INTEGER, utc TEXT,
@@ -25,7 +25,7 @@ EventSpool::EventSpool(const std::string& path)
           database_,
           "INSERT INTO event (seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, "
           "detail, content_hash, sealed, hash) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)") {
-  database_.execute("BEGIN");  // never committed: nothing waits for the disk
+  database_.execute("BEGIN");  // never committed, so that no write waits for the disk
 }
 
 void EventSpool::put(const StoredEvent& event) {

@@ -10,10 +10,10 @@
 namespace study::storage {
 
 /// A queue of events in a temporary file, because the events of a large study do not fit into
-/// memory. The owner removes the file.
+/// memory. The owner of this object removes the file.
 class EventSpool {
  public:
-  /// Makes the file. @throws StorageError
+  /// Creates the file. @throws StorageError
   explicit EventSpool(const std::string& path);
 
   void put(const StoredEvent& event);

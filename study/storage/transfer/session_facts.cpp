@@ -13,15 +13,16 @@
 namespace study::storage {
 namespace {
 
-/// The columns of a table that are the same in every file.
+/// The columns of a table that do not depend on the file: no row numbers of this file.
 struct Table {
   std::string_view name;
   std::string_view columns;
-  std::string_view order;  ///< sort key, so that two files give the rows in the same order
+  std::string_view order;  ///< sort key, so that all files return the rows in the same order
 };
 
-// Of participant and session the columns are written out below: they refer to other tables. What
-// can be sealed is read and written by others: allocation, trial, cut.
+// The columns of participant and session are listed in the functions below, because they refer to
+// other tables. Other functions read and write the tables with sealed columns: allocation, trial,
+// cut.
 constexpr std::array kTables{
     Table{"step", "step, kind, phase, instrument, item_set, position, label", "step"},
     Table{"visit", "step, attempt, status, began_utc, ended_utc, reason", "step, attempt"},
@@ -78,7 +79,7 @@ std::vector<std::pair<int, std::string>> openAllocation(const Database& study, S
   return conditions;
 }
 
-/// @param key  seals the conditions in this file; nullptr: they are stored unsealed
+/// @param key  seals the conditions; nullptr: they are stored unsealed
 void addAllocation(
     Database& study, SessionId session, const SessionFacts& facts, const SealingKey* key) {
   Statement insert(
@@ -99,7 +100,7 @@ void addAllocation(
   }
 }
 
-/// @param as  the number of its row; std::nullopt: the next one
+/// @param as  number of the session's row; std::nullopt: the next free one
 SessionId addRows(
     Database& study,
     const SessionFacts& facts,
@@ -162,7 +163,7 @@ SessionFacts factsOf(const Database& study, SessionId session) {
       columns + ", protocol",
       session);
   onlyRow(facts, "session");
-  // Unsealed, also if it is sealed in this file.
+  // Conditions are unsealed here, even if they are sealed in this file.
   auto& allocation = facts["allocation"];
   for (const auto& [step, condition] : openAllocation(study, session)) {
     allocation.push_back({{"step", std::int64_t{step}}, {"condition", condition}});

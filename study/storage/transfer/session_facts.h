@@ -13,32 +13,35 @@
 
 namespace study::storage {
 
-/// All that the tables say of one session, without the numbers that they have in one file: the same
-/// in every study that holds the session. By table: participant, session (one row each), step,
-/// allocation, visit, answer, trial, cut. The session names its protocol by hash.
+/// All rows of one session, without the row numbers of one file, so that they are equal in every
+/// study that contains the session. By table: participant, session (one row each), step,
+/// allocation, visit, answer, trial, cut. The session refers to its protocol by hash.
 using SessionFacts = std::map<std::string, std::vector<FactRow>>;
 
 /// The rows of a table. @throws StorageError  if there is no such table.
 const std::vector<FactRow>& rowsIn(const SessionFacts& facts, std::string_view table);
 
-/// A text of the first row of a table; empty if there is none.
+/// A text in the first row of a table; empty if the table has no row.
 std::string textIn(const SessionFacts& facts, const std::string& table, const std::string& column);
 
-/// Conditions and measurements are in the open, whether or not they are sealed in this file.
-/// @throws StorageError  if there is no such session, or the key of what is sealed is not here.
+/// The rows of a session. Conditions and measurements are unsealed, even if they are sealed in this
+/// file.
+/// @throws StorageError  if there is no such session, or if the key is needed but not available.
 SessionFacts factsOf(const Database& study, SessionId session);
 
-/// Adds a session that came from another file, with a participant if there is none of the code.
-/// Conditions and measurements are sealed if the study has its key, but for simulated sessions.
-/// Inside the caller's transaction.
-/// @throws StorageError  if its protocol is not there, or a row or column is not as this program
-///     knows it.
+/// Adds a session from another file; adds its participant if no participant has that code. If the
+/// study has its key, conditions and measurements are sealed, except for simulated sessions. Inside
+/// the caller's transaction.
+/// @throws StorageError  if the session's protocol is missing, or if rows or columns are not in the
+///     form that this program knows.
 SessionId addFacts(Database& study, const SessionFacts& facts);
 
-/// Like addFacts(), but the session keeps the number @p session of the file that it comes from, so
-/// that its rows can be compared with the audit trail of that file.
-/// @param key  with which conditions and measurements are sealed there; nullptr: they are not
-/// @param openTrials  trials whose measurements are not sealed there: an earlier program wrote them
+/// Like addFacts(), but the session keeps its number @p session in the other file, so that its rows
+/// can be compared with the audit trail of that file.
+/// @param key  with which conditions and measurements are sealed in the other file; nullptr: they
+///     are not sealed
+/// @param openTrials  trials whose measurements an earlier release stored unsealed in the other
+///     file
 void addFactsAs(
     Database& study,
     const SessionFacts& facts,
