@@ -1,6 +1,6 @@
-// The layout that BIDS asks for (bids-specification.readthedocs.io, 1.8.0, behavioural
-// experiments): tables with tabs below sub-<label>/ses-<label>/beh/, dictionaries beside them, n/a
-// for what is missing. Labels: letters and digits.
+// The BIDS layout (bids-specification.readthedocs.io, 1.8.0, behavioural experiments):
+// tab-separated tables in sub-<label>/ses-<label>/beh/, each with a data dictionary, and "n/a" for
+// missing values. Labels consist of letters and digits.
 #include <algorithm>
 #include <set>
 
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A cell of a tab-separated table. It cannot contain tabs or line breaks: they become spaces.
+/// A cell of a tab-separated table; tabs and line breaks in it are replaced by spaces.
 std::string tsvCell(const Cell& cell, bool isFreeText) {
   const auto* words = std::get_if<std::string>(&cell);
   std::string text = words == nullptr ? csvCell(cell)
@@ -53,7 +53,7 @@ void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
   writeWithSidecar(stem, table, sidecarOf(table));
 }
 
-/// Adds a table to @p contents, unless one of another session is there.
+/// Adds a table to @p contents, unless the table of that name from another session was added.
 void list(FolderContents& contents, const std::string& file, const ExportedTable& table) {
   const bool isListed =
       std::any_of(contents.tables.begin(), contents.tables.end(), [&](const auto& known) {
@@ -62,7 +62,7 @@ void list(FolderContents& contents, const std::string& file, const ExportedTable
   if (!isListed) contents.tables.push_back(writtenTable(file, table));
 }
 
-/// Writes one participant's data of one session: a folder of files that are named after both.
+/// Writes the data of one session: a folder of files with participant and session in their names.
 class BidsSession {
  public:
   BidsSession(
@@ -80,7 +80,7 @@ class BidsSession {
     fs::create_directories(folder_);
   }
 
-  /// Writes the rows of this session among @p rows; no file if there are none.
+  /// Writes those of @p rows that belong to this session; writes no file if there are none.
   template <typename Row>
   void write(const Table<Row>& table, const std::vector<Row>& rows) const {
     if (!table.isFor(readers_)) return;
@@ -122,7 +122,7 @@ class BidsSession {
   std::string task_;
 };
 
-/// One row per person. For a person with several sessions its values are those of the first.
+/// One row for each person, with the values of the person's first session.
 ExportedTable participantsOf(const std::vector<ExportedSession>& sessions, const Readers& readers) {
   std::vector<ExportedSession> first;
   std::set<std::string> seen;

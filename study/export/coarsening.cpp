@@ -17,7 +17,7 @@ using questionnaires::Option;
 double roundWidth(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double times : {1.0, 2.0, 5.0}) {
-    // with the tolerance, a rounding error in `power` does not lead to the next wider band
+    // the tolerance keeps a rounding error in `power` from giving the next wider band
     if (times * power >= least * (1.0 - 1e-12)) return times * power;
   }
   return 10.0 * power;
@@ -27,8 +27,8 @@ bool isBand(const Option& option) {
   return !option.id.empty() && std::isdigit(static_cast<unsigned char>(option.id.front())) != 0;
 }
 
-/// Groups of @p together neighbouring bands among @p options; each other option is a group by
-/// itself.
+/// Groups of @p together neighbouring options that are bands; every other option is a group of its
+/// own.
 std::vector<std::vector<Option>> neighbours(
     const std::vector<Option>& options, std::size_t together) {
   std::vector<std::vector<Option>> groups;

@@ -11,44 +11,44 @@
 
 namespace study {
 
-/// How public data release the answers to an item about the person. Every type of item has one of
-/// these forms.
+/// How public exports release the answers to an item about the person. Every type of item has one
+/// of these forms.
 enum class PublicForm {
   None,     ///< not released as a fact about the person
-  Bands,    ///< a number, released in bands because an exact one may identify
-  Options,  ///< one of several options
+  Bands,    ///< a number, released as a band because the exact number may identify
+  Options,  ///< one option
   Sets,     ///< several options, released unchanged or not at all
 };
-/// The form of an item. Points of scales and sliders are opinions (None); free text is never
-/// released.
+/// The form of an item. Points of scales and sliders are opinions, and free text is never released:
+/// both are None.
 PublicForm publicFormOf(const questionnaires::Item& item) noexcept;
 
-/// Whether answers to @p item are facts about the person that acquaintances may know, too.
+/// Whether answers to @p item are facts about the person that an acquaintance may know, too.
 inline bool isAboutThePerson(const questionnaires::Item& item) noexcept {
   return publicFormOf(item) != PublicForm::None;
 }
 
-/// Generalisation of answers about a person for public data, in levels from fine to coarse.
+/// Generalisation of answers about a person for public exports, in levels from fine to coarse.
 ///
-/// A number becomes a band. The bands of the first level are 1, 2 or 5 times a power of ten wide,
-/// at least five steps and at least a twentieth of the item's range; each further level doubles
-/// their width. Options whose ids begin with a digit are themselves bands ("25-34"): each level
-/// joins two neighbours. Other options, and sets of options, are released unchanged or not at all.
+/// A number becomes a band. On the first level bands are 1, 2 or 5 times a power of ten wide, and
+/// at least five steps and a twentieth of the item's range; each further level doubles the width.
+/// Options whose ids begin with a digit are bands already ("25-34"): each further level joins two
+/// neighbours. Other options, and sets of options, are released unchanged or not at all.
 class Coarsening {
  public:
   /// @param item  about the person, see isAboutThePerson().
-  /// @param language  of the options' labels
+  /// @param language  of the labels of options
   Coarsening(const questionnaires::Item& item, std::string_view language);
 
   std::size_t levelCount() const noexcept { return levels_.size(); }
 
-  /// The width of the bands of the first level, in the item's unit; std::nullopt: there are no
-  /// bands.
+  /// The width of the bands of the first level, in the item's unit; std::nullopt for an item
+  /// without bands.
   std::optional<double> bandWidth() const;
-  /// Whether labels of bands name whole steps, "20 to 24", and not "20 to <25".
+  /// Whether band labels have the form "20 to 24" (whole numbers) instead of "20 to <25".
   bool isWhole() const noexcept { return isWhole_; }
 
-  /// The values of a level in order; empty if there is no closed list.
+  /// The released values of a level, in order; empty if any value is possible.
   const std::vector<Level>& values(std::size_t level) const { return levels_.at(level).values; }
 
   /// The released value of @p response; empty if the response is not valid for the item.
@@ -58,7 +58,7 @@ class Coarsening {
   struct CoarseLevel {
     std::vector<Level> values;
     std::map<std::string, std::string> byOption;  ///< released value of each option
-    double width = 0.0;                           ///< of bands of numbers, in the item's unit
+    double width = 0.0;                           ///< width of the bands, in the item's unit
   };
 
   void addBands(const questionnaires::Item& item);
@@ -66,7 +66,7 @@ class Coarsening {
   std::string band(double from, double width) const;
 
   std::vector<CoarseLevel> levels_;
-  bool isWhole_ = false;  ///< whole steps: "20 to 24", otherwise "20 to <25"
+  bool isWhole_ = false;  ///< see isWhole()
 };
 
 }  // namespace study

@@ -67,7 +67,7 @@ bool isPoint(const Item& item) {
   return questionnaires::answerKindOf(item.type) == questionnaires::AnswerKind::Point;
 }
 
-/// "1=strongly disagree; 5=strongly agree": points or options in order.
+/// The points or options of an item in order: "1=strongly disagree; 5=strongly agree".
 std::string scaleOf(const Item& item, const std::string& language) {
   std::string text;
   const auto add = [&](const std::string& value, const std::string& label) {
@@ -107,7 +107,8 @@ ExportedItem itemRow(
   return row;
 }
 
-/// The number of cuts with the physical tool, which is counted and not asked by a questionnaire.
+/// The number of cuts with the physical tool. The operator counts them; no questionnaire asks for
+/// them.
 ExportedItem benchmarkRow() {
   return {
       .id = "physical-cuts",
@@ -115,7 +116,7 @@ ExportedItem benchmarkRow() {
       .text = "Cuts that were made with the physical tool"};
 }
 
-/// A row of columns.csv: a value that a column may have.
+/// A row of columns.csv: one value of a column.
 struct ColumnValue {
   const ExportedTable* table = nullptr;
   const ExportedColumn* column = nullptr;

@@ -8,12 +8,11 @@
 
 namespace study {
 
-/// One row per item and language: its question, scale and key. For items that name a person the
-/// question is included, the answers are not.
+/// One row per item and language: its question, scale and key. Includes the questions of items that
+/// name a person, but not their answers.
 ExportedTable itemsTable(Study& study, const Readers& readers);
 
-/// The columns and values of codebookAsJson() as a table, for scripts: one row per column and
-/// value.
+/// The columns and values of codebookAsJson() as a table for scripts: one row per column and value.
 ExportedTable columnsTable(const std::vector<ExportedTable>& tables);
 
 /// The meaning of every table, column and value, as JSON.

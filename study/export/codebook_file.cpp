@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line about a source of scenes. In a blinded export names are left out, because they may reveal
-/// a condition.
+/// A line on a measurement that scenes are based on. Blinded exports omit its name, which may
+/// reveal a condition.
 std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
   if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";
@@ -25,7 +25,7 @@ std::string describe(const protocols::FeltSource& source, const ExportOptions& o
          " that was felt is one that nobody recorded or measured.\n";
 }
 
-/// How many sessions are in the folder, and of which kind.
+/// The number of sessions in the folder, and their run mode.
 std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) {
   const std::string mode = options.runMode ? std::string(nameOf(*options.runMode)) + " " : "";
   if (sessions == 0) return "No " + mode + "session is in this folder: its tables are empty.";
@@ -38,7 +38,7 @@ std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) 
   return words;
 }
 
-/// Lines on the details that the options left out.
+/// Lines on the details that were left out according to @p options.
 std::string detailInWords(const ExportOptions& options) {
   std::string text;
   if (!options.isExact) {
@@ -54,10 +54,10 @@ std::string detailInWords(const ExportOptions& options) {
   return text;
 }
 
-/// How a format writes tables, for the README.
+/// How an export format writes tables, for the README.
 struct FormatFacts {
   ExportFormat format;
-  const char* missing;     ///< what a missing value is
+  const char* missing;     ///< how missing values are written
   const char* dictionary;  ///< where columns are described
   const char* more;        ///< other properties; empty: none
 };
@@ -87,7 +87,7 @@ const FormatFacts& factsOf(ExportFormat format) {
       kFormats.begin(), kFormats.end(), [&](const auto& facts) { return facts.format == format; });
 }
 
-/// A script of an export, for the README.
+/// A script in an export, for the README.
 struct ScriptFacts {
   std::string_view name;
   const char* purpose;
@@ -157,9 +157,9 @@ std::string tracesInWords() {
   return text;
 }
 
-/// Whether the folder names its study and the head of the audit trail. A public folder must not
-/// lead to its study. A folder of simulated sessions needs no proof, and must not help to identify
-/// a folder of people.
+/// Whether the folder contains the study's name and the head of its audit trail. A public folder
+/// must not lead to its study. A folder of simulated sessions needs no proof of origin, and must
+/// not help to identify a folder of real sessions.
 bool namesItsStudy(const ExportOptions& options) {
   return options.runMode != RunMode::Simulated && !options.publicClass;
 }

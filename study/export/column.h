@@ -39,30 +39,33 @@ enum class ValueList {
   Blocks,
   ConditionCodes,
   Conditions,
-  Sites,  ///< only where there are several
+  Sites,  ///< only if the study has several sites
 };
 
 /// The values of each list in their natural order.
 using ValueLists = std::map<ValueList, std::vector<Level>>;
 
-/// The intended readers of an export folder. They determine which columns are exported, and how
-/// some are described.
+/// The intended readers of an export folder. They determine which columns are exported, and some of
+/// the descriptions.
 struct Readers {
-  bool isBlinded = true;  ///< must not learn the condition behind a condition code
-  bool isPublic = false;
-  bool seeExact = false;        ///< exact dates, times of day, and numbers about the person
-  bool seeTexts = false;        ///< free texts of participants and operators
-  bool needParticipant = true;  ///< false if the file's name already says whose rows are in it
-  /// Names of the quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
+  bool isBlinded = true;        ///< whether readers must not learn which condition a condition code
+                                ///< stands for
+  bool isPublic = false;        ///< the folder is for the public
+  bool seeExact = false;        ///< whether to export exact dates, times of day, and numbers about
+                                ///< the person
+  bool seeTexts = false;        ///< whether to export free texts of participants and operators
+  bool needParticipant = true;  ///< false if the file's name identifies the participant of all its
+                                ///< rows
+  /// Names of the quasi-identifiers that a public export releases (study/export/k_anonymity.h).
   std::set<std::string> told = {};
   ValueLists lists = {};
-  /// The kind of device, if all of the study's devices are of one kind, which may have its own
-  /// descriptions of tables; otherwise nullptr.
+  /// The kind of device, if all devices of the study are of one kind; otherwise nullptr. A kind may
+  /// have its own descriptions of tables.
   const haptics::devices::DeviceKind* device = nullptr;
 
   bool hasSites() const { return lists.count(ValueList::Sites) == 1; }
 
-  /// @p description, or the device's own text for it.
+  /// The device's own text in place of @p description, if it has one; otherwise @p description.
   std::string inDeviceWords(const std::string& description) const;
 };
 
@@ -80,7 +83,7 @@ struct ExportedColumn {
 
   std::string name;  ///< snake_case, with its unit
   ColumnType type;
-  std::string unit;  ///< "s", "N"; empty: none, or it depends on the device
+  std::string unit;  ///< "s", "N"; empty if the values have no unit, or if it depends on the device
   std::string description;
   bool isFreeText = false;         ///< entered by a participant or an operator
   std::vector<Level> levels = {};  ///< all allowed values in order; empty: any value
@@ -94,8 +97,8 @@ struct ExportedTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// The types of columns. A column has one of these, and its getter must return a value of that
-/// type, a std::optional of it, or a Cell. Lines of tables read as
+/// The types of columns. The getter of a column must return a value of the column's type, a
+/// std::optional of such a value, or a Cell. Tables are written as
 ///
 ///     {"contact_s", Number{"s"}, "How long something was felt", &TrialRow::contact}
 namespace holds {
@@ -104,16 +107,16 @@ namespace holds {
 struct Text {
   static constexpr ColumnType kType = ColumnType::Text;
 };
-/// Free text: spreadsheets must not read it as a formula.
+/// Free text, which spreadsheets must not read as a formula.
 struct FreeText {
   static constexpr ColumnType kType = ColumnType::Text;
 };
-/// One value of a list that several columns share.
+/// One value of a list that several columns use.
 struct OneOf {
   static constexpr ColumnType kType = ColumnType::Text;
   ValueList list;
 };
-/// One value of a list that belongs to this column alone, and is given with it.
+/// One value of a list that only this column uses.
 struct OneOfOwnList {
   static constexpr ColumnType kType = ColumnType::Text;
   std::vector<Level> levels;
@@ -142,13 +145,13 @@ struct WithoutOptional<std::optional<Value>> {
   using Type = Value;
 };
 
-/// An enum whose values have names in files.
+/// An enum whose enumerators have names in files.
 template <typename Value>
 concept Named = std::is_enum_v<Value> && requires(Value value) {
   { nameOf(value) } -> std::same_as<std::string_view>;
 };
 
-/// Whether a getter of a column of this type may return @p Value.
+/// Whether the getter of a column of type @p type may return @p Value.
 template <ColumnType type, typename Value>
 constexpr bool fits() {
   using V = typename WithoutOptional<std::remove_cvref_t<Value>>::Type;
@@ -182,19 +185,19 @@ Cell asCell(const std::optional<Value>& value) {
 
 }  // namespace holds
 
-/// Whether @p Getter returns what a column of @p Holding may hold.
+/// Whether @p Getter returns a value for a column of type @p Holding.
 template <typename Getter, typename Holding, typename Row>
 concept GetterOf = std::invocable<Getter, const Row&> &&
     holds::fits<Holding::kType, std::invoke_result_t<Getter, const Row&>>();
 
 /// One column of an exported file: its description, and how its cells are computed from a row.
-/// Files, codebooks and dictionaries are made from these; columns are named nowhere else. There are
-/// no defaults: a column without a type or a description does not compile.
+/// Files, codebooks and dictionaries are all made from these columns. There are no defaults: a
+/// column without a type or description does not compile.
 template <typename Row>
 class Column {
  public:
   /// @param name  snake_case, with its unit
-  /// @param getter  a member of the row, or a function of it
+  /// @param getter  a member of the row, or a function of the row
   template <typename Holding, GetterOf<Holding, Row> Getter>
   Column(std::string name, Holding holding, std::string description, Getter getter)
       : head_(std::move(name), Holding::kType, {}, std::move(description)),
@@ -208,41 +211,42 @@ class Column {
     head_.isFreeText = std::same_as<Holding, holds::FreeText>;
   }
 
-  /// The column identifies the condition, and is left out of blinded folders.
+  /// The column reveals the condition; blinded folders leave it out.
   Column revealsCondition() && {
     revealsCondition_ = true;
     return std::move(*this);
   }
 
-  /// The column is so exact that it may identify a person, and is left out of coarse folders.
+  /// The column is so exact that it may identify a person; folders without exact values leave it
+  /// out.
   Column exact() && {
     isExact_ = true;
     return std::move(*this);
   }
 
-  /// The column has free text, which may name people, and is left out unless the readers asked for
-  /// texts.
+  /// The column has free text, which may name people; folders leave it out unless texts were
+  /// requested.
   Column onRequest() && {
     isOnRequest_ = true;
     return std::move(*this);
   }
 
-  /// The column identifies session and participant, and is left out if the file's name does so.
+  /// The column identifies session and participant; files whose name does so leave it out.
   Column identifiesParticipant() && {
     identifiesParticipant_ = true;
     return std::move(*this);
   }
 
-  /// The column is part of public folders; other columns are not.
-  /// @param description  for public folders; empty: as elsewhere. If it is given, the column is not
-  ///     marked as free text.
+  /// Public folders include the column. They leave out all columns without inPublic().
+  /// @param description  in public folders; empty: the usual description. If it is given, the
+  ///     column is not marked as free text.
   Column inPublic(const std::string& description = {}) && {
     public_ = InPublic{.requiredIdentifier = {}, .description = description};
     return std::move(*this);
   }
 
-  /// As inPublic(), but only if the public folder releases the quasi-identifier (a property of
-  /// people, such as their age) that is named @p respect.
+  /// As inPublic(), but only if the public folder releases the quasi-identifier @p respect (a
+  /// property of people, such as their age).
   Column inPublicIfReleased(const std::string& respect, const std::string& description = {}) && {
     public_ = InPublic{.requiredIdentifier = respect, .description = description};
     return std::move(*this);
@@ -301,11 +305,11 @@ struct Table {
   std::string name;  ///< of the file, without its extension
   std::string description;
   Columns<Row> columns;
-  /// Whether the numbers of the table reveal conditions: it is left out of blinded folders.
+  /// Whether the table reveals conditions; blinded folders then leave it out.
   bool revealsCondition = false;
-  /// Whether the table has free texts only: it is left out unless the readers asked for texts.
+  /// Whether the table has free texts only; folders then leave it out unless texts were requested.
   bool isOnRequest = false;
-  /// Its description in public folders; std::nullopt: it is not part of them.
+  /// Description in public folders; std::nullopt: public folders leave the table out.
   std::optional<std::string> inPublic = std::nullopt;
 
   bool isFor(const Readers& readers) const {

@@ -17,7 +17,7 @@ bool isCodeSet(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// The value of "codes" in a JSON file; empty if there is none.
+/// The value of "codes" in a JSON file; empty if the file has none.
 std::string codesIn(const std::filesystem::path& file) {
   constexpr std::uintmax_t kLargest = 64ULL * 1024 * 1024;  // [bytes]: no codebook is larger
   std::error_code error;
@@ -27,7 +27,8 @@ std::string codesIn(const std::filesystem::path& file) {
   const auto text = base::readAll(stream);
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
-  const auto inside = json.find("palpate");  // the key in files of Psych-DS and BIDS
+  const auto inside = json.find("palpate");  // the files of Psych-DS and BIDS have it inside this
+                                             // key
   const auto& head = inside != json.end() && inside->is_object() ? *inside : json;
   const auto codes = head.find("codes");
   return codes != head.end() && codes->is_string() ? codes->get<std::string>() : std::string();

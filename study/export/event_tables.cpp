@@ -1,4 +1,4 @@
-// The columns of events.csv, and of the file that BIDS has for events.
+// The columns of events.csv, and of the event file in BIDS.
 #include "study/export/study_columns.h"
 
 namespace study {
@@ -21,8 +21,8 @@ Column<ExportedEvent> utcColumn() {
       .exact();
 }
 
-/// The columns of events after @p first. Answers are left out of the detail: they are in
-/// responses.csv.
+/// The columns of events: @p first and the columns that follow. The details of answers are left
+/// out, because responses.csv has the answers.
 Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
   auto detail = Column<ExportedEvent>(
                     "detail",

@@ -15,31 +15,32 @@
 namespace study {
 
 enum class ExportFormat {
-  Csv,      ///< one file for each table
-  Json,     ///< one document
-  PsychDs,  ///< tables with data dictionaries, as psych-ds.github.io lays them out
-  Bids,     ///< a folder a person, as bids-specification.readthedocs.io lays them out
-  R,        ///< one file for each table, and an R script that reads them with their types
-  Python,   ///< … a Python script
+  Csv,      ///< one CSV file for each table
+  Json,     ///< one JSON document
+  PsychDs,  ///< tables with data dictionaries in the Psych-DS layout (psych-ds.github.io)
+  Bids,     ///< one folder for each person in the BIDS layout (bids-specification.readthedocs.io)
+  R,        ///< one CSV file for each table, and an R script that reads them with their types
+  Python,   ///< one CSV file for each table, and a Python script that reads them
 };
 
 struct ExportOptions {
   ExportFormat format = ExportFormat::Csv;
-  std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with a column that tells them apart
+  std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with the column run_mode
   bool isBlinded = true;           ///< condition codes in place of conditions, and no measurements
-  bool hasTraces = false;          ///< also the samples of all trials
-  /// Dates and times of day, and numbers about a person (age, years of practice) as given;
-  /// otherwise the day of the study, and bands of five years or more.
+  bool hasTraces = false;          ///< whether to include the samples of all trials
+  /// Whether to include exact dates, times of day, and numbers about a person (age, years of
+  /// practice). Otherwise the days since the first session, and bands that are at least five steps
+  /// wide.
   bool isExact = false;
-  bool hasTexts = false;  ///< also what participants and operators wrote
-  /// The set of codes of conditions (study/export/condition_codes.h); empty: exportStudy() draws a
-  /// new one, except for public exports, which all have the same codes.
+  bool hasTexts = false;  ///< whether to include texts of participants and operators
+  /// Name of the set of condition codes (study/export/condition_codes.h); empty: exportStudy()
+  /// draws a new one, except for public exports, which all use one set.
   std::string codes = {};
-  /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
-  /// (study/export/public_tables.h); everything else that could identify a person is left out.
+  /// For a public export: k, the smallest allowed number of people with equal quasi-identifiers
+  /// (study/export/public_tables.h). Everything else that could identify a person is left out.
   /// std::nullopt: not a public export.
   std::optional<std::size_t> publicClass = std::nullopt;
-  /// Called while writing; if it throws, the export stops and leaves no folder.
+  /// Called while writing. If it throws, the export stops and leaves no folder.
   Progress progress = {};
 };
 
@@ -47,37 +48,36 @@ struct ExportOptions {
 inline constexpr std::size_t kSmallestPublicClass = 5;
 
 /// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
-/// export has sessions, responses and texts only, without anything that depends on the rendering;
-/// codes of conditions are the same in all rows of a run mode, and differ from those of other
-/// exports.
+/// export has sessions, responses and texts only, without values that depend on the rendering.
+/// Codes of conditions are the same in all rows of a run mode, but differ between exports.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
-/// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
-/// If anything fails, there is no folder. Notes the export in the audit trail and signs that.
-/// Blinded exports of simulated sessions, or of a study that cannot be written, are not noted. An
-/// unblinded export needs a @p reason, which is noted, too.
+/// Writes the tables, a codebook and a README to a new folder, which appears when it is complete;
+/// if anything fails, there is no folder. Notes the export in the audit trail and signs the trail.
+/// Not noted are blinded exports of simulated sessions, or of a study that cannot be written. An
+/// unblinded export requires a @p reason, which is noted, too.
 /// @return  the number of exported sessions.
-/// @throws storage::StorageError  if the folder exists already or cannot be written, or if too few
-///     people took part for a public export.
+/// @throws storage::StorageError  if the folder exists already or cannot be written, or if the
+///     study has too few people for a public export.
 std::size_t exportStudy(
     Study& study,
     const std::string& folder,
     const ExportOptions& options,
     const std::string& reason = {});
 
-/// Opens a study for an export: for writing, so that the export can be noted in the audit trail. A
-/// study that cannot be written (an archive, a full disk, an analyst's rights) is opened for
-/// reading if the export is blinded and not public; so is any study for such an export of simulated
-/// sessions.
+/// Opens a study for an export. It is opened for writing, so that the export can be noted in the
+/// audit trail. For exports that are blinded and not public it is opened for reading if it cannot
+/// be written (an archive, a full disk, an analyst's rights), or if only simulated sessions are
+/// exported.
 /// @throws storage::StorageError
 Study openForExport(const std::filesystem::path& folder, const ExportOptions& options);
 
-/// Everything that reveals the condition of an answer despite its code, in any version of the
+/// Everything that reveals the condition of an answer in spite of the codes, in any version of the
 /// study's protocol (protocols/validation/validation.h). If not empty, an export with codes is not
 /// called blinded.
 std::vector<base::Message> disclosuresOf(Study& study);
 
-/// "blinded", "NOT blinded", or why an export with codes is not blinded.
+/// "blinded", "NOT blinded", or the reason why an export with codes is not blinded.
 std::string blindingInWords(Study& study, const ExportOptions& options);
 
 }  // namespace study

@@ -36,12 +36,12 @@ Json asJson(const ExportedTable& table) {
   return rows;
 }
 
-/// Whether the export includes a script that reads its tables.
+/// Whether the export includes a script that reads the tables.
 bool hasReader(const ExportOptions& options) {
   return options.format == ExportFormat::R || options.format == ExportFormat::Python;
 }
 
-/// Writes the tables. @return the number of sessions.
+/// Writes the tables. @return  the number of sessions
 std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
   auto tables = tablesFor(study, options);
   FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
@@ -67,7 +67,7 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
   return contents.sessions;
 }
 
-/// Writes all files in the requested format. @return the number of sessions.
+/// Writes all files in the requested format. @return  the number of sessions
 std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
   tell(options.progress, kUnknownShare, "writing the tables");
   if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
@@ -104,13 +104,13 @@ void requireAllowed(const ExportOptions& options, const std::string& reason) {
   }
 }
 
-/// Whether such an export must fail if it cannot be noted in the audit trail.
+/// Whether the export must fail if it cannot be noted in the audit trail.
 bool isNoteRequired(const ExportOptions& options) {
   return !options.isBlinded || options.publicClass.has_value();
 }
 
-/// Draws a new set of codes for the export. Public exports keep the same codes, so that readers can
-/// compare them.
+/// Draws the set of codes for the export. All public exports have one set of codes, so that their
+/// readers can compare them.
 void drawCodes(Study& study, ExportOptions& options) {
   const auto mode = options.runMode.value_or(RunMode::Live);
   if (options.publicClass || !drawsCodesForEachExport(study, mode)) {
@@ -121,7 +121,7 @@ void drawCodes(Study& study, ExportOptions& options) {
   if (options.codes.empty()) options.codes = drawnCodeSet();
 }
 
-/// Notes in the audit trail where a copy of the data is. Not for simulated sessions.
+/// Notes in the audit trail in which folder a copy of the data is, except for simulated sessions.
 void noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
   if (!study.isWritable() || options.runMode == RunMode::Simulated) return;
   const std::string how = options.publicClass ? "public"
@@ -138,7 +138,7 @@ void noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
     if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
     study.note(exported);
   } catch (const storage::StorageError&) {
-    // Otherwise a full disk must not keep data from being rescued.
+    // a full disk must not prevent other exports, which may rescue the data
     if (isNoteRequired(options)) throw;
   }
 }

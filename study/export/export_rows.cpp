@@ -19,8 +19,8 @@ using storage::SessionRecord;
 using storage::StepRecord;
 
 /// The time between two events of a session [ns]. The monotonic clock restarts with the computer,
-/// so the time between two runs of the program is taken from the wall clock. A ClockStepped event
-/// corrects it by the step.
+/// so the time between two runs of the program is taken from the wall clock, corrected by the step
+/// of a ClockStepped event.
 std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
   const std::int64_t byWallClock = (event.when.wall - last.wall) * 1'000'000;
   if (event.kind == EventKind::Resumed || event.kind == EventKind::TookOver) return byWallClock;
@@ -31,7 +31,7 @@ std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
   return event.when.monotonic - last.monotonic;
 }
 
-/// The time of events since the session's first event.
+/// The times of events since the session's first event.
 class EventOnsets {
  public:
   double of(const storage::Event& event) {
@@ -66,7 +66,7 @@ RowOwner ownerOf(const SessionRecord& session) {
 /// The bands that replace numbers about the person.
 class Bands {
  public:
-  /// The band of an answer; empty if it is not a number about the person.
+  /// The band of an answer; empty for items that are no numbers about the person.
   std::string of(const storage::AnswerRecord& answer, const questionnaires::Item& item) {
     if (answer.step.kind != StepKind::Form || publicFormOf(item) != PublicForm::Bands) return {};
     const auto& bands = known_.try_emplace(&item, item, "").first->second;
@@ -74,11 +74,11 @@ class Bands {
   }
 
  private:
-  // empty language: labels of bands have no words
+  // the language is empty, because labels of bands have no words
   std::map<const questionnaires::Item*, Coarsening> known_;
 };
 
-/// The day of a stored time such as "2026-11-23T08:15:00Z".
+/// The day in a stored time such as "2026-11-23T08:15:00Z".
 std::chrono::sys_days dayOf(const std::string& utc) {
   const auto number = [&](std::size_t from, std::size_t count) {
     return from + count <= utc.size() ? std::atoi(utc.substr(from, count).c_str()) : 0;
@@ -93,8 +93,8 @@ Cell responseOf(const questionnaires::Response& response) {
   return stored.text.value_or("");
 }
 
-/// Whether the answer is free text. A string answer to an item that the protocol no longer has
-/// counts as one.
+/// Whether the answer is free text. A string that answers an item which the protocol no longer has
+/// counts as free text.
 bool isText(const ExportedAnswer& row) {
   if (row.item == nullptr) return std::holds_alternative<std::string>(row.record->answer.response);
   return questionnaires::answerKindOf(row.item->type) == questionnaires::AnswerKind::Text;
@@ -105,7 +105,7 @@ bool isText(const ExportedAnswer& row) {
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
     : study_(study), isExact_(options.isExact), isBlinded_(options.isBlinded) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
-    // Codes of other run modes may need a key that is not available.
+    // codes of other run modes may need a key that is not available
     if (options.runMode && *options.runMode != mode) continue;
     codes_.emplace(mode, conditionCodes(study, mode, options.codes));
   }
@@ -117,8 +117,8 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
   answers_ = records.answers();
   trials_ = records.trials();
   cuts_ = records.cuts();
-  // Of a vote's alternative a folder says no more than its own rows do: where nothing was asked
-  // about an alternative, a blinded one has no row with its code.
+  // A vote's alternative gets a code only from the folder's own rows: if nothing was asked about
+  // the alternative, a blinded folder has no row with its code.
   const auto add = [&](const StepRecord& step) {
     if (!step.condition.empty())
       felt_.try_emplace({step.visit.session, step.phase, step.label}, step.condition);

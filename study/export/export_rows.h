@@ -11,8 +11,8 @@
 
 namespace study {
 
-/// The owner of a row. In a public folder the participant has a random id, and cohort and site may
-/// be empty.
+/// The participant and session of a row. In public folders the participant has a random id, and
+/// cohort and site may be empty.
 struct RowOwner {
   SessionId session{};
   std::string_view participant;
@@ -22,19 +22,19 @@ struct RowOwner {
   RunMode runMode = RunMode::Live;
 };
 
-/// A row of sessions.csv. Rows point into data of StudyRows.
+/// A row of sessions.csv. It points into data of StudyRows, as all row types below do.
 struct ExportedSession {
   RowOwner owner;
   const storage::SessionRecord* record = nullptr;
-  int day = 1;  ///< since the first of these sessions, by UTC
+  int day = 1;  ///< day in UTC, counted from 1 on the day of the first exported session
 };
 
-/// The step of an answer or a trial.
+/// The step in which an answer was given or a trial was run.
 struct ExportedStep {
   RowOwner owner;
   VisitKey visit;
   std::string_view block;
-  std::optional<int> position;     ///< std::nullopt if optional, or without a condition
+  std::optional<int> position;     ///< std::nullopt for optional trials, and without a condition
   std::optional<int> alternative;  ///< std::nullopt if the step has no condition
   std::string_view conditionCode;
   std::string_view condition;
@@ -42,12 +42,15 @@ struct ExportedStep {
 
 struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
-  const questionnaires::Item* item = nullptr;  ///< nullptr: the protocol does not have it
+  const questionnaires::Item* item = nullptr;  ///< nullptr if the protocol no longer has the item
   Cell response = {};
-  std::string band = {};  ///< replaces a number about the person; empty: the number is exported
+  std::string band = {};  ///< replaces a number about the person; empty if the number itself is
+                          ///< exported
   std::string_view labelLanguage = {};
-  std::string_view chosen = {};  ///< the condition, or its code, of the alternative in the response
-  std::string_view excluded = {};  ///< why the statistics leave it out; empty: they count it
+  std::string_view chosen = {};    ///< condition or condition code of the alternative that the
+                                   ///< response names
+  std::string_view excluded = {};  ///< why the statistics ignore the answer; empty if they include
+                                   ///< it
 };
 
 struct ExportedTrial : ExportedStep {
@@ -64,18 +67,18 @@ struct ExportedEvent {
   RowOwner owner;
   VisitKey visit;
   storage::Event event;
-  double onset = 0.0;  ///< since the session's first event [s]
+  double onset = 0.0;  ///< time since the session's first event [s]
 };
 
-/// Reads the data of a study that @p options select, in order of time. The study must outlive this
-/// object, which must outlive its rows.
+/// Reads the data of a study that @p options select, the oldest first. The study must outlive this
+/// object, and this object must outlive the rows that it returns.
 class StudyRows {
  public:
   StudyRows(Study& study, const ExportOptions& options);
 
   std::vector<ExportedSession> sessions() const;
-  std::vector<ExportedAnswer> answers() const;  ///< without texts
-  std::vector<ExportedAnswer> texts() const;    ///< answers that are free text
+  std::vector<ExportedAnswer> answers() const;  ///< without free texts
+  std::vector<ExportedAnswer> texts() const;    ///< free texts only
   std::vector<ExportedTrial> trials() const;
   std::vector<ExportedCut> cuts() const;
   std::vector<ExportedEvent> events() const;
@@ -88,12 +91,14 @@ class StudyRows {
   Study& study_;
   bool isExact_;
   bool isBlinded_;
-  std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< by condition
+  std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< codes by condition id, for
+                                                                 ///< each run mode
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;
   std::vector<storage::CutRecord> cuts_;
-  std::map<storage::Records::Alternative, std::string> felt_;  ///< conditions, of exported rows
+  std::map<storage::Records::Alternative, std::string> felt_;  ///< condition ids, of exported rows
+                                                               ///< only
 };
 
 }  // namespace study

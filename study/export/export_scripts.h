@@ -6,7 +6,7 @@
 
 namespace study {
 
-/// The scripts of study/library, which are exported unchanged.
+/// The R and Python scripts of study/library, which are exported unchanged.
 std::span<const base::EmbeddedFile> exportScripts();
 
 }  // namespace study

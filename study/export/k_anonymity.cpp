@@ -14,8 +14,8 @@ std::map<std::string, std::size_t> countsOf(const Values& values) {
   return counts;
 }
 
-/// The information in a column: Σ p (1 − ln p) over the shares p of its non-empty values. That is
-/// Shannon's entropy [nats] plus the share of people with a value.
+/// The information in a column: Σ p (1 − ln p) over the shares p of its non-empty values. This is
+/// Shannon's entropy [nats] plus the share of people who have a value.
 double informationIn(const Values& values) {
   double sum = 0.0;
   for (const auto& [value, count] : countsOf(values)) {
@@ -26,7 +26,7 @@ double informationIn(const Values& values) {
   return sum;
 }
 
-/// The values of one person, column by column.
+/// The values of one person in each column.
 std::vector<std::string> valuesOf(const std::vector<ReleasedColumn>& columns, std::size_t person) {
   std::vector<std::string> combination;
   combination.reserve(columns.size());
@@ -59,7 +59,8 @@ void requireOnePerPerson(const Values& values, std::size_t people) {
   if (values.size() != people) throw std::invalid_argument("a column lacks somebody's value");
 }
 
-/// @p values after local suppression within every class of equal values in @p chosen.
+/// @p values after suppression of rare values within every class of people with equal values in
+///     @p chosen.
 Values suppressRareInClasses(
     const std::vector<ReleasedColumn>& chosen, const Values& values, std::size_t k) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> classes;
@@ -76,8 +77,8 @@ Values suppressRareInClasses(
   return kept;
 }
 
-/// The level of @p identifier with the most information after suppression within the classes of @p
-/// chosen; of equal levels the finer one.
+/// The level of @p identifier with the most information after suppression within the classes of
+/// @p chosen; the finer one of levels with equal information.
 ReleasedColumn mostInformativeLevel(
     const std::vector<ReleasedColumn>& chosen, const QuasiIdentifier& identifier, std::size_t k) {
   const std::size_t people = identifier.exact.size();
@@ -88,7 +89,7 @@ ReleasedColumn mostInformativeLevel(
     requireOnePerPerson(identifier.levels[level], people);
     auto values = suppressRareInClasses(chosen, identifier.levels[level], k);
     const double information = informationIn(values);
-    if (information <= most + 1e-9) continue;  // equal but for rounding
+    if (information <= most + 1e-9) continue;  // not more than before, except for rounding errors
     most = information;
     best.level = level;
     best.values = std::move(values);

@@ -10,10 +10,11 @@ namespace study {
 namespace {
 
 constexpr std::size_t kShortest = 3;      // letters; shorter words occur in every text
-constexpr std::size_t kShortestName = 2;  // letters of a word with a capital: Bo, Øy
+constexpr std::size_t kShortestName = 2;  // letters, of a word that begins with a capital letter:
+                                          // Bo, Øy
 
-/// Letters without case and marks, from À (U+00C0) to ſ (U+017F): "Łódź" and "lodz" are one name.
-/// × and ÷ are none.
+/// Lower-case letters without diacritics for À (U+00C0) to ſ (U+017F), so that "Łódź" and "lodz"
+/// are the same name. × and ÷ are not letters.
 constexpr std::string_view kPlainLetters =
     "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo*ouuuuyty"
     "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
@@ -25,9 +26,9 @@ constexpr bool isContinued(char c) {
 }
 
 struct Letter {
-  std::string plain = {};  ///< empty: no letter
+  std::string plain = {};  ///< empty if it is not a letter
   bool isCapital = false;
-  bool isMark = false;  ///< an accent by itself, which belongs to the letter before
+  bool isMark = false;  ///< a combining accent, which belongs to the letter before it
 };
 
 /// A letter of two bytes in UTF-8.
@@ -38,17 +39,17 @@ Letter markedLetter(std::string_view bytes) {
   constexpr unsigned kLastAccent = 0x36f;
   if (code >= kFirstAccent && code <= kLastAccent) return {.isMark = true};
   const bool isLatin = code >= kFirstMarked && code < kFirstMarked + kPlainLetters.size();
-  if (!isLatin) return {.plain = std::string(bytes)};  // of another alphabet, as it is
+  if (!isLatin) return {.plain = std::string(bytes)};  // a letter of another alphabet is kept
   const char plain = kPlainLetters[code - kFirstMarked];
   if (plain == '*') return {};
-  // In Latin-1 capitals come first. Then they take turns with small letters, from U+0139 to U+0148
-  // and from U+0179 on with the odd ones.
+  // In Latin-1, capitals come first. Above it, capitals and small letters alternate; capitals are
+  // odd from U+0139 to U+0148 and from U+0179 on, and even elsewhere.
   const bool isOdd = (code >= 0x139 && code <= 0x148) || code >= 0x179;
   const bool isCapital = code <= 0xff ? code <= 0xde : (code % 2 == 1) == isOdd;
   return {.plain = {plain}, .isCapital = isCapital};
 }
 
-/// @param bytes  one character
+/// @param bytes  one character in UTF-8
 Letter letterIn(std::string_view bytes) {
   const char first = bytes.front();
   if (first >= 'A' && first <= 'Z') {
@@ -59,7 +60,7 @@ Letter letterIn(std::string_view bytes) {
   return bytes.size() == 2 ? markedLetter(bytes) : Letter{.plain = std::string(bytes)};
 }
 
-/// A line on how many people their cohort and background re-identify.
+/// A line on how many people can be re-identified by their cohort and background.
 std::string describeClassSizes(const ClassSizes& classes) {
   if (classes.people == 0) return {};
   return "- " + std::to_string(classes.peopleInSmallClasses) + " of " +
@@ -144,7 +145,7 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) 
     for (const auto& row : table.rows) {
       for (std::size_t i = 0; i < row.size(); ++i) {
         const auto& column = table.columns[i];
-        // The code may have been typed by the operator.
+        // the operator may have typed the code
         const bool isTyped = column.isFreeText || column.name == "participant_id";
         if (isTyped && isNaming(row[i])) ++named.cells[table.name];
       }

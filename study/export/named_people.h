@@ -12,26 +12,29 @@
 namespace study {
 
 /// The words of @p text with at least three letters, or two if the first is a capital. Latin
-/// letters lose case and diacritics ("Åsgård" becomes "asgard"); other alphabets stay unchanged.
+/// letters become lower-case without diacritics ("Åsgård" becomes "asgard"); letters of other
+/// alphabets are unchanged.
 std::vector<std::string> wordsIn(std::string_view text);
 
 /// The result of searching an export for names of participants.
 struct NamedPeople {
-  std::size_t names = 0;   ///< words of answers in identity.db that were searched for
-  bool areLocked = false;  ///< names are locked by a passphrase and were not searched for
-  std::map<std::string, std::size_t> cells;  ///< number of cells with such a word, by table
+  std::size_t names = 0;   ///< number of words of answers in identity.db that were searched for
+  bool areLocked = false;  ///< whether names are locked by a passphrase, so that they were not
+                           ///< searched for
+  std::map<std::string, std::size_t> cells;  ///< number of cells with one of these words, by table
 };
 
 /// Searches free texts and participant codes of @p tables for the words of all answers in
-/// identity.db. Nicknames, and names of other people in free texts, are not found.
+/// identity.db. Does not find nicknames, or names of other people.
 NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
 
-/// The equivalence classes of people with completed sessions by cohort and the facts that an export
-/// with @p options releases. k is 2: ClassSizes::peopleInSmallClasses counts people who are unique.
+/// The equivalence classes of people with completed sessions, by cohort and the facts about them
+/// that an export with @p options contains. k is 2: ClassSizes::peopleInSmallClasses counts people
+/// who are unique.
 ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options);
 
-/// Lines of a README on an export that is not public: how many people can be re-identified, and
-/// whether it contains names.
+/// Lines of the README of an export that is not public: how many people can be re-identified, and
+/// whether names were found.
 std::string identifiabilityInWords(Study& study, const ExportOptions& options);
 
 }  // namespace study

@@ -1,5 +1,5 @@
-// The Psych-DS layout. Names of files are key-value pairs joined by underscores; keys are
-// lower-case letters, values letters and digits.
+// The Psych-DS layout. File names are key-value pairs joined by underscores; keys have lower-case
+// letters, values letters and digits.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The name of the type in schema.org and JSON.
+/// The name of the column's type in JSON and schema.org.
 std::string_view jsonTypeOf(ColumnType type) {
   switch (type) {
     case ColumnType::Integer:
@@ -44,7 +44,7 @@ Json variableOf(const ExportedColumn& column) {
   return variable;
 }
 
-/// Every column once: columns with the same name mean the same in all tables.
+/// Every column once, because columns of the same name have the same meaning in all tables.
 Json variablesOf(const std::vector<ExportedTable>& tables) {
   Json variables = Json::array();
   std::vector<std::string> seen;
@@ -72,8 +72,8 @@ Json descriptionOf(
   return json;
 }
 
-/// Whether a file of the protocol may be exported: not texts under third-party copyright
-/// (wording/), and no path that leads out of the folder.
+/// Whether a file of the protocol may be exported. Texts under third-party copyright (wording/) may
+/// not, nor a path that leads out of the folder.
 bool mayBeExported(const fs::path& name) {
   return name.is_relative() && name.begin() != name.end() && *name.begin() != "wording" &&
          std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
@@ -98,7 +98,7 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
   const auto tables = tablesFor(study, options);
   FolderContents contents{.sessions = tables.front().rows.size(), .tables = {}};
   std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
-  // File names of a station contain its site. Exports of several sites have a column for it.
+  // At a station, file names contain its site. Exports of several sites have a column for the site.
   const auto& site = study.station().site;
   if (!site.empty() && !options.publicClass) prefix += "_site-" + bidsLabel(site);
   const auto data = folder / "data";

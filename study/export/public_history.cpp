@@ -11,10 +11,10 @@
 namespace study {
 namespace {
 
-/// A public export in the past.
+/// A public export that was made earlier.
 struct EarlierExport {
   std::size_t k = 0;
-  std::set<SessionId> completed;  ///< sessions that were completed when it was made
+  std::set<SessionId> completed;  ///< sessions that were completed before that export
 };
 
 std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
@@ -25,7 +25,7 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
       completed.insert(event.visit->session);
     }
     if (event.kind != EventKind::PublicExport) continue;
-    const auto* of = event.value("run_mode");  // release 0.1 did not note it
+    const auto* of = event.value("run_mode");  // release 0.1 did not store the run mode
     const auto* name = of == nullptr ? nullptr : std::get_if<std::string>(of);
     if (name != nullptr && *name != nameOf(mode)) continue;
     const auto* k = event.value("k");
@@ -36,15 +36,15 @@ std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
   return exports;
 }
 
-/// The values of some people.
+/// The values of the people with these indices.
 Values valuesOfPeople(const Values& values, const std::vector<std::size_t>& people) {
   Values these;
   for (const auto person : people) these.push_back(values[person]);
   return these;
 }
 
-/// A column that says who was in an earlier export, and the columns that it released. People who
-/// were not in it have empty values there.
+/// A column that tells whether a person was in an earlier export, and the columns that it released.
+/// They are empty for people who were not in that export.
 std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,
     const PublicPeople& people,

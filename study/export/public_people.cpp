@@ -109,7 +109,7 @@ QuasiIdentifier PublicPeople::orders() const {
   const auto codes = conditionCodes(study_, mode_);
   std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> felt(count());
   for (const auto& trial : trials_) {
-    if (trial.step.isOfferedAgain()) continue;  // it has no position in the order
+    if (trial.step.isOfferedAgain()) continue;  // an optional trial has no position in the order
     auto& blocks = felt[people_.at(trial.step.visit.session)];
     const auto code = codes.find(trial.step.condition);
     const auto& phases = study_.protocol().protocol.phases;

@@ -32,7 +32,7 @@ void shuffle(std::vector<T>& rows) {
     std::swap(rows[left - 1], rows[randomBelow(left)]);
 }
 
-/// Random ids without meaning, all different: "R7K2M9QXTA".
+/// Distinct random ids without meaning: "R7K2M9QXTA".
 std::vector<std::string> drawnIds(std::size_t count) {
   constexpr std::string_view kLetters = "ABCDEFGHJKMNPQRSTVWXYZ23456789";
   constexpr int kLength = 9;
@@ -85,7 +85,7 @@ class PublicTables {
   }
 
  private:
-  /// One row for each person; the row is the person's index.
+  /// One row for each person; a row is the index of a person.
   Table<std::size_t> participantTable() const {
     Table<std::size_t> table{
         .name = "participants",
@@ -131,7 +131,7 @@ class PublicTables {
     throw std::logic_error("no one knows the column " + column.name);
   }
 
-  /// The item of an answer that may be released; otherwise nullptr.
+  /// The item of an answer if its answers may be released; otherwise nullptr.
   const Item* releasableItem(const storage::AnswerRecord& answer) const {
     const bool isForm = answer.step.kind == StepKind::Form;
     const bool isOpinion =
@@ -154,7 +154,7 @@ class PublicTables {
     return code == codes_.end() ? std::string_view() : code->second;
   }
 
-  /// The condition code of the alternative that an answer names.
+  /// The condition code of the alternative that an answer chooses.
   std::string_view preferred(const storage::AnswerRecord& answer, const std::string& label) const {
     const auto* phase = study_.protocol().protocol.phase(answer.step.phase);
     if (phase == nullptr) return {};
@@ -174,7 +174,7 @@ class PublicTables {
     return holds::asCell(isAlternative ? preferred(answer, text) : std::string_view(text));
   }
 
-  /// The released value of a person; empty if none is released.
+  /// The released value of a person for the quasi-identifier @p respect; empty if none is released.
   std::string_view told(const char* respect, std::size_t person) const {
     const auto* column = release_.column(respect);
     return column == nullptr || !column->level ? std::string_view() : column->values[person];

@@ -8,10 +8,9 @@
 
 namespace study {
 
-/// The quasi-identifiers of a study's people, generalised for release. ExportOptions::publicClass
-/// must be set.
-/// @throws storage::StorageError  if there are fewer people than the smallest class that @p options
-///     ask for.
+/// The quasi-identifiers of the people of a study, generalised for release.
+/// ExportOptions::publicClass must be set.
+/// @throws storage::StorageError  if the study has fewer people than ExportOptions::publicClass.
 Release publicRelease(Study& study, const ExportOptions& options);
 
 /// The tables of a public export: people with their released quasi-identifiers, and answers without
@@ -23,8 +22,8 @@ std::vector<ExportedTable> publicTables(Study& study, const ExportOptions& optio
 /// The README of a public folder.
 std::string publicReadme(Study& study, const ExportOptions& options, const Release& release);
 
-/// The identifiability of participants in a few lines: the smallest class before and after, and its
-/// causes.
+/// The identifiability of participants in a few lines: the smallest class before and after
+/// generalisation, and the columns that cause small classes.
 std::string describe(const Release& release);
 
 }  // namespace study

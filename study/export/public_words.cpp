@@ -12,7 +12,7 @@ std::string peopleInWords(std::size_t count) {
   return words::counted(count, "person", "people");
 }
 
-/// "cohort, background_role".
+/// The first member of each pair, joined by commas: "cohort, background_role".
 template <typename Pairs>
 std::string namesOf(const Pairs& pairs) {
   std::string names;
@@ -20,7 +20,7 @@ std::string namesOf(const Pairs& pairs) {
   return names;
 }
 
-/// The classes before generalisation and suppression.
+/// A sentence on the classes before generalisation and suppression.
 std::string beforeInWords(const Release& release) {
   const auto& before = release.before;
   auto text = fmt::format(
@@ -55,7 +55,7 @@ std::string afterInWords(const Release& release) {
       said.empty() ? "of them nothing is told" : said);
 }
 
-/// Which columns about people are released, and which are not.
+/// Sentences on which columns about people are released, and which are not.
 std::string columnsInWords(const Release& release) {
   std::string told;
   std::string untold;

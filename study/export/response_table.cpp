@@ -40,13 +40,14 @@ std::string labelOfResponse(const ExportedAnswer& row) {
   return questionnaires::labelOf(*row.item, row.record->answer.response, row.labelLanguage);
 }
 
-/// A getter of a member of the stored answer.
+/// A getter for a member of the stored answer (GivenAnswer).
 template <typename Member>
 auto howGiven(Member member) {
   return [member](const ExportedAnswer& row) { return std::invoke(member, row.record->answer); };
 }
 
-/// The step of the answer. Public folders contain only what enough people share.
+/// The columns on the step of the answer. In public folders only those whose values enough people
+/// share.
 Columns<ExportedAnswer> columnsOfAnsweredStep() {
   return {
       participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),
@@ -64,7 +65,7 @@ Columns<ExportedAnswer> columnsOfAnsweredStep() {
       conditionColumn<ExportedAnswer>().inPublic()};
 }
 
-/// The columns of the item that was asked.
+/// The columns on the item that was answered.
 Columns<ExportedAnswer> columnsOfQuestion() {
   using namespace holds;
   using C = Column<ExportedAnswer>;
@@ -78,7 +79,7 @@ Columns<ExportedAnswer> columnsOfQuestion() {
       C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic()};
 }
 
-/// The columns on how the statistics use an answer.
+/// The columns on whether and how the statistics use an answer.
 Columns<ExportedAnswer> columnsOfUse() {
   using namespace holds;
   return {
@@ -129,8 +130,8 @@ Columns<ExportedAnswer> columnsOfAnswer() {
        howGiven(&GivenAnswer::changes)}};
 }
 
-/// The column is left out of blinded folders: the time between two answers depends on the rendering
-/// of the trial between them.
+/// The time of saving. Blinded folders leave it out, because the time between two answers depends
+/// on the rendering of the trial between them.
 Column<ExportedAnswer> savedColumn() {
   return Column<ExportedAnswer>(
              "saved_utc",
@@ -147,7 +148,7 @@ Columns<ExportedAnswer> joined(std::initializer_list<Columns<ExportedAnswer>> pa
   return all;
 }
 
-/// The instruments that blocks ask, in the order of the protocol.
+/// The instruments of blocks, in the order of the protocol.
 std::vector<const questionnaires::Instrument*> askedInBlocks(
     const protocols::LoadedProtocol& loaded) {
   std::vector<const questionnaires::Instrument*> all;
@@ -160,7 +161,7 @@ std::vector<const questionnaires::Instrument*> askedInBlocks(
   return all;
 }
 
-/// The columns of questions and scores in the wide table.
+/// The names of columns for questions and scores in the wide table.
 class WideNames {
  public:
   explicit WideNames(const protocols::LoadedProtocol& loaded) {
@@ -170,7 +171,7 @@ class WideNames {
     }
   }
 
-  /// Empty for an item that an earlier version of the protocol asked.
+  /// Empty for an item that only an earlier version of the protocol has.
   std::string ofItem(const std::string& instrument, const std::string& item) const {
     return of({instrument, item, false});
   }
@@ -191,8 +192,9 @@ class WideNames {
     return found == names_.end() ? std::string() : found->second;
   }
 
-  /// "nasa_tlx_raw__mental_demand": letters, digits and underscores, which every program accepts.
-  /// Ids that differ in other characters only, or in their case, which SPSS ignores, get a number.
+  /// Adds a name of letters, digits and underscores, which every program accepts:
+  /// "nasa_tlx_raw__mental_demand". If names are equal after that, or differ only in case (which
+  /// SPSS ignores), a number is appended.
   void add(const Key& key) {
     auto name = key.instrument + "__" + (key.isScore ? "score_" : "") + key.id;
     std::ranges::replace_if(
@@ -307,7 +309,7 @@ std::vector<ExportedForms> wideRows(
     }
     const auto& instrument = answer.record->step.instrument;
     const auto& item = answer.record->answer.item;
-    // Only numbers: a band of a number about the person is text.
+    // only numbers; a band of a number about the person is text
     if (answer.band.empty()) {
       const auto name = names.ofItem(instrument, item);
       if (!name.empty()) rows[found->second].cells[name] = answer.response;

@@ -1,10 +1,10 @@
-// The columns of sessions.csv, and of the files that BIDS has for sessions.
+// The columns of sessions.csv, and of the session files in BIDS.
 #include "study/export/study_columns.h"
 
 namespace study {
 namespace {
 
-/// The course of a session: all columns except its owner.
+/// The columns on the course of a session; columns on its owner are added elsewhere.
 Columns<ExportedSession> columnsOfSession() {
   using namespace holds;
   const auto record = [](auto member) {
@@ -20,7 +20,7 @@ Columns<ExportedSession> columnsOfSession() {
        OneOf{ValueList::Statuses},
        "in_progress, completed, declined, withdrawn, rejected, aborted_hardware or erased",
        [](const ExportedSession& row) { return statusOf(row.record->state); }},
-      // Written by the operator, or the device's reason.
+      // written by the operator, or the reason of a device
       C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason))
           .revealsCondition()
           .onRequest(),
@@ -30,7 +30,7 @@ Columns<ExportedSession> columnsOfSession() {
        Text{},
        "Of the texts when the session ended",
        record(&Record::language)},
-      // Place and seed give the order of the conditions.
+      // place and seed determine the order of conditions
       C("place",
         Integer{},
         "Place in the design of the cohort, from 1",
@@ -42,7 +42,7 @@ Columns<ExportedSession> columnsOfSession() {
        "Since the first session of this export, which has 1",
        &ExportedSession::day},
       C("started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)).exact(),
-      // End and start give the duration of all trials.
+      // end minus start is the duration of all trials
       C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).revealsCondition().exact(),
       {"protocol_hash",
        Text{},

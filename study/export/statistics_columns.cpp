@@ -10,18 +10,18 @@ namespace {
 using Row = StatisticsRow;
 using analysis::TestRow;
 
-/// Infinite numbers become missing values; their row has the reason.
+/// std::nullopt for infinite numbers; their row has the reason.
 std::optional<double> finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A getter of a member of the row's test.
+/// A getter for a member of the row's test.
 template <typename Value>
 auto ofTest(Value TestRow::*member) {
   return [member](const Row& row) { return row.test.*member; };
 }
 
-/// A getter of a number that has a name in its test.
+/// A getter for the name of a number of the row's test.
 auto nameOfNumber(analysis::NamedNumber TestRow::*number) {
   return [number](const Row& row) { return (row.test.*number).name; };
 }
@@ -29,12 +29,12 @@ auto valueOfNumber(analysis::NamedNumber TestRow::*number) {
   return [number](const Row& row) { return finite((row.test.*number).value); };
 }
 
-/// A getter of a number that only some tests have.
+/// A getter for a number that only some tests have.
 auto extra(const char* name) {
   return [name](const Row& row) { return row.test.additional(name); };
 }
 
-/// A getter of an end of an interval, where there is one.
+/// A getter for one end of an interval; missing without an interval.
 auto endOf(std::optional<analysis::Interval> TestRow::*interval, double analysis::Interval::*end) {
   return [interval, end](const Row& row) {
     const auto& known = row.test.*interval;
@@ -42,7 +42,7 @@ auto endOf(std::optional<analysis::Interval> TestRow::*interval, double analysis
   };
 }
 
-/// Getters of the mean and the standard deviation of one of two groups.
+/// A getter for the mean of one of two groups.
 auto meanOf(std::size_t group) {
   return [group](const Row& row) {
     return row.test.moments ? (*row.test.moments)[group].mean : std::nullopt;
@@ -56,8 +56,8 @@ auto deviationOf(std::size_t group) {
   };
 }
 
-/// A row of every registered test of studies, from made-up data: for the names of its statistic and
-/// effect.
+/// A row of every registered test of studies, computed from made-up data, to get the names of its
+/// statistic and effect size.
 std::vector<analysis::TestRow> exampleRows() {
   std::vector<analysis::TestRow> rows;
   const analysis::TestData data{
@@ -73,7 +73,7 @@ std::vector<analysis::TestRow> exampleRows() {
   return rows;
 }
 
-/// "t, z, V": the different names that @p nameOf has for the rows.
+/// The distinct names that @p nameOf returns for the rows: "t, z, V".
 template <typename NameOf>
 std::string listed(
     std::string text, const std::vector<analysis::TestRow>& rows, const NameOf& nameOf) {

@@ -8,7 +8,7 @@
 namespace study {
 namespace {
 
-/// Ids of the phases whose answers count, separated by spaces.
+/// Ids of the phases whose answers the family uses, separated by spaces.
 std::string blocksOf(const protocols::Family& family, const protocols::Protocol& protocol) {
   std::string text;
   for (const auto& phase : protocol.phases) {
@@ -54,7 +54,7 @@ StatisticsRow siteAnswersRow(
   return row;
 }
 
-/// The diamond of the forest plot, or why there is none.
+/// The estimate pooled over sites (the diamond of a forest plot), or the reason why there is none.
 analysis::TestRow pooledSitesRow(const analysis::SiteComparison& comparison) {
   analysis::TestRow test{.id = "pooled_sites", .reason = comparison.reason};
   if (!comparison.pooled) return test;

@@ -14,57 +14,57 @@
 
 namespace study {
 
-/// A row of the statistics table: the result of a test, a score or a check, and its subject.
+/// A row of the statistics table: the result of a test, a score or a check, with what it is about.
 struct StatisticsRow {
   RunMode runMode = RunMode::Live;
   std::string cohort;
   std::string site;        ///< empty: all sites
   std::string cohort2;     ///< the second cohort of a comparison
-  std::string family;      ///< its id; empty: none
-  std::string instrument;  ///< its id
-  std::string blocks;      ///< phases whose answers count, separated by spaces
-  std::string score;       ///< of a questionnaire
-  std::string item;        ///< its id
-  std::string option;      ///< of a choice: its id
+  std::string family;      ///< id of the family; empty for results without a family
+  std::string instrument;  ///< id
+  std::string blocks;      ///< ids of phases whose answers are used, separated by spaces
+  std::string score;       ///< id of the questionnaire's score
+  std::string item;        ///< id
+  std::string option;      ///< id of the option of a choice
   std::string occasion;    ///< "before", "after", "change"
   std::optional<double> acceptableFrom;
-  std::optional<std::size_t> missing;  ///< forms without a score
-  std::string group1;                  ///< condition codes
-  std::string group2;
-  std::string groups;  ///< groups of an overall test, separated by spaces
+  std::optional<std::size_t> missing;  ///< number of forms without a score
+  std::string group1;                  ///< condition code
+  std::string group2;                  ///< condition code
+  std::string groups;                  ///< groups of an overall test, separated by spaces
   std::string_view design;
   std::string_view unit;
-  std::optional<std::size_t> tests;  ///< m, in the family
-  bool isDeclared = false;
-  std::string_view adjustment;  ///< for the size of the family
+  std::optional<std::size_t> tests;  ///< number of tests in the family, m
+  bool isDeclared = false;           ///< whether the protocol declares the test
+  std::string_view adjustment;       ///< name of the correction for the size of the family
   std::optional<double> alpha;
   std::optional<double> alphaPerTest;
-  std::optional<double> level;  ///< confidence of the intervals
-  std::string flags;            ///< separated by spaces
+  std::optional<double> level;  ///< confidence level of the intervals
+  std::string flags;            ///< names of flags, separated by spaces
   analysis::TestRow test;       ///< the result
 };
 
 Columns<StatisticsRow> statisticsColumns();
 
-/// A row with the values that all rows of a family and cohort share: cohort, instrument, blocks,
-/// and level of significance.
+/// A row with the values that all rows of a family and cohort have in common: cohort, instrument,
+/// blocks, and significance level.
 StatisticsRow familyRow(
     const protocols::Family& family,
     const protocols::Protocol& protocol,
     const std::string& cohort);
 
-/// Rows on a cohort as a whole: overall tests, effect of the position, reliability and
+/// Rows on a cohort as a whole: overall tests, effect of the position, reliability, and
 /// distribution.
-/// @param family  by familyRow()
-/// @param codes  of conditions
+/// @param family  the result of familyRow()
+/// @param codes  condition codes by condition id
 std::vector<StatisticsRow> overallRows(
     const StatisticsRow& family,
     const CohortResult& cohort,
     const std::map<std::string, std::string>& codes);
 
-/// Rows on the sites of a cohort, if there are several: the answers to each condition and the
-/// difference of each comparison at each site, and each comparison pooled over sites.
-/// @param family  by familyRow()
+/// Rows on the sites of a cohort with several sites: for each site the answers to each condition
+/// and the difference of each comparison, and each comparison pooled over sites.
+/// @param family  the result of familyRow()
 std::vector<StatisticsRow> siteRows(
     const StatisticsRow& family,
     const CohortResult& cohort,
@@ -75,24 +75,25 @@ std::vector<StatisticsRow> instrumentRows(
     const std::vector<InstrumentSummary>& instruments,
     const std::map<std::string, std::string>& codes);
 
-/// Descriptive rows on each answered item: one for each numeric item, and one for each option of a
-/// choice. Numbers about the person are left out unless @p isExact.
+/// Descriptive rows on each answered item: one for a numeric item, and one for each option of a
+/// choice. Numbers about the person are left out unless @p isExact is true.
 std::vector<StatisticsRow> itemRows(
     const std::vector<ItemSummary>& items,
     const protocols::LoadedProtocol& loaded,
     const std::map<std::string, std::string>& codes,
     bool isExact);
 
-/// The forces of trials, or why they cannot be read: a damaged trace must not prevent the export of
-/// answers.
+/// The rendered forces of trials, or the reason why they cannot be read. A damaged trace must not
+/// prevent the export of answers.
 struct FeltResult {
   std::vector<FeltCurve> curves;
-  base::Message reason;  ///< empty, or what is wrong with the traces; then there are no curves
+  base::Message reason;  ///< what is wrong with the traces, so that there are no curves; empty if
+                         ///< they were read
 };
 
 FeltResult feltResult(Study& study, RunMode mode);
 
-/// The differences of rendered forces: a row for each pair of conditions, over all cohorts; a
+/// The differences of rendered forces: one row for each pair of conditions, over all cohorts; a
 /// single row with the reason if traces cannot be read.
 std::vector<StatisticsRow> feltRows(
     const FeltResult& felt, const std::map<std::string, std::string>& codes);

@@ -49,7 +49,7 @@ StatisticsRow acceptabilityRow(
   return row;
 }
 
-/// The problem of the traces without the path of the study's folder, which must not be exported.
+/// The error of the traces without the path of the study's folder, which must not be exported.
 base::Message withoutFolder(const base::Message& error) {
   if (error.key() != "traces.damaged") return message("traces.unreadable");
   const std::filesystem::path file = std::get<std::string>(error.arguments().at(0));

@@ -2,7 +2,7 @@
 
 #include "study/export/study_tables.h"
 
-// Columns that several files have.
+// Columns that several tables have.
 namespace study {
 
 template <typename Row>
@@ -32,7 +32,7 @@ Column<Row> cohortColumn() {
           }};
 }
 
-/// Exported only if there are several sites.
+/// Exported only for studies with several sites.
 template <typename Row>
 Column<Row> siteColumn() {
   return {"site", holds::OneOf{ValueList::Sites}, kSiteInWords, [](const Row& row) {
@@ -63,7 +63,7 @@ Column<Row> attemptColumn() {
       [](const Row& row) { return row.visit.attempt; }};
 }
 
-// The columns of the step in which something was rendered or asked.
+// Columns on the step in which a condition was rendered or questions were asked.
 
 template <typename Row>
 Column<Row> blockColumn() {

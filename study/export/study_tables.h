@@ -8,7 +8,7 @@
 #include "study/export/export_rows.h"
 #include "study/storage/trace_store.h"
 
-// The tables of recorded data, one for each exported file.
+// The tables of recorded data. Each is exported as one file.
 namespace study {
 
 Table<ExportedSession> sessionTable();
@@ -20,10 +20,12 @@ Table<ExportedEvent> eventTable();
 
 /// The answers and scores of a participant about one alternative of a block.
 struct ExportedForms : ExportedStep {
-  std::map<std::string, Cell> cells;  ///< by the name of their column
+  std::map<std::string, Cell> cells;  ///< value of each question and score, by the name of its
+                                      ///< column
 };
-/// One row per participant and alternative with a column for each question and score, as SPSS and
-/// jamovi read repeated measures. Only answers that the statistics include; no free texts.
+/// One row per participant and alternative, with a column for each question and score: the layout
+/// of repeated measures in SPSS and jamovi. Only answers that the statistics include; no free
+/// texts.
 Table<ExportedForms> wideTable(const protocols::LoadedProtocol& loaded);
 std::vector<ExportedForms> wideRows(
     const protocols::LoadedProtocol& loaded, const std::vector<ExportedAnswer>& answers);
@@ -34,15 +36,15 @@ struct ExportedTick {
   double time = 0.0;
 };
 Table<ExportedTick> traceTable();
-/// The table of a trial without torque: the columns that release 0.1 wrote.
+/// The trace table for a trial without torque, with the columns of release 0.1.
 Table<ExportedTick> traceTableWithoutTorque();
 
-/// Tables whose columns or order differ in BIDS.
+/// Tables whose columns, or order of columns, differ in BIDS.
 Table<ExportedSession> bidsParticipantTable();
 Table<ExportedSession> bidsSessionTable();
 Table<ExportedEvent> bidsEventTable();
 
-/// Names of folders in BIDS: "sub-P001", "ses-1".
+/// Names of folders in the BIDS layout: "sub-P001", "ses-1".
 std::string bidsSubject(const RowOwner& owner);
 std::string bidsSession(const RowOwner& owner);
 
@@ -50,10 +52,10 @@ inline constexpr const char* kCohortInWords = "Group of participants";
 
 inline constexpr const char* kSiteInWords = "Where the session took place";
 
-/// Values of run_mode, in every table.
+/// Description of the values of run_mode.
 inline constexpr const char* kRunModeInWords = "live, pilot or simulated";
 
-/// The quasi-identifiers of public folders that are not asked by a form.
+/// Column names of quasi-identifiers that no form asks for.
 inline constexpr const char* kCohortColumn = "cohort";
 inline constexpr const char* kSiteColumn = "site";
 inline constexpr const char* kOrderColumn = "condition_order";

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using storage::StorageError;
 
-/// RFC 1952, without name and time, so that the same text always gives the same bytes.
+/// Compresses to the gzip format (RFC 1952) without file name and time, so that the same text
+/// always gives the same bytes.
 std::string gzip(const std::string& text) {
   constexpr int kGzip = 15 + 16;  // largest window, gzip header
   constexpr int kMemory = 8;
@@ -28,7 +29,7 @@ std::string gzip(const std::string& text) {
     throw StorageError("There is not enough memory to compress a trace.");
   }
   std::string packed(deflateBound(&stream, text.size()), '\0');
-  // zlib only reads its input, although the pointer is not const.
+  // zlib only reads its input, although the pointer is not const
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
@@ -94,7 +95,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;
     const auto samples = traces.read(trial.step.visit);
-    // simulations without torque record zeros; their files do not get the columns
+    // simulations without torque record zeros; their files have no columns for torque
     const bool hasTorque = std::any_of(samples.begin(), samples.end(), [](const auto& sample) {
       return sample.desiredTorque != 0.0F || sample.torque != 0.0F;
     });

@@ -1,10 +1,10 @@
-// The columns of trials.csv, cuts.csv and of the traces.
+// The columns of trials.csv, cuts.csv and of traces.
 #include "study/export/study_columns.h"
 
 namespace study {
 namespace {
 
-/// A getter of a member of the row's record.
+/// A getter for a member of the row's record.
 template <typename Row, typename Member>
 auto recorded(Member member) {
   return [member](const Row& row) { return std::invoke(member, *row.record); };
@@ -128,7 +128,7 @@ Table<ExportedCut> cutTable() {
             of(&Cut::openingTravel)},
            {"opening_n", Number{"N"}, "… and the force there", of(&Cut::openingForce)},
            {"peak_n", Number{"N"}, "Largest force of the cut", of(&Cut::peakForce)}},
-      // The force at yield identifies the condition.
+      // the force at yield identifies the condition
       .revealsCondition = true};
 }
 

@@ -11,7 +11,7 @@
 namespace study {
 namespace {
 
-/// Values that are their own labels.
+/// The levels of enumerators whose names are also their labels.
 template <typename Value>
 std::vector<Level> levelsNamed(
     std::initializer_list<Value> values, std::string_view (*nameOfValue)(Value) noexcept) {
@@ -39,7 +39,8 @@ std::vector<const protocols::Protocol*> versionsOf(Study& study) {
   return versions;
 }
 
-/// Adds a value unless the list has it: the newest version of the protocol gives its label.
+/// Adds a value unless the list has it already. Versions of the protocol are added the newest
+/// first, so that the newest one gives the label.
 void addLevel(std::vector<Level>& levels, const std::string& value, const std::string& label) {
   const bool isThere = std::any_of(
       levels.begin(), levels.end(), [&](const auto& level) { return level.value == value; });
@@ -62,7 +63,7 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
        levelsNamed({RunMode::Live, RunMode::Pilot, RunMode::Simulated}, nameOf)},
       {ValueList::Statuses,
        levelsNamed(
-           {SessionState::Consented,  // exported like every session in progress
+           {SessionState::Consented,  // exported for every session in progress
             SessionState::Completed,
             SessionState::Declined,
             SessionState::Withdrawn,
@@ -75,8 +76,7 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
   if (const auto sites = sitesOf(study, options.runMode); sites.size() > 1) {
     for (const auto& site : sites) addLevel(lists[ValueList::Sites], site, site);
   }
-  // In an export of several run modes, a code has a different condition in each mode: it gets no
-  // label.
+  // With several run modes, a code stands for a different condition in each mode and gets no label.
   const auto byCondition =
       conditionCodes(study, options.runMode.value_or(RunMode::Live), options.codes);
   const bool isNamed = !options.isBlinded && options.runMode;

@@ -5,13 +5,13 @@
 
 namespace study {
 
-/// The values of columns with closed lists, in their natural order: for dictionaries and ordered
+/// The values of columns with closed lists, in their natural order, for dictionaries and ordered
 /// factors. Cohorts, blocks and conditions are those of all versions of the protocol, the newest
-/// first; sites those of the exported sessions, if there are several. In blinded exports conditions
-/// are left out, and their codes have no labels.
+/// first; sites are those of the exported sessions, if there are several. Blinded exports have no
+/// list of conditions, and their codes have no labels.
 ValueLists valueListsOf(Study& study, const ExportOptions& options);
 
-/// "likert, slider or number": the values of item_type, in every table.
+/// The values of item_type in words: "likert, slider or number".
 std::string itemTypesInWords();
 
 }  // namespace study

@@ -13,14 +13,14 @@ constexpr double kVoteLevel = 0.95;
 struct ExportedVote {
   RunMode mode;
   const VoteResult* result = nullptr;
-  std::string items;  ///< the items of the vote
+  std::string items;  ///< ids of the preference items
   analysis::VoteShare share;
   std::string conditionCode;
   std::optional<analysis::Interval> wilson;
   std::optional<analysis::Interval> exact;
 };
 
-/// A getter of one end of an interval, if there is one.
+/// A getter for one end of an interval; missing without an interval.
 auto endOf(
     std::optional<analysis::Interval> ExportedVote::*interval, double analysis::Interval::*end) {
   return [interval, end](const ExportedVote& row) {
@@ -29,7 +29,7 @@ auto endOf(
   };
 }
 
-/// A getter of a result of the vote's test.
+/// A getter for a result of the test of equal shares.
 template <typename Member>
 auto tested(Member member) {
   return [member](const ExportedVote& row) { return std::invoke(member, row.result->test); };
@@ -108,7 +108,7 @@ Table<ExportedVote> voteTable() {
       .revealsCondition = true};
 }
 
-/// The preference items whose options are the alternatives of a block.
+/// The ids of the preference items whose options are the alternatives of a block.
 std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& phase) {
   std::string items;
   const auto* instrument = loaded.instrument(loaded.protocol.phase(phase)->instrument);
