@@ -27,7 +27,7 @@ void addCollectCommand(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
       "collect", "One study at many sites, collected in PostgreSQL: starts palpate-collect");
   noun->prefix_command();  // all further arguments go to the other program
-  noun->set_help_flag();   // --help goes there as well
+  noun->set_help_flag();   // --help is passed to the other program, too
   noun->callback(
       [&action, noun] { action = [words = noun->remaining()]() -> int { collect(words); }; });
 }

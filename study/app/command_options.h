@@ -38,43 +38,44 @@ auto addCommand(
   return AddedCommand<Options>{command, *options};
 }
 
-/// Adds a command that has subcommands only.
+/// Adds a command without an action, for subcommands.
 CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help);
 
-/// Adds the argument DIR.
+/// Adds the argument DIR, the folder of a study.
 void addStudyFolder(CLI::App& command, std::string& folder);
 
-/// Adds the argument FILE, or @p name: a protocol.
+/// Adds the argument FILE, or @p name: a protocol file, or the id of a protocol in the library.
 void addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
 
-/// The protocol in a file, or of the library. @throws UserError  with all problems of the file.
+/// The protocol in a file or in the library. @throws UserError  with all problems of the file.
 protocols::LoadedProtocol usableProtocol(const std::string& file);
 
 /// Adds --run-mode to @p command.
 void addRunModeOption(CLI::App& command, std::string& name);
 
-/// Adds --run-mode for a new session, live or pilot, and --pilot for short.
+/// Adds --run-mode for a new session (live or pilot), and --pilot as its short form.
 void addRunModeOfSession(CLI::App& command, std::string& name);
 
-/// Adds --reason, for results that name conditions (study/session/unblinding.h).
+/// Adds --reason, the reason for showing results that name conditions (study/session/unblinding.h).
 void addReasonOption(CLI::App& command, std::string& reason);
 
-/// Adds --reason, for a step that is recorded in the audit trail.
+/// Adds --reason, the reason for an action; it is recorded in the audit trail.
 CLI::Option* addAuditedReason(CLI::App& command, std::string& reason);
 
-/// Adds --reason, for a change of the protocol.
+/// Adds --reason, the reason for amending the protocol.
 void addReasonOfAmendment(CLI::App& command, std::string& reason);
 
-/// Adds --wording: how sentences write numbers.
+/// Adds --wording, the style in which sentences report numbers.
 void addWordingOption(CLI::App& command, std::string& wording);
 
-/// A range of finite numbers. CLI::Range accepts "nan", because it is neither below nor above a
-/// bound.
+/// A validator for finite numbers from @p least to @p most. CLI::Range accepts "nan", which is
+/// neither below nor above a bound.
 inline CLI::Validator finiteRange(double least, double most) {
   const CLI::Range range(least, most);
   return CLI::Validator(
       [range](std::string& text) {
-        const bool isNumber = text.find_first_of("nN") == std::string::npos;  // nan, inf
+        const bool isNumber = text.find_first_of("nN") == std::string::npos;  // "nan" and "inf"
+                                                                              // contain an n
         return isNumber ? range(text) : text + " is no number";
       },
       range.get_description());

@@ -23,8 +23,8 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   return text;
 }
 
-/// CLI11 describes a type as "TEXT:{csv,json}", "INT:INT in [1 - 100]" or "TEXT:DIR": the type, and
-/// after a colon its validator.
+/// Reads CLI11's description of a type, "TEXT:{csv,json}", "INT:INT in [1 - 100]" or "TEXT:DIR":
+/// the type, a colon, and the validator.
 void readType(const std::string& type, OptionDescription& option) {
   const auto colon = type.find(':');
   option.value = type.substr(0, colon);
@@ -69,12 +69,12 @@ CommandDescription describe(const CLI::App& command, const std::string& above) {
   return described;
 }
 
-/// Text for troff. A hyphen-minus is kept as such, so that options can be copied from the page.
+/// Text for troff. Escapes the hyphen-minus, so that options can be copied from the page.
 std::string escaped(const std::string& text) {
   std::string result;
   bool isLineStart = true;
   for (const char c : text) {
-    // At the start of a line troff takes a dot or an apostrophe for a request.
+    // troff reads a dot or an apostrophe at the start of a line as a request
     if (isLineStart && (c == '.' || c == '\'')) result += "\\&";
     isLineStart = c == '\n';
     if (c == '\\') {
@@ -110,8 +110,7 @@ std::string heading(const OptionDescription& option) {
   return join(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
 }
 
-/// The text after an option's description: the accepted values, the default, and whether it is
-/// required.
+/// The remarks after an option's description: accepted values, default, and whether it is required.
 std::string remarks(const OptionDescription& option) {
   std::vector<std::string> parts;
   if (option.isRequired) parts.emplace_back("required");
@@ -148,7 +147,8 @@ std::string synopsis(const CommandDescription& command) {
   return text;
 }
 
-/// Adds a command and its subcommands. A command with subcommands gets a heading and its text only.
+/// Adds a command and its subcommands. If it has subcommands, only its heading and description are
+/// printed for itself.
 void addCommands(const CommandDescription& above, std::string& page) {
   for (const auto& command : above.commands) {
     page += ".SS " + escaped(command.name) + "\n" + synopsis(command) + ".PP\n" +
@@ -157,7 +157,7 @@ void addCommands(const CommandDescription& above, std::string& page) {
   }
 }
 
-/// A word for a case label or a list, in double quotes.
+/// A word in double quotes, for a case label or a list.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

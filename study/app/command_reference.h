@@ -13,9 +13,9 @@ namespace study::app {
 struct OptionDescription {
   std::vector<std::string> names{};    ///< "--out", "-o"; a positional argument has one: "DIR"
   std::string value{};                 ///< placeholder of the value: "FILE"; empty for a flag
-  std::string text{};                  ///< what it does
+  std::string text{};                  ///< description
   std::string range{};                 ///< accepted values, in words: "INT in [1 - 100]"
-  std::vector<std::string> choices{};  ///< all accepted values, if they can be listed
+  std::vector<std::string> choices{};  ///< all accepted values; empty if they cannot be listed
   std::string initial{};               ///< default value
   bool isRequired = false;
   bool isPositional = false;
@@ -23,32 +23,32 @@ struct OptionDescription {
 
 /// A program or one of its commands, for help pages.
 struct CommandDescription {
-  std::string name{};  ///< with the program and the commands above it: "palpate study create"
+  std::string name{};  ///< complete name: "palpate study create"
   std::string text{};
   std::vector<OptionDescription> options{};  ///< including positional arguments
   std::vector<CommandDescription> commands{};
 };
 
-/// Reads the description of a command line from its parser. Options without a group are hidden from
-/// help pages, and are left out here, too.
+/// Reads the description of a command line from its parser. Leaves out options without a group,
+/// which help pages hide as well.
 CommandDescription describe(const CLI::App& program);
 
-/// The sections of a manual page that the command line does not describe. Texts are plain;
+/// The sections of a manual page that are not in the parser's description. Texts are plain;
 /// manPage() escapes them.
 struct ManPageSections {
   std::string version{};               ///< "palpate 0.1.0"
-  std::string summary{};               ///< the line after the name
-  std::string exitStatus{};            ///< empty: without this section
-  std::string files{};                 ///< empty: without this section
+  std::string summary{};               ///< the summary after the program's name
+  std::string exitStatus{};            ///< empty: no such section
+  std::string files{};                 ///< empty: no such section
   std::vector<std::string> seeAlso{};  ///< "palpate(1)"
 };
 
-/// A manual page of section 1 (troff, macros of man(7), UTF-8). It has no date, so that every build
-/// gives the same bytes.
+/// A manual page of section 1 (troff with man(7) macros, UTF-8). It contains no date, so that every
+/// build gives the same bytes.
 std::string manPage(const CommandDescription& program, const ManPageSections& sections);
 
-/// A completion script for bash. It completes commands, options and listed values; for everything
-/// else it offers file names.
+/// A completion script for bash. It completes commands, options and listed values; for other words
+/// it offers file names.
 std::string bashCompletion(const CommandDescription& program);
 
 }  // namespace study::app

@@ -8,25 +8,26 @@ class App;
 
 namespace study::app {
 
-/// The command that was called. Returns the exit status: 0, or 1 for a negative result (a protocol
-/// with errors, a study that does not verify).
+/// The action of the command that was called. Returns the exit status: 0, or 1 for a negative
+/// result (a protocol with errors, a study that fails verification).
 using Action = std::function<int()>;
 
-// Each function adds its commands to the program. The command that is called sets the action.
+// Each function adds its commands to the program. Parsing sets @p action to the action of the
+// command that was called.
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
-void addConsentCommand(CLI::App& noun, Action& action);        // adds to the command "study"
-void addErasureCommands(CLI::App& noun, Action& action);       // adds to "study"
-void addProtocolTextsCommand(CLI::App& noun, Action& action);  // adds to "protocol"
-void addEvidenceCommands(CLI::App& noun, Action& action);      // adds to "study"
-void addKeyCommands(CLI::App& study, Action& action);          // adds to "study"
-void addStudyTextsCommand(CLI::App& noun, Action& action);     // adds to "study"
+void addConsentCommand(CLI::App& noun, Action& action);        // @p noun is the command "study"
+void addErasureCommands(CLI::App& noun, Action& action);       // @p noun is the command "study"
+void addProtocolTextsCommand(CLI::App& noun, Action& action);  // @p noun is the command "protocol"
+void addEvidenceCommands(CLI::App& noun, Action& action);      // @p noun is the command "study"
+void addKeyCommands(CLI::App& study, Action& action);          // for the command "study"
+void addStudyTextsCommand(CLI::App& noun, Action& action);     // @p noun is the command "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
 void addRecordingCommands(CLI::App& program, Action& action);
-void addCalibrateCommand(CLI::App& noun, Action& action);  // adds to "recording"
+void addCalibrateCommand(CLI::App& noun, Action& action);  // @p noun is the command "recording"
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);
@@ -36,7 +37,7 @@ void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);
 
-/// Adds to the command "stats" instead of the program.
+/// The following functions add a subcommand to the command "stats".
 void addCheckTableCommand(CLI::App& stats, Action& action);
 void addTestCommand(CLI::App& stats, Action& action);
 

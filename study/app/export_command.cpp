@@ -38,7 +38,7 @@ const std::map<std::string, ExportFormat> kFormats{
     {"r", ExportFormat::R},
     {"python", ExportFormat::Python}};
 
-/// Prints a summary of the export.
+/// Prints a summary of an export.
 void printExport(
     Study& study, const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
   const std::string what = std::string(nameOf(*how.runMode)) + " session";

@@ -29,7 +29,7 @@ struct InstrumentArguments {
   std::string out;
 };
 
-/// The text of a file, or of an instrument in the library.
+/// The text of an instrument in a file or in the library.
 std::string textOf(const std::string& name) {
   std::error_code ignored;
   if (!fs::is_regular_file(name, ignored)) {
@@ -156,8 +156,8 @@ std::string formulaOf(const Score& score) {
   return formula;
 }
 
-/// The scoring key in words: a line for each scored item, and one for each score with its formula,
-/// for comparison with the publication before the study begins.
+/// The scoring key as text: a line for each scored item and for each score with its formula, to be
+/// compared with the publication before the study begins.
 std::string describeKeys(const Instrument& instrument) {
   std::string text;
   for (const auto& item : instrument.items) text += keyLineOf(item);

@@ -16,15 +16,15 @@
 #include "study/results/results.h"
 #include "study/session/verification.h"
 
-// The JSON documents that --json prints. Numbers read back exactly; an undefined value is null with
-// a reason.
+// The JSON documents that --json prints. Numbers can be read back exactly. An undefined value is
+// null, with a reason.
 namespace study::app {
 
 std::string problemsAsJson(
     const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems);
 
-/// A test as one object; for a test with a row for each pair of groups an object with
-/// `comparisons`.
+/// The result of a test as one object; for a test with a row for each pair of groups, an object
+/// with `comparisons`.
 std::string testAsJson(
     const analysis::StatisticalTest& test,
     const analysis::TestData& data,
@@ -35,14 +35,15 @@ std::string resultsAsJson(Study& study, const Results& results);
 
 std::string statusAsJson(Study& study);
 
-/// A list of blanks in texts: `key`, `title`, and `text` by language; null if it is blank.
+/// Blanks in texts as a list of `key`, `title`, and `text` by language; `text` is null if the blank
+/// is not filled in.
 std::string blanksAsJson(const std::vector<protocols::Blank>& blanks);
 
 std::string verificationAsJson(const Verification& verification);
 
-/// `rows`, `sample_rate_hz`, `saturated_rows`, `max_force_n`, `cuts` …; rows are numbered from 1.
-/// `chosen` is the imported cut, with its recorded samples and the curve that would be rendered;
-/// null with a `reason` if there is none.
+/// The result of an import: `rows`, `sample_rate_hz`, `saturated_rows`, `max_force_n`, `cuts` …;
+/// rows are numbered from 1. `chosen` is the imported cut, with its recorded samples and the curve
+/// that would be rendered; null with a `reason` if no cut was imported.
 std::string importAsJson(
     const haptics::recordings::Recording& recording,
     const haptics::recordings::RecordingSurvey& survey,
@@ -50,11 +51,11 @@ std::string importAsJson(
     const std::optional<haptics::recordings::ImportedCut>& imported,
     const std::string& whyNot);
 
-/// The keys of a protocol's `noise`.
+/// The values of `noise` in a protocol.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
-/// `torque`, present if the scene has one, is whether @p device renders it. The costs are left out
-/// if they were not measured.
+/// The passes of a scene. `torque` is present if the scene has one, and tells whether @p device
+/// renders it. Costs are left out if @p costs is empty.
 std::string passesAsJson(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,

@@ -17,17 +17,18 @@ void paintFigures(std::vector<report::ReportSection>& sections);
 /// Paints the figures of a document; does nothing if the program was built without Qt.
 void paintFigures(report::Document& document);
 
-/// A page of html_report.h or document.h as a PDF file. @throws std::runtime_error  if the program
-/// was built without Qt.
+/// Converts an HTML page from html_report.h or document.h to PDF. @throws std::runtime_error  if
+/// the program was built without Qt.
 std::string pdfOf(
     const std::string& html, const std::string& title, report::Paper paper = report::Paper::A4);
 
-/// Converts a text of an instrument from Markdown to HTML; without Qt the markup is not converted.
+/// Converts a text of an instrument from Markdown to HTML; without Qt the text is returned with its
+/// markup.
 std::string htmlOf(const std::string& text);
 
-/// Paints the figures of a section in a format and writes each into a folder as SVG, PDF and PNG
-/// (300 dpi).
-/// @return the number of figures; 0 if none were painted.
+/// Paints the figures of a section and writes each to a folder as SVG, PDF and PNG (300 dpi).
+/// @param format  size and font of the figures
+/// @return the number of figures; 0 without Qt.
 /// @throws storage::StorageError  if a file exists already or cannot be written.
 int writeFigures(
     report::ReportSection& section,

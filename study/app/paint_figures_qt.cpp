@@ -15,14 +15,14 @@
 namespace study::app {
 namespace {
 
-/// Prints Qt's messages, apart from the one that there is no desktop session, which Qt prints at
-/// every start on a server.
+/// Prints Qt's messages, except the one that there is no desktop session, which Qt prints at every
+/// start on a server.
 void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
   if (words.contains(QLatin1String("XDG_RUNTIME_DIR"))) return;
   std::fprintf(stderr, "%s\n", words.toUtf8().constData());
 }
 
-/// Qt needs an application for fonts, but no display. nullptr if there is an application already.
+/// Qt needs an application object for fonts, but no display. nullptr if one exists already.
 std::unique_ptr<QGuiApplication> applicationForFonts() {
   static int argc = 1;
   static char name[] = "palpate";

@@ -1,4 +1,4 @@
-// palpate: the command line, which has all functions.
+// palpate: the command line program. All functions of Palpate are available in it.
 #include <CLI/CLI.hpp>
 
 #include "study/app/program.h"

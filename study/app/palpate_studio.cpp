@@ -1,4 +1,4 @@
-// palpate-studio: the windows. All their functions are also on the command line.
+// palpate-studio: the program with windows. All its functions are also available in palpate.
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
@@ -35,7 +35,7 @@ bool isAmong(int argc, char** argv, std::initializer_list<std::string_view> word
   });
 }
 
-/// Whether a window can be opened; without a screen Qt would abort the program.
+/// Whether a window can be opened. Without a display Qt would abort the program.
 bool hasScreen(int argc, char** argv) {
   for (const char* place : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
     if (!qEnvironmentVariableIsEmpty(place)) return true;
@@ -65,8 +65,7 @@ void describe(QCommandLineParser& parser) {
   }
 }
 
-/// The folder of the study. A path to the study.db in it, as file managers pass, is accepted as
-/// well.
+/// The folder of the study. Also accepts the path of its study.db, as file managers pass it.
 QString folderOf(const QString& path) {
   const QFileInfo file(path);
   return file.fileName() == QLatin1String("study.db") ? file.absolutePath() : path;

@@ -6,7 +6,8 @@
 
 namespace study::app {
 
-/// The command line of palpate. Parsing it sets the action of the command that was called.
+/// The command line of palpate. Parsing sets @p action to the action of the command that was
+/// called.
 /// @param action  must outlive the program.
 std::unique_ptr<CLI::App> makeProgram(Action& action);
 

@@ -53,7 +53,7 @@ struct OrdersOptions {
   bool csv = false;
 };
 
-/// Prints the trials of all participants, one row each, for other programs.
+/// Prints the trials of all participants as CSV, one row each.
 void printTrials(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
   fmt::print("cohort,participant,block,position,alternative,condition\n");
@@ -75,7 +75,7 @@ void printTrials(
   }
 }
 
-/// "1, 4, 7", shortened to what fits on a line.
+/// Numbers in a list: "1, 4, 7", shortened to eight.
 std::string listed(const std::vector<std::size_t>& people) {
   constexpr std::size_t kShown = 8;
   std::string text;
@@ -85,7 +85,8 @@ std::string listed(const std::vector<std::size_t>& people) {
   return people.size() > kShown ? text + ", …" : text;
 }
 
-/// An order of conditions, with labels if all participants with this order have the same ones.
+/// An order of conditions, with the labels if they are the same for all participants with this
+/// order.
 std::string describeOrder(
     const protocols::Protocol& protocol, const protocols::PlannedBlock& block) {
   std::string text;

@@ -22,7 +22,7 @@ struct ReportArguments {
   std::vector<std::string> folders;
   std::string out;
   std::string figures;
-  double figureWidth = 0.0;  ///< [mm]; 0: as in the report
+  double figureWidth = 0.0;  ///< [mm]; 0: the width in the report
   double figureFont = report::FigureFormat::kUsualFont;
   std::string language = "en";
   std::string paper = "a4";
@@ -32,7 +32,7 @@ struct ReportArguments {
   std::string reason;
 };
 
-/// Writes each figure as a file into a new folder.
+/// Writes each figure as a file to a new folder.
 void writeFigureFolder(
     std::vector<report::ReportSection>& sections,
     const std::string& folder,

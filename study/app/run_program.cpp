@@ -15,8 +15,8 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongCall = 2;
 
-/// The innermost command of the call that was recognised; writes its name into @p name: "palpate
-/// study status".
+/// The innermost command that was recognised in the call; its full name is written to @p name:
+/// "palpate study status".
 const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   const CLI::App* command = &program;
   name = program.get_name();
@@ -27,7 +27,7 @@ const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   return *command;
 }
 
-/// A message about the mistake in a call.
+/// A message on a mistake in the call.
 std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   const auto& command = commandCalled(program, name);
@@ -44,8 +44,8 @@ std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
          (known.empty() ? "" : "There are: " + known + ". ") + explains;
 }
 
-/// Whether all output was written. Prevents that a table cut off by a full disk is taken for
-/// complete.
+/// Whether all output was written. If not, prints an error, so that a table that was cut off by a
+/// full disk is not taken for complete.
 bool isPrinted(const CLI::App& program) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
   std::fprintf(
@@ -63,7 +63,7 @@ int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // help, version
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help or --version
     std::fputs(whatIsWrong(program, error).c_str(), stderr);
     return kWrongCall;
   }

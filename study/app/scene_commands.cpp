@@ -75,7 +75,7 @@ std::string verdictOn(
          "bone";
 }
 
-/// Prints the stiffness K, the damping that passivity needs, and whether the device has it.
+/// Prints the stiffness K, the damping that passivity requires, and whether the device has it.
 void printPassivity(
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
@@ -116,7 +116,7 @@ void printTorque(
   }
 }
 
-/// Warns of a recorded cut whose force jumps where the cut begins or ends.
+/// Warns if the force of a recorded cut jumps at its beginning or end.
 void printJumps(
     const std::vector<haptics::engine::ForceJump>& jumps,
     const haptics::devices::DeviceKind& kind) {
@@ -158,7 +158,7 @@ void print(
   printJumps(haptics::engine::jumpsOf(*condition.model), *device.kind);
 }
 
-/// The protocol, or std::nullopt after its problems have been printed.
+/// The protocol; std::nullopt after printing its problems.
 std::optional<protocols::LoadedProtocol> loaded(const std::string& file) {
   questionnaires::Problems problems;
   auto protocol = protocols::loadProtocolFile(file, problems);
@@ -174,13 +174,14 @@ const protocols::Condition& conditionOf(
   throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 
-/// The simulated device that @p condition uses.
+/// The capabilities of the simulated device for @p condition.
 haptics::devices::Capabilities simulatedDeviceFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
-/// The capabilities of the device for @p condition: that of the device file, or the simulated one.
+/// The capabilities of the device for @p condition: of the device in the device file, or of the
+/// simulated one.
 haptics::devices::Capabilities deviceFor(
     const ExplainOptions& options,
     const protocols::Protocol& protocol,
@@ -216,8 +217,8 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
-/// The motion of the tool: from the device's least travel to the end of the data of all scenes, or
-/// to the device's stop if a scene's data have no end.
+/// The motion of the tool, from the device's smallest travel to the end of the data of all scenes;
+/// to the device's largest travel if the data of a scene have no end.
 Motion motionFor(
     const PlayOptions& options,
     const haptics::devices::Capabilities& device,
@@ -228,7 +229,7 @@ Motion motionFor(
   for (const auto* condition : conditions) {
     const auto end = haptics::engine::endOfData(*condition->model);
     motion.most = std::max(motion.most, end.value_or(device.mostTravel));
-    // Above the reamer's feed limit the force would grow without bound.
+    // above the reamer's feed limit the force would grow without bound
     const double limit = 0.9 * haptics::engine::largestFeedOf(condition->scene());
     if (limit > 0.0) speed = std::min(speed, limit);
   }
@@ -246,7 +247,7 @@ Motion motionFor(
   return motion;
 }
 
-/// The curves of one condition: as written, or one for each requested noise.
+/// Plays a condition without noise, or once for each requested noise.
 void playCondition(
     const PlayOptions& options,
     const protocols::Condition& condition,
@@ -283,7 +284,8 @@ void playCondition(
   }
 }
 
-/// "out.csv" and "out.svg" for "out", "out.csv" or "out.svg".
+/// The output file with another extension: "out.csv" and "out.svg" for "out", "out.csv" or
+/// "out.svg".
 std::string beside(const std::string& out, const char* extension) {
   std::filesystem::path path(out);
   const auto own = path.extension();
@@ -291,7 +293,7 @@ std::string beside(const std::string& out, const char* extension) {
   return path.string() + extension;
 }
 
-/// The requested conditions, which must have the same device.
+/// The requested conditions. @throws UserError  if they need different devices.
 std::vector<const protocols::Condition*> playedConditions(
     const PlayOptions& options, const protocols::Protocol& protocol) {
   std::vector<const protocols::Condition*> conditions;

@@ -13,10 +13,10 @@ namespace {
 namespace timing = haptics::timing;
 namespace engine = haptics::engine;
 
-constexpr int kTicksPerFrame = 17;  // a display at 60 Hz, a loop at 1 kHz
+constexpr int kTicksPerFrame = 17;  // for a display with 60 Hz and a loop with 1 kHz
 
-/// Additional work in every tick, from travel and force; the result only keeps it from being
-/// optimised away.
+/// Additional work in every tick, computed from travel and force. Its result is used only to
+/// prevent the compiler from removing the work.
 using ExtraWork = std::function<double(double travel, double force, int tick)>;
 
 timing::Contestant contestant(
@@ -39,7 +39,7 @@ ExtraWork extraModel(const engine::SceneSpec& spec) {
   return [scene](double travel, double, int) { return scene->respond({.travel = travel}).force; };
 }
 
-/// The shape of the mesh, computed every @p every ticks.
+/// Additional work: the shape of the finite-element mesh, computed every @p every ticks.
 ExtraWork extraMesh(const engine::FiniteElementsSpec& spec, int every) {
   struct Mesh {
     std::vector<double> shape;
@@ -57,8 +57,8 @@ ExtraWork extraMesh(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-/// @param middle  middle of the device's travel [device's travel unit]; also in the functions
-/// below.
+/// @param middle  middle of the device's travel [device's travel unit], here and in the functions
+///     below.
 void addMeniscus(
     const engine::SceneSpec& spec, double middle, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, ExtraWork extraWork) {
@@ -81,7 +81,7 @@ void addMeniscus(
   add("… and the mesh in every tick", extraMesh(shown, 1));
 }
 
-/// Adds a scene with a curve, alone and with the additional cost of spheres.
+/// Adds a scene with a material's curve, alone and with the additional cost of spheres.
 void addMaterial(
     const engine::SceneSpec& spec,
     const engine::MaterialSpec& material,
@@ -105,7 +105,7 @@ void addMaterial(
   }
 }
 
-/// Adds a scene with spheres, and variants with less to compute.
+/// Adds a scene with spheres, and variants that compute less.
 void addPacking(
     const engine::PackingSpec& packing,
     double middle,

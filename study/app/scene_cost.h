@@ -8,15 +8,15 @@
 
 namespace study::app {
 
-/// The time of a scene's tick, alone or with an additional computation.
+/// The time of a tick of a scene, alone or with additional work.
 struct SceneCost {
-  std::string what;
+  std::string what;              ///< of a tick [ns]
   haptics::timing::Timing time;  ///< [ns]
 };
 
-/// Measures a tick of @p spec, and again with each part that this scene lacks; that part's result
-/// is computed but not used. All are measured in turn on this computer; the first result is the
-/// scene itself. The tool moves back and forth over the travel of a device of @p kind.
+/// Measures a tick of @p spec alone, and with each kind of work that the scene lacks, whose result
+/// is not used. Measurements alternate on this computer. The first result is the scene alone. The
+/// tool moves back and forth over the travel of a device of @p kind.
 std::vector<SceneCost> costsOf(
     const haptics::engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind);
 

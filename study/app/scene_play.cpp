@@ -14,7 +14,7 @@ namespace {
 
 namespace engine = haptics::engine;
 
-/// Minimum-jerk movement from 0 to 1 (Flash & Hogan 1985); its largest speed is 1.875 per unit of
+/// A minimum-jerk movement from 0 to 1 (Flash & Hogan 1985). Its largest speed is 1.875 per unit of
 /// time.
 double minimumJerk(double tau) {
   return tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau));
@@ -22,7 +22,7 @@ double minimumJerk(double tau) {
 
 constexpr double kPeakOfMinimumJerk = 1.875;
 
-/// The position in [0, 1] at time @p tau in [0, 1].
+/// The position, 0 to 1, at time @p tau, 0 to 1.
 double placeAt(Motion::Shape shape, double tau) {
   switch (shape) {
     case Motion::Shape::Closing:
@@ -48,9 +48,9 @@ double secondsOf(const Motion& motion) {
   return 0.0;
 }
 
-/// Repeats the first step until the scene is ready, as a hand waits before a trial. A bone gives no
-/// force until the tool is known to be outside all its spheres, of which each tick checks some.
-/// Most scenes are ready at once.
+/// Repeats the first step until the scene is ready, as if the hand waited before a trial. A bone
+/// gives no force until the tool is known to be outside of all its spheres, of which each tick
+/// checks some. Other scenes are ready at once.
 haptics::models::Response<double> firstAnswer(
     engine::CompiledScene& scene, const engine::ToolState& first) {
   constexpr double kLongest = 10.0;  // [s]: enough to check 20 million spheres

@@ -9,7 +9,7 @@
 
 namespace study::app {
 
-/// The travel of the tool at each step, at a fixed rate.
+/// The travel of a tool, sampled at a fixed rate.
 struct TravelProfile {
   double rate = 1000.0;        ///< [Hz], > 0
   std::vector<double> travel;  ///< [device's travel unit]
@@ -17,11 +17,11 @@ struct TravelProfile {
 
 /// A simulated movement of the hand.
 struct Motion {
-  enum class Shape { Closing, Cut, Sine };
+  enum class Shape { Closing, Cut, Sine };  ///< see profileOf()
   Shape shape = Shape::Closing;
-  double least = 0.0;    ///< [device's travel unit]
-  double most = 10.0;    ///< [device's travel unit]
-  double speed = 57.0;   ///< Closing: constant; Cut, Sine: largest [travel unit/s], > 0
+  double least = 0.0;    ///< smallest travel [device's travel unit]
+  double most = 10.0;    ///< largest travel [device's travel unit]
+  double speed = 57.0;   ///< Closing: constant; Cut, Sine: maximum [travel unit/s], > 0
   double rate = 1000.0;  ///< of the steps [Hz], > 0
   double quantum = 0.0;  ///< resolution of the encoder [travel unit]; 0: exact
 };
@@ -32,15 +32,15 @@ TravelProfile profileOf(const Motion& motion);
 
 /// One curve of a played scene.
 struct PlayedCurve {
-  std::string condition;          ///< its id
+  std::string condition;          ///< condition's id
   std::string title;              ///< for the legend
   std::vector<double> force;      ///< desired by the scene at each step [N]; NaN if undefined
   std::vector<double> stiffness;  ///< [N per travel unit]
   bool isIngredient = false;      ///< whether it is one of the two forces that a filter combines
 };
 
-/// The forces of @p spec along @p profile; with @p withIngredients also the two forces that a
-/// filter combines. The tool stays at the first travel until the scene is ready.
+/// Plays @p spec along @p profile; with @p withIngredients also the two forces that a filter
+/// combines. The tool stays at the first travel until the scene is ready.
 /// @throws UserError  if the scene gives a force in less than half of the steps.
 std::vector<PlayedCurve> play(
     const std::string& condition,
@@ -49,10 +49,11 @@ std::vector<PlayedCurve> play(
     const TravelProfile& profile,
     bool withIngredients);
 
-/// `condition, curve, time_s, travel, force_n, stiffness`, a row for each step of each curve.
+/// A table `condition, curve, time_s, travel, force_n, stiffness` with a row for each step of each
+/// curve.
 DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& curves);
 
-/// Force over travel, or over time.
+/// The force over travel, or over time if @p isOverTime.
 report::Chart asChart(
     const TravelProfile& profile,
     const std::vector<PlayedCurve>& curves,

@@ -5,11 +5,11 @@
 
 namespace study::app {
 
-/// The path of another program in this program's folder, where all programs are installed.
+/// The path of another program in this program's folder, in which all programs are installed.
 std::string siblingProgram(const std::string& name);
 
-/// Replaces this process by a program in the same folder; does not return.
-/// @throws UserError  if it cannot be started.
+/// Replaces this process by another program in this program's folder; does not return.
+/// @throws UserError  if the program cannot be started.
 [[noreturn]] void handOver(const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace study::app

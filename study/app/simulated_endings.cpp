@@ -15,7 +15,7 @@ bool isCompleted(const SimulatedEnding& ending) noexcept {
   return ending.state == SessionState::Completed;
 }
 
-/// The reason without its final full stop.
+/// The reason without the full stop at its end.
 std::string_view phraseOf(const SimulatedEnding& ending) noexcept {
   std::string_view reason = ending.reason;
   while (reason.ends_with('.')) reason.remove_suffix(1);

@@ -10,12 +10,12 @@ namespace study::app {
 /// The number of completed sessions.
 int completedOf(const std::vector<SimulatedEnding>& endings) noexcept;
 
-/// A session that was not completed: "SIM-001 ended as aborted_hardware at step 3 after 5 attempts:
-/// the motor's driver reports a fault. Trials finished: 0 of 5."
+/// Describes a session that was not completed: "SIM-001 ended as aborted_hardware at step 3 after 5
+/// attempts: the motor's driver reports a fault. Trials finished: 0 of 5."
 std::string describe(const SimulatedEnding& ending);
 
-/// The text after the number of completed sessions: ", 1 ended as aborted_hardware (SIM-001 at step
-/// 3: …)"; empty if all were completed.
+/// Describes the sessions that were not completed, for the end of a sentence: ", 1 ended as
+/// aborted_hardware (SIM-001 at step 3: …)"; empty if all were completed.
 std::string describeOthers(const std::vector<SimulatedEnding>& endings);
 
 }  // namespace study::app

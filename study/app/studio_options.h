@@ -7,7 +7,7 @@ namespace study::app {
 /// The command line of palpate-studio, for its parser and its manual page.
 CommandDescription describeStudio();
 
-/// An option's longest name without dashes: "devices".
+/// The longest name of an option, without dashes: "devices".
 std::string nameOf(const OptionDescription& option);
 
 }  // namespace study::app

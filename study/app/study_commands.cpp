@@ -40,13 +40,14 @@ struct StudyArguments {
   bool json = false;
 };
 
-/// The line about the key of the sealed conditions; empty if nothing is sealed.
+/// The line on the key of sealed conditions; empty if nothing is sealed.
 std::string sealLineOf(Study& study) {
   const auto words = keyStatusText(study);
   return words.empty() ? words : "conditions: " + words + "\n";
 }
 
-/// The line with the commitment to the secret of orders and codes; empty in studies of release 0.1.
+/// The line with the commitment to the secret of orders and codes; empty for studies of release
+/// 0.1.
 std::string commitmentLineOf(Study& study) {
   const auto commitment = study.events().commitment();
   return commitment.empty()
@@ -63,7 +64,7 @@ std::string keyAdviceOn(Study& study, const std::string& folder) {
       folder);
 }
 
-/// The line about the station and site of a study of many sites; empty in a study of one computer.
+/// The line on the station and site; empty for a study of one machine.
 std::string placeOf(const Study& study) {
   if (study.isCollected()) return "collected from several stations: 'palpate collect' made it\n";
   const auto& station = study.station();
@@ -117,8 +118,8 @@ int simulatedSessions(Study& study) {
       all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
 }
 
-/// Prints the progress of a long simulation. Each enrolment means that the previous participant has
-/// finished.
+/// Prints the progress of a long simulation: the number of finished participants, which an
+/// enrolment increases.
 void printProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;
   if (done.kind != Acknowledged::Kind::Enrolment) return;

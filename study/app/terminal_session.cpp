@@ -29,7 +29,7 @@ using questionnaires::Item;
 using questionnaires::Response;
 
 constexpr double kLongestTrial = 600.0;  // [s]
-constexpr int kMostTries = 20;           // each waits up to 3 s for the other program
+constexpr int kMostTries = 20;           // each attempt waits up to 3 s for other programs
 
 /// Thrown when the input ends.
 struct InputEnded {};
@@ -49,7 +49,7 @@ std::optional<Number> numberIn(const std::string& text) {
   return isAll ? std::optional(number) : std::nullopt;
 }
 
-/// Whether @p word is one of the words of English, German or Norwegian, ignoring case.
+/// Whether @p word equals one of @p words, ignoring case.
 bool isAmongWords(std::string word, std::initializer_list<std::string_view> words) {
   for (auto& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -63,9 +63,9 @@ bool isNo(const std::string& word) {
   return isAmongWords(word, {"n", "no", "nein", "nei"});
 }
 
-/// Runs @p action, which stores data. While another program writes, retries and tells the operator
-/// why: ten stations that share a slow disk may wait longer for each other than SQLite's timeout. A
-/// refused action has changed nothing, so retrying stores what was typed. After a minute the
+/// Runs @p action, which stores data. While another program writes, retries and shows the operator
+/// the reason: ten stations on one slow disk may wait for each other longer than SQLite's timeout.
+/// A refused action has changed nothing, so a retry stores what was typed. After a minute the
 /// program gives up; the session can be resumed later.
 template <typename Action>
 void store(const Action& action) {
@@ -116,7 +116,7 @@ class TerminalSession {
  private:
   const std::string& language() const { return session_.language(); }
 
-  /// The name of an alternative for the participant.
+  /// The label of an alternative, as the participant reads it.
   std::string alternative(const std::string& number) const {
     return session_.protocol().protocol.labels.nameOf(number, language());
   }
@@ -143,7 +143,7 @@ class TerminalSession {
     store([&] { session_.finishStep(); });
   }
 
-  /// Asks whether an optional trial is wanted.
+  /// Asks whether the participant wants an optional trial.
   bool acceptsOffer() {
     const auto& step = session_.step();
     if (!step.isOffered) return true;
@@ -175,7 +175,7 @@ class TerminalSession {
     }
   }
 
-  /// Asks @p item once. Returns true if the answer is valid or the item was left out.
+  /// Asks @p item once. Returns true if the answer is valid, or if the item was skipped.
   bool ask(const Item& item, int order, std::chrono::steady_clock::time_point begin) {
     print(item);
     const std::string line = readLine();
@@ -238,8 +238,8 @@ class TerminalSession {
     return options;
   }
 
-  /// The option that "yes", "no" or their translations select. The question must have two options,
-  /// one of which gives consent or has the id "yes". Otherwise returns the typed text.
+  /// The option that is selected by "yes", "no" or their translations. Applies to items with two
+  /// options, one of which gives consent or has the id "yes"; otherwise returns the typed text.
   static Response chosen(const Item& item, const std::string& line) {
     const bool saysYes = isYes(line);
     if (item.options.size() != 2 || (!saysYes && !isNo(line))) return line;
@@ -288,7 +288,7 @@ class TerminalSession {
       trial = trialFor(session_, *deviceSet_, traces);
     } catch (const haptics::devices::DeviceError& error) {
       fmt::print("{}\n", error.what());
-      return;  // the step is repeated
+      return;  // the caller repeats the step
     }
     store([&] { session_.beginTrial(); });
     const auto record = runRealtime(*trial, step.minimumCuts, kLongestTrial);
@@ -314,8 +314,8 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
   return std::nullopt;
 }
 
-/// Asks the operator whether to enrol although a text has placeholders in double brackets, which
-/// the participant would read.
+/// Asks the operator whether to enrol although texts that the participant reads contain unfilled
+/// placeholders in double brackets.
 bool confirmEnrolment(Study& study, const Enrolment& enrolment) {
   if (enrolment.runMode != RunMode::Live) return true;
   const auto blanks = protocols::placeholdersIn(study.protocol());

@@ -1,4 +1,4 @@
-// The blanks in texts that participants read: lists them, and fills them in.
+// Lists and fills in the blanks in texts that participants read.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -23,7 +23,7 @@ using questionnaires::BlankTexts;
 using questionnaires::LocalizedText;
 
 struct TextsArguments {
-  std::string source;  ///< a protocol, or the folder of a study
+  std::string source;  ///< a protocol file, or the folder of a study
   std::vector<std::string> set;
   std::string out;
   std::string reason;
@@ -31,7 +31,7 @@ struct TextsArguments {
 };
 
 /// Puts "institution=NTNU" or "de:institution=NTNU" into @p texts. An empty value removes the text
-/// of that language.
+/// in that language.
 void put(const std::string& assignment, BlankTexts& texts) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {

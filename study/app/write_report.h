@@ -9,15 +9,14 @@
 
 namespace study::app {
 
-/// The report as HTML, or as PDF if @p path ends in .pdf; with figures if the program was built
-/// with Qt.
+/// The report as an HTML page, or as PDF if @p path ends in .pdf; with figures if the program was
+/// built with Qt.
 std::string reportFor(
     const std::string& path,
     std::vector<report::ReportSection>& sections,
     report::Paper paper = report::Paper::A4);
 
-/// Writes the page @p name.html, a CSV file for each table and an SVG file for each figure into a
-/// new or empty folder.
+/// Writes the page @p name.html, each table as CSV and each figure as SVG to a new or empty folder.
 /// @throws storage::StorageError  if the folder is not empty or cannot be written.
 void writeDocument(const std::string& folder, const std::string& name, report::Document document);
 

@@ -36,8 +36,8 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// Answers each line of the input by one line, until a signal, the end of the requested seconds, or
-/// "quit". The end of the input ends it only if that was requested.
+/// Answers each line of the input by one line, until a signal, the end of the requested time, or
+/// "quit". The end of the input ends it only with @p arguments.endsWithInput.
 void executeInput(
     const EmulateArguments& arguments,
     const std::string& help,
@@ -52,7 +52,8 @@ void executeInput(
       seconds > 0.0 ? timing::now() + static_cast<std::int64_t>(1e9 * seconds) : INT64_MAX;
   while (isEnded == 0 && timing::now() < until) {
     pollfd watched{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-    constexpr int kPollPeriod = 50;  // [ms]: how soon a signal or the end of the time is noticed
+    constexpr int kPollPeriod = 50;  // [ms]: longest delay until a signal or the end of the time is
+                                     // noticed
     if (poll(&watched, hasInput ? 1 : 0, kPollPeriod) <= 0) continue;
     std::array<char, 512> bytes{};
     const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
@@ -68,8 +69,8 @@ void executeInput(
   }
 }
 
-/// Gives this thread and those that it starts a high priority, if permitted: this thread holds the
-/// lock that the emulator's loop needs.
+/// Raises the priority of this thread and of the threads that it starts, if permitted, because this
+/// thread holds a lock that the emulator's loop needs.
 void raiseOwnPriority() {
   timing::raisePriority(timing::kEmulatorPriority);
 }
@@ -90,7 +91,7 @@ int emulateSerial(const EmulateArguments& arguments) {
   options.clockDrift = arguments.clockDrift;
   options.seed = arguments.seed;
   options.limits.rate = static_cast<std::uint16_t>(arguments.rate);
-  // Keeps the largest speed in counts per second when the rate differs from 1 kHz.
+  // keeps the maximum speed in counts per second for rates other than 1 kHz
   options.limits.mostCountsAStep = options.limits.mostCountsAStep * 1000 / arguments.rate;
   const auto& hand = arguments.kind->hand;
   options.person.closed = hand.ordinaryReach;
@@ -137,7 +138,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   options.impairment.seed = arguments.seed;
   options.arm.model = arguments.model == "iiwa7" ? haptics::devices::IiwaModel::Iiwa7
                                                  : haptics::devices::IiwaModel::Iiwa14;
-  options.arm.person.closeTime = 7.0;  // [s]: a usual reamer goes through 2 mm of bone in a second
+  options.arm.person.closeTime = 7.0;  // [s]: with a typical reamer, 2 mm of bone in a second
   const bool isTorque = arguments.overlay == "torque";
   options.arm.command = isTorque ? fri::ClientCommandMode::Torque : fri::ClientCommandMode::Wrench;
   options.arm.control =

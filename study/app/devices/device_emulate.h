@@ -9,21 +9,21 @@ namespace study::app {
 /// The options of `palpate device emulate`.
 struct EmulateArguments {
   const haptics::devices::DeviceKind* kind = nullptr;  ///< on a serial line: the kind of device
-  std::string link;                                    ///< punch: a fixed name for its port
-  std::string client = "127.0.0.1:30200";              ///< iiwa: destination of messages
+  std::string link;                                    ///< punch: symbolic link to its port
+  std::string client = "127.0.0.1:30200";              ///< iiwa: address to which messages are sent
   std::string version = "1.15";
   std::string model = "iiwa14";
   std::string overlay = "wrench";
-  std::string firmware;     ///< punch: firmware for the board, run under QEMU
-  int rate = 1000;          ///< punch: rate of its loop [Hz]
-  int period = 5;           ///< iiwa: period of messages [ms]
-  double clockDrift = 0.0;  ///< punch: drift of its clock [ppm]
-  double seconds = 0.0;     ///< duration [s]; 0: until it is stopped
-  bool endsWithInput = false;
-  unsigned seed = 1;  ///< of the hand's movement and of faults
+  std::string firmware;        ///< punch: firmware that QEMU runs; empty: no QEMU
+  int rate = 1000;             ///< punch: rate of the control loop [Hz]
+  int period = 5;              ///< iiwa: interval between messages [ms]
+  double clockDrift = 0.0;     ///< punch: drift of the device's clock [ppm]
+  double seconds = 0.0;        ///< duration [s]; 0: until it is stopped
+  bool endsWithInput = false;  ///< whether the end of the input ends the emulator
+  unsigned seed = 1;           ///< of the hand's movement and of injected faults
 };
 
-/// Emulates a device on a pseudo-terminal, or the arm's controller on UDP. Prints a line "ready …",
+/// Emulates a punch on a pseudo-terminal, or the arm's controller on UDP. Prints a line "ready …",
 /// then executes the lines of its input ("drop 3", "status") until it is stopped. Returns the exit
 /// status.
 int emulateSerial(const EmulateArguments& arguments);

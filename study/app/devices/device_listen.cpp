@@ -29,7 +29,7 @@ void enough(int) {
   isEnough = 1;
 }
 
-/// A row: the time, then the values of the line; missing cells are empty.
+/// A row of the CSV file: the time, then the values of the line. Missing values are empty cells.
 struct Row {
   double time;  // [s]
 
@@ -85,7 +85,7 @@ int listen(const ListenArguments& arguments) {
       ++(read ? understood : others);
       if (read) out << std::visit(Row{time}, *read);
     }
-    if (count > 0) out.flush();  // so that no received row is lost if the program is killed
+    if (count > 0) out.flush();  // no received row is lost if the program is killed
   }
   out.flush();
   if (understood == 0 && !arguments.out.empty()) std::filesystem::remove(arguments.out);

@@ -11,9 +11,9 @@ struct ListenArguments {
   double seconds = 0.0;  ///< duration [s]; 0: until it is stopped
 };
 
-/// Records the serial output of a punch that runs the published Arduino sketch: a row for each
-/// line, with the time at which it arrived. Sends nothing to the punch. Returns the exit status: 1
-/// if no valid line has arrived.
+/// Records the serial output of a punch that runs the published Arduino sketch: one row for each
+/// line, with its time of arrival. Sends nothing to the punch. Returns the exit status: 1 if no
+/// valid line arrived.
 int listen(const ListenArguments& arguments);
 
 }  // namespace study::app

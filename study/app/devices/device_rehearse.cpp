@@ -43,7 +43,7 @@ std::vector<EmulatedDevice> emulatedDevicesFor(
   return emulated;
 }
 
-/// The new folder of a rehearsal; removed again unless something has been recorded in it.
+/// The new folder of a rehearsal. The destructor removes it unless something was recorded in it.
 class RehearsalFolder {
  public:
   explicit RehearsalFolder(const std::string& path) : path_(path) {
@@ -66,7 +66,7 @@ class RehearsalFolder {
 };
 
 /// Checks the emulated devices and prints the findings. Repeats the check if the computer stalled
-/// meanwhile. Returns whether all passed.
+/// during it. Returns whether all checks passed.
 bool passCheck(
     const std::string& deviceFile,
     const protocols::Protocol& protocol,
@@ -88,7 +88,7 @@ bool passCheck(
   }
 }
 
-/// Prints the last sentence of a failed rehearsal. Returns its exit status.
+/// Prints the final sentence of a failed rehearsal. Returns the exit status.
 int failed(const haptics::timing::StandstillWatch& watch, const std::string& what) {
   const auto verdict = verdictOf(false, watch.longest());
   if (verdict == RehearsalVerdict::NotJudged) {
@@ -105,7 +105,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
   return static_cast<int>(verdict);
 }
 
-/// An event as text for the terminal, without the clock offset of a link.
+/// The text of an event for the terminal, without the clock offset of a link.
 std::string terminalTextOf(const storage::Event& event) {
   if (event.kind != EventKind::DeviceLink) return storage::describe(event);
   constexpr std::string_view kLink =
@@ -150,7 +150,7 @@ std::vector<SimulatedEnding> runParticipants(
   return endings;
 }
 
-/// Prints the last sentence. @return the exit status.
+/// Prints the final sentence. @return the exit status.
 int printVerdict(
     Study& study,
     const RehearseArguments& arguments,

@@ -9,19 +9,19 @@ namespace study::app {
 struct RehearseArguments {
   std::string out;
   std::string protocol = "two-devices";
-  std::string firmware;  ///< for QEMU; empty: the built-in emulator
+  std::string firmware;  ///< firmware that QEMU runs; empty: the built-in emulator
   int participants = 1;
   std::uint64_t seed = 1;
 };
 
-/// The result of a rehearsal, which is its exit status.
+/// The result of a rehearsal; its value is the exit status.
 enum class RehearsalVerdict {
   Passed = 0,
   Failed = 1,
   NotJudged = 3,  ///< the computer stalled for longer than a device's timeout
 };
 
-/// The verdict of a rehearsal on a computer whose longest stall was @p stoodStill.
+/// The verdict of a rehearsal; @p stoodStill is the longest stall of the computer during it.
 RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept;
 
 /// Starts both emulators as processes, writes a device file for them, runs the checks of `device

@@ -7,18 +7,18 @@
 
 namespace study::app {
 
-/// The findings on one device.
+/// The results of checking one device.
 struct DeviceFindings {
   std::string device;
   std::vector<haptics::devices::CheckResult> results;
 };
 
-/// Checks every device of @p deviceSet for @p seconds, and each device in @p needs also against
-/// what the protocol needs of it. A missing device is a finding.
+/// Checks every device of @p deviceSet for @p seconds, and compares the devices in @p needs with
+/// the protocol's requirements. A missing device is a finding.
 std::vector<DeviceFindings> checkAll(
     HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds);
 
-/// Whether no finding is a FAIL.
+/// Whether there is no finding FAIL.
 bool isFit(const std::vector<DeviceFindings>& found) noexcept;
 
 std::string checksAsText(const std::vector<DeviceFindings>& found);

@@ -58,7 +58,7 @@ void EmulatorProcess::start(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
   std::vector<std::string> texts{"palpate", "device", "emulate"};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  texts.emplace_back("--until-input-ends");  // the pipes close however this program ends
+  texts.emplace_back("--until-input-ends");  // this program's end closes the pipes in any case
   std::vector<char*> words;
   for (auto& text : texts) words.push_back(text.data());
   words.push_back(nullptr);
@@ -144,7 +144,7 @@ EmulatedDevice emulatedDevice(
       haptics::devices::IiwaSettings settings;
       settings.port = haptics::devices::DatagramSocket(haptics::devices::Endpoint{})
                           .local()
-                          .port;  // a free one
+                          .port;  // a port that is free
       settings.model = arm.model;
       settings.tool.position.z() = arm.toolLength;
       settings.zero = arm.start;

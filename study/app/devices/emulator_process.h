@@ -11,13 +11,13 @@
 
 namespace study::app {
 
-/// An emulator in its own process: `palpate device emulate …`, with the palpate in this program's
-/// folder. The process ends when this object is destroyed, or with this process.
+/// An emulator in its own process: `palpate device emulate …` of the palpate in this program's
+/// folder. The process ends when this object is destroyed or this program ends.
 class EmulatorProcess {
  public:
   /// Starts the emulator and waits until it is ready.
-  /// @param arguments  after "device emulate".
-  /// @throws UserError  with the emulator's output, if it does not start.
+  /// @param arguments  those after "device emulate".
+  /// @throws UserError  if the emulator does not start; with its output.
   explicit EmulatorProcess(const std::vector<std::string>& arguments);
   ~EmulatorProcess();
   EmulatorProcess(const EmulatorProcess&) = delete;
@@ -27,7 +27,7 @@ class EmulatorProcess {
   /// The text after "ready" in the emulator's first line: "port=/dev/pts/3".
   const std::string& ready() const noexcept { return ready_; }
 
-  /// Sends a line ("drop 3") and returns the answer; empty if there is none.
+  /// Sends a line ("drop 3") and returns the answer; empty if no answer arrives.
   std::string ask(const std::string& line);
 
  private:
@@ -44,7 +44,7 @@ class EmulatorProcess {
 };
 
 /// The value of "key=value" in a line of an emulator.
-/// @throws UserError  if the line has none.
+/// @throws UserError  if the line lacks the key.
 std::string valueIn(std::string_view line, std::string_view key);
 
 /// An emulator, and the device entry that connects to it.
@@ -54,7 +54,7 @@ struct EmulatedDevice {
 };
 
 /// Starts the emulator of a kind of device.
-/// @param id  of the entry.
+/// @param id  id of the device entry.
 /// @param options  further options of `device emulate`, for instance {"--seed", "1"}.
 EmulatedDevice emulatedDevice(
     const haptics::devices::DeviceKind& kind,

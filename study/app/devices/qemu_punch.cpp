@@ -38,7 +38,7 @@ pid_t start(const std::string& firmware, int out) {
   const pid_t parent = getpid();
   const pid_t id = fork();
   if (id != 0) return id;
-  // QEMU ends with this program, also if this program is killed.
+  // QEMU is killed when this program ends, even if this program is killed.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent &&
       dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0) {
     execvp(kEmulator, words.data());
@@ -46,7 +46,8 @@ pid_t start(const std::string& firmware, int out) {
   _exit(127);
 }
 
-/// The pseudo-terminal in QEMU's output: "char device redirected to /dev/pts/0 (label serial0)".
+/// The path of the pseudo-terminal in QEMU's output: "char device redirected to /dev/pts/0 (label
+/// serial0)".
 std::string portIn(int from) {
   std::string said;
   pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
@@ -97,7 +98,7 @@ QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
   std::filesystem::create_symlink(port_, link_);
 }
 
-/// Throws if the link points to an existing port, which another program then uses.
+/// Throws if the link exists and points to an existing port, which another program then uses.
 void QemuPunch::requireFreeLink() const {
   std::error_code ignored;
   if (!std::filesystem::is_symlink(link_, ignored)) return;

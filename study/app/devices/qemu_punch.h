@@ -7,13 +7,13 @@
 namespace study::app {
 
 /// The punch's firmware, compiled for a Cortex-M3 and run by QEMU (mps2-an385) on a
-/// pseudo-terminal; the board itself simulates the handle. QEMU reproduces neither the processor's
-/// speed nor its timing.
+/// pseudo-terminal. The firmware itself simulates the handle. QEMU reproduces neither the speed nor
+/// the timing of the processor.
 class QemuPunch {
  public:
-  /// @param link  a fixed name for its port; empty: the one that QEMU chooses.
+  /// @param link  a symbolic link to its port; empty: only the port that QEMU chooses.
   /// @throws UserError  if QEMU or the firmware is missing, QEMU does not start, or the link is in
-  /// use.
+  ///     use.
   QemuPunch(const std::string& firmware, const std::string& link);
   ~QemuPunch();
   QemuPunch(const QemuPunch&) = delete;

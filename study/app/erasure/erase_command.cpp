@@ -1,4 +1,4 @@
-// Names of participants, and their erasure.
+// Commands on names of participants and on erasures.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -30,7 +30,7 @@ struct ErasureArguments {
   std::vector<std::string> certificates;
   std::string by;
   bool setsPassphrase = false;
-  std::string language = "en";  ///< of certificates
+  std::string language = "en";  ///< language of certificates
 };
 
 void write(
@@ -46,7 +46,7 @@ void write(
   }
 }
 
-/// Repeats the erasures of a certificate in another copy of the study.
+/// Repeats the erasures that a certificate lists in another copy of the study.
 int eraseBy(const ErasureArguments& options) {
   std::ifstream stream(options.by, std::ios::binary);
   const auto text = base::readAll(stream);
@@ -57,7 +57,7 @@ int eraseBy(const ErasureArguments& options) {
         " is not the text of a certificate of erasure. 'palpate study erase "
         "--certificate FILE.txt' writes it.");
   }
-  // Opening a copy of the study on this station applies the listed erasures to it.
+  // opening a copy of the study repeats the erasures of this station's list
   for (const auto& erasure : erasures) storage::list(erasure);
   auto study = Study::open(options.folder);
   bool isOfThisStudy = false;

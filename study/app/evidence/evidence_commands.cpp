@@ -1,4 +1,4 @@
-// Commands about the evidence that a study's data are those that were recorded.
+// Commands that prove that a study's data are the recorded ones.
 #include <cstdio>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Commands about the key with which conditions are sealed.
+// Commands on the key with which conditions are sealed.
 #include <string>
 
 #include <CLI/CLI.hpp>

@@ -38,7 +38,7 @@ struct ProcessOutput {
   std::string output;
 };
 
-/// Runs a program of the system, without a shell.
+/// Runs a program of the operating system, without a shell.
 ProcessOutput run(std::vector<std::string> texts) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had. Try again.");
@@ -71,7 +71,7 @@ ProcessOutput run(std::vector<std::string> texts) {
   return ran;
 }
 
-/// Writes a file for openssl, which is deleted with its folder.
+/// Writes a file for openssl to a temporary folder. @return  its path
 std::string fileWith(const TemporaryFolder& folder, const char* name, const std::string& content) {
   const auto path = (folder / name).string();
   std::ofstream(path, std::ios::binary) << content;
@@ -86,7 +86,7 @@ std::string contentOf(const std::string& path) {
   return base::readAll(stream);
 }
 
-/// Writes the request to an authority, with the SHA-256 of the head's line.
+/// Writes a request for a time stamp, which contains the SHA-256 of the head's line.
 void writeRequest(
     const TemporaryFolder& scratch, const std::string& head, const std::string& path) {
   const auto ran = run(
@@ -103,13 +103,13 @@ void writeRequest(
   if (ran.status != 0) throw UserError("openssl makes no request of a time stamp:\n" + ran.output);
 }
 
-/// The time in a reply, not verified yet; std::nullopt if the reply is no time stamp.
+/// The unverified time in a reply; std::nullopt if the reply is not a time stamp.
 std::optional<std::time_t> timeIn(const std::string& reply) {
   const auto text = run({"openssl", "ts", "-reply", "-in", reply, "-text"}).output;
   const std::string_view word = "Time stamp: ";
   const auto at = text.find(word);
   if (at == std::string::npos) return std::nullopt;
-  // "Nov 23 20:15:04.123 2026 GMT": the fraction of a second is optional.
+  // Format: "Nov 23 20:15:04.123 2026 GMT". The fraction of a second is optional.
   std::istringstream words(text.substr(at + word.size()));
   std::string month;
   std::string day;
@@ -122,13 +122,13 @@ std::optional<std::time_t> timeIn(const std::string& reply) {
   return timegm(&parts);
 }
 
-/// The time at which the authority signed the head's hash.
+/// The time at which the authority signed the hash of the head.
 struct VerifiedTimeStamp {
-  std::string utc;  ///< empty: the reply is not valid
-  std::string whyNot = {};
+  std::string utc;          ///< empty if the reply is not valid
+  std::string whyNot = {};  ///< why the reply is not valid
 };
 
-/// Checks, with openssl, that an authority's reply is a time stamp of @p head.
+/// Verifies with openssl that an authority's reply is a time stamp of @p head.
 /// @param reply  the content of the reply file
 /// @param certificate  path of the authority's root certificate (PEM)
 VerifiedTimeStamp prove(
@@ -137,7 +137,7 @@ VerifiedTimeStamp prove(
   const auto file = fileWith(scratch, "reply", reply);
   const auto time = timeIn(file);
   if (!time) return {.utc = {}, .whyNot = "it is no granted reply of an authority"};
-  // The certificate is verified as of the time stamp, because it may have expired since then.
+  // The certificate is verified for the time of the stamp, because it may have expired since.
   const auto ran = run(
       {"openssl",
        "ts",
@@ -218,7 +218,7 @@ std::string textOf(const storage::Event& event, std::string_view name) {
   return text == nullptr ? std::string() : *text;
 }
 
-/// The reply in an event of the audit trail; empty if it is damaged.
+/// The authority's reply that an event of the audit trail holds; empty if it is damaged.
 std::string replyIn(const storage::Event& event) {
   const auto bytes = storage::fromBase64(textOf(event, "reply"));
   if (!bytes) return {};

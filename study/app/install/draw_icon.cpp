@@ -1,4 +1,4 @@
-// draw_icon: writes the icon as a picture of a given size, for desktops without SVG. Used by the
+// draw_icon: writes the icon as a PNG file of a given size, for desktops without SVG. Used by the
 // build only; it is not installed.
 #include <cstdio>
 #include <cstdlib>

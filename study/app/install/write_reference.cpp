@@ -80,7 +80,8 @@ ManPageSections sectionsOfCollect() {
       .seeAlso = {"palpate(1)", "psql(1)"}};
 }
 
-/// Describes palpate-collect under the name of its file; 'palpate collect' starts the same program.
+/// Describes palpate-collect under the name of its executable; 'palpate collect' starts the same
+/// program.
 CommandDescription describeCollect() {
   study::app::Action action;
   const auto program = study::collect::makeCollectProgram(action);

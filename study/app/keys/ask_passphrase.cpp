@@ -35,7 +35,7 @@ class WithoutEcho {
   bool isTerminal_;
 };
 
-/// Asks and reads a line without echo; empty if nothing was typed.
+/// Prints @p question and reads a line without echo; empty if nothing was typed.
 std::string typedAt(const std::string& question) {
   fmt::print(stderr, "{}: ", question);
   std::fflush(stderr);
@@ -45,8 +45,8 @@ std::string typedAt(const std::string& question) {
   return typed;
 }
 
-/// Asks up to three times for a passphrase that @p opens accepts. @return false if nothing was
-/// typed
+/// Asks up to three times for a passphrase, until @p opens returns true. @return  false if nothing
+/// was typed
 bool unlock(const std::string& question, const std::function<bool(const std::string&)>& opens) {
   constexpr int kTries = 3;
   for (int i = 0; i < kTries; ++i) {

@@ -10,20 +10,20 @@ namespace study::app {
 inline constexpr const char* kNewPassphraseOfNames =
     "New passphrase of names (write it down at a safe place: without it nobody ever reads them)";
 
-/// Reads a passphrase from the terminal without showing it, or a line of standard input if that is
-/// not a terminal. @throws UserError  if nothing was typed
+/// Reads a passphrase from the terminal without echo, or a line of standard input if that is no
+/// terminal. @throws UserError  if nothing was typed
 std::string askPassphrase(const std::string& question);
 
-/// Asks twice. @throws UserError  if the two passphrases differ
+/// Asks for a new passphrase twice. @throws UserError  if the two differ
 std::string askNewPassphrase(const std::string& question);
 
-/// If this account does not have the study's key and the key is protected by a passphrase, asks for
-/// it up to three times.
-/// @throws UserError  if it was wrong three times
+/// If this account lacks the study's key, and a passphrase opens it, asks for the passphrase up to
+/// three times.
+/// @throws UserError  if the passphrase was wrong three times
 void askForKeyIfLocked(Study& study);
 
-/// Asks in the same way for the passphrase of the participants' names. If @p isOptional, an empty
-/// line leaves the names locked.
+/// If the participants' names are locked, asks for their passphrase up to three times. If
+/// @p isOptional, an empty line leaves the names locked.
 void askForNamesIfLocked(Study& study, bool isOptional = false);
 
 }  // namespace study::app

@@ -1,4 +1,5 @@
-// `recording calibrate`: readings of a force sensor under known loads become a calibration file.
+// `recording calibrate`: fits a calibration to readings of a force sensor under known loads, and
+// writes it to a file.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -33,7 +34,7 @@ struct CalibrateCommand {
   bool throughZero = false;
 };
 
-/// "0.0123 + 0.0076665·r − 1.962e-06·r^2": the constant first, unless it is 0.
+/// A calibration as text: "0.0123 + 0.0076665·r − 1.962e-06·r^2". A constant of 0 is left out.
 std::string polynomialOf(const recordings::ForceCalibration& calibration) {
   std::string text;
   for (std::size_t power = 0; power < calibration.coefficients.size(); ++power) {
@@ -48,7 +49,7 @@ std::string polynomialOf(const recordings::ForceCalibration& calibration) {
   return text;
 }
 
-/// The residuals of a polynomial of each order for which there are enough loads.
+/// The residuals of polynomials of each order that the number of loads allows.
 DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) {
   DataTable orders{
       .name = "orders",
@@ -63,7 +64,7 @@ DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) 
       const auto fit = recordings::fitCalibration(table, order, throughZero);
       orders.rows.push_back({std::int64_t{order}, fit.rms, fit.standardError, fit.largest});
     } catch (const UserError&) {
-      break;  // too few loads for this order and all higher ones
+      break;  // too few loads for this order and higher ones
     }
   }
   return orders;

@@ -18,8 +18,8 @@ constexpr double kDepths[]{0.004, 0.006, 0.008};  // [m]
 constexpr double kMostDepth = 0.010;              // [m]
 
 /// The feeds of the published measurements, then larger ones in steps of about a factor of 3, up to
-/// 0.9 of the reamer's feed limit @p most [m/s]. At the limit itself the reamer never catches up
-/// with the machine.
+/// 0.9 of the reamer's feed limit @p most [m/s]. At the limit itself the reamer would never remove
+/// bone as fast as the machine advances.
 std::vector<double> feedsUpTo(double most) {
   const double last = 0.9 * most;
   std::vector<double> feeds;
@@ -34,12 +34,12 @@ Cell orNothing(double value) {
   return std::isfinite(value) ? Cell(value) : Cell(std::monostate());
 }
 
-/// The force of the curve at @p depth [m], interpolated linearly between the depths of the fit [N].
+/// The force of the fitted curve at @p depth [m], interpolated linearly [N].
 double wantedAt(const reaming::CurveFit& curve, double depth) {
   return reaming::forceAt({.depth = curve.depths, .force = curve.wanted, .stop = {}}, depth);
 }
 
-/// The table without rows.
+/// The columns of the table.
 DataTable emptyTable(const haptics::engine::Reamer& reamer, const char* mass) {
   DataTable table{
       .name = "feeds",
@@ -66,7 +66,7 @@ DataTable emptyTable(const haptics::engine::Reamer& reamer, const char* mass) {
   return table;
 }
 
-/// @param wanted  the force of the curve at a depth [N].
+/// @param wanted  returns the force of the curve at a depth [N].
 template <typename Wanted>
 std::vector<Cell> rowOf(
     const std::string& curve,
@@ -94,7 +94,8 @@ double workTo(const reaming::CurveNodes& curve, double depth) {
   return work;
 }
 
-/// Reams the curve of hardness @p h with the model that renders it, at a feed of the tool.
+/// Reams the curve of a bone of hardness @p h at a constant feed of the tool, with the engine's
+/// model.
 reaming::ExperimentResult ream(
     const reaming::HardnessCurves& force,
     double h,
@@ -113,7 +114,8 @@ reaming::ExperimentResult ream(
   double lost = 0.0;
   double felt = 0.0;
   for (double target = begin + kStep; model.depth() < end; target += kStep) {
-    // The tool is advanced by the deflection of the coupling, as by an infinitely stiff machine.
+    // The machine advances by the deflection of the coupling as well, as if it were infinitely
+    // stiff.
     const double before = model.depth();
     const double dt = kStep / feed;
     felt = model.respond({.travel = target + felt / Model::kCoupling, .dt = dt}).force;

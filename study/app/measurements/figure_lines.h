@@ -12,8 +12,8 @@ namespace study::app {
 
 inline constexpr double kMillimetres = 1000.0;  ///< mm per m
 
-/// A regular selection of at most about @p most of @p count points, so that a figure of 200,000
-/// samples can be opened.
+/// Every n-th of @p count points, about @p most in all, so that a figure of 200,000 samples can be
+/// opened.
 template <typename X, typename Y>
 report::ChartSeries thinned(
     const std::string& title, std::size_t count, X x, Y y, std::size_t most = 3000) {
@@ -23,7 +23,7 @@ report::ChartSeries thinned(
   return series;
 }
 
-/// A curve with x multiplied by @p scale.
+/// A curve with its x multiplied by @p scale.
 inline report::ChartSeries lineOf(
     const std::string& title,
     const haptics::reaming::SampledCurve& curve,
@@ -37,8 +37,8 @@ inline report::ChartSeries lineOf(
       most);
 }
 
-/// An amplitude spectrum for logarithmic axes: the largest amplitude in each frequency band of 1 %,
-/// raised to @p least, the lower end of the axis.
+/// An amplitude spectrum for logarithmic axes: the largest amplitude in each 1 % wide frequency
+/// band, and at least @p least, the lower end of the axis.
 inline report::ChartSeries spectrumLine(
     const std::string& title, const haptics::filters::Spectrum& spectrum, double least) {
   constexpr double kStep = 1.01;

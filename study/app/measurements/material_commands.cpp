@@ -31,7 +31,7 @@ struct FitCommand {
 };
 
 /// Warns if the curve of a harder bone is below that of a softer one by more than @p felt [N, N·m]
-/// at some depth, and names the option that prevents it.
+/// at some depth, and names the option that prevents this.
 void warnOfCrossings(
     const reaming::FittedEnvelope& envelope,
     const char* quantity,
@@ -52,7 +52,7 @@ void warnOfCrossings(
       fmt::join(reaming::optionsThatKeepOrder(options), " and "));
 }
 
-/// The depth that all specimens reach, and how many remain at the end.
+/// The depth that all specimens reach, and the number of specimens at the end.
 std::string specimensLeft(const reaming::TestSetFit& set) {
   const auto stretches = reaming::specimenCountsOf(set.force);
   const auto& last = stretches.back();
@@ -109,7 +109,7 @@ void requireSmallErrors(const reaming::MaterialFit& fit, const reaming::FitOptio
   }
 }
 
-/// Refuses to write a material that the engine cannot render.
+/// @throws UserError  if the engine cannot render the material that is to be written.
 void requireRenderable(const FitCommand& command, const reaming::FitOptions& options) {
   if (command.out.empty()) return;
   if (options.axis != reaming::DepthAxis::Depth) {

@@ -35,7 +35,7 @@ constexpr SplineKind kSplines[]{
 constexpr int kFewestNodes = 2;
 constexpr int kMostNodes = 200;
 
-/// Splits texts such as "force=Kraft" into pairs.
+/// Splits texts such as "force=Kraft" at the equals sign.
 std::map<std::string, std::string> pairs(const std::vector<std::string>& words) {
   std::map<std::string, std::string> result;
   for (const auto& word : words) {
@@ -48,7 +48,7 @@ std::map<std::string, std::string> pairs(const std::vector<std::string>& words) 
   return result;
 }
 
-/// The value named @p name; CLI11 has checked that it exists.
+/// The enumerator named @p name; CLI11 has checked that it exists.
 template <typename Enum, std::size_t kCount>
 Enum named(const std::string& name, const Enum (&choices)[kCount]) {
   for (const auto choice : choices) {
@@ -64,7 +64,7 @@ CLI::IsMember oneOf(const Enum (&choices)[kCount]) {
   return CLI::IsMember(names);
 }
 
-/// The number of nodes; std::nullopt if a rule is named.
+/// The number of nodes in @p nodes; std::nullopt if it is the name of a rule.
 std::optional<std::size_t> numberIn(const std::string& nodes) {
   std::size_t count = 0;
   const auto* end = nodes.data() + nodes.size();

@@ -10,9 +10,9 @@
 
 namespace study::app {
 
-/// The options that the `material` commands share, as they were typed.
+/// The options of all `material` commands, as they were typed.
 struct MaterialInputs {
-  std::vector<std::string> files[3];  ///< by test set
+  std::vector<std::string> files[3];  ///< file names, by test set
   std::vector<std::string> columns;
   std::vector<std::string> units;
   std::string axis = "depth";
@@ -24,23 +24,23 @@ struct MaterialInputs {
   bool isSynthetic = false;
   haptics::reaming::FitOptions options;
 
-  const CLI::App* command = nullptr;  ///< to find out which options were given
+  const CLI::App* command = nullptr;  ///< for finding out which options were given
 
-  /// Adds the options to @p verb; this object must outlive it.
+  /// Adds the options to the command @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
 
-  /// The chosen options. @throws UserError  if two options exclude each other.
+  /// The options of a fit. @throws UserError  if two options exclude each other.
   haptics::reaming::FitOptions chosen() const;
 };
 
-/// The series of all test sets.
+/// The measurement series of all test sets.
 struct ReadSeries {
   std::vector<haptics::reaming::Series> series;
   std::vector<protocols::MaterialSource> sources;  ///< one for each series
-  bool isSynthetic = false;                        ///< whether one of them is synthetic
+  bool isSynthetic = false;                        ///< whether at least one series is synthetic
 };
 
-/// @throws UserError  if no file was named, or a file is no valid series.
+/// @throws UserError  if no file was given, or if a file is no valid series.
 ReadSeries readAll(const MaterialInputs& inputs);
 
 }  // namespace study::app

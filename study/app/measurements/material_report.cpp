@@ -28,7 +28,7 @@ DepthScale depthScaleOf(const reaming::TestSetFit& set, const reaming::FitOption
   return {"share of the largest displacement", 1.0 / set.scale};
 }
 
-/// Figure 3: all series of a test set as they were measured.
+/// Figure 3: all measured series of a test set.
 Chart seriesChart(
     const std::vector<reaming::Series>& series,
     const reaming::MaterialFit& fit,
@@ -47,7 +47,7 @@ Chart seriesChart(
   return chart;
 }
 
-/// The splines of an envelope, drawn over its data.
+/// An envelope with its splines.
 Chart envelopeChart(
     const reaming::FittedEnvelope& envelope,
     const std::string& unit,
@@ -139,7 +139,7 @@ DataTable errorTable(const std::vector<NamedCurve>& curves) {
   return table;
 }
 
-/// The number of specimens that a test set's curves are made from, over depth.
+/// The number of specimens behind a test set's curves, over depth.
 DataTable specimenTable(const reaming::TestSetFit& set) {
   DataTable table{
       .name = "specimens-" + std::string(nameOf(set.set)),
@@ -328,8 +328,8 @@ report::DocumentPart splineComparisonPart(
     line.style = ChartSeries::Style::Dashed;
     chart.series.push_back(std::move(line));
     const auto& first = comparison.splines.front();
-    // The paper's "at the same reamer displacement" is the depth of the first spline's largest
-    // error.
+    // The paper's "at the same reamer displacement" is the depth at which the first spline has its
+    // largest error.
     const auto there = [&](double share, double depth) {
       return &spline == &first ? std::string()
                                : fmt::format(

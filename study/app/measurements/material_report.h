@@ -11,40 +11,40 @@ namespace study::app {
 /// The number of nodes in Fig. 7 of the reaming paper.
 inline constexpr std::size_t kPaperNodes = 12;
 
-/// A curve of a fit with its names.
+/// A curve of a fit, with the names of its test set, quantity and curve.
 struct NamedCurve {
   std::string setName;
   std::string quantity;   ///< "force" or "torque"
   std::string curveName;  ///< "minimum", "average" or "middle-specimen", "maximum"
   const haptics::reaming::FittedCurve* curve = nullptr;
-  double floor = 0.0;  ///< least denominator of its relative errors [N, N·m]
+  double floor = 0.0;  ///< smallest denominator of relative errors [N, N·m]
 };
 
-/// Every curve of @p fit, which must outlive them.
+/// All curves of @p fit, which must outlive the result.
 std::vector<NamedCurve> curvesOf(
     const haptics::reaming::MaterialFit& fit, const haptics::reaming::FitOptions& options);
 
-/// "dynamic-1/force/maximum"
+/// The path of a curve: "dynamic-1/force/maximum".
 std::string pathOf(const NamedCurve& curve);
 
 /// The name of the curve between minimum and maximum.
 std::string middleNameOf(haptics::reaming::EnvelopeRule rule);
 
-/// Figures 3 to 7 of the reaming paper for any data: all series; for each series force and torque,
-/// measured, filtered and normalised, and their spectra; envelopes; the cubic and the Hermite
-/// spline on the same nodes. Also tables of every series and every curve, and all data as CSV
-/// files.
+/// Figures 3 to 7 of the reaming paper for any data: all series; for each series force and torque
+/// (measured, filtered and normalised) and their spectra; envelopes; and the cubic and the Hermite
+/// spline on the same nodes. Includes tables of all series and curves, and all data as CSV files.
 ///
-/// @param series  of the fit, in the same order.
+/// @param series  the series of the fit, in its order.
 report::Document materialReport(
     const std::vector<haptics::reaming::Series>& series,
     const haptics::reaming::MaterialFit& fit,
     const haptics::reaming::FitOptions& options);
 
-/// The part of a report about one series: figures 4 and 5 of the paper, and its data as a table for
-/// a CSV file.
+/// The part of a report on one series: figures 4 and 5 of the paper, and the data as a table for a
+/// CSV file.
 ///
-/// @param number  of the series, from 1. @param scale  largest displacement of its test set [m].
+/// @param number  number of the series, from 1.
+/// @param scale  largest displacement of its test set [m].
 report::DocumentPart seriesPart(
     const haptics::reaming::Series& series,
     const haptics::reaming::PreparedSeries& prepared,
@@ -52,12 +52,12 @@ report::DocumentPart seriesPart(
     double scale,
     const haptics::reaming::FitOptions& options);
 
-/// The options of a fit. If no nodes were chosen, those of the paper's Fig. 7: 12, placed for the
-/// natural cubic.
+/// @p options for Fig. 7 of the paper: if no nodes were chosen, 12 nodes, placed for the natural
+///     cubic.
 haptics::reaming::FitOptions forFigure7(haptics::reaming::FitOptions options);
 
-/// Fig. 7 of the paper for a curve: the natural cubic and the Hermite spline through the nodes that
-/// @p options choose, with both errors and where they are.
+/// Fig. 7 of the paper for one curve: the natural cubic and the Hermite spline through the nodes of
+/// @p options, with their largest errors and the depths of these.
 report::DocumentPart splineComparisonPart(
     const NamedCurve& curve, const haptics::reaming::FitOptions& options);
 

@@ -16,10 +16,10 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-// points of a line; with 72 series of six figures each, more would make the file too large
+// points of a line; a report with 72 series of six figures each must not become too large
 constexpr std::size_t kPoints = 700;
 
-/// Force or torque of a series.
+/// The force or the torque of a series.
 struct Quantity {
   const char* name;
   const char* unit;

@@ -65,7 +65,7 @@ void printSyntheticMark(const reaming::PackedBone& bone) {
   if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
 }
 
-/// Prints the progress once for each radius.
+/// Prints the progress when the radius has changed. @return  true, to continue
 bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
   if (progress.radius == lastRadius) return true;
   lastRadius = progress.radius;
@@ -177,21 +177,21 @@ void addBuildPacking(CLI::App& noun, Action& action) {
 }
 
 struct DensityCommand {
-  const CLI::App* given = nullptr;  ///< to find out which options were given
+  const CLI::App* given = nullptr;  ///< for finding out which options were given
   std::string packing;
   MaterialChoice material;
   std::string out;
   std::string report;
   reaming::BoneFitOptions options;
   std::string method = "exact";
-  std::size_t layers = 12;  ///< of swarm optimisation
+  std::size_t layers = 12;  ///< layers for swarm optimisation
   reaming::SwarmOptions swarm;
 };
 
 /// The options of --method swarm.
 constexpr const char* kSwarmOptions[]{"--layers", "--particles", "--iterations", "--seed"};
 
-/// The method that computes the densities; empty for the exact one.
+/// The function that computes the densities; empty for the exact method.
 reaming::DensityMethod methodOf(const DensityCommand& command) {
   if (command.method == "exact") return {};
   return [&command](const reaming::ContactMatrix& matrix, std::span<const double> forces) {
@@ -224,8 +224,7 @@ void printFit(const reaming::CurveFit& curve, bool isSwarm) {
       spheres.iterations);
 }
 
-/// Reams the fitted bone as the test machine in the paper does, and prints the errors of the
-/// forces.
+/// Reams the fitted bone like the test machine of the paper, and prints the errors of the forces.
 void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
   double h = 0.0;
   for (const auto& curve : report.curves) {
@@ -241,7 +240,7 @@ void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitRep
   }
 }
 
-/// Prints the source of the bone's torque, and the errors of the fit.
+/// Prints how the bone's torque is computed, and the errors of the fit.
 void printFriction(const reaming::BoneFitReport& report, bool hasTorque) {
   if (!hasTorque) {
     fmt::print(

@@ -15,7 +15,7 @@ namespace study::app {
 namespace reaming = haptics::reaming;
 namespace {
 
-/// All triangles of all surfaces.
+/// The triangles of all surfaces in one mesh.
 reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& surfaces) {
   reaming::TriangleMesh mesh;
   for (const auto& surface : surfaces) {
@@ -28,7 +28,7 @@ reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& su
   return mesh;
 }
 
-/// @throws UserError  with the reader's message.
+/// @throws UserError  with the message of the file's reader.
 std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   try {
     return protocols::readMeshFile(path);
@@ -37,7 +37,8 @@ std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   }
 }
 
-/// Metres per unit of the mesh; a derived unit is noted in @p body.
+/// Metres per unit of the mesh. If the unit is derived from the size, a sentence is added to
+/// @p body.
 double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMesh& body) {
   if (unit == "m") return 1.0;
   if (unit == "mm") return 0.001;

@@ -13,7 +13,7 @@ class App;
 
 namespace study::app {
 
-/// The curves that a bone is fitted to.
+/// The curves to which a bone is fitted.
 struct MaterialChoice {
   std::string file;  ///< a material file, or "parametric" for the built-in curves
   std::string set = "dynamic-1";
@@ -25,21 +25,21 @@ haptics::reaming::PackedBone readBone(const std::string& path, protocols::Packin
 
 struct ChosenCurves {
   haptics::reaming::HardnessCurves curves;
-  haptics::reaming::HardnessCurves torque;  ///< empty where none was measured
-  bool isSynthetic = false;                 ///< whether the curves were not measured
+  haptics::reaming::HardnessCurves torque;  ///< empty if no torque was measured
+  bool isSynthetic = false;                 ///< whether the curves are synthetic
 };
 
 /// Reads the curves of @p choice, and writes their names into @p origin.
 /// @throws UserError  if the file is missing, is no material, or has no such test set.
 ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin);
 
-/// A body from an STL, OBJ or PLY file, ready to be packed with spheres.
+/// A body from an STL, OBJ or PLY file, to be packed with spheres.
 struct BodyMesh {
   haptics::reaming::TriangleMesh mesh;  ///< [m]
-  std::vector<std::string> said;        ///< sentences on repairs and assumptions
+  std::vector<std::string> said;        ///< sentences on repairs and assumptions, for the user
 };
 
-/// @param unit  "m", "mm", or empty: derived from the size of the mesh.
+/// @param unit  "m", "mm", or empty: it is derived from the size of the mesh.
 /// @throws UserError  if the file is missing or its surface encloses no volume.
 BodyMesh readBody(const std::string& path, const std::string& unit);
 

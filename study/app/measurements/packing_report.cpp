@@ -35,7 +35,7 @@ Chart forceChart(const reaming::BoneFitReport& fit) {
   return chart;
 }
 
-/// The number of spheres of each size.
+/// A histogram of the radii of spheres.
 Chart sizeChart(const reaming::Packing& packing) {
   constexpr std::size_t kBins = 40;
   const double least = packing.spheres.back().radius;

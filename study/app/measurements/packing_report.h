@@ -8,15 +8,15 @@
 
 namespace study::app {
 
-/// A note that @p bone was not measured; empty if it was.
+/// A note that @p bone is synthetic; empty if it was measured.
 std::string syntheticMark(const haptics::reaming::PackedBone& bone);
 
-/// A sentence for each curve whose fit did not reach its optimum: its densities do not give the
-/// force of the curve.
+/// A sentence for each curve whose fit did not reach its optimum, so that the densities do not give
+/// the force of the curve.
 std::vector<std::string> warningsOf(const haptics::reaming::BoneFitReport& fit);
 
-/// Compares the forces of a bone's spheres with the curves they were fitted to.
-/// @param feeds  feedTable() of both.
+/// Compares the forces of a bone's spheres with the curves to which they were fitted.
+/// @param feeds  feedTable() of @p bone and @p fit.
 report::Document packingReport(
     const haptics::reaming::PackedBone& bone,
     const haptics::reaming::BoneFitReport& fit,

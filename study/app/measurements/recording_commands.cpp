@@ -40,7 +40,7 @@ struct ImportCommand {
   bool json = false;
 };
 
-/// "5900:5975": rows numbered from 1, the last one included.
+/// Reads a range of rows: "5900:5975", numbered from 1, including the last one.
 recordings::RowRange rowRange(const std::string& text) {
   recordings::RowRange range;
   char colon = '\0';
@@ -85,7 +85,7 @@ void printSurvey(
       survey.uncalibratedRows,
       survey.distinctTravels,
       filter);
-  // a cut file is made of the closing rows
+  // a cut file contains the closing rows
   fmt::print("  cut    closing rows      whole cut      seconds  peak [N]\n");
   for (std::size_t i = 0; i < survey.closures.size(); ++i) {
     const auto& c = survey.closures[i];
@@ -106,8 +106,8 @@ void printSurvey(
   }
 }
 
-/// The requested cut. If none was requested and none can be chosen automatically, std::nullopt with
-/// the reason: the recording can still be shown.
+/// The requested cut. If none was requested and none can be chosen automatically, std::nullopt, and
+/// @p whyNot receives the reason; the recording can still be shown.
 std::optional<recordings::ImportedCut> cutFrom(
     const recordings::Recording& recording, const ImportCommand& command, std::string& whyNot) {
   const bool isLookingOnly =

@@ -14,7 +14,7 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-/// A built-in calibration by its name, or a calibration file.
+/// The built-in calibration with this name, or the calibration in a file.
 recordings::ForceCalibration calibrationNamed(const std::string& name) {
   for (const auto& known : {recordings::publishedCalibration(), recordings::recorder2021()}) {
     if (known.name == name) return known;

@@ -10,23 +10,23 @@
 
 namespace study::app {
 
-/// The options for a recording, its force calibration and the filter of its travel, as they were
+/// The options on a recording, its force calibration and the filter of its travel, as they were
 /// typed.
 struct RecordingInputs {
   std::string file;
   std::string columns;      ///< a columns file; empty: the punch recorder's five columns
-  std::string calibration;  ///< a name or a file; empty: the recording's own
+  std::string calibration;  ///< name or file of a calibration; empty: the recording's own
   std::string filter = "authors-fir";
   std::optional<double> cutoff;  ///< [Hz]
 
-  /// Adds the arguments and options to @p verb; this object must outlive it.
+  /// Adds the arguments and options to the command @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
 
   /// The chosen filter. @throws UserError  if a cut-off was given for a filter that has none.
   haptics::recordings::TravelFilter travelFilter() const;
 };
 
-/// A recording as read from its file, with its calibration.
+/// A recording from a file, and its calibration.
 struct ReadRecording {
   haptics::recordings::Recording recording;
   haptics::recordings::ForceCalibration calibration;

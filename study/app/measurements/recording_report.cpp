@@ -17,7 +17,8 @@ using haptics::filters::CutoffRule;
 using report::Chart;
 using report::ChartSeries;
 
-constexpr double kPaperFrequency = 5.0;  // [Hz]; section II-B: "typically below 5 Hz"
+constexpr double kPaperFrequency = 5.0;  // [Hz]; section II-B of the punch paper: "typically below
+                                         // 5 Hz"
 
 std::vector<double> travelOf(const recordings::Recording& recording) {
   std::vector<double> travel;
@@ -107,7 +108,7 @@ report::DocumentPart closuresPart(
   for (const auto& closure : survey.closures) {
     const auto line = rowsAsLine("", trace, closure.closing);
     closing.points.insert(closing.points.end(), line.points.begin(), line.points.end());
-    closing.points.push_back({std::nan(""), std::nan("")});  // ends the line
+    closing.points.push_back({std::nan(""), std::nan("")});  // NaN ends the line
   }
   chart.series.push_back(std::move(closing));
   using Landmarks = recordings::CutLandmarks;

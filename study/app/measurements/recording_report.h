@@ -10,11 +10,11 @@
 
 namespace study::app {
 
-/// A recording as figures and tables: the amplitude spectrum of the travel before and after the
-/// filter (section II-B of the punch paper), force over travel of every closure with its landmarks
-/// (Fig. 4), the closures, and the imported cut if there is one.
+/// A recording as figures and tables: the amplitude spectrum of the travel before and after
+/// filtering (section II-B of the punch paper), the force over travel of every closure with its
+/// landmarks (Fig. 4), the closures, and the imported cut if there is one.
 ///
-/// @param trace, survey  of the same recording.
+/// @param trace, survey  of @p recording.
 /// @param filterParameters  recordings::parametersOf() of the travel filter.
 report::Document recordingReport(
     const haptics::recordings::Recording& recording,
@@ -24,11 +24,12 @@ report::Document recordingReport(
     const std::optional<haptics::recordings::ImportedCut>& imported);
 
 /// The share of a signal's variance at or below @p frequency [Hz], from its amplitude spectrum; 0
-/// to 1. @param rate  of the samples [Hz].
+/// to 1.
+/// @param rate  sampling rate [Hz].
 double shareBelow(const std::vector<double>& samples, double rate, double frequency);
 
-/// A calibration as figures and tables: loads and curve, residuals, the points, and polynomials of
-/// other orders for comparison.
+/// A calibration as figures and tables: loads and fitted curve, residuals, points, and polynomials
+/// of other orders for comparison.
 report::Document calibrationReport(
     const haptics::recordings::CalibrationTable& table,
     const haptics::recordings::CalibrationFit& fit,

@@ -25,7 +25,7 @@ std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
   return sizes;
 }
 
-/// The sizes to try for every group.
+/// The combinations of group sizes to try.
 std::vector<GroupSizes> sizesToTry(
     const PublishedTable& table, const PublishedTableOptions& question) {
   std::vector<GroupSizes> all;

@@ -14,23 +14,23 @@ namespace study::app {
 
 /// The options for checking a published table.
 struct PublishedTableOptions {
-  /// Sizes to try, the same for all groups; without them the sizes stated by the table.
+  /// Range of sizes to try, equal for all groups; without it the sizes that the table states.
   std::optional<std::uint64_t> fewest;
   std::optional<std::uint64_t> most;
-  /// The scale of the answers; without it no sets of whole answers are searched for.
+  /// The scale of the answers; without it, sets of whole answers are not searched for.
   std::optional<analysis::AnswerScale> scale;
 };
 
-/// All findings on a published table.
+/// The results of checking a published table.
 struct PublishedReport {
   analysis::PublishedTable table;
   PublishedTableOptions question;
-  /// With the stated sizes, for every convention; empty if the table states none.
+  /// For every convention, the check with the stated sizes; empty if the table states none.
   std::vector<analysis::ConventionCheck> atStated;
-  /// With equal sizes of all groups, for every convention; empty if none were requested.
+  /// For every convention, the check with equal sizes of all groups; empty if not requested.
   std::vector<analysis::ConventionCheck> atEqual;
-  /// Sets of whole answers that give the table's values, for every convention; empty without a
-  /// scale.
+  /// For every convention, the sizes for which a set of whole answers gives the table's values;
+  /// empty without a scale.
   std::vector<analysis::ConsistentSizes> wholeAnswers;
 };
 

@@ -24,7 +24,7 @@ std::string namesAndSizes(const PublishedTable& table, const analysis::GroupSize
   return words;
 }
 
-/// Numbers as ranges: "24–27, 30".
+/// Numbers as a list of ranges: "24–27, 30".
 std::string inRanges(const std::vector<std::uint64_t>& numbers) {
   std::string words;
   for (std::size_t i = 0; i < numbers.size();) {
@@ -73,7 +73,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
   return text + "\n";
 }
 
-/// The conventions that reproduce the whole row.
+/// The conventions that reproduce the whole row with the stated sizes.
 std::string statedPart(const PublishedReport& report) {
   std::string text = comparisonTable(report.table, report.atStated.front());
   std::vector<std::string> fitting;
@@ -116,7 +116,7 @@ std::string describeFits(const PublishedTable& table, const analysis::Consistent
       namesAndSizes(table, *fits.largestFittingSizes()));
 }
 
-/// "2 × 1, 7 × 3.5": the number of answers, times the point of the scale.
+/// Answers as text: "2 × 1, 7 × 3.5" are two answers of 1 and seven of 3.5.
 std::string formatAnswers(
     const analysis::AnswerScale& scale, const std::vector<std::uint64_t>& times) {
   std::string words;
@@ -131,7 +131,7 @@ std::string formatAnswers(
   return words;
 }
 
-/// One data set that prints the row, or that there is none.
+/// A data set that gives the values of the row, or a sentence that there is none.
 std::string describeExample(const PublishedReport& report) {
   const auto& all = report.wholeAnswers;
   const auto found =

@@ -13,7 +13,7 @@
 namespace study::app {
 namespace {
 
-/// The first character of a text.
+/// The result of decoding the first character of a text.
 struct Decoded {
   enum class State { Sound, Unfinished, NotUtf8 };
   State state = State::NotUtf8;
@@ -21,7 +21,7 @@ struct Decoded {
   std::size_t bytes = 1;
 };
 
-/// The number of bytes of a UTF-8 character whose first byte is @p lead; 0 if it cannot be a first
+/// The number of bytes of a UTF-8 character with the first byte @p lead; 0 if that is no first
 /// byte.
 std::size_t bytesFrom(unsigned char lead) {
   if (lead < 0x80) return 1;
@@ -41,7 +41,9 @@ Decoded firstOf(std::string_view text) {
     code = code << 6 | (byte & 0x3fU);
   }
   if (text.size() < bytes) return {.state = Decoded::State::Unfinished};
-  if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};  // overlong, surrogate
+  // an overlong encoding or a
+  if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};
+  // surrogate
   return {Decoded::State::Sound, code, bytes};
 }
 
@@ -52,7 +54,7 @@ bool isTerminalControl(std::uint32_t code) {
   return (isControl && code != '\n' && code != '\t') || reversesText;
 }
 
-/// One of the two streams that text is printed to.
+/// stdout or stderr.
 struct Output {
   int file = -1;
   VisibleText visible;
@@ -75,7 +77,8 @@ ssize_t writeVisibly(void* cookie, const char* text, std::size_t count) {
   return isWritten ? static_cast<ssize_t>(count) : 0;
 }
 
-/// A stream that escapes its text and writes it to @p output; @p otherwise if it cannot be made.
+/// A stream that escapes text and writes it to @p output; returns @p otherwise if it cannot be
+/// created.
 FILE* visibly(Output& output, FILE* otherwise, int buffering) {
   FILE* stream = fopencookie(&output, "w", {nullptr, writeVisibly, nullptr, nullptr});
   if (stream == nullptr) return otherwise;

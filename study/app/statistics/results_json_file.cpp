@@ -13,7 +13,7 @@ namespace {
 
 using ResultJson = nlohmann::ordered_json;
 
-/// JSON has no infinity: an infinite statistic is null, with the reason in its row.
+/// null for infinite values, because JSON has no infinity; the row has the reason.
 ResultJson nullable(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ResultJson(*value) : ResultJson(nullptr);
 }
@@ -57,8 +57,8 @@ void addSizes(ResultJson& json, const analysis::TestRow& row) {
   json["variance2"] = nullable((*row.moments)[1].variance);
 }
 
-/// Adds the numbers of a row. Numbers that the test does not have are left out; undefined ones are
-/// null.
+/// Adds the numbers of a row. Undefined numbers are null; numbers that the test does not have are
+/// left out.
 void addRow(ResultJson& json, const analysis::TestRow& row) {
   addSizes(json, row);
   addNumber(json, row.estimate);
@@ -95,7 +95,7 @@ ResultJson pooledAsJson(const analysis::TestRow& test) {
   return json;
 }
 
-/// The keys that the tests of a family's comparisons have in common.
+/// The keys that the tests of all comparisons have.
 ResultJson testedAsJson(const analysis::TestRow& test) {
   return {
       {"p", nullable(test.p)},
@@ -104,7 +104,7 @@ ResultJson testedAsJson(const analysis::TestRow& test) {
       {"reason", reasonOf(test.reason)}};
 }
 
-/// All results of a test without a layout of its own.
+/// All numbers of a test that has no keys of its own.
 ResultJson rowAsJson(const analysis::TestRow& test) {
   ResultJson json;
   addRow(json, test);
@@ -140,7 +140,7 @@ ResultJson equivalenceAsJson(const analysis::TestRow& test) {
       {"reason", reasonOf(test.reason)}};
 }
 
-/// First the tests with keys of their own, in a fixed order; then all others by id.
+/// First the tests with keys of their own, in a fixed order, then the other tests by id.
 ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
   const auto& paired = comparison.test("paired_t");
   const auto& rank = comparison.test("signed_rank");
@@ -180,7 +180,7 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
 }
 
 ResultJson friedmanAsJson(const analysis::TestRow& test) {
-  // df is also given if there are too few participants for χ².
+  // df is also written if there are too few participants for χ².
   const auto conditions = static_cast<std::int64_t>(test.additional("conditions").value_or(0.0));
   return {
       {"chi2", nullable(test.statistic.value)},
@@ -458,7 +458,7 @@ ResultJson voteAsJson(const VoteResult& vote) {
   return json;
 }
 
-/// Sums over rounds, and over cohorts where the cohort is null.
+/// Votes summed over rounds; if the cohort is null, also over cohorts.
 ResultJson voteSumAsJson(const std::string& cohort, const analysis::VoteCounts& sum) {
   ResultJson json{{"cohort", textOrNull(cohort)}};
   for (const auto& share : sum.shares()) json["votes"][share.option] = share.votes;
@@ -529,7 +529,7 @@ ResultJson itemAsJson(const ItemSummary& one) {
   return json;
 }
 
-/// The manipulation check [N].
+/// The manipulation check: differences of rendered forces [N].
 ResultJson feltAsJson(const FeltDifference& felt) {
   return {
       {"condition1", felt.condition1},
@@ -540,7 +540,7 @@ ResultJson feltAsJson(const FeltDifference& felt) {
       {"conf", limits(felt.interval)}};
 }
 
-/// Null with a reason if the traces could not be read.
+/// Adds `felt_differences`; null with a reason if the traces could not be read.
 void addFelt(ResultJson& json, const FeltResult& felt) {
   auto& differences = json["felt_differences"];
   if (felt.reason.empty()) differences = ResultJson::array();

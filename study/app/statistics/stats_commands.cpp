@@ -33,7 +33,7 @@ Profile profileNamed(std::string_view name) {
   return name == "recommended" ? Profile::Recommended : Profile::Declared;
 }
 
-/// Prints the tables, and again after each new event, until the program is interrupted.
+/// Prints the tables now and after each new event, until the program is interrupted.
 [[noreturn]] void watch(Study& study, RunMode mode, Profile profile, Wording wording) {
   constexpr std::chrono::milliseconds kWatchPeriod{500};
   const auto& families = study.protocol().protocol.analysis.families;
@@ -41,7 +41,7 @@ Profile profileNamed(std::string_view name) {
     return isPooled(profile, family);
   });
   while (true) {
-    // read before counting, so that later events are not missed
+    // read before the results are computed, so that later events are not missed
     const auto seen = study.events().last();
     fmt::print(
         "{}\nINTERIM, {}: if you stop the study because of these tables, or go on until p is "

@@ -29,7 +29,7 @@ std::string orMissing(const std::optional<double>& value) {
   return value ? fmt::format("{:.10g}", *value) : "–";
 }
 
-/// Replaces underscores by spaces: "log_odds_ratio" becomes "log odds ratio".
+/// A name with spaces for underscores: "log odds ratio" for "log_odds_ratio".
 std::string spelled(std::string_view name) {
   std::string text(name);
   for (char& c : text) c = c == '_' ? ' ' : c;
@@ -56,7 +56,7 @@ int list() {
   return 0;
 }
 
-/// Prints size, mean and variance of the groups or columns.
+/// Prints size, mean and variance of each group or column.
 void printGroups(const analysis::TestData& data) {
   if (data.values.empty()) return;
   fmt::print("{:<12} {:>8} {:>16} {:>16}\n", "group", "n", "mean", "variance");
