@@ -25,7 +25,7 @@ using haptics::bench::Repeated;
 using report::Chart;
 using report::ChartSeries;
 
-/// A figure of one setting of a family: a line for each method.
+/// A figure for one setting of a family, with a line for each method.
 struct Figure {
   enum class Shows { ErrorOverTime, ErrorOverParameter, TimeOverParameter };
 
@@ -42,11 +42,11 @@ struct Family {
   const char* option;  ///< name on the command line and of its files
   const char* name;    ///< name in measurements
   const char* heading;
-  const char* parameter;  ///< the parameter that varies
+  const char* parameter;  ///< name of the parameter that varies
   void (*measure)(const AccuracyRun&);
-  bool isOnce;  ///< slow, so that it is measured in one process only
+  bool isOnce;  ///< whether it is measured in one process only, because it is slow
   std::vector<Figure> figures;
-  DataTable (*summary)(const Measured&) = nullptr;  ///< shown before the table of measurements
+  DataTable (*summary)(const Measured&) = nullptr;  ///< table that is shown before the measurements
 };
 
 DataTable refreshTable(const Measured& all);
@@ -140,7 +140,7 @@ struct AccuracyOptions {
   }
 };
 
-/// The point of a measurement in a figure, if it can be shown.
+/// The point of a measurement in a figure; std::nullopt if it cannot be shown.
 std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& figure) {
   using enum Figure::Shows;
   const auto parameter = m.parameter >= 1000 ? fmt::format("{:g}k", m.parameter / 1000)
@@ -150,7 +150,7 @@ std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& fi
     return report::ChartPoint{m.parameter, m.time->median};
   }
   if (!m.error) return std::nullopt;
-  // Zero and undefined errors are drawn at the ends of a logarithmic axis.
+  // Zero and undefined errors are drawn at the ends of the logarithmic axis.
   const double error = figure.isLogarithmic ? std::clamp(*m.error, 1e-18, 1e6) : *m.error;
   if (figure.shows == ErrorOverParameter) return report::ChartPoint{m.parameter, error};
   if (!m.time) return std::nullopt;
@@ -210,7 +210,7 @@ DataTable tableOf(const Measured& all, const Family& family) {
 }
 
 /// Updates per second of the three renderings: on the punch paper's Arduino Due, on this computer,
-/// and the limit by the number of instructions on a Cortex-M3 at the Due's clock.
+/// and the limit that the number of instructions sets on a Cortex-M3 at the Due's clock rate.
 DataTable refreshTable(const Measured& all) {
   DataTable table{
       .name = "fig-12",
@@ -275,13 +275,13 @@ void measureHere(const AccuracyOptions& options, const AccuracyRun& run) {
   }
 }
 
-/// Runs this program in a new process and adds its measurements.
-/// @throws UserError  if it cannot be started or fails.
+/// Runs this program in a new process and adds its measurements to @p run.
+/// @throws UserError  if the process cannot be started or fails.
 void measureInProcess(
     const AccuracyOptions& options,
     const std::vector<const Family*>& wanted,
     const AccuracyRun& run) {
-  // The path is passed in the environment, so that the shell needs no quoting.
+  // The path is passed in an environment variable, so that the shell needs no quoting.
   setenv("PALPATE_BENCH", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
   std::string call = "exec \"$PALPATE_BENCH\" accuracy --worker";
   if (options.isShort) call += " --short";
@@ -323,7 +323,7 @@ Measured measure(const AccuracyOptions& options) {
   return haptics::bench::mergedOverProcesses(all);
 }
 
-/// Prints the errors that exceed their bounds. Returns whether there is none.
+/// Prints the errors that exceed their bounds. Returns whether no error does.
 bool areWithinBounds(const Measured& all) {
   int bounded = 0;
   int failed = 0;
@@ -355,7 +355,7 @@ int accuracy(AccuracyOptions options) {
     measureHere(options, {.report = print, .isShort = options.isShort});
     return 0;
   }
-  if (options.isShort) options.processes = 1;  // errors do not differ between processes
+  if (options.isShort) options.processes = 1;  // errors are the same in all processes
   const auto measured = measure(options);
   present(options.out, "accuracy", reportOf(measured, options));
   return areWithinBounds(measured) ? 0 : 1;
@@ -381,7 +381,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
   command->add_option("--family", options.families, "Families to measure (default: all)")
       ->check(CLI::IsMember(names));
   command->add_flag("--short", options.isShort, "Measure errors of small models only, no times");
-  command->add_flag("--worker", options.isWorker)->group("");  // used by measureInProcess()
+  command->add_flag("--worker", options.isWorker)->group("");  // measureInProcess() sets it
 }
 
 }  // namespace study::bench

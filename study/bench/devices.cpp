@@ -1,4 +1,4 @@
-// The measurements of `palpate-bench devices`: a loop in this program with emulators in their own
+// The measurements of `palpate-bench devices`: a loop in this program, with emulators in separate
 // processes.
 #include "study/bench/devices.h"
 
@@ -38,8 +38,8 @@ void pauseFor(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-/// Gives all threads of a process real-time priority if permitted: a real board does not wait for a
-/// processor core either.
+/// Gives all threads of a process real-time priority, if permitted, because a real board does not
+/// wait for a processor core.
 void raisePriority(const EmulatorProcess& process) {
   const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
   for (const auto& entry : std::filesystem::directory_iterator(threads)) {
@@ -62,10 +62,10 @@ class RealtimePriority {
 
 /// The keys and values in an emulator's answer to "status".
 struct StatusKeys {
-  std::string_view forceKey, noForce;  ///< the key, and its value without force
-  std::string_view armedKey, armed;    ///< the key, and its value when armed
+  std::string_view forceKey, noForce;  ///< key of the force, and its value without force
+  std::string_view armedKey, armed;    ///< key of the arming state, and its value when armed
   std::string_view sent;
-  std::string_view faultPrefix;  ///< before FrameFaults::kNames
+  std::string_view faultPrefix;  ///< prefix of FrameFaults::kNames
 };
 constexpr StatusKeys kSerialStatus{"voltage_mv", "0", "armed", "1", "steps", ""};
 constexpr StatusKeys kFriStatus{
@@ -83,7 +83,7 @@ class EmulatedDevice {
             haptics::devices::punchKind(), "punch", {"--rate", std::to_string(rate)})};
   }
 
-  /// @param period  between messages [ms].
+  /// @param period  interval between messages [ms].
   static EmulatedDevice arm(int period, const std::string& version = "1.15") {
     auto emulated = app::emulatedDevice(
         haptics::devices::reamerKind(),
@@ -103,7 +103,7 @@ class EmulatedDevice {
       throw UserError("An emulator refused the command " + line);
   }
 
-  /// The state of the emulated device now.
+  /// The present state of the emulated device.
   struct EmulatedState {
     bool hasForce = false;
     double force = 0.0;  ///< [N]
@@ -155,7 +155,7 @@ FrameFaults& operator+=(FrameFaults& a, const FrameFaults& b) {
   return a;
 }
 
-/// A damaged frame also counts as lost.
+/// The faults that the link detected. A damaged frame also counts as lost.
 FrameFaults foundBy(const devices::LinkReport& link) {
   const auto number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
   return {
@@ -165,16 +165,17 @@ FrameFaults foundBy(const devices::LinkReport& link) {
        number(link.damaged)}};
 }
 
-/// Waits until samples arrive. Samples lost before the first one do not count.
+/// Waits until samples arrive. Samples that are lost before the first one do not count.
 void settle(const EmulatedDevice& emulated) {
   pauseFor(20.0 / emulated.rate());
 }
 
-/// Runs the loop on a device. If the device fails, connects it again as an operator would.
+/// Runs a loop on a device. If the device fails, connects it again as an operator would.
 class SupervisedLoop {
  public:
   enum class Start {
-    AsStudies,  ///< with normal priority: a loaded machine may delay the thread
+    AsStudies,  ///< with normal priority, as in studies: on a loaded machine the thread may be
+                ///< delayed
     Urgent,     ///< with real-time priority, if permitted
   };
 
@@ -187,7 +188,7 @@ class SupervisedLoop {
 
   LinkLoop& loop() noexcept { return *loop_; }
 
-  /// To be called repeatedly. Returns true if the device had failed and was connected again.
+  /// Must be called repeatedly. Returns true if the device had failed and was connected again.
   bool reconnectIfOver() {
     if (!loop_->isOver()) return false;
     endRun();
@@ -246,7 +247,7 @@ std::vector<LinkSeries> runTogether(double seconds) {
   std::fprintf(stderr, "both devices at once, %g s\n", seconds);
   auto punch = EmulatedDevice::punch(1000);
   auto arm = EmulatedDevice::arm(5);
-  SupervisedLoop slow(arm);  // first, because it needs longer until it accepts forces
+  SupervisedLoop slow(arm);  // first, because it takes longer until it accepts forces
   SupervisedLoop fast(punch);
   superviseFor(seconds, {&fast, &slow});
   auto first = fast.finish();
@@ -272,7 +273,7 @@ void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
     const std::int64_t at = timing::now();
     if (!hadForce || hasForce || at >= end) continue;
     series.motorOffAfter.push_back(1e-6 * static_cast<double>(at - begin));
-    hadForce = false;  // only the first time counts
+    hadForce = false;  // only the first switch-off counts
   }
   pauseFor(0.05);
 }
@@ -299,9 +300,10 @@ LinkSeries runAlone(EmulatedDevice emulated, double seconds) {
 }
 
 /// Injects @p wanted faults of each kind, @p perRound at a time with a pause after each round. The
-/// connection must survive a round.
+/// link must not fail.
 void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int perRound) {
-  constexpr double kPause = 40.0;  // frames: the arm's controller needs 90 of 100 answered
+  constexpr double kPause = 40.0;  // frames: the arm's controller requires that 90 of 100 are
+                                   // answered
   const auto begin = emulated.ask().injected;
   for (int done = 0; done < wanted && !loop.isOver();) {
     const int now = std::min(perRound, wanted - done);
@@ -321,7 +323,7 @@ void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int pe
   }
 }
 
-/// Injects a hundred faults of each kind at a time. If the device fails meanwhile, that hundred is
+/// Injects faults of each kind, in blocks of a hundred. If the device fails meanwhile, the block is
 /// repeated.
 FaultCounts countFaults(EmulatedDevice emulated, int faults, int perRound) {
   constexpr int kPerCount = 100;
@@ -346,7 +348,7 @@ FaultCounts countFaults(EmulatedDevice emulated, int faults, int perRound) {
     } else if (++counts.repeated > kMostRepeated) {
       throw UserError("The link fails too often to count on it. " + run.fault);
     } else {
-      pauseFor(0.5);  // until the injected faults have passed
+      pauseFor(0.5);  // until the injected faults are over
       emulated.device().open();
     }
   }
@@ -408,7 +410,7 @@ DeviceMeasurement measureDevices(const DeviceBenchOptions& options) {
   }
   if (isWanted("counts")) {
     measured.counts.push_back(countFaults(EmulatedDevice::punch(1000), options.faults, 5));
-    // FRI before 2.7 has no checksum: a damaged byte may go unnoticed.
+    // FRI before 2.7 has no checksum, so a damaged byte may go undetected.
     measured.counts.push_back(countFaults(EmulatedDevice::arm(2, "2.7"), options.faults, 1));
   }
   return measured;

@@ -10,32 +10,33 @@
 
 namespace study::bench {
 
-/// Measurements of a device on its connection: one run for each time it was armed. There is more
-/// than one if the device failed and was connected again.
+/// Measurements of a device on its link. There is one run for each time that the device was armed;
+/// more than one if the device failed and was connected again.
 struct LinkSeries {
   std::string device;  ///< "punch", "arm"
-  double rate = 0.0;   ///< rate of its samples [Hz]
+  double rate = 0.0;   ///< nominal rate of samples [Hz]
   std::vector<haptics::bench::LinkRun> runs;
-  std::uint64_t sent = 0;  ///< samples that the emulator sent meanwhile
+  std::uint64_t sent = 0;  ///< number of samples that the emulator sent during the runs
 
   double seconds() const;                          ///< total duration of the runs
-  const haptics::bench::LinkRun& longest() const;  ///< there is at least one
+  const haptics::bench::LinkRun& longest() const;  ///< requires at least one run
+  /// The sum of a count over the runs.
   std::uint64_t sum(std::uint64_t haptics::devices::LinkReport::*of) const;
   std::int64_t faults() const;  ///< number of failures
 };
 
-/// Numbers of faults on the wire: injected by an emulator, or detected by the device.
+/// Numbers of faults on the link, by kind: injected by an emulator, or detected by the device.
 struct FrameFaults {
   static constexpr std::array<std::string_view, 4> kNames{"drop", "double", "reorder", "damage"};
   std::array<std::int64_t, kNames.size()> of{};
 };
 
-/// Stalls of the loop, all of the same duration.
+/// Stalls of the loop with equal durations.
 struct StallSeries {
   LinkSeries link;
-  double duration = 0.0;  ///< of each [ms]
-  int stalls = 0;
-  std::vector<double> forces;  ///< force at the beginning of each stall, if there was one [N]
+  double duration = 0.0;       ///< duration of each stall [ms]
+  int stalls = 0;              ///< number of stalls
+  std::vector<double> forces;  ///< force at the beginning of each stall that began with a force [N]
   std::vector<double> motorOffAfter;  ///< time from the stall's beginning until the device switched
                                       ///< its force off [ms]
   int disarmed = 0;                   ///< number of stalls after which the device was disarmed
@@ -43,29 +44,30 @@ struct StallSeries {
 
 struct FaultCounts {
   std::string device;
-  FrameFaults injected;
-  FrameFaults found;
-  int repeated = 0;  ///< blocks of 100 faults that were repeated because the device failed
+  FrameFaults injected;  ///< by the emulator
+  FrameFaults found;     ///< by the device
+  int repeated = 0;      ///< number of blocks of 100 faults that were repeated because the device
+                         ///< failed
 };
 
 struct DeviceMeasurement {
-  std::vector<LinkSeries> together;
+  std::vector<LinkSeries> together;  ///< both devices at the same time
   std::vector<StallSeries> stalls;
-  std::vector<LinkSeries> sweep;
+  std::vector<LinkSeries> sweep;  ///< one device at a time, at several rates
   std::vector<FaultCounts> counts;
-  bool isExact() const;
+  bool isExact() const;  ///< whether as many faults were detected as were injected
 };
 
 struct DeviceBenchOptions {
-  double seconds = 20.0;           ///< of both devices together; the other parts take less [s]
-  int faults = 1000;               ///< of each kind
-  std::vector<std::string> parts;  ///< empty: all
+  double seconds = 20.0;           ///< duration of "together"; other parts are shorter [s]
+  int faults = 1000;               ///< number of each kind
+  std::vector<std::string> parts;  ///< names in kDeviceBenchParts; empty: all
 };
 
 inline constexpr std::array<const char*, 4> kDeviceBenchParts{
     "together", "stalls", "rates", "counts"};
 
-/// Starts emulators in their own processes, and measures a loop of this program with them.
+/// Starts emulators in separate processes, and measures a loop of this program with them.
 /// @throws UserError, haptics::devices::DeviceError  if no emulator can be started.
 DeviceMeasurement measureDevices(const DeviceBenchOptions& options);
 

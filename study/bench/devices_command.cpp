@@ -1,4 +1,4 @@
-// palpate-bench devices: both devices, emulated, on their connections.
+// palpate-bench devices: both devices, emulated, on their links.
 #include <algorithm>
 #include <array>
 
@@ -32,7 +32,7 @@ std::uint64_t ticksOf(const LinkSeries& series) {
   return all;
 }
 
-/// The processor share of the longest run, in which both loops of this program ran.
+/// The processor time of the longest run, in which both loops ran, as a share of one processor.
 double processorShare(const LinkSeries& series) {
   const auto& run = series.longest();
   return run.processor / std::max(run.seconds, 1e-9);
@@ -70,7 +70,7 @@ DataTable timeTable(const std::vector<LinkSeries>& together) {
   return table;
 }
 
-/// A table of the connection's statistics for several series.
+/// A table of link statistics for several series.
 DataTable sampleTable(
     const std::string& name, const std::string& caption, const std::vector<LinkSeries>& all) {
   DataTable table{

@@ -2,7 +2,7 @@
 
 namespace study::bench {
 
-/// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
+/// The peak memory use of this process since its start, or since resetPeakMemory() [MB].
 double peakMemory();
 
 /// Resets the peak to the present memory use (proc(5), clear_refs).

@@ -1,4 +1,4 @@
-// palpate-bench: measurements of Palpate. Studies do not need it.
+// palpate-bench: measures Palpate itself. Studies do not need it.
 #include <CLI/CLI.hpp>
 
 #include "study/app/run_program.h"

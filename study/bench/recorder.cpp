@@ -42,7 +42,7 @@ std::vector<TraceSample> chunkOfACut() {
   return chunk;
 }
 
-/// A file that is only appended to: the fastest way to store bytes safely.
+/// A file to which bytes are only appended: the fastest way of storing bytes safely.
 class RawFile {
  public:
   explicit RawFile(const std::string& path)

@@ -20,7 +20,7 @@ struct TextOfCell {
   std::string operator()(const std::string& value) const { return value; }
 };
 
-/// Characters, not bytes, of text in UTF-8.
+/// The number of characters (not bytes) of a UTF-8 text.
 std::size_t widthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
@@ -72,7 +72,7 @@ void present(const std::string& folder, const std::string& name, report::Documen
       fmt::print("\n{}\n{}", table.description, asPlainText(table));
     }
   }
-  std::fflush(stdout);  // the table is printed even if a file cannot be written
+  std::fflush(stdout);  // so that the table is printed even if a file cannot be written
   if (folder.empty()) {
     fmt::print("\nNothing was written. Add --out FOLDER for tables, figures and a page.\n");
     return;

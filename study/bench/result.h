@@ -8,16 +8,16 @@
 
 namespace study::bench {
 
-/// Prints the tables of a result that have a description, as plain text. If a folder is named, also
-/// writes all tables as CSV files, figures as SVG files, and the page NAME.html, which describes
-/// the computer.
+/// Prints those tables of a result that have a description, as plain text. If @p folder is not
+/// empty, also writes all tables as CSV files, figures as SVG files, and the page NAME.html, which
+/// describes the computer.
 /// @throws storage::StorageError  if a file exists already or cannot be written.
 void present(const std::string& folder, const std::string& name, report::Document document);
 
 /// The cell for a measured number: empty for std::nullopt, "no number" if it is infinite or NaN.
 Cell numberCell(const std::optional<double>& value);
 
-/// A table with aligned columns and numbers of four significant digits. Ends with a line feed.
+/// A table with aligned columns; numbers have four significant digits. Ends with a line feed.
 std::string asPlainText(const DataTable& table);
 
 }  // namespace study::bench

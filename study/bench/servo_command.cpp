@@ -1,4 +1,4 @@
-// palpate-bench servo: lateness of the force loop, and the cost of recording in it.
+// palpate-bench servo: the lateness of the force loop, and the cost of recording in it.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -33,7 +33,7 @@ struct ServoOptions {
 struct ServoMode {
   std::string name;
   bool requestsRealtime = false;
-  double spinning = 0.0;  ///< time before a tick in which the loop spins, as a share of the period
+  double spinning = 0.0;  ///< share of the period during which the loop spins before a tick
 };
 
 struct ServoRun {
@@ -43,8 +43,8 @@ struct ServoRun {
   haptics::engine::RealtimeLoop::Report report;
 };
 
-/// Three modes: normal scheduling; real-time priority with locked memory and no timer slack; the
-/// same with spinning.
+/// Three modes: normal scheduling; real-time priority with locked memory and no timer slack; and
+/// the second mode with spinning.
 std::vector<ServoMode> servoModes() {
   return {
       {"as any program", false, 0.0},
@@ -52,7 +52,7 @@ std::vector<ServoMode> servoModes() {
       {"real-time, spinning", true, 0.05}};
 }
 
-/// Runs the loop for @p seconds, each tick with 20 µs of work.
+/// Runs the loop for @p seconds [s], with 20 µs of work in each tick.
 ServoRun runServo(const ServoMode& mode, double rate, double seconds) {
   using Steady = std::chrono::steady_clock;
   constexpr std::chrono::microseconds kWork{20};
@@ -113,7 +113,7 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
   return table;
 }
 
-/// The share of ticks that are later than x, at @p rate [Hz].
+/// The share of ticks with a lateness above x, at @p rate [Hz].
 Chart latenessChart(const std::vector<ServoRun>& runs, double rate) {
   constexpr std::array kQuantiles{0.5, 0.8, 0.9, 0.95, 0.99, 0.995, 0.999, 0.9999};
   Chart chart{

@@ -1,4 +1,4 @@
-// palpate-bench stability: stiff and extreme cases, each compared with a bound.
+// palpate-bench stability: stiff and extreme cases, each checked against a bound.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -125,7 +125,7 @@ DataTable wallSummary(const StabilityResult& result) {
   return table;
 }
 
-/// Walls at 1 kHz with an ideal encoder and no delay, and eq. (25).
+/// Stable walls at 1 kHz with an ideal encoder and no delay, and the bound of eq. (25).
 Chart wallChart(const StabilityResult& result) {
   constexpr double kRate = 1000.0;
   Chart chart{

@@ -1,4 +1,4 @@
-// palpate-bench stats: the time from a study's database to its table of comparisons.
+// palpate-bench stats: the time from opening a study's database to the table of comparisons.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct StatsOptions {
   std::string out;
-  std::string disk;  ///< a folder for the database; empty: the folder of temporary files
+  std::string disk;  ///< folder for the database; empty: the folder for temporary files
   std::int64_t answers = 1'000'000;
   int repetitions = 20;
 };
@@ -33,10 +33,10 @@ struct StatsOptions {
 struct StatsMeasurement {
   std::int64_t sessions = 0;
   double databaseSize = 0.0;    ///< [MB]
-  std::vector<double> seconds;  ///< from opening the study to its table [s]
-  double memoryBefore = 0.0;    ///< before the first run [MB]
-  double memory = 0.0;          ///< largest [MB]
-  std::uint64_t counted = 0;    ///< answers in the table
+  std::vector<double> seconds;  ///< times from opening the study to the table [s]
+  double memoryBefore = 0.0;    ///< peak before the first run [MB]
+  double memory = 0.0;          ///< peak [MB]
+  std::uint64_t counted = 0;    ///< number of answers in the table
 };
 
 /// Opens a study and computes the comparisons of all its families and cohorts.
@@ -73,7 +73,7 @@ StatsMeasurement measure(const StatsOptions& options) {
   return measured;
 }
 
-/// The value below which a share @p q of @p values lies.
+/// The value below which the share @p q of @p values lies; @p q from 0 to below 1.
 double quantile(std::vector<double> values, double q) {
   std::sort(values.begin(), values.end());
   const auto place = static_cast<std::size_t>(q * static_cast<double>(values.size()));

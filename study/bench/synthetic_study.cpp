@@ -19,7 +19,7 @@ constexpr const char* kProtocol = "punch-face-validity";
 constexpr std::uint64_t kSeed = 20'261'121;
 constexpr std::int64_t kSessionsATime = 10'000;  // sessions in one transaction
 
-/// An item that every session of a cohort asks.
+/// An item that every session of a cohort contains.
 struct AskedItem {
   int step = 0;
   int order = 0;
@@ -33,14 +33,14 @@ struct Cohort {
   std::vector<AskedItem> asked;
 };
 
-/// Writes the sessions one after another.
+/// Writes sessions one after another.
 class Writer {
  public:
   explicit Writer(Study& study) : study_(study), loaded_(study.protocol()), random_(kSeed) {
     for (const auto& cohort : loaded_.protocol.cohorts) cohorts_.push_back(planOf(cohort.id));
   }
 
-  /// @return the number of answers that were written, at most @p most
+  /// @return the number of written answers, at most @p most
   std::int64_t add(std::int64_t session, std::int64_t most) {
     const auto& cohort = cohorts_[static_cast<std::size_t>(session) % cohorts_.size()];
     addPerson(session, cohort);
@@ -104,8 +104,8 @@ class Writer {
     answer_.run();
   }
 
-  /// A random point of the scale. The probabilities of the five points are fixed, and differ a
-  /// little between conditions.
+  /// A random point of the scale. The probabilities of the five points are fixed, with small
+  /// differences between conditions.
   std::int64_t drawn(const std::string& condition) {
     constexpr std::array<int, 5> kOfOne{8, 20, 45, 78, 100};
     constexpr std::array<int, 5> kOfAnother{12, 27, 54, 83, 100};

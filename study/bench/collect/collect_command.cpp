@@ -1,4 +1,4 @@
-// palpate-bench collect: the speed of a server that stations send to, compared with plain COPY and
+// palpate-bench collect: the speed of a server to which stations send, compared with plain COPY and
 // SQL of the same rows.
 #include <algorithm>
 #include <filesystem>

@@ -35,15 +35,15 @@ double timeOf(const Action& action) {
   return haptics::timing::secondsSince(start);
 }
 
-/// The query of the counts from which the pairwise comparisons are computed.
+/// The query for the counts from which pairwise comparisons are computed.
 std::string countsOf(const std::string& table, const std::string& instrument) {
   return "SELECT cohort, code, point, count(*) FROM " + table +
          " WHERE run_mode = 'simulated' AND state = 'completed' AND instrument = '" + instrument +
          "' GROUP BY 1, 2, 3";
 }
 
-/// Stores the rows of a station a second time, by COPY from a file: the lower bound of the time
-/// that storing them takes.
+/// Stores the rows of a station a second time, by COPY from a file: a lower bound for the time of
+/// storing them.
 class PlainCopy {
  public:
   PlainCopy(Connection& owner, const fs::path& folder) : owner_(owner), folder_(folder) {
@@ -54,7 +54,7 @@ class PlainCopy {
     owner_.execute("CREATE TABLE bare.chunk (LIKE palpate.chunk INCLUDING STORAGE)");
   }
 
-  /// Times the COPY of a station's answers, and of all of its rows.
+  /// Measures the COPY of a station's answers, and of all its rows.
   void copy(const std::string& label, IngestSpeed& part) {
     for (const std::string table : kTables) write(table, label, "");
     part.copyingAll += timeOf([&] {
@@ -62,7 +62,7 @@ class PlainCopy {
       for (const std::string table : kTables) read(table, "");
       owner_.execute("COMMIT");
     });
-    owner_.execute("TRUNCATE bare.answer");  // those of the last station are copied again
+    owner_.execute("TRUNCATE bare.answer");  // the rows of the last station are copied again
     part.copying += timeOf([&] { read("answer", ""); });
   }
 
@@ -133,7 +133,7 @@ Counts countsIn(Connection& server, const std::string& query) {
   return counts;
 }
 
-/// Replaces codes by conditions, which only the owner of the server can do.
+/// Replaces codes by conditions, which only the owner of the database can read.
 Counts named(Connection& owner, const Counts& counts) {
   const auto rows = owner.query(
       "SELECT code, condition FROM palpate.condition_code WHERE run_mode = 'simulated'");
@@ -147,7 +147,7 @@ Counts named(Connection& owner, const Counts& counts) {
   return result;
 }
 
-/// The same counts from a study's folder.
+/// The counts, computed from a study's folder.
 Counts countsAt(const fs::path& folder, const std::string& instrument) {
   auto study = Study::open(folder, storage::Database::Access::ReadOnly);
   storage::Statement select(

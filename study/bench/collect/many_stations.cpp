@@ -39,7 +39,7 @@ std::int64_t answersIn(const storage::SessionFacts& facts) {
   return rows == facts.end() ? 0 : static_cast<std::int64_t>(rows->second.size());
 }
 
-/// Sends all data of a folder as 'palpate collect push' does. Returns the amounts and times.
+/// Sends all data of a folder as 'palpate collect push' does. Returns amounts and times.
 StationPush pushAll(collect::Outbox& outbox, Connection& server) {
   StationPush sent;
   auto start = Watch::now();

@@ -14,34 +14,35 @@
 
 namespace study::bench {
 
-/// The data that a station sent, and the times of the parts of the transfer.
+/// The amounts of data that a station sent, and the times of the parts of the transfer.
 struct StationPush {
   std::int64_t answers = 0;
   std::int64_t events = 0;
-  std::uint64_t traceBytes = 0;
-  double reading = 0.0;  ///< reading its folder and writing batches [s]
-  double taking = 0.0;   ///< ingest() of events and sessions [s]
-  double traces = 0.0;   ///< ingest() of samples [s]
+  std::uint64_t traceBytes = 0;  ///< [B]
+  double reading = 0.0;          ///< time of reading the folder and writing batches [s]
+  double taking = 0.0;           ///< time of ingest() of events and sessions [s]
+  double traces = 0.0;           ///< time of ingest() of samples [s]
 };
 
 /// A study on a private server, and stations that send sessions of simulated participants to it:
-/// one with samples, and any number of others that repeat its sessions without samples. Each has
-/// its own account, folder, audit trail and signature.
+/// one that sends samples, and any number of others that send its sessions again without samples.
+/// Each station has its own account, folder, audit trail and signature.
 class ManyStations {
  public:
-  /// The name of the station with samples.
+  /// The label of the station that sends samples.
   static constexpr const char* kRecorded = "recorded";
 
-  /// @param folder  for the stations' folders, each of which exists while it sends
-  /// @param participants  of the station with samples
+  /// @param folder  for the stations' folders; each exists only while its station sends
+  /// @param participants  number at the station that sends samples
   ManyStations(
       const collect::PrivateServer& postgres, std::filesystem::path folder, int participants);
 
   const protocols::LoadedProtocol& protocol() const noexcept { return protocol_; }
-  /// What the station with samples sent.
+  /// The transfer of the station that sends samples.
   const StationPush& recorded() const noexcept { return recorded_; }
 
-  /// Adds a station at a new site, which sends at least @p answers answers. @param number  from 1
+  /// Adds a station at a new site, which sends at least @p answers answers.
+  /// @param number  number of the station, from 1
   StationPush add(int number, std::int64_t answers);
 
   static std::string labelOf(int number);
@@ -52,7 +53,7 @@ class ManyStations {
     std::vector<storage::StoredEvent> events;
   };
 
-  /// Makes a station, lets @p work fill its folder, and sends everything.
+  /// Creates a station, calls @p work to fill its folder, and sends everything.
   StationPush run(const std::string& label, const std::function<void(Study&)>& work) const;
   void record(Study& study, int participants);
   void repeat(Study& study, const std::string& label, std::int64_t answers) const;

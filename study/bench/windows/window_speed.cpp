@@ -46,7 +46,7 @@ double processorTimeOfThread() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A sample of a hand that closes and opens once a second.
+/// A sample of a hand that closes and opens the tool once a second.
 haptics::engine::TickSample strokeAt(std::uint64_t tick) {
   const double phase = 0.00628 * static_cast<double>(tick);
   haptics::engine::TickSample sample;
@@ -76,7 +76,7 @@ void answerAll(gui::SessionController& controller, const SimulatedParticipant& p
   }
 }
 
-/// Adds the waiting times of every page of one session [ms]. Trials are skipped.
+/// Adds the waiting time for each page of one session [ms]. Trials are skipped.
 void measureSession(gui::OperatorWindow& window, std::vector<double>& waits) {
   auto& controller = *window.controller();
   const auto& session = controller.session();
@@ -93,7 +93,7 @@ void measureSession(gui::OperatorWindow& window, std::vector<double>& waits) {
     QCoreApplication::sendPostedEvents();
     window.participantWindow()->repaint();
     waits.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
-    QCoreApplication::processEvents();  // lets all pending timers run
+    QCoreApplication::processEvents();  // so that pending timers run
   }
   window.close();
 }
@@ -178,10 +178,10 @@ using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
 
 constexpr QSize kPictureSize(1280, 800);
-/// A scene, and the hand that moves in it.
+/// A scene, and the simulated hand that moves in it.
 struct Subject {
   std::string name;
-  std::string picture;  ///< part of the names of picture files
+  std::string picture;  ///< part of the names of image files
   const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
@@ -202,7 +202,7 @@ Subject kneeSubject(const SimulationOptions& options) {
   return subject;
 }
 
-/// The built-in cup with @p spheres spheres, whose densities are fitted to the built-in curves.
+/// The built-in bone with @p spheres spheres, whose densities are fitted to the built-in curves.
 std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
   auto bone = std::make_shared<haptics::reaming::PackedBone>();
   std::fprintf(stderr, "packing %zu spheres\n", spheres);
