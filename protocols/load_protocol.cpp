@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using questionnaires::Problems;
 
-/// Warnings are reported only if there are no errors.
+/// Adds @p found to @p problems; without its warnings if it has errors.
 void append(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
   for (const auto& problem : found.all()) {
@@ -76,7 +76,7 @@ namespace {
 
 std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& problems) {
   std::error_code ignored;
-  // a study's folder may have the same name
+  // a folder, such as that of a study, may have the name of a protocol in the library
   const bool isFile = fs::is_regular_file(path, ignored);
   for (const auto& file : libraryFiles()) {
     const std::string name(file.name);

@@ -13,33 +13,33 @@
 
 namespace protocols {
 
-/// The files of protocols/library.
+/// The protocols and other files of protocols/library, embedded in the program.
 std::span<const base::EmbeddedFile> libraryFiles();
 
-/// Reads a protocol and everything it refers to, and checks its consistency. std::nullopt if there
-/// are errors; warnings do not prevent its use.
+/// Reads a protocol and all files that it refers to, and checks their consistency. std::nullopt if
+/// there are errors; warnings do not prevent its use.
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json,
     const FileFinder& find,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 
-/// Like loadProtocol() above, from the copies that a study stores: of all files, and of the
-/// library's instruments, which replace those of the program.
+/// Like loadProtocol() above, but reads the files from the copies that a study stores. Copies of
+/// the library's instruments replace those of the program.
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json,
     const std::vector<SourceFile>& files,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 
-/// Loads a protocol from a file, or from the library by name ("punch-face-validity"). Referenced
-/// files are searched for in the folder of the file.
+/// Loads a protocol from a file, or from the library by name ("punch-face-validity"). Files that
+/// the protocol refers to are searched for in its folder.
 /// @throws UserError  if the file cannot be read at all.
 std::optional<LoadedProtocol> loadProtocolFile(
     const std::string& path, questionnaires::Problems& problems);
 
-/// A copy of @p loaded with its "texts" replaced by @p texts. std::nullopt and problems if a text
-/// cannot be used.
+/// A copy of @p loaded with @p texts as its "texts". If a text cannot be used, adds problems and
+/// returns std::nullopt.
 std::optional<LoadedProtocol> withTexts(
     const LoadedProtocol& loaded,
     const questionnaires::BlankTexts& texts,

@@ -58,7 +58,7 @@ Texts textsOf(const Instrument& instrument) {
 
 std::string placeholderTexts(const Texts& texts, const std::string& language) {
   std::string words;
-  std::set<std::string> seen;  // items repeat their common scale
+  std::set<std::string> seen;  // without duplicates, because items of one scale repeat its texts
   for (const auto* text : texts) {
     const std::string more = questionnaires::placeholdersOf(text->in(language));
     if (!more.empty() && seen.insert(more).second) words += (words.empty() ? "" : ", ") + more;
@@ -66,7 +66,7 @@ std::string placeholderTexts(const Texts& texts, const std::string& language) {
   return words;
 }
 
-/// Collects the placeholders of one text in all languages that a participant can choose.
+/// Adds the placeholders of one text, in all languages that a participant can choose, to @p found.
 void look(
     std::vector<Placeholder>& found,
     const std::string& where,
@@ -96,7 +96,7 @@ bool isCapital(char letter) noexcept {
   return letter >= 'A' && letter <= 'Z';
 }
 
-/// The label as in the middle of a sentence: "Tissue" → "tissue"; "FEM" stays.
+/// A label as it is written inside a sentence: "tissue" for "Tissue"; "FEM" is unchanged.
 std::string inSentence(std::string label) {
   const bool isAbbreviation = label.size() > 1 && isCapital(label[1]);
   if (!label.empty() && isCapital(label[0]) && !isAbbreviation) {
@@ -145,7 +145,7 @@ std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded) {
 
 namespace {
 
-/// The blanks of the shipped texts, in the order of a form.
+/// The blanks of the shipped texts, in the order in which a form asks for them.
 std::vector<std::pair<std::string_view, base::Message>> knownBlanks() {
   return {
       {"institution", message("blank.institution")},

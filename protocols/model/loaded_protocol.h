@@ -12,8 +12,9 @@
 
 namespace protocols {
 
-/// The meaning of keys that a protocol leaves out. A study keeps the defaults of the release under
-/// which its protocol was added, so that an update of the program does not change the rendering.
+/// The release whose default values apply to keys that a protocol leaves out. A study keeps the
+/// defaults of the release under which its protocol was added, so that an update of the program
+/// does not change the rendering.
 enum class Defaults {
   /// The parametric cut ends at its largest force; a filter's recording fades out beyond its ends;
   /// displayed tissue follows the force; a reamer removes all bone that it is pushed through;
@@ -25,28 +26,28 @@ enum class Defaults {
   Current
 };
 
-/// Data outside the protocol that conditions render or display: a cut, a material, a bone of
+/// Data outside of the protocol that conditions render or display: a cut, a material, a bone of
 /// spheres, or a knee.
 struct FeltSource {
   std::string kind;     ///< "cut", "material", "packing" or "anatomy"
   std::string file;     ///< as the protocol names it; empty if it is built into the program
   base::Message title;  ///< display name
-  /// Where the data come from, in parts; empty if the file does not say it.
+  /// The origin of the data, in parts; empty if the file does not contain it.
   std::vector<base::Message> origin;
-  bool isSynthetic = false;             ///< neither recorded nor measured
+  bool isSynthetic = false;             ///< whether the data were neither recorded nor measured
   std::vector<std::string> conditions;  ///< ids of the conditions that use it
 };
 
 /// The origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
 std::string describeOrigin(const FeltSource& source);
 
-/// Title, file and origin in English, marked if synthetic: "Bone of specimen 7 (material
-/// 'bone.json'), test set dynamic-1".
+/// Title, file and origin in English: "Bone of specimen 7 (material 'bone.json'), test set
+/// dynamic-1". Synthetic data are marked.
 std::string describe(const FeltSource& source);
 
-/// A file of a protocol as it was read; a study stores it.
+/// A file that a protocol refers to, as it was read; a study stores a copy.
 struct SourceFile {
-  /// As in the protocol; kLibraryCopyPrefix + file name for a copy from the library.
+  /// The name in the protocol; kLibraryCopyPrefix + file name for a copy from the library.
   std::string name;
   std::string text;
 };
@@ -55,52 +56,53 @@ struct SourceFile {
 /// study keeps copies, so that its texts do not change with the program (docs/decisions/0073).
 inline constexpr std::string_view kLibraryCopyPrefix = "palpate-library/";
 
-/// A protocol with all files that it refers to, ready for sessions.
+/// A valid protocol with all files that it refers to.
 struct LoadedProtocol {
   Protocol protocol;
   std::vector<questionnaires::Instrument> instruments;  ///< the instruments that the protocol uses
-  std::string text;                                     ///< the protocol's own file
-  /// All referenced files: instruments, including those of the library, cuts and so on.
+  std::string text;                                     ///< text of the protocol file itself
+  /// All files that it refers to, including instruments of the library.
   std::vector<SourceFile> files;
-  std::vector<FeltSource> sources;  ///< used by its conditions, without duplicates
+  std::vector<FeltSource> sources;  ///< data that its conditions use, without duplicates
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;
 
   const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
 };
 
-/// Finds the text of a file that a protocol names; std::nullopt if there is none.
+/// Returns the text of a file that a protocol refers to; std::nullopt if there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// Replaces placeholders in all texts that a participant may read by the protocol's word for an
-/// alternative (Labels::prefix): "{Label}" by the word as written, "{label}" by the word with a
-/// small first letter, unless it is an abbreviation.
+/// alternative (Labels::prefix): "{Label}" by the word itself, "{label}" by the word with a
+/// lower-case first letter, unless it is an abbreviation.
 void fillInLabels(LoadedProtocol& loaded);
 
-/// Text in double square brackets that the laboratory has not filled in yet: a participant would
-/// read the brackets.
+/// A text in double square brackets that the laboratory has not replaced yet, so that participants
+/// would read the brackets.
 struct Placeholder {
-  std::string where;  ///< the instrument or the place in the protocol, with the languages
-  std::string words;  ///< "[[duration]], [[institution]]", in the first of the languages
+  std::string where;  ///< the instrument or the place in the protocol, and the languages
+  std::string words;  ///< "[[duration]], [[institution]]", in the first of these languages
 };
 
-/// The placeholders in all texts that a participant may read, in every language of the protocol,
-/// because participants can change the language: the protocol's own texts, and the texts of its
-/// instruments.
+/// The placeholders in all texts that a participant may read: in the protocol's own texts and in
+/// those of its instruments, in every language of the protocol, because participants can change the
+/// language.
 std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
 
-/// A blank "[[key]]" in the texts that participants read.
+/// A blank "[[key]]" in texts that participants read.
 struct Blank {
   std::string key;
   base::Message title;  ///< what to write there; the key if the laboratory added the blank
-  LocalizedText text;   ///< the entry in the protocol's "texts"; empty if not filled in
+  LocalizedText text;   ///< the laboratory's text, from the protocol's "texts"; empty if not filled
+                        ///< in
 };
 
-/// The key of the duration of a session [minutes], which the program can estimate.
+/// The key of the blank for the duration of a session [minutes], which the program can estimate.
 inline constexpr std::string_view kDurationBlank = "duration";
 
-/// All blanks, filled in or not, without duplicates: first those of the shipped texts in the order
-/// of a form, then others in the order in which they are read.
+/// All blanks without duplicates, filled in or not: first those of the shipped texts in the order
+/// of a form, then the others in the order in which participants read them.
 std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
 
 }  // namespace protocols

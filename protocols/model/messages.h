@@ -8,8 +8,8 @@
 
 namespace protocols {
 
-/// Warnings for a protocol's author, each with its fix ("key" and "key.fix"), and the origins of
-/// sources ("source.…").
+/// Warnings for a protocol's author and how to fix their cause ("key" and "key.fix"), and origins
+/// of data ("source.…").
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"no_normals",
      "it has no normals; they are taken from its triangles, and edges of more than 40° stay edges"},

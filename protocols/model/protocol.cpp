@@ -27,7 +27,7 @@ std::optional<ComparedScale> scaleOf(const questionnaires::Item& item) {
   if (answerKindOf(item.type) == questionnaires::AnswerKind::Point) {
     return ComparedScale{range->low, range->high, true};
   }
-  // The largest magnitude of a point that a table of answers counts.
+  // The largest magnitude of a point in a table of answers.
   constexpr double kFarthest = 1e6;
   const auto isWhole = [](double value) {
     return value == std::round(value) && std::abs(value) <= kFarthest;
@@ -41,7 +41,9 @@ std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument) {
   if (!family.score.empty()) {
     const auto* score = instrument.score(family.score);
-    if (score == nullptr) return std::nullopt;  // possible in protocols of earlier releases
+    // possible in a protocol that an earlier release
+    if (score == nullptr) return std::nullopt;
+    // accepted
     const auto range = questionnaires::rangeOf(instrument, *score);
     return ComparedScale{range.low, range.high, false};
   }

@@ -17,7 +17,7 @@ namespace protocols {
 
 using questionnaires::LocalizedText;
 
-/// Facts about a study for readers and catalogues.
+/// Metadata of a study for readers and catalogues.
 struct StudyMetadata {
   std::string id;
   std::string title;
@@ -32,18 +32,19 @@ struct StudyMetadata {
 struct Cohort {
   std::string id;
   LocalizedText title;
-  int planned = 0;  ///< planned number of participants; 0: not given
+  int planned = 0;  ///< planned number of participants; 0 if not given
 };
 
-/// A device that the study needs, and its limits.
+/// A device that the study needs, with its limits.
 struct DeviceNeed {
   std::string id;
   const haptics::devices::DeviceKind* kind;
-  double maxForce = 0.0;        ///< [N]
-  double maxForceRate = 0.0;    ///< [N/s]
-  double maxTorque = 5.0;       ///< largest torque about the tool's axis [N·m]
-  double maxTorqueRate = 50.0;  ///< [N·m/s]
-  bool isTorqueAsked = false;   ///< a scene on this device has a torque about the tool's axis
+  double maxForce = 0.0;        ///< force limit [N]
+  double maxForceRate = 0.0;    ///< limit of the rate of the force [N/s]
+  double maxTorque = 5.0;       ///< limit of the torque about the tool's axis [N·m]
+  double maxTorqueRate = 50.0;  ///< limit of the rate of the torque [N·m/s]
+  bool isTorqueAsked = false;   ///< whether a scene on this device has a torque about the tool's
+                                ///< axis
   double maxVelocity = 300.0;   ///< at a higher speed the tool is assumed to have slipped from the
                                 ///< hand [travel unit of the device/s]
   bool isPassivityControlled = false;  ///< whether damping is added if a scene generates energy
@@ -57,15 +58,15 @@ inline constexpr std::string_view kParametricBone = "parametric";
 
 struct Anatomy;
 
-/// A condition: a device, and the scene on it.
+/// A condition: a device, and the scene that it renders.
 struct Condition {
   std::string id;
-  std::string title;  ///< for researchers; participants see an alternative
+  std::string title;  ///< title for researchers; participants read the label of an alternative
   std::string device;
   /// The force model, with the content of its files. std::nullopt only while a protocol with errors
   /// is read; every condition of a loaded protocol has a model.
   std::optional<haptics::engine::ModelSpec> model;
-  bool isVisualised = false;
+  bool isVisualised = false;  ///< whether the scene is shown; a block may override it
   haptics::engine::TissueDrawing seenTissue = haptics::engine::TissueDrawing::Penetration;
   haptics::engine::Reamer reamer;       ///< limits the removal of bone
   std::optional<std::string> anatomy;   ///< file of a knee that replaces the displayed built-in one
@@ -75,10 +76,10 @@ struct Condition {
   haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue, reamer}; }
 };
 
-/// How alternatives are labelled.
+/// How the labels of alternatives are chosen.
 enum class LabelPolicy {
-  Condition,  ///< a condition has the same label for all participants, as in the punch paper
-  Position,   ///< labels follow the position: the condition felt first is Alternative 1
+  Condition,  ///< each condition has one label for all participants, as in the punch paper
+  Position,   ///< the label is the position: the condition that is felt first is Alternative 1
   Random,     ///< drawn separately for every participant
 };
 
@@ -86,7 +87,7 @@ struct Labels {
   LabelPolicy policy = LabelPolicy::Position;
   LocalizedText prefix;  ///< "Alternative"
 
-  /// The label of an alternative, "Alternative 2".
+  /// The label of an alternative as participants read it: "Alternative 2".
   std::string nameOf(std::string_view number, std::string_view language) const {
     return prefix.in(language) + ' ' + std::string(number);
   }
@@ -95,7 +96,7 @@ struct Labels {
 /// How the order of a block's conditions is determined.
 enum class OrderType {
   Fixed,                ///< as written in the protocol
-  Reversed,             ///< the reversed order of another block
+  Reversed,             ///< another block's order, reversed
   Random,               ///< drawn separately for every participant
   LatinSquare,          ///< every condition equally often at every position
   BalancedLatinSquare,  ///< as LatinSquare, and equally often after every other condition (Williams
@@ -111,13 +112,13 @@ struct Order {
 /// Questions after each condition of a block.
 struct ConditionQuestionnaire {
   std::string instrument;
-  /// The set of items for each condition; all items for conditions that are not named.
+  /// The item set for a condition; conditions that are not listed get all items.
   std::vector<std::pair<std::string, std::string>> setByCondition;
 
   std::string setFor(std::string_view condition) const;
 };
 
-/// Trials with every condition once, in the participant's order.
+/// A block of trials: every condition once, in the order of the participant.
 struct Block {
   std::vector<std::string> conditions;
   std::optional<bool> isVisualised;  ///< overrides Condition::isVisualised
@@ -142,13 +143,13 @@ enum class PhaseType {
 struct Phase {
   std::string id;
   PhaseType type = PhaseType::Information;
-  std::string instrument;  ///< all types except Block, Benchmark and Break
+  std::string instrument;  ///< id; for all types except Block, Benchmark and Break
   LocalizedText text;      ///< Benchmark, Break: text for the participant
-  int minimumCuts = 0;     ///< Benchmark
+  int minimumCuts = 0;     ///< Benchmark: smallest number of cuts
   double seconds = 0.0;    ///< Break: minimum duration [s]; 0 for none
   Block trials;            ///< Block
   std::string block;       ///< Preference: id of the block whose alternatives are offered
-  /// Preference: whether each alternative can be felt once more before the choice.
+  /// Preference: whether each alternative can be felt again before the choice.
   bool mayFeelAgain = false;
 };
 
@@ -158,12 +159,12 @@ struct Comparison {
   std::string second;
 };
 
-/// Which test a family declares: its result is confirmatory, all others are exploratory.
+/// The test that a family declares. Its result is confirmatory; all others are exploratory.
 enum class TestType {
-  Welch,       ///< Welch's t-test of all answers, pooled, as in the punch paper
-  PairedT,     ///< paired t-test of participants' means
-  SignFlip,    ///< exact sign-flip test of participants' means
-  SignedRank,  ///< Wilcoxon's exact signed rank test of participants' means
+  Welch,       ///< Welch's t-test on all answers, pooled, as in the punch paper
+  PairedT,     ///< paired t-test on participants' means
+  SignFlip,    ///< exact sign-flip test on participants' means
+  SignedRank,  ///< Wilcoxon's exact signed-rank test on participants' means
 };
 enum class CorrectionType {
   None,
@@ -176,7 +177,7 @@ enum class CorrectionType {
   HolmSidak,
 };
 
-/// Comparisons that share one alpha; p values are adjusted for their number.
+/// A family of comparisons with one significance level; p values are adjusted for their number.
 struct Family {
   std::string id;
   std::string title;
@@ -191,35 +192,37 @@ struct Family {
   std::vector<Comparison> comparisons;
   TestType test = TestType::Welch;
   CorrectionType correction = CorrectionType::Bonferroni;
-  double alpha = 0.05;
-  /// Equivalence margin: smaller differences of means are negligible [points of the scale].
+  double alpha = 0.05;  ///< significance level of the whole family
+  /// Equivalence margin: smaller differences of means are considered negligible [points of the
+  /// scale].
   std::optional<double> equivalenceBound;
 };
 
-/// The items among @p items that @p family compares, in their order; empty if it compares a score.
+/// Those of @p items that @p family compares, in the order of @p items; empty if it compares a
+/// score.
 std::vector<questionnaires::Item> comparedItems(
     const Family& family, const std::vector<questionnaires::Item>& items);
 
-/// The scale of answers that a family compares.
+/// The scale of the answers that a family compares.
 struct ComparedScale {
   double lowest = 1.0;
   double highest = 5.0;
-  /// Whether answers are whole numbers that can be counted point by point: both ends and the step
-  /// are whole, and there are at most kMostComparedPoints points.
+  /// Whether answers are whole numbers that can be counted by point: both ends and the step are
+  /// whole numbers, and there are at most kMostComparedPoints points.
   bool isOfPoints = true;
 
   bool operator==(const ComparedScale&) const = default;
 };
 
-/// The largest number of points of a scale that can be counted:
+/// The largest number of points of a scale whose answers can be counted:
 /// analysis::LikertCounts::kMostPoints.
 inline constexpr int kMostComparedPoints = 1024;
 
-/// The scale of an item with points, or the range of a slider or number item; std::nullopt for
-/// other items.
+/// The points of an item's scale, or the range of a slider or number item; std::nullopt for other
+/// items.
 std::optional<ComparedScale> scaleOf(const questionnaires::Item& item);
 
-/// The scale of the score of a family, or of the first of its items; std::nullopt if it has
+/// The scale of the score that a family compares, or of its first item; std::nullopt if it has
 /// neither.
 std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument);
@@ -228,29 +231,30 @@ struct AnalysisPlan {
   std::vector<Family> families;
 };
 
-/// Parameters of simulated answers, in points from the middle of the scale. Used only to try out a
-/// protocol.
+/// Parameters of simulated answers, relative to the middle of the scale [points]. Used only to try
+/// out a protocol.
 struct SimulatedAnswerModel {
-  std::vector<std::pair<std::string, double>> realismByCondition;
+  std::vector<std::pair<std::string, double>> realismByCondition;  ///< mean answer, by condition id
   double personDeviation = 0.5;  ///< standard deviation between participants
-  /// Standard deviation of a participant's opinion on a condition.
+  /// Standard deviation of the interaction of participant and condition.
   double personByConditionDeviation = 0.5;
-  double answerDeviation = 0.8;  ///< standard deviation between answers
+  double answerDeviation = 0.8;  ///< residual standard deviation of an answer
 
   double realismOf(std::string_view condition) const;
 };
 
-/// A study, as a researcher wrote it.
+/// A study as its protocol file describes it.
 struct Protocol {
   StudyMetadata study;
   std::vector<std::string> languages;
   std::optional<std::uint64_t> seed;
-  bool isBlindingOpen = false;  ///< whether conditions are not hidden from anyone
+  bool isBlindingOpen = false;  ///< whether conditions are not hidden from anyone ("blinding":
+                                ///< "open")
   std::vector<Cohort> cohorts;
   std::vector<DeviceNeed> devices;
-  /// In the folder of the protocol; instruments of the library need no entry.
+  /// Names of files in the protocol's folder; instruments of the library need no entry.
   std::vector<std::string> instrumentFiles;
-  /// What the laboratory has written for the blanks "[[key]]" of its texts, by key.
+  /// The laboratory's texts for the blanks "[[key]]", by key.
   std::map<std::string, LocalizedText> texts;
   std::vector<Condition> conditions;
   Labels labels;
@@ -260,20 +264,20 @@ struct Protocol {
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
-  /// The kind that all devices share; nullptr if there are several kinds.
+  /// The common kind of all devices; nullptr if there are several kinds.
   const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;
   const Cohort* cohort(std::string_view id) const noexcept;
 };
 
-/// One use of an instrument in a protocol.
+/// One reference to an instrument in a protocol.
 struct InstrumentUse {
   std::string instrument;
-  std::string path;  ///< JSON path of the name: "$.phases[1].instrument"
+  std::string path;  ///< JSON path of the reference: "$.phases[1].instrument"
   PhaseType phase = PhaseType::Information;
 };
 
-/// All uses of instruments, in the order of the session.
+/// All references to instruments, in the order of the session.
 std::vector<InstrumentUse> instrumentUses(const Protocol& protocol);
 
 }  // namespace protocols

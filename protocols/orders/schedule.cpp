@@ -21,7 +21,8 @@ Row shifted(const Row& row, int by) {
   return result;
 }
 
-/// 0, 1, k−1, 2, k−2, …: neighbours differ by every amount once.
+/// The first row of Williams' design: 0, 1, k−1, 2, k−2, …. The differences of neighbours (modulo
+/// k) are all different.
 Row williamsRow(int k) {
   Row row{0};
   for (int low = 1, high = k - 1; static_cast<int>(row.size()) < k;) {
@@ -87,7 +88,8 @@ Row orderFor(
 
 namespace {
 
-/// The block's conditions in the protocol's order, which labels and rows refer to.
+/// The block's conditions in the order of the protocol's "conditions", to which labels and rows
+/// refer.
 std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
   std::vector<std::string> sorted;
   for (const auto& condition : protocol.conditions) {
@@ -127,7 +129,7 @@ std::vector<std::string> realisedOrder(
   return order;
 }
 
-/// The label of each of the sorted conditions, from 1.
+/// The drawn label of each condition of @p sorted, from 1.
 std::vector<int> drawnLabels(
     const std::vector<std::string>& sorted,
     std::uint64_t seed,

@@ -17,24 +17,25 @@ inline constexpr int kMostConditions = 100;
 /// The largest number of conditions of a block with OrderType::Complete: 6! = 720 orders.
 inline constexpr int kMostConditionsForComplete = 6;
 
-/// The orders that a design of k conditions uses, each equally often. One row if all have the same
-/// order; none if orders are drawn (Random) or taken from another block (Reversed).
+/// The orders of a design of k conditions, each of which is used equally often. One row if all
+/// participants have the same order; empty if orders are drawn (Random) or taken from another block
+/// (Reversed).
 ///
-/// BalancedLatinSquare is Williams' design: k rows for even k, 2k for odd k. For three conditions
-/// that is all six orders, the same as Complete.
+/// BalancedLatinSquare is Williams' design: k rows for even k, 2k rows for odd k. For three
+/// conditions these are all six orders, as with Complete.
 std::vector<Row> rowsOf(OrderType type, int k);
 
 /// The order of participant number @p slot, counted from 0 in their cohort. The rows are shuffled
-/// again for every full cycle, so that an operator cannot predict the next one and every cycle is
-/// balanced.
+/// again for every full cycle through the design, so that an operator cannot predict the next order
+/// and every cycle is balanced.
 Row orderFor(
     OrderType type, int k, std::uint64_t seed, std::uint64_t slot, std::string_view purpose);
 
 /// A trial of a participant: condition, position and label.
 struct PlannedTrial {
   std::string condition;
-  int position = 0;  ///< 1 … k
-  int label = 0;     ///< 1 … k: "Alternative 2"
+  int position = 0;  ///< from 1 to k
+  int label = 0;     ///< from 1 to k: 2 for "Alternative 2"
 };
 
 struct PlannedBlock {
@@ -42,7 +43,7 @@ struct PlannedBlock {
   std::vector<PlannedTrial> trials;
 };
 
-/// Everything in a session that differs between participants.
+/// The parts of a session that differ between participants.
 struct Schedule {
   std::vector<PlannedBlock> blocks;
 
@@ -55,15 +56,16 @@ struct Schedule {
 Schedule scheduleFor(
     const Protocol& protocol, std::uint64_t seed, std::string_view cohort, std::uint64_t slot);
 
-/// The counts of positions and successions if @p participants of every cohort take part.
+/// How often conditions are at each position and follow each other, if @p participants of a cohort
+/// take part.
 struct Balance {
   /// The design is balanced for every multiple of this number of participants; 0 for drawn orders,
-  /// which are never exactly balanced.
+  /// which are not balanced exactly.
   std::size_t multipleOf = 1;
-  bool isBalanced = false;  ///< with the given number of participants
+  bool isBalanced = false;  ///< whether it is balanced for the given number of participants
   std::vector<std::string> conditions;
-  std::vector<std::vector<int>> atPosition;  ///< [condition][position]
-  std::vector<std::vector<int>> after;       ///< [condition][the condition before it]
+  std::vector<std::vector<int>> atPosition;  ///< counts by [condition][position]
+  std::vector<std::vector<int>> after;       ///< counts by [condition][previous condition]
 };
 
 Balance balanceOf(

@@ -16,10 +16,10 @@ using questionnaires::shown;
 
 constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
 constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
-constexpr float kSmallestKnee = 20.0F;  // along the longest axis [mm]
-constexpr float kLargestKnee = 400.0F;  // [mm]
+constexpr float kSmallestKnee = 20.0F;  // length along the longest axis [mm]
+constexpr float kLargestKnee = 400.0F;  // length along the longest axis [mm]
 constexpr float kFarthestAway = 60.0F;  // distance of any surface from the punch's mouth [mm]
-constexpr float kMetres = 1.0F;         // a knee smaller than this is probably given in metres
+constexpr float kMetres = 1.0F;         // a knee smaller than 1 mm is probably given in metres
 constexpr float kShortest = 0.5F;       // shortest normal that has a direction
 
 template <std::size_t N>
@@ -39,7 +39,7 @@ std::string rounded(float value) {
   return std::to_string(std::lround(value));
 }
 
-/// The mean normal of the triangles that share each vertex; +y for a vertex without triangles.
+/// For each vertex the mean normal of its triangles; +y for a vertex without triangles.
 std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface) {
   std::vector<NamedSurface::Triple> normals(surface.places.size());
   for (const auto& [a, b, c] : surface.triangles) {
@@ -61,8 +61,8 @@ std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface
   return normals;
 }
 
-/// Joins the parts into which the importer splits an object of several materials. If one part has
-/// no colours, the whole has none.
+/// Adds @p more, a part of an object of several materials, which the importer splits. If one part
+/// has no colours, the whole object has none.
 void append(NamedSurface& surface, const NamedSurface& more) {
   const auto first = static_cast<std::uint32_t>(surface.places.size());
   const auto add = [](auto& to, const auto& from) {
@@ -146,7 +146,7 @@ class AnatomyReader {
     return true;
   }
 
-  /// Replaces normals without a direction by those of the triangles around.
+  /// Replaces normals without a direction by the normals of the adjacent triangles.
   void replaceInvalidNormals(NamedSurface& surface, const std::string& place) {
     const auto hasDirection = [](const auto& n) { return isFinite(n) && lengthOf(n) > kShortest; };
     const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
@@ -156,7 +156,7 @@ class AnatomyReader {
     for (std::size_t i = 0; i < surface.normals.size(); ++i) {
       if (!hasDirection(surface.normals[i])) surface.normals[i] = around[i];
     }
-    if (!surface.hasNormals) return;  // reported below
+    if (!surface.hasNormals) return;  // the caller reports missing normals
     problems_.warn(
         place,
         message("normals_without_direction", lost),

@@ -11,30 +11,31 @@
 
 namespace protocols {
 
-/// The extension of files with anatomies.
+/// The extension of anatomy files.
 inline constexpr std::string_view kAnatomyEnding = ".obj";
 
 /// Anatomies may be larger than other files.
 inline constexpr std::size_t kLargestAnatomy = 20'000'000;  ///< [bytes]
 
-/// The largest number of triangles in all surfaces. A computer without a graphics card still draws
-/// as many 25 times a second during a trial. The built-in knee has 10,000.
+/// The largest number of triangles in all surfaces. During a trial, a computer without a graphics
+/// card can still draw this number 25 times per second. The built-in knee has 10,000.
 inline constexpr std::size_t kMostTriangles = 30'000;
 
-/// The objects that a file may replace. The meniscus is not one of them, because finite elements
-/// deform it.
+/// The names of objects that a file may replace. The meniscus cannot be replaced, because finite
+/// elements deform it.
 inline constexpr std::string_view kTibia = "tibia";
 inline constexpr std::string_view kFemur = "femur";
 inline constexpr std::string_view kCapsule = "capsule";
 
 /// Surfaces of a knee from a file, which replace the built-in ones.
 ///
-/// Their frame is the punch's mouth: the origin on the lower jaw where it bites, x to the right as
-/// the arthroscope shows it, y up from the shin to the thigh, z towards the surgeon [mm].
+/// Coordinates are in the frame of the punch's mouth [mm]: the origin is on the lower jaw where it
+/// bites, x points right in the arthroscope's view, y from the shin up to the thigh, z towards the
+/// surgeon.
 struct Anatomy {
   std::vector<NamedSurface> surfaces;  ///< valid; each name once
 
-  /// The surface called @p name; nullptr if the file has none and the built-in one is used.
+  /// The surface called @p name; nullptr if the file has none, so that the built-in one is used.
   const NamedSurface* find(std::string_view name) const noexcept;
 };
 

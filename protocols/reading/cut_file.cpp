@@ -42,7 +42,7 @@ void readLandmarks(const Node& node, Cut& cut) {
   cut.landmarks.opening = readLandmark(node, "opening");
 }
 
-/// The curve, if travel rises from point to point; otherwise std::nullopt.
+/// The curve; std::nullopt if its travel does not increase from point to point.
 std::optional<ForceCurve> readCurve(const Node& root, const char* key) {
   std::vector<CurvePoint> points;
   bool isSound = true;
@@ -65,8 +65,8 @@ std::optional<ForceCurve> readCurve(const Node& root, const char* key) {
   return ForceCurve(std::move(points));
 }
 
-/// Reads the unit. It is required, because a punch would interpret travel in any unit as travel
-/// units.
+/// Reads the required unit. Other units than travel units are refused, because a punch would
+/// interpret the numbers as travel units.
 std::string readUnit(const Node& root) {
   const std::string unit = root.text("unit");
   if (!unit.empty() && unit != kUnit) {
@@ -156,7 +156,7 @@ std::string cutAsJson(const Cut& cut, std::string_view sha256) {
   json["provenance"] = provenanceAsJson(cut.provenance, sha256);
   json["curve"] = pointsAsJson(cut.curve);
   if (cut.opening) json["opening_curve"] = pointsAsJson(*cut.opening);
-  // File names are bytes; invalid UTF-8 in them is replaced.
+  // invalid UTF-8 in file names, which may be any bytes, is replaced
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -17,11 +17,11 @@ namespace protocols {
 std::optional<haptics::recordings::Cut> readCut(
     std::string_view json, questionnaires::Problems& problems);
 
-/// A cut as JSON text; numbers read back exactly. @p sha256 is the hash of the recording's bytes in
-/// hexadecimal; empty if there is no recording.
+/// A cut as JSON text; numbers can be read back exactly.
+/// @param sha256  hash of the recording's bytes in hexadecimal; empty if there is no recording.
 std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha256);
 
-/// A curve in the form that the force engine uses.
+/// A curve as nodes for the force engine.
 std::vector<haptics::models::CurveNode<double>> nodesOf(
     const haptics::recordings::ForceCurve& curve);
 

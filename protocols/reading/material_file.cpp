@@ -18,7 +18,7 @@ using questionnaires::Problems;
 
 constexpr std::string_view kMaterialFormat = "palpate-material-1";
 
-/// The keys of a node, which depend on the curve's quantity.
+/// The JSON keys of a node, for force or torque.
 struct Keys {
   const char* value;
   const char* slope;
@@ -27,7 +27,8 @@ constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
 constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 
 constexpr double kDeepest = 1.0;  // [m]
-// Limit of a single depth [m]. Depths beyond kDeepest are reported once per file, as a wrong unit.
+// Limit of each depth [m]. Depths between kDeepest and this limit are reported once per file, as a
+// wrong unit.
 constexpr double kFarthest = 1e9;
 
 reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
@@ -53,7 +54,7 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
 }
 
 reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
-  // Curves of single specimens have a middle specimen instead of a mean.
+  // A fit to single specimens has a middle specimen in place of the average.
   const bool isOfSpecimens = node.has("middle_specimen") && !node.has("average");
   const char* middle = isOfSpecimens ? "middle_specimen" : "average";
   if (!node.isObjectWith({"minimum", middle, "maximum"})) return {};
@@ -74,7 +75,7 @@ constexpr std::array kSets{
     questionnaires::Choice<reaming::TestSet>{"dynamic-2", reaming::TestSet::Dynamic2},
 };
 
-/// The deepest node of all curves [m].
+/// The largest depth of a node in all curves [m].
 double deepestOf(const reaming::Material& material) {
   double deepest = 0.0;
   for (const auto& set : material.sets) {
@@ -157,7 +158,7 @@ Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
   return json;
 }
 
-/// The number of specimens of the curves, at each depth where it changes.
+/// The number of specimens behind the curves, at each depth at which it changes.
 Json specimensLeft(const reaming::FittedEnvelope& envelope) {
   Json stretches = Json::array();
   for (const auto& stretch : reaming::specimenCountsOf(envelope)) {

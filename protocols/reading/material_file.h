@@ -15,14 +15,14 @@ namespace protocols {
 std::optional<haptics::reaming::Material> readMaterial(
     std::string_view json, questionnaires::Problems& problems);
 
-/// The origin of a fitted series.
+/// The file that a measurement series was read from.
 struct MaterialSource {
-  std::string file;    ///< its name without its folder
-  std::string sha256;  ///< hash of its bytes in hexadecimal; empty if it is synthetic
+  std::string file;    ///< file name without folder
+  std::string sha256;  ///< hash of its bytes in hexadecimal; empty if the series is synthetic
 };
 
-/// A fit as JSON text, with how it was measured and fitted; numbers read back exactly.
-/// @param sources  the source of each series, in the order of the fit.
+/// A fit as JSON text, with the facts on measurement and fit; numbers can be read back exactly.
+/// @param sources  file of each series, in the order of the fit.
 std::string materialAsJson(
     const std::string& name,
     const std::string& title,

@@ -23,13 +23,13 @@
 namespace protocols {
 namespace {
 
-// between triangles without normals [°]; larger angles stay sharp edges
+// [°]; between triangles without normals, larger angles stay sharp edges
 constexpr float kSharpEdgeAngle = 40.0F;
 
 constexpr std::uintmax_t kLargestMesh = 512 * 1024 * 1024;  // [bytes]
-constexpr double kMostSteps = 1e8;  // steps of cutting faces into triangles: about 2 s
+constexpr double kMostSteps = 1e8;  // of cutting faces into triangles; takes about 2 s
 
-/// Opens no files: a text stored in a study must not refer to files on the disk.
+/// A file system without files: a text that a study stores must not refer to files on the disk.
 class NoFiles final : public Assimp::IOSystem {
  public:
   bool Exists(const char* /*file*/) const override { return false; }
@@ -69,7 +69,7 @@ NamedSurface surfaceOf(const aiMesh& mesh, std::string name, bool hasNormals) {
   return surface;
 }
 
-/// Collects the meshes in the order of the file; each has the name of its object.
+/// Collects the meshes in the order of the file, each with the name of its object.
 void collect(
     const aiScene& scene,
     const aiNode& node,
@@ -84,8 +84,7 @@ void collect(
   }
 }
 
-/// Whether all vertices are finite, which the importer's further steps require. The caller reports
-/// an error otherwise.
+/// Whether all vertices are finite, which later steps of the importer require.
 bool isFiniteMesh(const aiMesh& mesh) {
   const aiVector3D* first = mesh.mVertices;
   return std::all_of(first, first + mesh.mNumVertices, [](const auto& v) {
@@ -93,11 +92,11 @@ bool isFiniteMesh(const aiMesh& mesh) {
   });
 }
 
-/// "stl", "obj" or "ply" by how the text begins.
-/// @throws UserError  if it is none of them.
+/// The format of the text, judged by its beginning: "stl", "obj" or "ply".
+/// @throws UserError  if the format is another.
 std::string formatOf(std::string_view text) {
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "ply";
-  // A binary STL has a header of 80 bytes, the number of triangles, and 50 bytes per triangle.
+  // A binary STL file has a header of 80 bytes, the number of triangles, and 50 bytes per triangle.
   constexpr std::size_t kHead = 80;
   constexpr std::size_t kTriangle = 50;
   if (text.size() >= kHead + sizeof(std::uint32_t)) {
@@ -122,9 +121,9 @@ double countIn(const std::string& word) {
   throw base::UserError("its head says '" + word + "' where a number of elements should be");
 }
 
-/// Checks the header of a PLY file, because the library trusts it: it allocates memory for as many
-/// vertices and faces as the header announces, and never returns if the header does not end.
-/// Headers that can be read in more than one way are refused.
+/// Checks the header of a PLY file, because the library does not: it allocates memory for as many
+/// vertices and faces as the header announces, and never returns if the header has no end.
+/// Ambiguous headers are refused.
 void requirePlausibleHeader(std::string_view text) {
   static const std::set<std::string> kStatements{
       "ply", "format", "comment", "obj_info", "element", "property"};
@@ -138,7 +137,7 @@ void requirePlausibleHeader(std::string_view text) {
     text.remove_prefix(std::min(size + 1, text.size()));
     std::istringstream words(line);
     std::string statement;
-    if (!(words >> statement)) continue;  // between \r and \n
+    if (!(words >> statement)) continue;  // an empty line between \r and \n
     if (statement == "end_header") break;
     const bool isText = std::all_of(line.begin(), line.end(), [](unsigned char c) {
       return c == '\t' || (c >= ' ' && c != 0x7F);
@@ -155,13 +154,13 @@ void requirePlausibleHeader(std::string_view text) {
         "its faces may have thousands of millions of corners ('list " + count +
         "'): save it with 'list uchar'");
   }
-  // The rest of the text is the data: each entry needs at least one byte.
+  // The rest of the text is data: each element takes at least one byte.
   if (entries <= static_cast<double>(text.size())) return;
   throw base::UserError("it says that it has more corners and faces than fit into it");
 }
 
-/// Removes all readers except that of one format. Otherwise the library chooses one of its dozens
-/// of readers by the content.
+/// Unregisters all readers except that of @p format; otherwise the library selects one of its many
+/// readers by the content.
 void keepOnlyReaderOf(Assimp::Importer& importer, const std::string& format) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     auto* reader = importer.GetImporter(i);
@@ -169,12 +168,13 @@ void keepOnlyReaderOf(Assimp::Importer& importer, const std::string& format) {
     reader->GetExtensionList(endings);
     if (endings.count(format) != 0) continue;
     importer.UnregisterLoader(reader);
-    const std::unique_ptr<Assimp::BaseImporter> freed(reader);  // the caller owns it now
+    const std::unique_ptr<Assimp::BaseImporter> freed(reader);  // unregistering makes the caller
+                                                                // the owner
   }
 }
 
-/// Refuses faces with too many corners, because cutting a face with n corners into triangles takes
-/// up to n² steps, and faces without corners, at which the library aborts the program.
+/// Refuses faces with so many corners that cutting them into triangles takes long (up to n² steps
+/// for n corners), and faces without corners, for which the library aborts the program.
 void requireFewCorners(const aiScene& scene) {
   double steps = 0.0;
   unsigned most = 0;
@@ -197,7 +197,7 @@ void requireFewCorners(const aiScene& scene) {
 void read(
     Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
   if (format == "ply") requirePlausibleHeader(text);
-  importer.SetIOHandler(new NoFiles);  // the importer takes ownership
+  importer.SetIOHandler(new NoFiles);  // the importer becomes the owner
   keepOnlyReaderOf(importer, format);
   importer.ReadFileFromMemory(
       text.data(), text.size(), aiProcess_ValidateDataStructure | more, format.c_str());

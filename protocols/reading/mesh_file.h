@@ -8,29 +8,30 @@
 
 namespace protocols {
 
-/// A triangle mesh of a file, in the frame and unit of the file.
+/// A triangle mesh from a file, in the file's frame and unit.
 struct NamedSurface {
   using Triple = std::array<float, 3>;
   using Colour = std::array<std::uint8_t, 3>;
 
   std::string name;             ///< name of the object or group; empty if the file has none
   std::vector<Triple> places;   ///< vertices; may be NaN if the file has invalid numbers
-  std::vector<Triple> normals;  ///< as many as places
-  std::vector<Colour> colours;  ///< as many as places, or none
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into places
-  bool hasNormals = true;  ///< true: from the file; false: computed from the triangles
+  std::vector<Triple> normals;  ///< one for each vertex
+  std::vector<Colour> colours;  ///< one for each vertex, or none
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
+  bool hasNormals = true;  ///< whether normals are from the file; otherwise they were computed from
+                           ///< the triangles
 };
 
-/// Reads all surfaces of an STL, OBJ or PLY file; the first bytes determine the format. Files that
-/// it refers to are not opened.
-/// @throws UserError  if no surface can be read, or if faces have so many corners that cutting them
-///     into triangles would take long.
+/// Reads all surfaces of an STL, OBJ or PLY file; the format is determined by its beginning. Other
+/// files that it refers to are not opened.
+/// @throws UserError  if no surface can be read, or if cutting faces with many corners into
+///     triangles would take too long.
 std::vector<NamedSurface> readMesh(std::string_view text);
 
 /// Reads all surfaces of a file on the disk, up to 512 MB.
 std::vector<NamedSurface> readMeshFile(const std::string& path);
 
-/// The surfaces of an OBJ file's text. Material files that it names are not read.
+/// The surfaces in the text of an OBJ file. Material files that it refers to are not read.
 std::vector<NamedSurface> readObj(std::string_view text);
 
 }  // namespace protocols

@@ -66,7 +66,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
   return head;
 }
 
-/// The number with index @p index in @p line; NaN if its digits are invalid.
+/// The number at index @p index of @p line; NaN if its digits are invalid.
 float numberAt(std::string_view line, std::size_t index) {
   const char* begin = line.data() + kDigits * index;
   std::uint32_t bits = 0;

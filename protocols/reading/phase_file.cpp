@@ -31,7 +31,7 @@ constexpr std::array kOrders{
 constexpr int kMostCuts = 1000;
 
 Order readOrder(const Node& block) {
-  // initial value if the type cannot be read: a type that no rule rejects
+  // if the type cannot be read, Random stays, because no rule refuses it
   Order order{.type = OrderType::Random, .of = {}};
   const auto node = block.requiredObject("order");
   if (!node || !node->isObjectWith({"type", "of"})) return order;

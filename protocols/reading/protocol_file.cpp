@@ -53,7 +53,7 @@ void requireSchema(const Node& root) {
   root.requireFormat("$schema", kSchema);
 }
 
-/// Reads a list of texts that must not be empty.
+/// Reads a list of non-empty texts; reports empty ones.
 std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   std::vector<std::string> texts;
   for (const auto& entry : node.list(key)) {
@@ -65,7 +65,7 @@ std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   return texts;
 }
 
-/// Reads `instrument_files`; reports names that occur twice.
+/// Reads `instrument_files`; reports duplicate names.
 std::vector<std::string> readFileNames(const Node& root) {
   auto names = readTexts(root, "instrument_files");
   std::set<std::string> seen;
@@ -130,11 +130,11 @@ Cohort readCohort(const Node& node) {
   return cohort;
 }
 
-/// The kind of @p device; nullptr and a problem if there is no such kind.
+/// The kind of @p device; nullptr, with a problem, if there is no kind of that name.
 const DeviceKind* readKind(const Node& device) {
   const std::string name = device.text("kind");
   const auto* kind = haptics::deviceKindNamed(name);
-  if (kind != nullptr || name.empty()) return kind;  // reported already
+  if (kind != nullptr || name.empty()) return kind;  // a missing name was reported already
   std::string names;
   for (const auto* known : haptics::deviceKinds()) {
     names.append(names.empty() ? "" : ", ").append(known->name);
@@ -162,7 +162,7 @@ DeviceNeed readDevice(const Node& node) {
   const std::string id = node.id("id");
   const auto* kind = readKind(node);
   if (kind != nullptr) {
-    device.id = id;  // a device without a kind keeps an empty id, which marks it as not read
+    device.id = id;  // a device without a kind keeps an empty id, which marks it as unreadable
     device.kind = kind;
   }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
@@ -199,8 +199,8 @@ Labels readLabels(const Node& root) {
   return labels;
 }
 
-/// Reads the laboratory's texts for blanks. A text that contains a blank itself is refused, because
-/// participants would see its brackets.
+/// Reads the laboratory's texts for blanks. Refuses a text that itself contains a blank, because
+/// participants would read its brackets.
 std::map<std::string, LocalizedText> readBlankTexts(const Node& node) {
   std::map<std::string, LocalizedText> texts;
   const questionnaires::TextReader reader({"en"});
@@ -219,7 +219,7 @@ std::map<std::string, LocalizedText> readBlankTexts(const Node& node) {
   return texts;
 }
 
-/// Fills in the protocol's own texts; instruments are filled in as they are read.
+/// Fills in blanks in the protocol's own texts. Instruments are filled in when they are read.
 void fillOwnTexts(Protocol& protocol, questionnaires::BlankFiller& blanks) {
   blanks.fill(protocol.labels.prefix);
   for (auto& phase : protocol.phases) blanks.fill(phase.text);
@@ -261,7 +261,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   return protocol;
 }
 
-/// Reads the file of the instrument with number @p index of 'instrument_files'.
+/// Reads the instrument file with index @p index in 'instrument_files'.
 void addInstrument(
     Draft& draft,
     ReferencedFiles& files,
@@ -283,7 +283,8 @@ void addInstrument(
   loaded.instruments.push_back(std::move(*instrument));
 }
 
-/// Reads the instruments of 'instrument_files', and then those of the library that are used.
+/// Reads the instruments of 'instrument_files', and then the instruments of the library that the
+/// protocol uses.
 void addInstruments(
     Draft& draft, ReferencedFiles& files, questionnaires::BlankFiller& blanks, Problems& problems) {
   auto& loaded = draft.loaded;
@@ -302,16 +303,16 @@ void addInstruments(
   }
 }
 
-/// Whether a list and all of its elements could be read. A list that could be read is never empty;
-/// an element that could not be read has no valid id.
+/// Whether a list and all of its elements could be read. A list that was read is never empty; an
+/// element that could not be read has no valid id.
 template <typename T>
 bool isComplete(const std::vector<T>& all) noexcept {
   return !all.empty() &&
          std::all_of(all.begin(), all.end(), [](const T& t) { return isValidId(t.id); });
 }
 
-/// Whether this is a file of another format, which names it in its "format". Its keys are not
-/// listed one by one then.
+/// Whether the file has another format, judged by its "format". Its unknown keys are then not
+/// reported one by one.
 bool isOtherFile(const Node& root) {
   constexpr std::string_view kCut = "palpate-cut-";
   const auto format = root.isObject() ? root.member("format") : std::nullopt;

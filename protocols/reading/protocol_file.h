@@ -10,29 +10,29 @@
 
 namespace protocols {
 
-/// A protocol that may have errors, with all parts and files that could be read.
+/// A protocol that may have errors, with all parts and files that were readable.
 ///
-/// A part that could not be read is empty, and its problem has been reported. Validation reports
-/// nothing about such a part, or about names that may refer to it. So all errors in a file are
-/// reported at once, without consequential ones.
+/// An unreadable part is empty, and its problem has been reported. Validation reports nothing about
+/// such a part, or about names that may refer to it. So all errors of a file are reported at once,
+/// without errors that are only consequences.
 struct Draft {
   LoadedProtocol loaded;
-  bool hasAllInstruments = true;  ///< whether all files of 'instrument_files' could be read
+  bool hasAllInstruments = true;  ///< whether all files of 'instrument_files' were readable
 
-  /// Whether @p id is a valid name for which there is no device.
+  /// Whether @p id is a valid id and the protocol has no device with this id.
   bool lacksDevice(std::string_view id) const noexcept;
   bool lacksCondition(std::string_view id) const noexcept;
   bool lacksInstrument(std::string_view id) const noexcept;
 
-  /// Whether at least id and type of every phase could be read.
+  /// Whether id and type of every phase were readable.
   bool hasAllPhases() const noexcept;
 };
 
-/// Reads a protocol and everything that it refers to from its JSON (docs/protocol-format.md). A
-/// part that cannot be read is empty and gets a problem. std::nullopt only if @p json is not a JSON
-/// object. Consistency is checked by validate().
-/// @param copies  finds copies of the library's instruments; if empty, those of the program are
-///     read.
+/// Reads a protocol and all files that it refers to (docs/protocol-format.md). A part that cannot
+/// be read is empty and gets a problem. std::nullopt only if @p json is not a JSON object.
+/// Consistency is checked by validate().
+/// @param copies  finds copies of the library's instruments; if empty, the program's own
+///     instruments are read.
 std::optional<Draft> readDraft(
     std::string_view json,
     const FileFinder& find,
@@ -40,15 +40,15 @@ std::optional<Draft> readDraft(
     Defaults defaults = Defaults::Current,
     const FileFinder& copies = {});
 
-/// Returns @p json with the value of "texts" replaced by @p texts, or without this key if @p texts
-/// is empty. The rest of the file stays the same, including its line breaks and spaces.
+/// Returns @p json with @p texts as the value of "texts", or without this key if @p texts is empty.
+/// The rest of the file, including line breaks and spaces, is unchanged.
 /// @pre @p json is a valid JSON object.
 std::string withTexts(
     std::string_view json, const std::map<std::string, questionnaires::LocalizedText>& texts);
 
-/// The protocol in @p json as one of its own: with another id and title of its study. Nothing else
-/// of the file changes, neither its lines nor its spaces.
-/// @pre @p json is a JSON object without faults: a protocol that could be read.
+/// Returns @p json with another id and title of the study, so that it is a protocol of its own. The
+/// rest of the file, including line breaks and spaces, is unchanged.
+/// @pre @p json is a valid JSON object that readDraft() could read.
 std::string withName(std::string_view json, const std::string& id, const std::string& title);
 
 }  // namespace protocols

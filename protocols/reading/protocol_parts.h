@@ -9,17 +9,17 @@
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 
-/// The readers of the parts of a protocol file, each in its own source.
+/// Functions that read the parts of a protocol file. Each is in its own source file.
 namespace protocols {
 
 class SceneSources;
 
-/// Reads a localized text, at least in English: "…" or {"en": "…", "de": "…"}. A missing or invalid
-/// one is a problem.
+/// Reads a localized text, which must have at least English: "…" or {"en": "…", "de": "…"}. A
+/// missing or invalid text is a problem.
 questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
 
-/// The value of the word at @p key; std::nullopt and a problem if it is none of @p choices. Used
-/// for words that determine how the rest is read.
+/// The enumerator of the word at @p key; std::nullopt, with a problem, if the word is not in
+/// @p choices. For words that determine how the rest is read.
 template <typename Choices>
 auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
   const auto value = node.choice(key, choices);
@@ -31,21 +31,21 @@ auto readChoice(const questionnaires::Node& node, std::string_view key, const Ch
   return isKnown ? std::optional(value) : std::nullopt;
 }
 
-/// Reads one phase (docs/protocol-format.md, "Phases"); problems are added to the node's. A phase
-/// of unknown type has no id.
+/// Reads one phase (docs/protocol-format.md, "Phases"). Problems are added to the list of @p node.
+/// A phase of unknown type has no id.
 Phase readPhase(const questionnaires::Node& node);
 
 /// Reads the scene of a condition (docs/protocol-format.md, "Scenes") into @p condition, with the
-/// content of its files from @p sources; problems are added to the node's.
-/// @param protocol  its devices must have been read.
+/// content of its files from @p sources. Problems are added to the list of @p scene.
+/// @param protocol  its devices must have been read already.
 void readScene(
     const questionnaires::Node& scene,
     const Protocol& protocol,
     SceneSources& sources,
     Condition& condition);
 
-/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems are added to
-/// the node's.
+/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"). Problems are added to
+/// the list of @p node.
 AnalysisPlan readAnalysis(const questionnaires::Node& node);
 
 /// Reads the parameters of simulated answers (docs/protocol-format.md, "Simulated participants").

@@ -25,7 +25,7 @@ bool isOutsideFolder(const std::string& name) {
 }
 
 std::optional<std::string> textInLibrary(const std::string& id) {
-  if (id.ends_with(".schema")) return std::nullopt;  // a file that is not an instrument
+  if (id.ends_with(".schema")) return std::nullopt;  // a schema is no instrument
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name == id + ".json") return std::string(file.content);
   }
@@ -35,7 +35,7 @@ std::optional<std::string> textInLibrary(const std::string& id) {
 }  // namespace
 
 /// Reads a file when it is first needed, so that its problems are reported once for all conditions
-/// that name it. A missing file is a problem at every place that names it.
+/// that refer to it. A missing file is reported at every place that refers to it.
 template <typename T, typename Read>
 const T* ReferencedFiles::once(
     ByName<T>& known,
@@ -121,7 +121,7 @@ std::optional<Instrument> ReferencedFiles::instrument(
   addProblemsOf(inFile, name);
   if (!instrument) return std::nullopt;
   completeWording(*instrument, path, languages);
-  blanks.fill(*instrument);  // including those in the wording files
+  blanks.fill(*instrument);  // including blanks in the wording files
   return instrument;
 }
 
@@ -153,7 +153,7 @@ void ReferencedFiles::addProblemsOf(const Problems& found, const std::string& fi
   }
 }
 
-/// Adds the text of a wording file if the file exists; it is then part of the protocol.
+/// Adds the text of a wording file if the file exists; the file then becomes part of the protocol.
 void ReferencedFiles::completeWording(
     Instrument& instrument, const std::string& path, const std::vector<std::string>& languages) {
   const auto findWording = [&](const std::string& name) {
@@ -181,7 +181,7 @@ std::optional<std::string> ReferencedFiles::textOf(
   return text;
 }
 
-/// The text of a file. A missing file is reported only if it is needed; an unreadable one is always
+/// The text of a file. A missing file is reported only if @p isNeeded; an unreadable file is always
 /// reported.
 std::optional<std::string> ReferencedFiles::find(
     const std::string& name, const std::string& path, bool isNeeded) {
@@ -203,7 +203,7 @@ namespace {
 using base::Message;
 using haptics::recordings::Cut;
 
-/// The travel over which the force of the parametric cut falls to zero [travel units], equal to
+/// The travel over which the force of the parametric cut falls to zero [travel units], as long as
 /// that of 'ramp-out'.
 constexpr double kParametricRelease = 1.5;
 
@@ -335,7 +335,7 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
   return knee;
 }
 
-/// Adds a source. If several conditions share it, it is listed once.
+/// Adds a source to the list, unless a condition added it already; adds the condition to it.
 void SceneSources::add(FeltSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;

@@ -19,12 +19,12 @@
 
 namespace protocols {
 
-/// Reads the files that a protocol names, each once, and keeps their texts for the study.
+/// Reads the files that a protocol refers to, each once, and keeps their texts for the study.
 ///
-/// Each function returns the content of the file called @p name. If it cannot be read, the result
-/// is empty, and a problem is reported: at @p path in the protocol if the file is missing,
-/// otherwise at a path in the file, after the name of the file. Nothing is reported about an empty
-/// name, which has a problem already. Returned objects live as long as this object.
+/// Each function returns the content of the file called @p name. If the file cannot be read, the
+/// result is empty, and a problem is reported: at @p path in the protocol if the file is missing,
+/// otherwise at the file's name followed by a path in the file. For an empty name nothing is
+/// reported, because it has been reported already. Returned objects live as long as this object.
 class ReferencedFiles {
  public:
   /// All arguments must outlive this object.
@@ -50,30 +50,30 @@ class ReferencedFiles {
   const PackingFile* packing(const std::string& name, const std::string& path);
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
-  /// The instrument in a file. Its wording files in @p languages are added if they exist or are
-  /// needed, and @p blanks fills in its blanks.
+  /// The instrument in a file. Its wording files in @p languages are added if they exist, and are
+  /// required where its texts are withheld; @p blanks fills in its blanks.
   std::optional<questionnaires::Instrument> instrument(
       const std::string& name,
       const std::string& path,
       const std::vector<std::string>& languages,
       questionnaires::BlankFiller& blanks);
 
-  /// The instrument @p id of the library, completed like that of a file: the study's copy, or else
-  /// the program's instrument; std::nullopt without a problem if there is neither.
+  /// The instrument @p id of the library, completed like an instrument in a file: from the study's
+  /// copy or, without one, from the program; std::nullopt without a problem if neither has it.
   std::optional<questionnaires::Instrument> libraryInstrument(
       const std::string& id,
       const std::string& path,
       const std::vector<std::string>& languages,
       questionnaires::BlankFiller& blanks);
 
-  /// All files that were found, as they were read.
+  /// All files that were read, with their texts.
   std::vector<SourceFile> takeFiles() { return std::move(files_); }
 
  private:
   template <typename T>
   using ByName = std::map<std::string, std::optional<T>>;  ///< std::nullopt if the file is damaged
 
-  /// The required extension of a kind of file, and the fix for another one.
+  /// The required extension of a kind of file, and the fix that is reported for another extension.
   struct FileExtension {
     std::string_view ending;
     std::string_view fix;
@@ -105,8 +105,8 @@ class ReferencedFiles {
   ByName<std::shared_ptr<const Anatomy>> anatomies_;
 };
 
-/// The data of the scene of one condition: reads the files that it names, provides the built-in
-/// data, and adds each to the list of the protocol's sources.
+/// The data for the scene of one condition: reads the files that it refers to, provides built-in
+/// data, and adds each of them to the protocol's list of sources.
 ///
 /// Results and problems are as in ReferencedFiles.
 class SceneSources {
@@ -119,10 +119,10 @@ class SceneSources {
   /// The defaults of keys that the scene leaves out.
   Defaults defaults() const noexcept { return files_.defaults(); }
 
-  /// The cut of a file, or the built-in one called kParametricCut.
+  /// The cut in a file, or the built-in cut if @p name is kParametricCut.
   const haptics::recordings::Cut* cut(const std::string& name, const std::string& path);
 
-  /// A material, and the curves of one of its test sets; nullptr if it has no such set.
+  /// A material and the curves of one of its test sets; nullptr if the material lacks the set.
   struct MaterialChoice {
     const haptics::reaming::Material* material = nullptr;
     const haptics::reaming::MaterialSet* set = nullptr;
@@ -130,10 +130,10 @@ class SceneSources {
   MaterialChoice material(
       const std::string& name, haptics::reaming::TestSet set, const std::string& path);
 
-  /// Adds the built-in material to the list of sources.
+  /// Adds the built-in material to the sources.
   void useParametricMaterial();
 
-  /// The bone of a file, or the built-in one called kParametricBone.
+  /// The bone in a file, or the built-in bone if @p name is kParametricBone.
   std::shared_ptr<const haptics::reaming::PackedBone> packing(
       const std::string& name, const std::string& path);
 

@@ -23,14 +23,14 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// What reading a model needs in addition to its JSON.
+/// The data for reading a model beside its JSON.
 struct Context {
   SceneSources& sources;
   /// Kind of the condition's device; nullptr if it could not be read.
   const haptics::devices::DeviceKind* device;
 };
 
-/// A complete model; std::nullopt if a problem has been reported.
+/// A complete model; std::nullopt if there is a problem.
 template <typename Spec>
 using Read = std::optional<Spec>;
 
@@ -43,7 +43,7 @@ constexpr std::array kTestSets{
     Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
 };
 
-/// Sets the branches of a cut, with the slope limit of the protocol.
+/// Sets the branches of a cut, with the protocol's slope limit.
 void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec) {
   using haptics::recordings::ForceCurve;
   const auto curveOf = [&](const ForceCurve& recorded) {
@@ -56,7 +56,7 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
   if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
-/// @param beyond  value if the file has none.
+/// @param beyond  extrapolation if the file does not set it.
 Read<engine::InterpolationSpec> readInterpolation(
     const Node& node, const Context& context, models::Extrapolation beyond) {
   engine::InterpolationSpec spec;
@@ -120,7 +120,7 @@ Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   return spec;
 }
 
-/// Refuses numbers beside the noise "as printed", which has its own.
+/// Refuses numbers in the noise "as printed", whose numbers are those of the paper.
 void refuseNumbersBesideAsPrinted(const Node& node) {
   for (const auto* key : {"process_force", "process_covariance", "process_stiffness"}) {
     if (!node.has(key)) continue;
@@ -182,7 +182,7 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   return spec;
 }
 
-/// Refuses keys that need a fitted material.
+/// Refuses keys that are only valid with a fitted material.
 void refuseWithoutMaterial(const Node& node) {
   const std::pair<const char*, const char*> keys[]{
       {"test_set", "only a fitted material has test sets"},
@@ -193,11 +193,14 @@ void refuseWithoutMaterial(const Node& node) {
   }
 }
 
-/// Puts the curves of a fitted material into @p spec; false and a problem if there are none.
+/// Copies the curves of a fitted material to @p spec; false, with a problem, if the material has
+/// none.
 bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
-  if (set == TestSet::Static) spec.isRemoved = false;  // static tests press on bone and remove none
+  // static tests press on bone without
+  if (set == TestSet::Static) spec.isRemoved = false;
+  // removing it
   const bool hasJitter = node.flag("jitter", false);
   spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
   if (node.has("nodes")) {
@@ -290,7 +293,8 @@ Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) 
   return spec;
 }
 
-/// The reader of each model. A registered model without a reader does not compile.
+/// The function that reads a model; there is one for each model. A registered model without this
+/// function does not compile.
 template <typename Spec>
 Read<Spec> readModel(const Node& parameters, const Context& context) = delete;
 template <>
@@ -321,7 +325,7 @@ Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
   return readPacking(node, context);
 }
 
-/// @param defaults  apply if the scene has no reamer.
+/// @param defaults  for a scene without "reamer".
 engine::Reamer readReamer(const Node& scene, Defaults defaults) {
   engine::Reamer reamer;
   const auto node = scene.object("reamer");
@@ -347,7 +351,7 @@ constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
 }
 constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 
-/// Names of models in the literature, for hints.
+/// Other names of models in the literature, for hints.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOtherNames{
     {{"fem", "finite-elements"}, {"kf", "kalman"}}};
 
@@ -355,8 +359,8 @@ ReadModel readerOf(std::string_view name) {
   return std::ranges::find(kModels, name, &Choice<ReadModel>::name)->value;
 }
 
-/// The reader of a scene's model. An unknown model is a problem; the most similar one is then used
-/// to read the parameters, so that their problems are reported, too.
+/// The function that reads the model of a scene. An unknown model is a problem; the model with the
+/// most similar name is then used to read the parameters, so that their problems are reported, too.
 std::optional<ReadModel> readModelName(const Node& scene) {
   const auto name = scene.member("model");
   const auto written = name && name->isText() ? name->asText() : std::string();

@@ -41,7 +41,7 @@ std::size_t endOfString(std::string_view json, std::size_t start) {
   return i + 1;
 }
 
-/// The index after the value that begins at @p start; may include spaces after the value.
+/// The index after the value that begins at @p start and any spaces after it.
 std::size_t endOfValue(std::string_view json, std::size_t start) {
   int depth = 0;
   std::size_t i = start;
@@ -65,15 +65,16 @@ struct Range {
   std::size_t end = std::string_view::npos;
 };
 
-/// The members of the outermost object: where the first one begins, where the last one ends, and
-/// where the wanted one is, with its name.
+/// The positions of members in the outermost object: of all members together, and of the wanted one
+/// with its key.
 struct Members {
   Range all;
   Range wanted;
-  std::size_t comma = std::string_view::npos;  ///< before the wanted; npos if it is the first
+  std::size_t comma = std::string_view::npos;  ///< index of the comma before the wanted member;
+                                               ///< npos if it is the first
 };
 
-/// @param key  of the wanted member, in quotes.
+/// @param key  key of the wanted member, in quotes.
 Members membersOf(std::string_view json, std::string_view key) {
   Members members;
   std::size_t comma = std::string_view::npos;
@@ -99,7 +100,7 @@ Members membersOf(std::string_view json, std::string_view key) {
   return members;
 }
 
-/// @p json with another value of the member @p key, in quotes, of its outermost object.
+/// @p json with @p value as the value of the member @p key (in quotes) of its outermost object.
 std::string withValue(std::string_view json, std::string_view key, std::string_view value) {
   const auto member = membersOf(json, key).wanted;
   if (member.begin == std::string_view::npos) throw std::invalid_argument("no such member");

@@ -51,7 +51,8 @@ class FamilyCheck {
     }
   }
 
-  /// Whether @p phase asks the family's questions about its conditions, or could not be read.
+  /// Whether @p phase asks questions of the family's instrument about its conditions; also true if
+  /// it could not be read.
   bool mayAsk(const Phase& phase) const {
     const auto& asked = phase.trials.questionnaires;
     return phase.id.empty() || !isValidId(family_.instrument) ||
@@ -67,7 +68,7 @@ class FamilyCheck {
     std::optional<ComparedScale> first;
     for (const auto& item : compared) {
       const auto scale = scaleOf(item);
-      if (!scale) continue;  // reported already
+      if (!scale) continue;  // a missing scale was reported already
       if (!first) first = scale;
       if (*scale == *first) continue;
       problems_.add(
@@ -87,8 +88,7 @@ class FamilyCheck {
     }
   }
 
-  /// Checks that the score exists, and that all of its items are asked about every compared
-  /// condition.
+  /// Checks that the score exists, and that its items are all asked about every compared condition.
   void score(const questionnaires::Instrument& asked) {
     if (!isValidId(family_.score)) return;
     const auto* score = asked.score(family_.score);
@@ -191,7 +191,7 @@ class FamilyCheck {
       if (mayContainCondition(phase.trials, condition)) return true;
       isAskedAtAll = true;
     }
-    // A phase that could not be read has been reported already.
+    // An unreadable phase was reported already.
     return !isAskedAtAll || !draft_.hasAllPhases();
   }
 

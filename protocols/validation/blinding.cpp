@@ -7,7 +7,7 @@
 namespace protocols {
 namespace {
 
-/// Finds everything that discloses the condition of an answer.
+/// Finds everything in a protocol that discloses the condition of an answer.
 class BlindingCheck {
  public:
   explicit BlindingCheck(const Protocol& protocol) : protocol_(protocol) {}
@@ -30,8 +30,9 @@ class BlindingCheck {
   }
 
  private:
-  /// If no other condition is in exactly the same blocks, the blocks identify the condition behind
-  /// its code. Conditions that are alone in each of their blocks are not reported.
+  /// Reports a condition if no other condition is in exactly the same blocks, because the blocks
+  /// then identify it in spite of its code. Conditions that are alone in each of their blocks are
+  /// not reported.
   void conditionsAloneInTheirBlocks() {
     std::map<std::string, std::set<std::string>> blocksOf;
     std::set<std::string> compared;
@@ -56,7 +57,7 @@ class BlindingCheck {
     const auto& phase = protocol_.phases[index];
     if (phase.trials.conditions.size() < 2) return;
     const std::string path = "$.phases[" + std::to_string(index) + "]";
-    // A reversed order discloses as much as the one that it reverses, which is reported already.
+    // A reversed order discloses as much as the order that it reverses, which was reported already.
     if (phase.trials.order.type == OrderType::Fixed) {
       found_.push_back(
           {path + ".order", message("order_tells", phase.id), message("order_tells.fix")});

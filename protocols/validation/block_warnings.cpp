@@ -11,7 +11,7 @@ namespace {
 
 using questionnaires::Problems;
 
-/// Adds warnings about one block.
+/// Adds warnings on one block.
 class BlockWarningCheck {
  public:
   BlockWarningCheck(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
@@ -31,7 +31,7 @@ class BlockWarningCheck {
   }
 
  private:
-  /// A statement like "than the previous cut" needs a previous cut.
+  /// Warns of statements such as "than the previous cut" for conditions that may come first.
   void warnOfRelativeItems(std::size_t index) {
     const auto& asked = phase_.trials.questionnaires[index];
     for (const auto& condition : phase_.trials.conditions) {
@@ -67,7 +67,7 @@ class BlockWarningCheck {
   void balance() {
     const auto k = static_cast<int>(phase_.trials.conditions.size());
     const auto rows = rowsOf(phase_.trials.order.type, k).size();
-    if (rows == 0) return;  // the order is drawn, or taken from another block
+    if (rows == 0) return;  // the order is drawn, or is that of another block
     for (const auto& cohort : protocol_.cohorts) {
       if (static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
       problems_.warn(
@@ -89,7 +89,7 @@ bool isOf(const Family& family, const Phase& phase) {
   return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
 }
 
-/// Whether the conditions of @p phase are asked different statements of the family's instrument.
+/// Whether @p phase asks different statements of the family's instrument about its conditions.
 bool hasUnlikeStatements(const Family& family, const Phase& phase) {
   std::set<std::string> sets;
   for (const auto& asked : phase.trials.questionnaires) {
@@ -156,15 +156,15 @@ bool isScored(const Instrument& instrument, const std::string& item) {
   });
 }
 
-/// Whether the answers are numbers or choices that a family could compare. Choices between
-/// alternatives are excluded: they are votes.
+/// Whether the answers to @p item are numbers or choices that a family could compare. Choices among
+/// alternatives are votes and do not count.
 bool isCounted(const Item& item) {
   return questionnaires::answerKindOf(item.type) != questionnaires::AnswerKind::Text &&
          item.optionSource == questionnaires::OptionSource::Listed && item.consentOption.empty() &&
          !item.isIdentifying;
 }
 
-/// The ids of the items with countable answers that no result uses: "ease, effort".
+/// The ids of items with countable answers that no family, score or threshold uses: "ease, effort".
 std::string unusedItems(const Protocol& protocol, const Instrument& instrument) {
   std::string ids;
   for (const auto& item : instrument.items) {
@@ -179,9 +179,9 @@ std::string unusedItems(const Protocol& protocol, const Instrument& instrument) 
 
 void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems) {
   const auto& protocol = loaded.protocol;
-  if (protocol.analysis.families.empty()) return;  // addAnalysisWarnings() reports it
+  if (protocol.analysis.families.empty()) return;  // addAnalysisWarnings() reports missing families
   std::set<std::string> told;
-  bool isBefore = true;  // forms before the first block describe participants
+  bool isBefore = true;  // forms before the first block are about the participant
   for (const auto& use : instrumentUses(protocol)) {
     if (use.phase == PhaseType::Block) isBefore = false;
     if (isBefore || !told.insert(use.instrument).second) continue;

@@ -17,7 +17,7 @@ namespace {
 namespace engine = haptics::engine;
 using questionnaires::Problems;
 
-constexpr double kNegligibleWeight = 0.02;  // a smaller weight has no noticeable effect
+constexpr double kNegligibleWeight = 0.02;  // a smaller weight of a force cannot be felt
 
 void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Problems& problems) {
   const double weight = engine::interpolationWeight(spec);
@@ -29,8 +29,8 @@ void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Pro
       message("one_force_felt.fix"));
 }
 
-/// Warns of an opening branch with more force than the closing branch: it would push the hand by
-/// itself.
+/// Warns if the force of the opening branch is larger than that of the closing branch, because it
+/// would push the hand by itself.
 void adviseOnBranches(
     const engine::InterpolationSpec& spec, const std::string& path, Problems& problems) {
   if (spec.branches != engine::Branches::Hysteresis) return;
@@ -55,8 +55,8 @@ void adviseOnBranches(
       message("opening_gives_more.fix"));
 }
 
-/// Warns of a cut with more force than the protocol's limit for the device: the excess is felt as a
-/// plateau.
+/// Warns if the force of a cut exceeds the protocol's limit for the device, because the excess is
+/// felt as a plateau.
 void adviseOnLimit(
     const engine::InterpolationSpec& spec,
     const DeviceNeed& device,
@@ -80,7 +80,7 @@ void adviseOnLimit(
       message("cut_beyond_limit.fix"));
 }
 
-/// Whether a block shows the tissue of condition @p id.
+/// Whether a block shows the tissue of @p condition.
 bool isSeen(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
     const auto& felt = phase.trials.conditions;
@@ -89,7 +89,7 @@ bool isSeen(const Protocol& protocol, const Condition& condition) {
   });
 }
 
-/// Warns if conditions of a block that are to be compared by touch show different knees.
+/// Warns if conditions of a block, which are to be compared by touch, show different knees.
 void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& problems) {
   const Condition* first = nullptr;
   for (const auto& id : block.conditions) {
@@ -124,7 +124,7 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
   for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }
 
-// Warnings about questions whose referent a study may lack: a benchmark, vibration, removal, forces
+// Warnings about questions whose subject a study may lack: a benchmark, vibration, removal, forces
 // of full size.
 namespace {
 
@@ -132,7 +132,7 @@ using questionnaires::Item;
 using questionnaires::Referent;
 using questionnaires::shown;
 
-/// The items that one phase asks, and their place in the protocol.
+/// The items that one phase asks, and the place of the phase in the protocol.
 struct Asked {
   std::string instrument;
   std::string path;
@@ -146,7 +146,7 @@ bool isAskedAbout(
   return set.empty() || item.set == set;
 }
 
-/// The items that are asked about at least one condition of a block.
+/// The items that a questionnaire asks about at least one condition of the block.
 std::vector<Item> itemsAsked(
     const questionnaires::Instrument& instrument,
     const ConditionQuestionnaire& asked,
@@ -182,7 +182,7 @@ std::vector<Asked> askedIn(const LoadedProtocol& loaded, std::size_t index) {
   return all;
 }
 
-/// The ids of the items that ask about a benchmark: "'1.1', '3.2'".
+/// The ids of those of @p items that ask about a benchmark: "'1.1', '3.2'".
 std::string aboutBenchmark(const std::vector<Item>& items) {
   std::string names;
   for (const auto& item : items) {
@@ -192,8 +192,8 @@ std::string aboutBenchmark(const std::vector<Item>& items) {
   return names;
 }
 
-/// The message about what @p item asks about and the scene of @p condition does not render;
-/// std::nullopt if it renders it.
+/// A warning if the scene of @p condition does not render what @p item asks about; otherwise
+/// std::nullopt.
 std::optional<base::Message> messageIfNotRendered(const Condition& condition, const Item& item) {
   const auto parts = engine::partsOf(*condition.model);
   const double scale = parts.material != nullptr  ? parts.material->forceScale
@@ -214,7 +214,7 @@ std::optional<base::Message> messageIfNotRendered(const Condition& condition, co
   return std::nullopt;
 }
 
-/// Reports each item once, with the first condition that does not render it.
+/// Warns of each item once, for the first condition that does not render what it asks about.
 void adviseOn(
     const Protocol& protocol,
     const Block& block,

@@ -64,7 +64,7 @@ void checkScene(
   }
 }
 
-/// Whether the tissue of @p condition is shown, by its own scene or by a block.
+/// Whether the tissue of @p condition is shown, because of its scene or of a block.
 bool isSeen(const Draft& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
   return condition.isVisualised ||
@@ -143,7 +143,7 @@ void checkInstrumentFitsPhase(
   }
 }
 
-/// "background, consent-punch, …"
+/// The names of the library's instruments: "background, consent-punch, …".
 std::string namesOfTheLibrary() {
   constexpr std::string_view kEnding = ".json";
   std::string names;
@@ -201,9 +201,8 @@ namespace {
 
 using questionnaires::shown;
 
-/// The largest force that hands and fingers bear without pain while they are held or pressed [N]:
-/// table A.2 of ISO/TS 15066:2016, "Robots and robotic devices – Collaborative robots",
-/// quasi-static contact.
+/// The largest force that hands and fingers bear without pain when clamped [N]: table A.2 of ISO/TS
+/// 15066:2016, "Robots and robotic devices – Collaborative robots", quasi-static contact.
 constexpr double kPainlessForce = 140.0;
 
 constexpr double kTick = 0.001;  // period of the force loop [s]

@@ -115,7 +115,7 @@ class ProtocolWarningCheck {
     }
   }
 
-  /// Warns if an instrument whose result is a change is not asked before and after.
+  /// Warns if an instrument whose result is a change is not asked both before and after.
   void occasionsOf(const Instrument& instrument, const std::string& path) {
     if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
     const auto uses = instrumentUses(protocol_);
@@ -126,14 +126,14 @@ class ProtocolWarningCheck {
     problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
   }
 
-  /// Whether the instrument was read from a file, whose warnings have been reported.
+  /// Whether the instrument was read from a file. Its warnings were then reported already.
   bool isFromFile(const Instrument& instrument) const {
     const auto files = static_cast<std::ptrdiff_t>(protocol_.instrumentFiles.size());
     return &instrument - loaded_.instruments.data() < files;
   }
 
-  /// Adds the warnings that the instrument's own file would have, except about statements that
-  /// compare with the previous: addBlockWarnings() knows which of them have none.
+  /// Adds the warnings about an instrument of the library. Not those about statements that compare
+  /// with the previous alternative: addBlockWarnings() reports them where there may be none.
   void fromLibrary(const Instrument& instrument) {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {
@@ -142,7 +142,7 @@ class ProtocolWarningCheck {
     }
   }
 
-  /// Whether a placeholder of the library has been reported already in another language.
+  /// Whether the placeholder was reported already for another language.
   static bool isOfATranslation(
       const questionnaires::Problem& problem, const Instrument& instrument) {
     return std::any_of(
