@@ -18,19 +18,19 @@ namespace questionnaires {
 
 /// The number of characters (code points) of @p text; std::nullopt if it is not valid UTF-8.
 ///
-/// Validity is that of the Unicode standard: no overlong forms, no surrogates, nothing beyond
-/// U+10FFFF. An emoji with a skin tone and a letter with a combining accent count as two
+/// Valid as defined by the Unicode standard: no overlong forms, no surrogates, nothing above
+/// U+10FFFF. An emoji with a skin tone, and a letter with a combining accent, count as two
 /// characters.
 std::optional<std::size_t> charactersIn(std::string_view text) noexcept;
 
-/// A JSON value, as a tree. Members keep the order of the file.
+/// A JSON value and its children. Members are in the order of the file.
 struct Value {
   struct Member;
   using Array = std::vector<Value>;
   using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> data;
-  int line = 0;  ///< line in the file, from 0: that of the key, or of the value if it has no key
+  int line = 0;  ///< line of the key, or of a value without a key, from 0
 };
 
 struct Value::Member {
@@ -42,15 +42,15 @@ struct Value::Member {
 inline constexpr std::size_t kLargestFile = 5'000'000;  ///< [bytes]
 inline constexpr std::size_t kDeepestNesting = 64;
 inline constexpr std::size_t kLongestText = 100'000;   ///< [bytes]
-inline constexpr std::size_t kMostElements = 100'000;  ///< of one list or object
+inline constexpr std::size_t kMostElements = 100'000;  ///< elements of one list or object
 
-/// Parses JSON from @p text. Stricter than most readers: duplicate keys, NUL characters in texts,
-/// nesting deeper than kDeepestNesting and files larger than kLargestFile are problems. Returns
+/// Parses JSON from @p text. Stricter than most parsers: duplicate keys, NUL characters in texts,
+/// nesting deeper than kDeepestNesting, and texts longer than kLargestFile are problems. Returns
 /// std::nullopt if the text is not JSON.
 std::optional<Value> parseJson(std::string_view text, Problems& problems);
 
-/// The line in @p json, from 0, of the value at @p path ("$.phases[3].order"), or of its nearest
-/// existing ancestor. Incomplete JSON is read up to its end.
+/// The line in @p json, from 0, of the value at @p path ("$.phases[3].order"); of its nearest
+/// existing ancestor if there is no such value. Incomplete JSON is parsed up to its end.
 int lineOf(std::string_view json, std::string_view path);
 
 /// Reads a whole file as text.
@@ -58,18 +58,18 @@ int lineOf(std::string_view json, std::string_view path);
 /// @throws UserError  if the file is missing, unreadable, no regular file, or larger than @p most.
 std::string readTextFile(const std::string& path, std::size_t most = kLargestFile);
 
-/// A word in a file and the enumerator that it stands for: {"latinSquare", OrderType::LatinSquare}.
+/// A word in a file and its enumerator: {"latinSquare", OrderType::LatinSquare}.
 template <typename Enum>
 struct Choice {
   std::string_view name;
   Enum value;
 };
 
-/// A JSON value in a researcher's file, with its path and the list that problems are added to.
+/// A JSON value in a researcher's file, with its path and the list to which its problems are added.
 ///
-/// Every read function returns a value of the right type. If the file has none, it adds a problem
-/// and returns a fallback, so that reading continues and all problems of a file are found at once.
-/// nlohmann::json converts 1.5, true and 2^32 + 1 to int without an error; a Node does not.
+/// Every function that reads returns a value of the right type. If the file has no such value, it
+/// adds a problem and returns a fallback, so that reading continues and all problems of a file are
+/// reported at once. nlohmann::json would convert 1.5, true and 2^32 + 1 to int without an error.
 ///
 /// The Value and the Problems must outlive the Node.
 class Node {
@@ -81,7 +81,7 @@ class Node {
   std::string pathOf(std::string_view key) const;
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
 
-  /// Whether no problem has been found in this value or anything inside it.
+  /// Whether this value and all values inside it have no problem so far.
   bool isSound() const;
 
   /// Reports every key that is not in @p known as a problem, with the most similar known key.
@@ -99,29 +99,31 @@ class Node {
   /// This value as a text; empty, with a problem, if it is not a text.
   std::string asText() const;
 
-  /// Required members: a missing or wrong value is a problem. `least` and `most` are allowed.
+  /// Required members: a missing value, or one of another type or outside of the range, is a
+  /// problem. The range includes `least` and `most`.
   std::string text(std::string_view key) const;
   double number(std::string_view key, double least, double most) const;
   std::int64_t wholeNumber(std::string_view key, std::int64_t least, std::int64_t most) const;
 
-  /// Adds a problem unless the value at @p key is @p format.
-  /// @param fix  what to do with a file of another format; empty if only another release of Palpate
-  ///     can have written it
+  /// Adds a problem unless the value at @p key equals @p format.
+  /// @param fix  advice for a file of another format; empty if only another release of Palpate can
+  ///     have written it
   void requireFormat(std::string_view key, std::string_view format, std::string fix = {}) const;
 
-  /// A required id, usable in file names and column names: a letter or digit, then up to 63
-  /// letters, digits, '.', '_' or '-'.
+  /// A required id, which is also usable in file names and column names: a letter or digit, then up
+  /// to 63 letters, digits, '.', '_' or '-'.
   std::string id(std::string_view key) const;
 
-  /// Optional members: a wrong value is a problem, a missing one gives the fallback.
+  /// Optional members: if the key is missing, returns the fallback; a wrong value is a problem.
   std::string text(std::string_view key, std::string fallback) const;
   double number(std::string_view key, double least, double most, double fallback) const;
   std::int64_t wholeNumber(
       std::string_view key, std::int64_t least, std::int64_t most, std::int64_t fallback) const;
   bool flag(std::string_view key, bool fallback) const;
 
-  /// The object or list at @p key. Missing: std::nullopt or an empty list. A value of another type
-  /// is a problem, and so are more than @p most entries, of which the rest is dropped.
+  /// The object or list at @p key; std::nullopt or an empty list if the key is missing. A value of
+  /// another type is a problem. More than @p most entries are a problem, too, and the rest is
+  /// ignored.
   std::optional<Node> object(std::string_view key) const;
   std::vector<Node> list(std::string_view key, std::size_t most = kMostElements) const;
 
@@ -142,7 +144,7 @@ class Node {
   /// A list of ids; a duplicate is a problem.
   std::vector<std::string> ids(std::string_view key) const;
 
-  /// The value of a required word that must be one of @p choices.
+  /// The enumerator of a required word, which must be one of @p choices.
   template <typename Choices>
   auto choice(std::string_view key, const Choices& choices) const {
     std::vector<std::string_view> names;
@@ -151,8 +153,8 @@ class Node {
     return choices[chosenAt(key, names)].value;
   }
 
-  /// Like choice(), for this value itself; std::nullopt, with a problem, if it is none of @p
-  /// choices.
+  /// Like choice(), for this value itself; std::nullopt, with a problem, if it is not in
+  /// @p choices.
   template <typename Enum, std::size_t kCount>
   std::optional<Enum> chosen(const std::array<Choice<Enum>, kCount>& choices) const {
     std::vector<std::string_view> names;
@@ -198,20 +200,21 @@ std::optional<T> readJson(std::string_view text, Problems& problems, Read read) 
 /// Whether @p id has the form of an id (see Node::id()).
 bool isValidId(std::string_view id) noexcept;
 
-/// The form of an id, used as the fix of a problem.
+/// The rule for ids, reported as the fix of a problem.
 inline constexpr std::string_view kIdRule =
     "use a letter or digit, then letters, digits, '.', '_' or '-', at most 64 in all";
 
 /// The type of a value for messages: "a number", "a list".
 std::string typeName(const Value& value);
 
-/// @p number for a message, without needless digits: 0.5, 1000000000.
+/// @p number for a message, without superfluous digits: 0.5, 1000000000.
 std::string shown(double number);
 
-/// @p text for a message: on one line, without control characters, and truncated if it is long.
+/// @p text for a message: in one line, without control characters, and truncated if it is long.
 std::string shown(std::string_view text);
 
-/// The word of @p known that @p word is probably a misspelling of; std::nullopt if none is similar.
+/// The word in @p known of which @p word is probably a misspelling; std::nullopt if none is
+/// similar.
 std::optional<std::string_view> nearest(
     std::string_view word, std::span<const std::string_view> known);
 

@@ -1,5 +1,5 @@
 // Parses JSON with the event (SAX) interface of nlohmann::json, because its tree interface accepts
-// duplicate keys and any depth.
+// duplicate keys and any nesting depth.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace questionnaires {
 namespace {
 
-/// An iterator over characters that stores its position in a variable of the caller.
+/// An iterator over characters that stores its position in a variable of its creator.
 class PositionTrackingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -43,8 +43,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   TreeBuilder(std::string_view text, Problems& problems)
       : text_(text), problems_(problems), reached_(text.data()), counted_(text.data()) {}
 
-  /// Parses the text; false if it is not JSON. The tree then contains what was read before the
-  /// error.
+  /// Parses the text; false if it is not JSON. The tree then contains the part before the error.
   bool read() {
     const char* begin = text_.data();
     return nlohmann::json::sax_parse(
@@ -128,8 +127,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
          .line = static_cast<int>(std::count(before.begin(), before.end(), '\n'))});
   }
 
-  /// The line of the token that was read last. Ignores the last character read: for a number it is
-  /// the character after it, which may be a line end.
+  /// The line of the token that was read last. The last character read is ignored: after a number
+  /// it is the next character, which may be a line end.
   int line() {
     const char* const end = reached_ > counted_ ? reached_ - 1 : counted_;
     line_ += static_cast<int>(std::count(counted_, end, '\n'));
@@ -144,8 +143,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
   }
 
-  /// The end of a token for a message. Only printable ASCII is shown, because a token may contain
-  /// any bytes.
+  /// The end of a token for a message. Characters that are not printable ASCII are replaced,
+  /// because a token may contain any bytes.
   static std::string ending(const std::string& token) {
     constexpr std::size_t kShown = 40;
     std::string end = token.substr(token.size() > kShown ? token.size() - kShown : 0);
@@ -222,7 +221,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   Problems& problems_;
-  const char* reached_;  ///< position that the parser has reached
+  const char* reached_;  ///< position up to which the parser has read
   const char* counted_;  ///< position up to which line ends have been counted
   int line_ = 0;
   Value root_;

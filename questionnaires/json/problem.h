@@ -17,20 +17,20 @@ enum class Severity {
   Warning,  ///< the file can be used, but its author should know
 };
 
-/// Something wrong or unusual in a researcher's file, and what to do about it. Errors are in
-/// English, for the researcher; warnings appear in reports as well and are translated by key.
+/// Something wrong or doubtful in a researcher's file, and advice on it. Errors are in English, for
+/// the researcher; warnings are also part of reports and are translated by key.
 struct Problem {
   Severity severity = Severity::Error;
   std::string path;              ///< JSON path from the root: "$.phases[3].order"
   base::Message what;            ///< what is wrong
-  base::Message fix;             ///< what to do about it; may be empty
+  base::Message fix;             ///< advice; may be empty
   std::optional<int> line = {};  ///< line of a JSON syntax error, from 0
 };
 
-/// The largest number of problems that are kept; later ones are dropped.
+/// The largest number of problems that are kept; further ones are ignored.
 inline constexpr std::size_t kMostProblems = 1000;
 
-/// All problems of a file, so that its author sees them at once.
+/// The problems of a file. Reading collects all of them, so that the author sees them at once.
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {

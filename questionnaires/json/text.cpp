@@ -17,8 +17,8 @@
 namespace questionnaires {
 namespace {
 
-/// The leading bytes from first to last begin a character of `length` bytes, whose second byte lies
-/// between secondLeast and secondMost (table 3-7 of the Unicode standard).
+/// The first bytes from `first` to `last` begin a character of `length` bytes whose second byte is
+/// from secondLeast to secondMost (table 3-7 of the Unicode standard).
 struct Lead {
   std::uint8_t first;
   std::uint8_t last;
@@ -39,7 +39,7 @@ constexpr std::array kLeads{
     Lead{0xF4, 0xF4, 4, 0x80, 0x8F},
 };
 
-/// The length of the valid UTF-8 character at the beginning of @p text [bytes]; 0 if there is none.
+/// The length of the UTF-8 character at the beginning of @p text [bytes]; 0 if it is not valid.
 std::size_t validUtf8Length(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   for (const auto& lead : kLeads) {
@@ -135,7 +135,7 @@ std::string typeName(const Value& value) {
 }
 
 std::string shown(double value) {
-  constexpr double kLargest = 1e15;  // the digits of larger numbers are not helpful
+  constexpr double kLargest = 1e15;  // the digits of a larger number do not help the reader
   if (std::abs(value) > kLargest) return "any size";
   std::array<char, 64> digits{};
   const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed);

@@ -8,7 +8,7 @@ namespace questionnaires {
 
 namespace {
 
-/// The label of an end of the scale if @p value lies at that end; otherwise empty.
+/// The label of an end of the scale if @p value is at that end; otherwise empty.
 std::string endLabel(
     double value,
     double low,
@@ -88,7 +88,7 @@ bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector
   if (!item.showIf.isSet()) return true;
   const auto asked = std::find_if(
       items.begin(), items.end(), [&](const Item& other) { return other.id == item.showIf.item; });
-  // The recursion ends, because a condition names an earlier item (problemsOf()).
+  // The recursion ends, because an item's condition names an earlier item (problemsOf()).
   if (asked == items.end() || &*asked == &item || !isAsked(*asked, items, answers)) return false;
   const auto last = std::find_if(answers.rbegin(), answers.rend(), [&](const Answer& answer) {
     return answer.itemId == asked->id;

@@ -11,8 +11,8 @@
 
 namespace questionnaires {
 
-/// The value of an answer: a point of a scale; a number; the id of an option, or a text; the ids of
-/// several options.
+/// The value of an answer: a point of a scale, a number, the id of an option or a text, or the ids
+/// of several options.
 using Response = std::variant<std::int64_t, double, std::string, std::vector<std::string>>;
 
 /// An answer to an item. The response is std::nullopt if the item was not answered.
@@ -21,38 +21,39 @@ struct Answer {
   std::optional<Response> response;
 };
 
-/// Why @p response is not a valid answer to @p item, as a sentence; std::nullopt if it is valid.
+/// The reason why @p response is not a valid answer to @p item, as a sentence; std::nullopt if it
+/// is valid.
 ///
 /// If the options of the item are alternatives, @p alternatives lists their ids. Texts may contain
 /// any Unicode character except NUL; a short text has one line.
 std::optional<std::string> validationError(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives = {});
 
-/// The label of @p response in @p language: of a point or an option, of the end of a slider, or of
-/// several options separated by "; "; empty if there is no label.
+/// The label of @p response in @p language: of its point, its option, or its end of a slider;
+/// several options are separated by "; ". Empty if there is no label.
 std::string labelOf(const Item& item, const Response& response, std::string_view language);
 
 /// The value that is scored: a reverse-keyed item (key -1) gives low + high - x.
 std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
 
-/// Whether @p item, one of @p items, is asked after @p answers: an item with a condition (ShowIf)
-/// is asked if the item that the condition names is itself asked and was answered with one of the
-/// listed options. If there are several answers to an item, the last one counts.
+/// Whether @p item, one of @p items, is asked after @p answers. An item with a condition (ShowIf)
+/// is asked if the item in its condition was itself asked and answered with one of the listed
+/// options. If an item was answered several times, the last answer counts.
 bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector<Answer>& answers);
 
-/// The ids of the required items among @p items that are asked and have no answer in @p answers, or
-/// an empty one: a blank text, or no option of several. (To allow "none", an item offers it as an
-/// option.)
+/// The ids of required items among @p items that are asked but have no answer in @p answers, or an
+/// empty one (a blank text, or no option selected). An item that allows "none" must offer it as an
+/// option.
 std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 
-/// The answer to @p item as a number, not yet reversed; the last one if there are several.
-/// std::nullopt if there is none, if it was withdrawn or is not valid (validationError()), and if
-/// answers to the item are not numbers.
+/// The answer to @p item as a number, before reversal; the last one if there are several.
+/// std::nullopt if the item was not answered, its answer was withdrawn or is not valid
+/// (validationError()), or its answers are not numbers.
 std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>& answers);
 
-/// The value of @p number for scoring: low + high - x if the key of @p item is -1. Answers to a
-/// number item, which has no key, are returned unchanged.
+/// The scored value of @p number: low + high - x if the key of @p item is -1. Answers to a number
+/// item, which has no key, are returned unchanged.
 double keyedNumber(const Item& item, double number);
 
 }  // namespace questionnaires

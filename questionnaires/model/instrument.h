@@ -22,7 +22,7 @@ class LocalizedText {
   explicit LocalizedText(std::map<std::string, std::string> byLanguage)
       : byLanguage_(std::move(byLanguage)) {}
 
-  /// The text in @p language, or in English if there is none; empty if there is neither.
+  /// The text in @p language, or in English if that language is missing; empty if both are missing.
   const std::string& in(std::string_view language) const;
 
   bool has(std::string_view language) const { return byLanguage_.count(std::string(language)) > 0; }
@@ -34,17 +34,18 @@ class LocalizedText {
   std::map<std::string, std::string> byLanguage_;
 };
 
-/// How an item is answered.
+/// The type of an item: how it is presented and answered.
 enum class ItemType {
   Likert,                ///< agreement with a statement, on a scale of points
   SemanticDifferential,  ///< a point of a scale between two opposite words
-  Slider,                ///< a value between two ends; shows no handle until it is touched
+  Slider,                ///< a value between two ends; the handle appears when the participant
+                         ///< touches the slider
   SingleChoice,          ///< one of several options
-  MultipleChoice,        ///< any number of several options, none included
+  MultipleChoice,        ///< any number of options, possibly none
   Number,
-  ShortText,       ///< one line
-  LongText,        ///< several lines
-  PairwiseChoice,  ///< one of two
+  ShortText,       ///< text of one line
+  LongText,        ///< text of several lines
+  PairwiseChoice,  ///< one of two options
 };
 
 /// The kind of value that answers an item.
@@ -56,7 +57,7 @@ enum class AnswerKind {
   Text,
 };
 
-/// A type of items: its name in files and exports, and the kind of its answers.
+/// The facts on a type of item: its name in files and exports, and the kind of its answers.
 struct ItemTypeFacts {
   std::string_view name;
   ItemType value;
@@ -90,9 +91,9 @@ std::string_view nameOf(ItemType type) noexcept;
 struct Scale {
   int lowest = 1;
   int points = 5;
-  LocalizedText lowLabel;                  ///< what the lowest point means
-  LocalizedText highLabel;                 ///< what the highest point means
-  std::vector<LocalizedText> pointLabels;  ///< one for each point, or none
+  LocalizedText lowLabel;                  ///< label of the lowest point
+  LocalizedText highLabel;                 ///< label of the highest point
+  std::vector<LocalizedText> pointLabels;  ///< a label for each point, or empty
 
   int highest() const noexcept { return lowest + points - 1; }
   bool operator==(const Scale& other) const = default;
@@ -117,20 +118,20 @@ struct Option {
   LocalizedText text;
 };
 
-/// The origin of an item's options.
+/// Where an item's options come from.
 enum class OptionSource {
   Listed,        ///< listed in the instrument
   Alternatives,  ///< the alternatives that the participant has felt in a block
 };
 
-/// What a statement compares with.
+/// With what a statement compares an alternative.
 enum class Reference {
   None,
-  Previous,  ///< what was felt just before ("than the previous cut")
+  Previous,  ///< with the alternative felt before ("than the previous cut")
 };
 
-/// What a question asks about besides an alternative, and what a study must therefore have. If the
-/// study lacks it, the question cannot be answered, and the protocol check reports it.
+/// What a question refers to besides an alternative, so that a study must have it. If the study
+/// lacks it, the question cannot be answered, and the check of the protocol reports this.
 enum class Referent {
   None,
   Benchmark,  ///< cuts with the physical tool in an earlier phase
@@ -139,7 +140,7 @@ enum class Referent {
   ForceSize,  ///< how large the forces are, compared with those of an operation
 };
 
-/// The names of referents in files and messages.
+/// The names of Referent in files and messages.
 inline constexpr std::array kReferents{
     Choice<Referent>{"benchmark", Referent::Benchmark},
     Choice<Referent>{"vibration", Referent::Vibration},
@@ -147,13 +148,14 @@ inline constexpr std::array kReferents{
     Choice<Referent>{"force_size", Referent::ForceSize},
 };
 
-/// The texts of an item that may be withheld from its instrument and supplied by a wording file.
+/// The texts of an item that an instrument may withhold, so that a wording file must supply them.
 enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
 
 /// The condition of an item: it is asked only after certain answers to an earlier item.
 struct ShowIf {
-  std::string item;  ///< id of an earlier choice item; empty if the question is always asked
-  std::vector<std::string> isIn;  ///< ids of its options; any of them fulfils the condition
+  std::string item;  ///< id of an earlier choice item; empty if the item is always asked
+  std::vector<std::string> isIn;  ///< ids of options of that item; one of them must have been
+                                  ///< chosen
 
   bool isSet() const noexcept { return !item.empty(); }
 };
@@ -163,11 +165,12 @@ struct Item {
   std::string id;
   ItemType type = ItemType::Likert;
   LocalizedText text;  ///< may be empty for a SemanticDifferential
-  /// Name of the set of items to which it belongs; a phase may ask for one set only.
+  /// Name of the item set to which it belongs; a phase may ask for one set only.
   std::string set;
-  int key = 1;  ///< +1: a high answer is good; -1: a low answer is good (reverse-keyed)
+  int key = 1;  ///< +1: a high answer is good; -1: a low answer is good, so the item is
+                ///< reverse-keyed
   bool isRequired = true;
-  /// The answer identifies a person: stored in identity.db, never exported.
+  /// Whether the answer identifies a person; it is then stored in identity.db and never exported.
   bool isIdentifying = false;
   bool startsPage = false;  ///< whether the item begins a new page
   ShowIf showIf;
@@ -177,34 +180,34 @@ struct Item {
   Scale scale;              ///< Likert, SemanticDifferential
   LocalizedText leftText;   ///< SemanticDifferential, Slider: label of the low end
   LocalizedText rightText;  ///< SemanticDifferential, Slider: label of the high end
-  double least = 0.0;       ///< Slider, Number
-  double most = 100.0;      ///< Slider, Number
-  double step = 1.0;        ///< Slider, Number; 0 for any value
+  double least = 0.0;       ///< Slider, Number: smallest answer
+  double most = 100.0;      ///< Slider, Number: largest answer
+  double step = 1.0;        ///< Slider, Number: step between answers; 0: any value is allowed
   std::string unit;         ///< Number: symbol of the unit, the same in every language
   OptionSource optionSource = OptionSource::Listed;
   std::vector<Option> options;  ///< SingleChoice, MultipleChoice, PairwiseChoice
   std::string consentOption;    ///< SingleChoice: id of the option that gives consent; empty if the
                                 ///< item does not ask for consent
-  /// ShortText, LongText [characters]; 0 for kLongestShortText or kLongestLongText.
+  /// ShortText, LongText: maximum length [characters]; 0: kLongestShortText or kLongestLongText.
   std::int64_t longestAnswer = 0;
 
-  /// The lowest acceptable answer, after reversal by the key; std::nullopt if there is no
-  /// threshold. Likert, SemanticDifferential, Slider, Number.
+  /// The smallest acceptable answer, after reversal by the key; std::nullopt without a threshold.
+  /// For Likert, SemanticDifferential, Slider, Number.
   std::optional<double> acceptableFrom;
-  /// The texts that may not be shipped with the instrument, and that a wording file in the
-  /// protocol's folder must supply. Likert, SemanticDifferential, Slider.
+  /// The texts that may not be shipped with the instrument; a wording file in the protocol's folder
+  /// must supply them. For Likert, SemanticDifferential, Slider.
   std::vector<WordingField> withheld;
 
   bool withholds(WordingField field) const noexcept;
 };
 
-/// The computation of one number from the answers to items. An unanswered item is missing, and is
-/// not replaced by the midpoint or zero.
+/// A score: one number computed from the answers to several items. An unanswered item is missing;
+/// it is not replaced by the midpoint or zero.
 struct Score {
   enum class Aggregate {
     Mean,   ///< Σ w x / Σ w; without weights w = 1
     Sum,    ///< Σ w x
-    Count,  ///< how many answers are at least countFrom
+    Count,  ///< number of answers of at least countFrom
   };
 
   std::string id;
@@ -213,34 +216,34 @@ struct Score {
   Aggregate aggregate = Aggregate::Mean;
   /// Whether an answer x to an item with key -1 is replaced by low + high - x.
   bool reverseByKey = true;
-  /// Smallest number of answered items of a Mean, or of any score with missingAs; 0 if all are
-  /// needed.
+  /// Smallest number of answered items for a Mean, or for any score with missingAs; 0: all items
+  /// must be answered.
   std::size_t leastAnswered = 0;
   double offset = 0.0;          ///< added to the aggregate
   double factor = 1.0;          ///< multiplies (aggregate + offset)
-  double countFrom = 0.0;       ///< Count: the lowest answer that is counted
-  std::vector<double> weights;  ///< Mean, Sum: one for each item, from 0 up; or none
+  double countFrom = 0.0;       ///< Count: the smallest answer that is counted
+  std::vector<double> weights;  ///< Mean, Sum: a weight ≥ 0 for each item; or empty
   /// Mean, Sum: ids of pairwise choices whose options have the ids of the items. The weight of an
-  /// item is how often it was chosen.
+  /// item is the number of times it was chosen.
   std::vector<std::string> weightsFrom;
-  /// The value (before reversal) that replaces a missing answer, provided that at least
-  /// leastAnswered items were answered; std::nullopt for no replacement.
+  /// The value (before reversal) that replaces a missing answer if at least leastAnswered items
+  /// were answered; std::nullopt: missing answers are not replaced.
   std::optional<double> missingAs;
 };
 
-/// The rule by which one person's answers are suspicious because they contradict each other.
+/// A rule for finding suspicious answers of a person: answers that contradict each other.
 struct ConsistencyRule {
-  std::vector<std::string> scores;  ///< ids of the scores that are checked
-  /// A wider range of keyed answers to the items of a score is a contradiction.
+  std::vector<std::string> scores;  ///< ids of the checked scores
+  /// The largest range of keyed answers to the items of one score that is no contradiction.
   double widestRange = 0.0;
-  /// Smallest number of contradictory scores that makes the answers suspicious.
+  /// Smallest number of contradictory scores for which the answers are suspicious.
   std::size_t suspiciousFrom = 1;
 };
 
-/// The number of times that an instrument is answered for one result.
+/// How often an instrument is answered for one result.
 enum class Occasions {
   Once,
-  BeforeAndAfter,  ///< twice; the result is the change
+  BeforeAndAfter,  ///< twice; the result is the change between both
 };
 
 /// The source and licence of an instrument.
@@ -248,9 +251,9 @@ struct Source {
   std::string citation;
   std::string doi;
   std::string licence;
-  /// Further notes for researchers, for instance who worded it, or what was changed.
+  /// Further notes for researchers, for example on its author or on changes.
   std::string note;
-  std::string wordingFrom;  ///< where researchers can obtain the withheld texts
+  std::string wordingFrom;  ///< where researchers can get the withheld texts
 };
 
 /// A questionnaire as its author published it: items, scales, keys and scoring, in several
@@ -258,12 +261,12 @@ struct Source {
 struct Instrument {
   std::string id;
   std::string version;
-  LocalizedText title;  ///< participants may see it
-  /// Shown above the items; the text of an information or consent form.
+  LocalizedText title;  ///< may be shown to participants
+  /// Text above the items; or the text of an information or consent form.
   LocalizedText introduction;
   Source source;
   std::vector<std::string> languages;
-  std::optional<Scale> scale;  ///< of items without a scale of their own
+  std::optional<Scale> scale;  ///< scale of items that have none of their own
   std::vector<Item> items;
   std::vector<Score> scores;
   Occasions occasions = Occasions::Once;
@@ -273,14 +276,14 @@ struct Instrument {
   /// The items of @p set in order; all items if @p set is empty.
   std::vector<Item> itemsOf(std::string_view set) const;
   const Score* score(std::string_view id) const noexcept;
-  /// Whether some of its texts come from a wording file (questionnaires/reading/wording.h).
+  /// Whether some of its texts must come from a wording file (questionnaires/reading/wording.h).
   bool isWithheld() const noexcept;
 };
 
 /// The problems of @p instrument as a whole: duplicate ids, scores of items that do not exist,
 /// texts that lack a language. Warns of statements that compare with the previous alternative, and
-/// of placeholders "[[…]]" that are not filled in. Does not check what the reader checks (types and
-/// spelling of keys), or whether withheld texts are supplied (see wording.h).
+/// of placeholders "[[…]]" that are not filled in. The reader checks types and spelling of keys;
+/// wording.h checks that withheld texts are supplied.
 Problems problemsOf(const Instrument& instrument);
 
 /// A range of answers, both ends included.

@@ -20,7 +20,7 @@ MaybeError validatePoint(const Item& item, const Response& response) {
 
 bool isOnStep(const Item& item, double number) {
   if (!(item.step > 0.0)) return true;
-  // Relative to a step, because decimal steps have no exact binary representation.
+  // relative to a step, because decimal steps have no exact binary representation
   constexpr double kTolerance = 1e-6;
   const double steps = (number - item.least) / item.step;
   return std::abs(steps - std::round(steps)) <= kTolerance;

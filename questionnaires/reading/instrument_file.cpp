@@ -139,8 +139,8 @@ Instrument readRoot(const Node& root) {
   return instrument;
 }
 
-/// Adds the problems of problemsOf(), except at places where reading found a problem already. Adds
-/// warnings only if there are no errors.
+/// Adds the problems of problemsOf(), except at places where reading has already found a problem.
+/// Warnings are added only if there are no errors.
 void addNewContent(const Problems& more, Problems& problems) {
   std::set<std::string> places;
   for (const auto& problem : problems.all()) places.insert(problem.path);

@@ -12,26 +12,26 @@
 
 namespace questionnaires {
 
-/// The files of questionnaires/library, embedded when the program was built.
+/// The instruments of questionnaires/library, embedded in the program.
 std::span<const base::EmbeddedFile> libraryFiles();
 
 /// The laboratory's texts for the blanks "[[key]]" in texts that participants read, by key.
 using BlankTexts = std::map<std::string, LocalizedText>;
 
-/// Replaces blanks "[[key]]" by the laboratory's texts. A blank without a text stays.
+/// Replaces blanks "[[key]]" by the laboratory's texts. A blank without a text is kept.
 class BlankFiller {
  public:
   BlankFiller() = default;
   explicit BlankFiller(BlankTexts texts) : texts_(std::move(texts)) {}
 
-  /// Fills in the blanks in every language of @p text, with the laboratory's text in that language
-  /// or, if there is none, in English.
+  /// Fills in the blanks in every language of @p text with the laboratory's text in that language
+  /// or, if it is missing, in English.
   void fill(LocalizedText& text);
   /// Fills in the blanks of all texts that participants see.
   void fill(Instrument& instrument);
 
-  /// The keys of all blanks found so far, filled in or not, without duplicates, in the order in
-  /// which they were found.
+  /// The keys of all blanks that fill() has found, filled in or not, without duplicates, in the
+  /// order of finding.
   const std::vector<std::string>& keys() const noexcept { return keys_; }
 
  private:
@@ -42,15 +42,15 @@ class BlankFiller {
   std::vector<std::string> keys_;
 };
 
-/// Reads an instrument from JSON (docs/questionnaire-format.md) and reports all problems, those of
-/// problemsOf() included; std::nullopt if there are errors. Warnings are only reported if there are
+/// Reads an instrument from JSON (docs/questionnaire-format.md) and reports all problems, including
+/// those of problemsOf(); std::nullopt if there are errors. Warnings are reported only if there are
 /// no errors.
-/// @param blanks  fills in blanks before the texts are checked; if nullptr, blanks stay.
+/// @param blanks  fills in blanks before the texts are checked; nullptr: blanks are kept.
 std::optional<Instrument> readInstrument(
     std::string_view json, Problems& problems, BlankFiller* blanks = nullptr);
 
 /// Reads an instrument that must be valid.
-/// @throws UserError  listing all problems of the instrument called @p name.
+/// @throws UserError  with all problems of the instrument called @p name.
 Instrument readValidInstrument(std::string_view json, const std::string& name);
 
 }  // namespace questionnaires

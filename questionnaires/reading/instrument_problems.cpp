@@ -36,8 +36,8 @@ void inspectHead(const Instrument& instrument, const TextProblems& texts, Proble
   if (instrument.scale) inspectScale(*instrument.scale, "$.scale", texts, problems);
 }
 
-/// Checks the condition of an item: it must name an earlier choice item of the same set, and
-/// existing options of it.
+/// Checks the condition of an item: it must name an earlier choice item of the item's set, and
+/// options that this choice has.
 void inspectCondition(
     const Instrument& instrument, std::size_t index, const std::string& path, Problems& problems) {
   const Item& item = instrument.items[index];

@@ -12,7 +12,7 @@
 
 namespace questionnaires {
 
-/// Warnings for an instrument's author ("key"), and what to do about them ("key.fix").
+/// Warnings for an instrument's author ("key"), and advice on each ("key.fix").
 inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
     {"compares_with_previous", "this compares with what was felt just before"},
     {"compares_with_previous.fix",
@@ -37,18 +37,18 @@ base::Message warning(
 /// A text of an instrument that participants see, with a unique name.
 struct TextPlace {
   std::string name;  ///< "title", "scale/low_label", "items/1/text"
-  /// The text and its copies; a scale shared by items has a copy in each item.
+  /// Pointers to the text and its copies: a scale that several items share has a copy in each item.
   std::vector<LocalizedText*> texts;
 };
 
-/// The texts of @p instrument that participants see, including withheld ones, in the order in which
-/// they appear. The pointers are valid as long as the instrument is not changed or moved.
+/// All texts of @p instrument that participants see, including withheld ones, in the order in which
+/// they are shown. The pointers are valid until the instrument is changed or moved.
 std::vector<TextPlace> textPlacesOf(Instrument& instrument);
 
 /// Whether a text consists only of spaces, tabs and line ends.
 bool isBlank(const std::string& text);
 
-/// The placeholders in @p text, as a list: "[[a]], [[b]]".
+/// The placeholders in @p text, separated by commas: "[[a]], [[b]]".
 std::string placeholdersOf(const std::string& text);
 
 /// Checks that the texts of an instrument exist in all required languages.
@@ -58,11 +58,11 @@ class TextProblems {
   TextProblems(const std::vector<std::string>& languages, Problems& problems)
       : languages_(languages), problems_(problems) {}
 
-  /// Checks a text that participants see: it must exist in English and every language of the
+  /// Reports a text that participants see if it is missing in English or in a language of the
   /// instrument.
   void inspect(const std::string& path, const LocalizedText& text) const;
 
-  /// Checks a text that only researchers see: it must exist in English.
+  /// Reports a text that only researchers see if it is missing in English.
   void inspectResearcherText(const std::string& path, const LocalizedText& text) const;
 
  private:

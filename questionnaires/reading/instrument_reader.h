@@ -13,10 +13,10 @@
 
 namespace questionnaires {
 
-/// Reads texts in one or several languages: "…" for English, or {"en": "…", "de": "…"}.
+/// Reads texts in one or several languages: "…" in English, or {"en": "…", "de": "…"}.
 ///
-/// A text that cannot be read gets one problem, and is replaced by a dash in every language, so
-/// that problemsOf(), which checks the instrument afterwards, reports it not again.
+/// A text that cannot be read gets one problem and is replaced by a dash in every language, so that
+/// problemsOf(), which checks the instrument afterwards, does not report it again.
 class TextReader {
  public:
   explicit TextReader(std::vector<std::string> languages) : languages_(std::move(languages)) {}
@@ -35,11 +35,11 @@ class TextReader {
 /// Whether @p tag is a language tag of the form "en", "nb" or "de-CH".
 bool isLanguageTag(std::string_view tag) noexcept;
 
-/// Reads a scale. If only the points have labels, the first and the last label are used for the
+/// Reads a scale. If only points have labels, the first and the last of these are the labels of the
 /// ends.
 Scale readScale(const Node& node, const TextReader& texts);
 
-/// A placeholder for a scale that could not be read.
+/// A scale that replaces one that could not be read.
 Scale defaultScale(const TextReader& texts);
 
 /// Replaces a number that could not be read.
@@ -47,16 +47,16 @@ inline constexpr double kUnreadNumber = std::numeric_limits<double>::quiet_NaN()
 
 /// Reads the items of an instrument.
 ///
-/// Each type of item has its own keys; a key of another type is refused, with a message that says
-/// so. Values that cannot be read are replaced by placeholders about which problemsOf() reports
+/// Each type of item has its own keys; a key of another type is refused with a message on that
+/// type. Values that cannot be read are replaced by values about which problemsOf() reports
 /// nothing.
 class ItemReader {
  public:
-  /// @param scale  scale of the items without a scale of their own
+  /// @param scale  scale of items that have none of their own
   ItemReader(TextReader texts, std::optional<Scale> scale)
       : texts_(std::move(texts)), scale_(std::move(scale)) {}
 
-  /// Reads the item with number @p index.
+  /// Reads the item at index @p index.
   Item read(const Node& node, std::size_t index) const;
 
  private:
@@ -72,13 +72,13 @@ class ItemReader {
   std::optional<Scale> scale_;
 };
 
-/// Reads the id at @p key; if there is none, returns a unique generated one.
+/// Reads the id at @p key; without a valid id, returns a unique generated one.
 std::string idOrGenerated(const Node& node, std::string_view key, std::size_t index);
 
-/// Reads the score with number @p index.
+/// Reads the score at index @p index.
 Score readScore(const Node& node, const TextReader& texts, std::size_t index);
 
-/// Reads a consistency rule. A value that cannot be read is a problem, and keeps its default.
+/// Reads a consistency rule. A value that cannot be read is a problem; its default is kept.
 ConsistencyRule readConsistencyRule(const Node& node);
 
 }  // namespace questionnaires

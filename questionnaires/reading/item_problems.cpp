@@ -63,7 +63,8 @@ void ItemInspection::inspectHead() const {
   }
 }
 
-/// Checks a text of the item. A withheld text may be missing, because a wording file supplies it.
+/// Checks a text of the item. A withheld text may be missing, because a wording file will supply
+/// it.
 void ItemInspection::inspectText(
     const std::string& key, WordingField field, const LocalizedText& text) const {
   if (item_.withholds(field) && text.isEmpty()) return;
@@ -140,7 +141,7 @@ void ItemInspection::inspectRange() const {
     return add("step", "the step is negative or no number", "write 0 for any value");
   }
   if (item_.step == 0.0) return;
-  // Relative to a step, because decimal steps have no exact binary representation.
+  // relative to a step, because decimal steps have no exact binary representation
   constexpr double kTolerance = 1e-6;
   const double steps = range / item_.step;
   if (std::round(steps) < 1.0 || std::abs(steps - std::round(steps)) > kTolerance) {

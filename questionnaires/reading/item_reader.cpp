@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFarthestPoint = 1000;  // largest magnitude of a point
 
-/// Reads the number of points of a scale; 0, with a problem, if there is none.
+/// Reads the number of points of a scale; 0, with a problem, if it is missing or invalid.
 int readPoints(const Node& node) {
   if (node.has("points")) {
     return static_cast<int>(node.wholeNumber("points", kFewestPoints, kMostPoints, 0));
@@ -78,7 +78,7 @@ constexpr std::array kEndWords{
     Choice<WordingField>{"right_label", WordingField::RightLabel},
 };
 
-/// The keys that are specific to items of a type.
+/// The keys that only items of this type have.
 std::vector<std::string_view> keysOf(ItemType type) {
   switch (type) {
     case ItemType::Likert:
@@ -201,7 +201,7 @@ ShowIf readShowIf(const Node& node) {
   return showIf;
 }
 
-/// Reads which texts are withheld, by their keys for this type of item.
+/// Reads the list of withheld texts, which have different keys in each type of item.
 void readWithheld(const Node& node, Item& item) {
   const bool isLikert = item.type == ItemType::Likert;
   for (const auto& name : node.requiredList("wording")) {

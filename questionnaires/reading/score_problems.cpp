@@ -105,8 +105,8 @@ void inspectWeights(const Score& score, const std::string& path, Problems& probl
   problems.add(path + ".weights", "these weights count nothing", "write numbers above 0");
 }
 
-/// The ids of the two items between which the pairwise choice @p id decides; std::nullopt, with a
-/// problem, if it is no such item.
+/// The ids of the two items that are the options of the pairwise choice @p id; std::nullopt, with a
+/// problem, if there is no such choice.
 std::optional<std::set<std::string>> pairOf(
     const Instrument& instrument,
     const Score& score,

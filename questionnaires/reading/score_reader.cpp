@@ -21,8 +21,8 @@ void refuseBothKeys(const Node& node, std::string_view key, std::string_view oth
       key, "'" + std::string(key) + "' beside '" + std::string(other) + "'", "keep one of the two");
 }
 
-/// Reads the keys that only some scores have: weights, from the file or from pairs, and the
-/// threshold of a count.
+/// Reads the keys that only some scores have: weights, from the file or from pairwise choices, and
+/// the threshold of a count.
 void readWeights(const Node& node, Score& score) {
   score.weights = node.numbers("weights", 0.0, kLargestFactor);
   if (node.has("weights_from")) {

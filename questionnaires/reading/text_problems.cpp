@@ -41,7 +41,7 @@ class Places {
     addScale("scale", scales, false, false);
   }
 
-  /// Adds the texts of a scale. @p scales contains the scale and its copies.
+  /// Adds the texts of a scale. @p scales has pointers to the scale and its copies.
   void addScale(
       const std::string& name, const std::vector<Scale*>& scales, bool needsLow, bool needsHigh) {
     const std::size_t labels = scales.front()->pointLabels.size();

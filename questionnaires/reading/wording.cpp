@@ -13,7 +13,7 @@ bool isAmong(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// Checks that @p wording is for this version of @p instrument.
+/// Checks that @p wording belongs to this version of @p instrument.
 void inspectHead(const Wording& wording, const Instrument& instrument, Problems& problems) {
   if (wording.instrument != instrument.id) {
     problems.add(
@@ -60,7 +60,7 @@ void inspectTexts(const Wording& wording, const Instrument& instrument, Problems
   }
 }
 
-/// Removes @p language and all its texts from @p instrument.
+/// Removes @p language and all texts in it from @p instrument.
 void forget(const std::string& language, Instrument& instrument) {
   for (const auto& place : textPlacesOf(instrument)) {
     for (auto* text : place.texts) {
@@ -88,7 +88,7 @@ void reportMissingWording(
           "to be had here: " + instrument.source.wordingFrom);
 }
 
-/// Adds the wording file of one language; false if there is none.
+/// Adds the wording file of one language; false if the file does not exist.
 bool addWording(
     Instrument& instrument,
     const std::string& language,

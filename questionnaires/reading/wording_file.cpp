@@ -25,7 +25,7 @@ void readKeys(const Node& root, Wording& wording) {
   wording.source = root.text("source");
 }
 
-/// Where the texts can be found, from the source of the instrument.
+/// The publication in which the texts can be found, from the instrument's source.
 std::string whereFrom(const Source& source) {
   std::string words = source.citation;
   if (!source.doi.empty()) words += " https://doi.org/" + source.doi;

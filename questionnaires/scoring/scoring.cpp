@@ -8,13 +8,13 @@
 namespace questionnaires {
 namespace {
 
-/// The keyed answer to an item and its weight.
+/// The keyed answer to an item, and its weight.
 struct Counted {
   double x = 0.0;
   double weight = 1.0;
 };
 
-/// The id of the option chosen in the pairwise choice @p id; std::nullopt if none was chosen.
+/// The id of the option that was chosen in the pairwise choice @p id; std::nullopt if none was.
 std::optional<std::string> chosenIn(
     const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
   const Item* pair = instrument.item(id);
@@ -27,14 +27,14 @@ std::optional<std::string> chosenIn(
   return std::get<std::string>(*last->response);
 }
 
-/// The number of items that must be answered.
+/// The number of items that must be answered for the score.
 std::size_t needed(const Score& score) {
   const bool mayMiss = score.aggregate == Score::Aggregate::Mean || score.missingAs.has_value();
   const bool hasMinimum = score.leastAnswered > 0 && score.weightsFrom.empty();
   return mayMiss && hasMinimum ? score.leastAnswered : score.items.size();
 }
 
-/// The answered (or replaced) items with their weights; @p weights is empty if every weight is 1.
+/// The answered (or replaced) items of the score; @p weights is empty if every weight is 1.
 std::vector<Counted> countedItems(
     const Instrument& instrument,
     const Score& score,
@@ -208,7 +208,8 @@ std::vector<Acceptability> acceptabilityOf(
 
 namespace {
 
-/// Largest minus smallest keyed answer to the items of @p score; 0 with fewer than two.
+/// The range (largest minus smallest) of keyed answers to the items of @p score; 0 for fewer than
+/// two.
 double rangeWithin(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
   std::vector<double> given;

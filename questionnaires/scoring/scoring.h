@@ -12,9 +12,9 @@ namespace questionnaires {
 /// The value of a score for one person's answers.
 struct ScoreResult {
   std::optional<double> value;
-  std::string reason;        ///< why there is no value, as a sentence; empty if there is one
-  std::size_t answered = 0;  ///< number of items of the score that were answered
-  std::size_t replaced = 0;  ///< number of unanswered items that were replaced by Score::missingAs
+  std::string reason;        ///< why there is no value, as a sentence; empty if there is a value
+  std::size_t answered = 0;  ///< number of answered items of the score
+  std::size_t replaced = 0;  ///< number of unanswered items whose answer is Score::missingAs
 };
 
 /// The value of @p score for @p answers: (aggregate of the keyed answers + offset) · factor, with
@@ -24,18 +24,18 @@ struct ScoreResult {
 ///     sum    Σ w x            over all items
 ///     count  how many x are at least Score::countFrom, over all items
 ///
-/// x is the answer, replaced by low + high - x if the key is -1; w is 1, the item's weight, or how
-/// often the item was chosen in the pairs of Score::weightsFrom. An unanswered item is missing,
-/// unless Score::missingAs replaces it. There is no value if too few items were answered: a mean,
-/// and a score that replaces missing answers, needs Score::leastAnswered of them; every other score
-/// needs all, and weights from pairs need every pair. Only points, sliders and numbers are used,
-/// and only valid answers (validationError()). If an item was answered more than once, the last
-/// answer is used.
+/// x is the answer, reversed to low + high - x if the key is -1; w is 1, the item's weight, or the
+/// number of times that the item was chosen in the pairs of Score::weightsFrom. An unanswered item
+/// is missing, unless Score::missingAs replaces its answer. There is no value if too few items were
+/// answered: a mean, and a score that replaces missing answers, requires Score::leastAnswered;
+/// every other score requires all items, and weights from pairs require every pair. Only valid
+/// answers (validationError()) that are points or numbers are used. If an item was answered more
+/// than once, the last answer is used.
 ScoreResult computeScore(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
-/// The range of possible values of @p score. For a mean, it is the widest range of its items,
-/// whatever the weights.
+/// The range of possible values of @p score. For a mean, the widest range of its items, for any
+/// weights.
 Range rangeOf(const Instrument& instrument, const Score& score);
 
 /// The value of computeScore().
@@ -43,8 +43,8 @@ std::optional<double> scored(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
 /// How often each item of @p score was chosen in the pairs of Score::weightsFrom, in the order of
-/// Score::items: for n items whole numbers from 0 to n - 1 that sum to n (n - 1) / 2, 15 for the
-/// six items of the NASA-TLX. std::nullopt if a pair has no answer, or there are no pairs.
+/// Score::items: for n items, whole numbers from 0 to n - 1 that sum to n (n - 1) / 2 (15 for the
+/// six items of the NASA-TLX). std::nullopt if a pair has no answer, or if the score has no pairs.
 std::optional<std::vector<double>> pairWeights(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
@@ -53,7 +53,7 @@ struct ScoreChange {
   std::optional<double> before;
   std::optional<double> after;
   std::optional<double> change;
-  std::string reason;  ///< why there is no change, as a sentence; empty if there is one
+  std::string reason;  ///< why there is no change, as a sentence; empty if there is a change
 };
 
 /// The change of @p score from the answers @p before to the answers @p after.
@@ -63,36 +63,40 @@ ScoreChange scoreChange(
     const std::vector<Answer>& before,
     const std::vector<Answer>& after);
 
-/// The number of participants whose answer to an item is acceptable.
+/// How many participants gave an acceptable answer to an item.
 struct Acceptability {
   std::string itemId;
-  double acceptableFrom = 0.0;  ///< the threshold, on the item's own scale
+  double acceptableFrom = 0.0;  ///< the threshold, in the unit of the item's scale
   /// Number of participants whose keyed answer is at or above the threshold.
   std::size_t acceptable = 0;
   std::size_t answered = 0;     ///< number of participants who answered the item
   std::optional<double> share;  ///< acceptable / answered, 0 … 1
-  std::string reason;           ///< why there is no share; empty if there is one
+  std::string reason;           ///< why there is no share; empty if there is a share
 };
 
-/// For every item of @p instrument with a threshold, in order: the share of participants at or
-/// above it. @p participants holds the answers of each; those who did not answer the item are
-/// ignored. Answers to an item with key -1 are reversed first.
+/// For every item of @p instrument with a threshold, in order: the share of participants whose
+/// answer is at or above the threshold. Answers to items with key -1 are reversed first.
+/// @param participants  the answers of each participant; those who did not answer an item are
+///     ignored for it.
 std::vector<Acceptability> acceptabilityOf(
     const Instrument& instrument, const std::vector<std::vector<Answer>>& participants);
 
 /// Whether one person's answers contradict each other, by the ConsistencyRule of the instrument.
 struct Consistency {
-  std::vector<std::string> contradictory;  ///< ids of the scores whose answers lie too far apart
-  bool isSuspicious = false;  ///< there are at least ConsistencyRule::suspiciousFrom of them
-  std::string warning;        ///< as a sentence; empty if the answers are not suspicious
+  std::vector<std::string> contradictory;  ///< ids of scores with contradictory answers to their
+                                           ///< items
+  bool isSuspicious = false;  ///< whether at least ConsistencyRule::suspiciousFrom scores are
+                              ///< contradictory
+  std::string warning;        ///< a sentence; empty if the answers are not suspicious
 };
 
-/// Checks @p answers by the ConsistencyRule of @p instrument; std::nullopt if it has none.
+/// Checks @p answers by the ConsistencyRule of @p instrument; std::nullopt if the instrument has
+/// none.
 ///
-/// The keyed answers to the items of a score should be similar, because these items measure one
-/// thing. A range (largest - smallest) above ConsistencyRule::widestRange is a contradiction.
-/// Suspicious answers are reported but never dropped: the researcher decides. For the UEQ: a range
-/// above 3 in at least three of six scales (UEQ handbook, data analysis tool).
+/// The keyed answers to the items of a score should be similar, because these items measure the
+/// same construct. A range (largest - smallest) above ConsistencyRule::widestRange is a
+/// contradiction. Suspicious answers are reported but never excluded; the researcher decides. For
+/// the UEQ: a range above 3 in at least three of six scales (UEQ handbook, data analysis tool).
 std::optional<Consistency> consistencyOf(
     const Instrument& instrument, const std::vector<Answer>& answers);
 
