@@ -23,9 +23,8 @@ namespace {
 constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
 constexpr int kMostDisturbed = 60;    // further failures allowed if the machine stalled during them
-constexpr double kImmediately = 0.5;  // [s]: a trial that broke off earlier counts as an immediate
-                                      // failure
-// immediate failures in a row after which the device counts as broken
+constexpr double kImmediately = 0.5;  // [s]: longest trial that counts as an immediate failure
+// consecutive immediate failures after which the device counts as broken
 constexpr int kMostImmediateFailures = 5;
 constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
