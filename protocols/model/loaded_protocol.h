@@ -67,6 +67,7 @@ struct LoadedProtocol {
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;
 
+  /// The instrument with this id; nullptr if the protocol does not use it.
   const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
 };
 

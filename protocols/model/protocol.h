@@ -83,6 +83,7 @@ enum class LabelPolicy {
   Random,     ///< drawn separately for every participant
 };
 
+/// How a protocol labels alternatives.
 struct Labels {
   LabelPolicy policy = LabelPolicy::Position;
   LocalizedText prefix;  ///< "Alternative"
@@ -104,6 +105,7 @@ enum class OrderType {
   Complete,             ///< all orders equally often
 };
 
+/// The rule for the order of a block's conditions.
 struct Order {
   OrderType type = OrderType::Fixed;
   std::string of;  ///< Reversed: id of the other block
@@ -127,6 +129,7 @@ struct Block {
   std::vector<ConditionQuestionnaire> questionnaires;  ///< after each condition
 };
 
+/// The type of a part of a session.
 enum class PhaseType {
   Information,  ///< a text to read
   Consent,      ///< consent form; no trial is allowed before it
@@ -166,6 +169,7 @@ enum class TestType {
   SignFlip,    ///< exact sign-flip test on participants' means
   SignedRank,  ///< Wilcoxon's exact signed-rank test on participants' means
 };
+/// The adjustment of p values for the number of comparisons of a family.
 enum class CorrectionType {
   None,
   Bonferroni,
@@ -227,6 +231,7 @@ std::optional<ComparedScale> scaleOf(const questionnaires::Item& item);
 std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument);
 
+/// The comparisons that a protocol declares before data are collected.
 struct AnalysisPlan {
   std::vector<Family> families;
 };
@@ -240,6 +245,7 @@ struct SimulatedAnswerModel {
   double personByConditionDeviation = 0.5;
   double answerDeviation = 0.8;  ///< residual standard deviation of an answer
 
+  /// The mean answer about a condition; 0 if none is given.
   double realismOf(std::string_view condition) const;
 };
 
@@ -262,6 +268,7 @@ struct Protocol {
   AnalysisPlan analysis;
   SimulatedAnswerModel simulation;
 
+  /// These functions return nullptr for an unknown id.
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
   /// The common kind of all devices; nullptr if there are several kinds.

@@ -38,6 +38,7 @@ struct PlannedTrial {
   int label = 0;     ///< from 1 to k: 2 for "Alternative 2"
 };
 
+/// The trials of one block, in the order of a participant.
 struct PlannedBlock {
   std::string phase;
   std::vector<PlannedTrial> trials;
@@ -68,6 +69,7 @@ struct Balance {
   std::vector<std::vector<int>> after;       ///< counts by [condition][previous condition]
 };
 
+/// @param block  a phase of type Block
 Balance balanceOf(
     const Protocol& protocol,
     const Phase& block,

@@ -40,6 +40,7 @@ class ReferencedFiles {
   /// The defaults of keys that the protocol leaves out.
   Defaults defaults() const noexcept { return defaults_; }
 
+  /// A bone of spheres, and the origin in its file.
   struct PackingFile {
     std::shared_ptr<const haptics::reaming::PackedBone> bone;
     PackingOrigin origin;

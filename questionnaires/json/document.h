@@ -78,7 +78,9 @@ class Node {
       : value_(&value), path_(std::move(path)), problems_(&problems) {}
 
   const std::string& path() const noexcept { return path_; }
+  /// The JSON path of the member @p key: "$.phases[3].order".
   std::string pathOf(std::string_view key) const;
+  /// Adds an error at the member @p key, or at this value itself if @p key is empty.
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
 
   /// Whether this value and all values inside it have no problem so far.
@@ -171,14 +173,20 @@ class Node {
   }
 
  private:
+  /// The value at @p key; nullptr if the key is missing or this is no object.
   const Value* find(std::string_view key) const noexcept;
+  /// As find(), but a missing key is a problem.
   const Value* required(std::string_view key) const;
+  /// The Node of the value at @p key.
   Node at(std::string_view key, const Value& value) const;
+  /// @p value as a number; std::nullopt, with a problem, if it is none or outside of the range.
   std::optional<double> numberIn(
       std::string_view key, const Value& value, double least, double most) const;
   std::optional<std::int64_t> wholeNumberIn(
       std::string_view key, const Value& value, std::int64_t least, std::int64_t most) const;
+  /// The index of the word at @p key in @p names; 0, with a problem, if it is not in @p names.
   std::size_t chosenAt(std::string_view key, const std::vector<std::string_view>& names) const;
+  /// The index of this value in @p names; std::nullopt, with a problem, if it is not in @p names.
   std::optional<std::size_t> indexIn(const std::vector<std::string_view>& names) const;
 
   const Value* value_;

@@ -63,6 +63,7 @@ struct ItemTypeFacts {
   ItemType value;
   AnswerKind answer;
 };
+/// All types of items, in the order of ItemType.
 inline constexpr std::array kItemTypes{
     ItemTypeFacts{"likert", ItemType::Likert, AnswerKind::Point},
     ItemTypeFacts{"semantic_differential", ItemType::SemanticDifferential, AnswerKind::Point},

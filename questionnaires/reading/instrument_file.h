@@ -35,7 +35,9 @@ class BlankFiller {
   const std::vector<std::string>& keys() const noexcept { return keys_; }
 
  private:
+  /// @p text with its blanks filled in.
   std::string filled(const std::string& text, const std::string& language);
+  /// Adds a key to keys(), unless it is there.
   void note(const std::string& key);
 
   BlankTexts texts_;

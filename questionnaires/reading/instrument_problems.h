@@ -62,12 +62,14 @@ class TextProblems {
   /// instrument.
   void inspect(const std::string& path, const LocalizedText& text) const;
 
-  /// Reports a text that only researchers see if it is missing in English.
+  /// Checks a text for researchers only: reports it if it lacks English.
   void inspectResearcherText(const std::string& path, const LocalizedText& text) const;
 
  private:
+  /// Reports @p text as missing if it lacks @p language.
   void demand(
       const std::string& path, const LocalizedText& text, const std::string& language) const;
+  /// Reports languages of @p text that the instrument does not list.
   void inspectLanguages(const std::string& path, const LocalizedText& text) const;
 
   const std::vector<std::string>& languages_;

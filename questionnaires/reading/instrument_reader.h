@@ -21,11 +21,13 @@ class TextReader {
  public:
   explicit TextReader(std::vector<std::string> languages) : languages_(std::move(languages)) {}
 
+  /// The text at @p key; a missing key is a problem.
   LocalizedText required(const Node& node, std::string_view key) const;
   /// Empty if the key is missing.
   LocalizedText optional(const Node& node, std::string_view key) const;
   /// Reads @p node as a text, or as an object with a text for each language.
   LocalizedText read(const Node& node) const;
+  /// A dash in every language.
   LocalizedText fallbackText() const;
 
  private:
@@ -61,8 +63,11 @@ class ItemReader {
 
  private:
   void readCommonKeys(const Node& node, Item& item) const;
+  /// Reads the keys that only items of this type have.
   void readKind(const Node& node, Item& item) const;
+  /// Reads the item's scale; without one, copies the instrument's.
   void readScaleOf(const Node& node, Item& item) const;
+  /// Reads the labels of the low and the high end.
   void readEnds(const Node& node, Item& item) const;
   LocalizedText readText(const Node& node, std::string_view key, bool isWithheld) const;
   void readOptions(const Node& node, Item& item) const;

@@ -20,6 +20,7 @@
 // null, with a reason.
 namespace study::app {
 
+/// The result of checking a file: its problems, and whether it is valid (@p isSound).
 std::string problemsAsJson(
     const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems);
 
@@ -31,8 +32,10 @@ std::string testAsJson(
     const std::vector<analysis::TestRow>& rows,
     double level);
 
+/// The results of a study, as `palpate stats run` computes them.
 std::string resultsAsJson(Study& study, const Results& results);
 
+/// What `palpate study status` shows.
 std::string statusAsJson(Study& study);
 
 /// Blanks in texts as a list of `key`, `title`, and `text` by language; `text` is null if the blank

@@ -42,6 +42,7 @@ struct StallSeries {
   int disarmed = 0;                   ///< number of stalls after which the device was disarmed
 };
 
+/// Injected and detected faults of one device.
 struct FaultCounts {
   std::string device;
   FrameFaults injected;  ///< by the emulator
@@ -50,6 +51,7 @@ struct FaultCounts {
                          ///< failed
 };
 
+/// The results of measureDevices().
 struct DeviceMeasurement {
   std::vector<LinkSeries> together;  ///< both devices at the same time
   std::vector<StallSeries> stalls;
@@ -58,12 +60,14 @@ struct DeviceMeasurement {
   bool isExact() const;  ///< whether as many faults were detected as were injected
 };
 
+/// The options of measureDevices().
 struct DeviceBenchOptions {
   double seconds = 20.0;           ///< duration of "together"; other parts are shorter [s]
   int faults = 1000;               ///< number of each kind
   std::vector<std::string> parts;  ///< names in kDeviceBenchParts; empty: all
 };
 
+/// The parts of the measurement, in the order of DeviceMeasurement's members.
 inline constexpr std::array<const char*, 4> kDeviceBenchParts{
     "together", "stalls", "rates", "counts"};
 

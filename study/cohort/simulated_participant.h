@@ -52,13 +52,16 @@ class SimulatedParticipant {
   double realismOf(const std::string& condition) const;
 
  private:
+  /// Random numbers that depend on the seed, the place in the cohort and @p purpose only.
   base::RandomStream stream(const std::string& purpose) const;
+  /// The answer on a scale of points.
   std::int64_t point(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   /// The answer on a slider about a condition: drawn from the realism like a point of a scale,
   /// rounded to the slider's step.
   double between(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
+  /// The label of the preferred alternative.
   std::string preferred(const Session& session, const std::string& purpose) const;
 
   protocols::SimulatedAnswerModel truth_;

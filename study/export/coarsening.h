@@ -55,6 +55,7 @@ class Coarsening {
   std::string releasedValue(std::size_t level, const questionnaires::Response& response) const;
 
  private:
+  /// The released values of one level.
   struct CoarseLevel {
     std::vector<Level> values;
     std::map<std::string, std::string> byOption;  ///< released value of each option
@@ -63,6 +64,7 @@ class Coarsening {
 
   void addBands(const questionnaires::Item& item);
   void addOptions(const questionnaires::Item& item, std::string_view language);
+  /// The label of the band that begins at @p from.
   std::string band(double from, double width) const;
 
   std::vector<CoarseLevel> levels_;

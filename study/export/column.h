@@ -63,6 +63,7 @@ struct Readers {
   /// have its own descriptions of tables.
   const haptics::devices::DeviceKind* device = nullptr;
 
+  /// Whether the study has several sites.
   bool hasSites() const { return lists.count(ValueList::Sites) == 1; }
 
   /// The device's own text in place of @p description, if it has one; otherwise @p description.
@@ -136,6 +137,7 @@ struct Utc {
   static constexpr ColumnType kType = ColumnType::DateTime;
 };
 
+/// The type inside a std::optional; other types are unchanged.
 template <typename Value>
 struct WithoutOptional {
   using Type = Value;
@@ -252,6 +254,7 @@ class Column {
     return std::move(*this);
   }
 
+  /// Whether the column is exported for @p readers.
   bool isFor(const Readers& readers) const {
     if (revealsCondition_ && readers.isBlinded) return false;
     if (isExact_ && !readers.seeExact) return false;
@@ -263,6 +266,7 @@ class Column {
                        readers.told.count(public_->requiredIdentifier) == 1);
   }
 
+  /// The heading of the column, with the description and levels for @p readers.
   ExportedColumn headFor(const Readers& readers) const {
     auto head = head_;
     if (readers.isPublic && !public_->description.empty()) {
@@ -281,6 +285,7 @@ class Column {
   Cell cell(const Row& row) const { return cell_(row); }
 
  private:
+  /// How public folders include the column.
   struct InPublic {
     std::string requiredIdentifier;
     std::string description;
@@ -312,6 +317,7 @@ struct Table {
   /// Description in public folders; std::nullopt: public folders leave the table out.
   std::optional<std::string> inPublic = std::nullopt;
 
+  /// Whether the table is exported for @p readers.
   bool isFor(const Readers& readers) const {
     return !(revealsCondition && readers.isBlinded) && !(isOnRequest && !readers.seeTexts) &&
            (inPublic || !readers.isPublic);

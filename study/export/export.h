@@ -14,6 +14,7 @@
 
 namespace study {
 
+/// The file format of an export.
 enum class ExportFormat {
   Csv,      ///< one CSV file for each table
   Json,     ///< one JSON document
@@ -23,6 +24,7 @@ enum class ExportFormat {
   Python,   ///< one CSV file for each table, and a Python script that reads them
 };
 
+/// What is exported, in which format, and for which readers.
 struct ExportOptions {
   ExportFormat format = ExportFormat::Csv;
   std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with the column run_mode

@@ -40,6 +40,7 @@ struct ExportedStep {
   std::string_view condition;
 };
 
+/// A row of responses.csv or texts.csv.
 struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
   const questionnaires::Item* item = nullptr;  ///< nullptr if the protocol no longer has the item
@@ -53,16 +54,19 @@ struct ExportedAnswer : ExportedStep {
                                    ///< it
 };
 
+/// A row of trials.csv.
 struct ExportedTrial : ExportedStep {
   const storage::TrialRow* record = nullptr;
 };
 
+/// A row of cuts.csv.
 struct ExportedCut {
   RowOwner owner;
   VisitKey visit;
   const storage::CutRecord* record = nullptr;
 };
 
+/// A row of events.csv.
 struct ExportedEvent {
   RowOwner owner;
   VisitKey visit;
@@ -86,6 +90,7 @@ class StudyRows {
  private:
   std::vector<ExportedAnswer> answers(bool areTexts) const;
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
+  /// The condition, or its code, of the alternative that a response names.
   std::string_view chosenIn(const ExportedAnswer& row) const;
 
   Study& study_;

@@ -48,6 +48,7 @@ struct Release {
   ClassSizes after;                     ///< classes of the released values
   std::vector<ReleasedColumn> columns;  ///< in the order of the quasi-identifiers
 
+  /// The column called @p name; nullptr if there is none.
   const ReleasedColumn* column(std::string_view name) const noexcept;
 };
 

@@ -47,7 +47,9 @@ class PublicPeople {
  private:
   /// A quasi-identifier from a member of SessionRecord: released unchanged or not at all.
   QuasiIdentifier described(const char* name, std::string storage::SessionRecord::*member) const;
+  /// The quasi-identifier from the answers to a question, in levels of generalisation.
   QuasiIdentifier background(const BackgroundQuestion& question) const;
+  /// The quasi-identifier of the order of conditions.
   QuasiIdentifier orders() const;
 
   Study& study_;

@@ -10,7 +10,7 @@ namespace study {
 /// What an event of the audit trail is about. The name of a kind is stored, exported, and part of
 /// the event's hash, so it never changes.
 enum class EventKind {
-  // A study
+  // Events of a study
   MadeStudy,
   FrozeProtocol,
   AmendedProtocol,

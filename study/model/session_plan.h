@@ -10,6 +10,7 @@
 
 namespace study {
 
+/// What happens in a step.
 enum class StepKind {
   Reading,  ///< information, debrief
   Consent,

@@ -42,6 +42,7 @@ enum class SessionEvent {
   GaveUpOnDevice,
 };
 
+/// A row of the table of transitions.
 struct SessionTransition {
   SessionState from;
   SessionEvent event;

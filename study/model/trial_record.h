@@ -68,6 +68,7 @@ struct SafetyEvent {
   double duration = 0.0;  ///< total in the trial [s]
 };
 
+/// Whether the rendering of a trial was good enough for the study.
 enum class Verdict { Pass, Warn, Fail };
 
 std::string_view nameOf(Verdict verdict) noexcept;

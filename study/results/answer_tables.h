@@ -44,6 +44,7 @@ class FamilyLayout {
     const std::string& condition;
     const std::string& item;  ///< id of the item, or of the score
   };
+  /// The indices of an answer in the table, and its value.
   struct Cell {
     std::size_t method = 0;
     std::size_t round = 0;

@@ -40,10 +40,13 @@ class FeltBins {
  private:
   using Stroke = std::map<std::size_t, std::vector<float>>;  ///< forces of one stroke, by bin [N]
 
+  /// The bin of a travel; std::nullopt outside of all bins.
   std::optional<std::size_t> binOf(double travel) const;
+  /// The travel in the middle of a bin [device's travel unit].
   double middleOf(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width_; }
   void addBetween(
       const storage::TraceSample& a, const storage::TraceSample& b, Stroke& stroke) const;
+  /// Adds the median force of each bin that the stroke passed, and clears the stroke.
   void endStroke(Stroke& stroke);
 
   double width_;                            ///< [device's travel unit]

@@ -16,6 +16,7 @@ namespace study {
 /// alternatives do not differ at the handle, forces cannot be the cause of differences in
 /// questionnaires.
 struct FeltCurve {
+  /// The forces in one bin of travel.
   struct Point {
     double travel = 0.0;  ///< middle of a bin [device's travel unit]
     double low = 0.0;     ///< 10th percentile over strokes [N]

@@ -44,6 +44,7 @@ struct Quote {
   bool operator==(const Quote&) const = default;
 };
 
+/// The result of summariseItems().
 struct ItemResults {
   std::vector<ItemSummary> items;  ///< by instrument, item, cohort and condition
   std::vector<Quote> quotes;       ///< by instrument, item and condition

@@ -69,6 +69,7 @@ struct BetweenResult {
 /// The id of a test that a protocol can declare: "paired_t".
 std::string_view idOf(protocols::TestType test) noexcept;
 
+/// The results of one family of comparisons.
 struct FamilyResult {
   protocols::Family family;
   /// Whether the family was declared as it is now before the first live participant began
@@ -132,6 +133,7 @@ struct Results {
                                                ///< instruments
   ItemResults answers;                         ///< summaries of single items
 
+  /// The number of completed sessions of all cohorts.
   int completed() const;
 };
 

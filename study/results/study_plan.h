@@ -107,6 +107,7 @@ struct CohortPairPlan {
   analysis::AttainableP smallest;  ///< smallest attainable p of an exact Mann–Whitney test
 };
 
+/// The planned participants of one cohort.
 struct CohortPlan {
   std::string id;
   std::string title;

@@ -198,7 +198,8 @@ void CollectedStudy::appendTrail(const std::string& reason) {
 /// The event of a session with its detail unsealed.
 storage::StoredEvent CollectedStudy::opened(
     const storage::StoredEvent& event, const storage::SealingKey& own) const {
-  // The detail was sealed for its place in the trail of its station.
+  // A detail is sealed with its place in the trail as associated data; here this is the station's
+  // trail.
   const SessionId session{*event.session};
   const auto station = storage::SessionRepository(files_->study).load(session).station;
   const storage::SealingKey study(secret_.of(station).bytes());

@@ -29,6 +29,7 @@ namespace study {
 /// stations' trails against their hashes and signatures.
 class CollectedStudy {
  public:
+  /// The study that the stations belong to.
   struct Origin {
     std::string uuid;
     std::uint64_t seed = 0;
@@ -56,6 +57,7 @@ class CollectedStudy {
   void add(std::int64_t number, const storage::SessionFacts& facts);
   /// @param chunk  unsealed (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);
+  /// Adds the content key of a participant of the station.
   void addKey(const std::string& participant, const storage::SealingKey& key);
   /// Adds the trail of a station. Call it after all sessions of this station were added, and before
   /// those of the next one.
@@ -68,7 +70,9 @@ class CollectedStudy {
  private:
   struct Files;
   void noteErasure(const storage::SessionRow& row);
+  /// Writes the events of all stations to the collected study's trail.
   void appendTrail(const std::string& reason);
+  /// The event with its detail unsealed. @param own  the participant's content key
   storage::StoredEvent opened(
       const storage::StoredEvent& event, const storage::SealingKey& own) const;
 

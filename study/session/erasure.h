@@ -11,6 +11,7 @@
 
 namespace study {
 
+/// What to erase.
 struct ErasureRequest {
   std::string participant;  ///< code
   storage::ErasureLevel level = storage::ErasureLevel::All;
@@ -22,6 +23,7 @@ struct ErasureRequest {
   bool isAgain = false;
 };
 
+/// The result of an erasure.
 struct ErasureReport {
   storage::Erasure erasure;
   std::size_t sessions = 0;

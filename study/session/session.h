@@ -60,6 +60,7 @@ class Session {
   /// The present step. Must not be called when the session is over.
   const Step& step() const { return plan_.at(static_cast<std::size_t>(row_.step)); }
   int stepIndex() const noexcept { return row_.step; }
+  /// The present step and attempt.
   VisitKey visit() const noexcept { return {row_.id, row_.step, row_.attempt}; }
 
   /// The questionnaire of the present step; nullptr if it has none.
@@ -111,7 +112,9 @@ class Session {
   void withdraw(const std::string& reason);
   /// The operator rejects the session (SessionState::Rejected). Not possible during a trial.
   void reject(const std::string& reason);
+  /// Ends the session because its device cannot be used.
   void giveUpOnDevice(const std::string& reason);
+  /// Appends a note of the operator to the audit trail.
   void note(const std::string& text);
   /// Appends to the audit trail that the reamer was switched on or off during a trial.
   void noteReamerSwitch(bool isOn);
@@ -120,30 +123,43 @@ class Session {
  private:
   Session(Study& study, storage::SessionRow row, std::vector<Step> plan, storage::Lease lease);
 
+  /// @throws UserError  if allows(event) is false.
   void require(SessionEvent event) const;
+  /// @throws UserError  with the message @p otherwise, if @p condition is false.
   void require(bool condition, const std::string& otherwise) const;
+  /// Runs @p action in a transaction that also stores the row and the pending events.
   void transact(const std::function<void()>& action);
   void resolveUnknownCommit();
   void appendEvent(storage::Actor actor, EventKind kind, const std::string& detail = {});
   void appendEvent(storage::Actor actor, EventKind kind, base::NamedArguments values);
+  /// Adds an event to the present transaction.
   void keep(storage::Event event);
+  /// Adds an event ClockStepped if the wall clock was set since the last event.
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;
 
   /// The functions below run inside a transaction.
   void enter(SessionEvent event, storage::Actor actor, const std::string& detail = {});
   void enter(SessionEvent event, storage::Actor actor, base::NamedArguments values);
+  /// Closes the present visit.
   void leaveStep(storage::VisitStatus status, const std::string& reason);
+  /// Opens a visit to @p step; after the last step, ends the session.
   void moveTo(int step);
+  /// Ends the session; @p slot becomes the state of its place in the design.
   void end(storage::SlotState slot, const std::string& reason);
+  /// Stores a trial and its events.
   void keepTrial(const TrialRecord& record);
   TrialRecord abortedRecord(TrialEnding ending);
   int stepToRepeat() const;
   bool isRightAfterConsent() const noexcept;
   bool gaveConsent() const;
+  /// @throws UserError  if nothing can be answered in the present state.
   void requireAnswerable() const;
+  /// The item of the present step with this id. @throws UserError  if the step does not ask it.
   questionnaires::Item askedItem(const std::string& id) const;
+  /// Where answers that name a person are stored in identity.db.
   storage::IdentityStore::Place place() const;
+  /// Stores an answer that names a person in identity.db, and its fingerprint in the audit trail.
   void storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer);
 
   Study& study_;

@@ -156,8 +156,10 @@ class Study {
       storage::Database identities);
   void readStudyRow();
   void readSecret();
+  /// Sets the keys of conditions and names, if this computer has them.
   void findKey() noexcept;
   void setKey();
+  /// Copies forms of the library into protocol versions that an older release stored without them.
   void copyForms();
   bool isEventStored(const std::vector<std::byte>& head);
 

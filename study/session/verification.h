@@ -11,6 +11,7 @@ namespace study {
 
 /// The results of checking everything that a study has stored.
 struct Verification {
+  /// One check, and what it found.
   struct Check {
     std::string what;                       ///< "the audit trail is unbroken"
     std::vector<std::string> problems;      ///< empty if the check passed
@@ -20,6 +21,7 @@ struct Verification {
   std::vector<Check> checks;
   std::string head;  ///< number of events and hash of the audit trail: "812 events, 1a2b 3c4d …"
 
+  /// Whether no check found a problem.
   bool isSound() const noexcept;
 };
 

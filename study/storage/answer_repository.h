@@ -46,6 +46,7 @@ struct StoredResponse {
 /// "text"; a long text is replaced by "sha256".
 base::NamedArguments valuesOf(const GivenAnswer& answer);
 
+/// The columns of a response, and the response from its columns.
 StoredResponse stored(const questionnaires::Response& response);
 questionnaires::Response restored(const StoredResponse& response);
 

@@ -51,6 +51,7 @@ class BlindingSecret {
   void arrange(std::vector<std::string>& ids, std::string_view purpose) const;
 
  private:
+  /// The keyed hash of @p text, as bytes and in hexadecimal.
   Bytes digestOf(std::string_view text) const;
   std::string hashOf(std::string_view text) const;
 

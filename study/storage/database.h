@@ -98,11 +98,15 @@ class Database {
   enum class Reading { WithOthers, Immutable };
 
   Database(std::string path, int flags, Reading reading = Reading::WithOthers);
+  /// Opens the file with or without locks; open() has chosen which.
   static Database openNow(
       const std::string& path, const Schema& schema, Access access, Reading reading);
   void configure(Access access);
+  /// @throws StorageError  if the application id is not that of @p schema.
   void requireKind(const Schema& schema) const;
+  /// Applies the missing steps of the schema, or refuses a newer version.
   void bringUpToDate(const Schema& schema, Access access);
+  /// Sets a pragma and reads it back. @throws StorageError  if it is not @p expected
   void requirePragma(
       const std::string& name, const std::string& value, const std::string& expected);
 

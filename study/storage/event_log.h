@@ -16,6 +16,7 @@
 
 namespace study::storage {
 
+/// Who caused an event.
 enum class Actor { Participant, Operator, Program };
 
 /// An event of the audit trail.
@@ -161,6 +162,7 @@ class EventLog {
   std::optional<std::string> firstBreak() const;
 
  private:
+  /// The key that seals an event of @p kind, from the participant's key @p own.
   SealingKey sealedWith(const SealingKey& own, EventKind kind) const;
 
   Database& database_;

@@ -11,6 +11,7 @@
 
 namespace study::storage {
 
+/// A BLAKE2b-256 hash.
 using Hash = std::array<std::byte, 32>;
 
 /// BLAKE2b-256 of several fields, each preceded by its length, so that different lists of fields

@@ -16,6 +16,8 @@ namespace study::storage {
 /// shown when the session last stored an event.
 class Lease {
  public:
+  /// Which leases may be taken over: those of programs that ended on this computer, or of other
+  /// computers, too.
   enum class From { EndedPrograms, OtherComputersToo };
 
   /// Takes the lease, inside the caller's transaction.

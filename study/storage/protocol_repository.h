@@ -38,6 +38,7 @@ class ProtocolRepository {
   /// Inserts a version, inside the caller's transaction.
   ProtocolId add(
       const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc);
+  /// Records that a live participant has begun with this version.
   void freeze(ProtocolId id, const std::string& utc);
 
   /// The versions without copies of the library's forms (docs/decisions/0073).

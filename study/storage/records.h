@@ -57,6 +57,7 @@ struct StepRecord {
   bool isOfferedAgain() const { return kind == StepKind::Trial && position == 0; }
 };
 
+/// An answer with its step.
 struct AnswerRecord {
   StepRecord step;
   GivenAnswer answer;
@@ -133,6 +134,7 @@ class Records {
     int label = 0;
     auto operator<=>(const Alternative&) const = default;
   };
+  /// The condition of every alternative in every session.
   std::map<Alternative, std::string> allocation() const;
 
  private:

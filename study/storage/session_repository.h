@@ -13,6 +13,7 @@
 
 namespace study::storage {
 
+/// The state of a participant's place in the design.
 enum class SlotState {
   Reserved,  ///< by a participant who has begun
   Consumed,  ///< by a participant who has finished
@@ -73,6 +74,7 @@ class SessionRepository {
   SessionRow load(SessionId id) const;
   std::vector<SessionRow> all() const;
 
+  /// Begins a visit.
   void openVisit(const VisitKey& visit, const std::string& utc);
   /// Closes an open visit; a visit that has ended is not changed.
   void closeVisit(

@@ -43,6 +43,7 @@ class Statement {
   void reset();
 
   bool isNull(int column) const noexcept;
+  /// The value of a column in the current row.
   std::int64_t number(int column) const noexcept;
   double real(int column) const noexcept;
   std::string text(int column) const;
@@ -56,6 +57,7 @@ class Statement {
   std::string exactBytes(int column) const;
 
  private:
+  /// @throws StorageError  if @p value is null because SQLite is out of memory.
   void requireMemory(const void* value) const;
 
   const Database& database_;

@@ -56,6 +56,7 @@ class TraceStore {
   /// @throws StorageError  (Damaged) as read()
   std::int64_t intactSamples(const VisitKey& visit) const;
 
+  /// The number of stored samples of a trial, without checking them.
   std::int64_t sampleCount(const VisitKey& visit) const;
 
   /// A hash of all chunks of a trial in order, for the audit trail. Removing, moving or rewriting a
@@ -70,7 +71,9 @@ class TraceStore {
  private:
   struct Chunk;
   void insert(const VisitKey& visit, int number, const Chunk& chunk);
+  /// Throws StorageError (Damaged) that names the second of the trial.
   [[noreturn]] void failAt(std::int64_t chunk) const;
+  /// Whether this chunk is stored.
   bool holds(const VisitKey& visit, int number, const Chunk& chunk) const;
 
   Database database_;

@@ -46,9 +46,11 @@ class SimulatedDeviceSet final : public DeviceSet {
 
   /// Simulates that a device is unplugged.
   void unplug(const std::string& id);
+  /// Simulates that a device is connected again.
   void plugIn(const std::string& id);
 
  private:
+  /// An open device and the hand that moves it.
   struct Held {
     std::unique_ptr<haptics::devices::Hand> hand;
     std::unique_ptr<haptics::devices::SimulatedDevice> device;

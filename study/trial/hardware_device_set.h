@@ -32,6 +32,7 @@ class HardwareDeviceSet final : public DeviceSet {
   void prepare(const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) override;
 
  private:
+  /// The device of an entry; creates it when first called, without opening it.
   haptics::devices::Device& made(const DeviceEntry& entry);
 
   std::vector<DeviceEntry> entries_;

@@ -56,9 +56,13 @@ class LiveTrial {
   /// disk is delayed.
   using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
+  /// One tick, in the haptic thread.
   void tick(double dt, double lateness) noexcept;
+  /// Called in the haptic thread when a landmark of the cut is detected.
   void onCutLandmark(haptics::models::CutDetector<double>::Event landmark) noexcept;
+  /// The recorder thread: stores samples from the ring until @p stop is requested.
   void record(const std::stop_token& stop);
+  /// Stores all samples that are in the ring.
   void drain();
 
   Trial& trial_;

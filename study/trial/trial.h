@@ -37,10 +37,11 @@ class TrialStatistics {
   std::int64_t contact_ = 0;
   void count(SafetyKind kind, bool isNow);
 
+  /// Occurrences of one safety function.
   struct Tally {
     std::int64_t times = 0;
     std::int64_t ticks = 0;
-    bool wasBefore = false;
+    bool wasBefore = false;  ///< whether it was active in the previous tick
   };
 
   double largestForce_ = 0.0;
@@ -59,6 +60,7 @@ class Trial {
   /// Stores a chunk of about one second of samples; may throw storage::StorageError.
   using Keep = std::function<void(int number, const std::vector<storage::TraceSample>& samples)>;
 
+  /// What a trial renders, with which limits, and how samples are stored.
   struct Setup {
     haptics::engine::SceneSpec scene;
     haptics::engine::SafetyLimits limits;
@@ -102,6 +104,7 @@ class Trial {
   TrialRecord finish(TrialEnding ending);
 
  private:
+  /// Stores the samples of the present chunk.
   void keepChunk();
 
   haptics::devices::Device& device_;

@@ -8,7 +8,7 @@ namespace study::app {
 
 /// The options of `palpate device emulate`.
 struct EmulateArguments {
-  const haptics::devices::DeviceKind* kind = nullptr;  ///< on a serial line: the kind of device
+  const haptics::devices::DeviceKind* kind = nullptr;  ///< the kind of a device on a serial line
   std::string link;                                    ///< punch: symbolic link to its port
   std::string client = "127.0.0.1:30200";              ///< iiwa: address to which messages are sent
   std::string version = "1.15";

@@ -4,6 +4,7 @@
 
 namespace study::app {
 
+/// The options of `palpate device listen`.
 struct ListenArguments {
   std::string port;
   std::string out;  ///< a new CSV file; empty: the terminal

@@ -6,6 +6,7 @@
 
 namespace study::app {
 
+/// The options of `palpate device rehearse`.
 struct RehearseArguments {
   std::string out;
   std::string protocol = "two-devices";

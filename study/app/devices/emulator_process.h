@@ -33,6 +33,7 @@ class EmulatorProcess {
  private:
   void start(const std::vector<std::string>& arguments);
   void end() noexcept;
+  /// Reads a line from the file descriptor @p from; false at its end.
   bool readLine(int from, std::string& line);
 
   pid_t id_ = -1;

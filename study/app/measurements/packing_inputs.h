@@ -23,6 +23,7 @@ void addMaterialOptions(CLI::App& verb, MaterialChoice& choice);
 /// @throws UserError  if the file is missing or is no packing.
 haptics::reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin);
 
+/// The curves for a fit, read from a material.
 struct ChosenCurves {
   haptics::reaming::HardnessCurves curves;
   haptics::reaming::HardnessCurves torque;  ///< empty if no torque was measured

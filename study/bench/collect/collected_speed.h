@@ -10,6 +10,7 @@
 
 namespace study::bench {
 
+/// The options of measureCollection().
 struct CollectSize {
   std::filesystem::path folder;  ///< temporary folder for the stations' folders and the pulled
                                  ///< study
@@ -33,6 +34,7 @@ struct AlternatedTimes {
   std::vector<double> bare;  ///< from a plain table
 };
 
+/// The size of a table of the server.
 struct TableSize {
   std::string table;
   std::int64_t rows = 0;
@@ -40,6 +42,7 @@ struct TableSize {
   std::int64_t indexes = 0;  ///< size of the indexes [B]
 };
 
+/// The results of measureCollection().
 struct CollectMeasurement {
   std::int64_t answers = 0;
   int sites = 0;

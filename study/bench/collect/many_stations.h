@@ -45,9 +45,11 @@ class ManyStations {
   /// @param number  number of the station, from 1
   StationPush add(int number, std::int64_t answers);
 
+  /// The label of station @p number.
   static std::string labelOf(int number);
 
  private:
+  /// A recorded session, for sending it again from other stations.
   struct Recorded {
     storage::SessionFacts facts;
     std::vector<storage::StoredEvent> events;
@@ -55,7 +57,9 @@ class ManyStations {
 
   /// Creates a station, calls @p work to fill its folder, and sends everything.
   StationPush run(const std::string& label, const std::function<void(Study&)>& work) const;
+  /// Simulates the sessions of the station that sends samples.
   void record(Study& study, int participants);
+  /// Adds recorded sessions to @p study until it has at least @p answers answers.
   void repeat(Study& study, const std::string& label, std::int64_t answers) const;
 
   const collect::PrivateServer& postgres_;

@@ -32,6 +32,7 @@ std::vector<double> measurePageChanges(const std::string& folder);
 /// @throws UserError  if the folder cannot hold the studies.
 double measureHome(const std::string& folder, int studies);
 
+/// The options of measureKnee() and measureCup().
 struct SimulationOptions {
   double seconds = 8.0;  ///< duration of each simulation [s]
   std::size_t spheres = 201'532;

@@ -59,6 +59,7 @@ class ByteSearch {
  private:
   /// Reads the next bytes, at most @p most, into @p to; returns their number, 0 at the end.
   using Reader = std::function<std::size_t(char* to, std::size_t most)>;
+  /// Whether the bytes contain one of the texts.
   bool isIn(const Reader& read) const;
   bool isIn(const std::filesystem::path& file) const;
 

@@ -46,6 +46,7 @@ struct TrailEnd {  ///< number of events
   std::int64_t events = 0;
   std::string hash;  ///< hash of the last event; empty before the first
 };
+/// The end of the trail in study.db.
 TrailEnd endOf(const Database& study);
 
 /// Signs the last event of the audit trail, which must not be empty.

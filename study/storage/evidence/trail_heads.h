@@ -18,6 +18,7 @@ class TrailHeads {
  public:
   explicit TrailHeads(const Database& study);
 
+  /// A signed head in the trail.
   struct Signed {
     std::int64_t seq = 0;  ///< number of the event that contains the head
     SignedHead head;

@@ -47,7 +47,9 @@ class SealingKey {
   Bytes hashingKey() const;
 
  private:
+  /// The key for a purpose, derived from this one.
   Bytes derived(unsigned purpose) const;
+  /// Seals with the nonce that @p writeNonce writes.
   std::vector<std::byte> sealed(
       std::string_view text,
       std::string_view place,

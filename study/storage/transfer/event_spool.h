@@ -16,8 +16,10 @@ class EventSpool {
   /// Creates the file. @throws StorageError
   explicit EventSpool(const std::string& path);
 
+  /// Appends an event.
   void put(const StoredEvent& event);
   std::size_t count() const noexcept { return count_; }
+  /// Calls @p take with every event, in order.
   void forEach(const std::function<void(const StoredEvent& event)>& take) const;
 
  private:
