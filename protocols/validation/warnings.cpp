@@ -132,8 +132,9 @@ class ProtocolWarningCheck {
     return &instrument - loaded_.instruments.data() < files;
   }
 
-  /// Adds the warnings about an instrument of the library. Not those about statements that compare
-  /// with the previous alternative: addBlockWarnings() reports them where there may be none.
+  /// Adds the warnings about an instrument of the library. Leaves out warnings about statements
+  /// that compare with the previous alternative: addBlockWarnings() gives those where a block may
+  /// have no previous alternative.
   void fromLibrary(const Instrument& instrument) {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {

@@ -10,8 +10,8 @@ namespace study::app {
 
 /// The time of a tick of a scene, alone or with additional work.
 struct SceneCost {
-  std::string what;              ///< of a tick [ns]
-  haptics::timing::Timing time;  ///< [ns]
+  std::string what;              ///< what was measured: the scene alone, or with which work
+  haptics::timing::Timing time;  ///< of a tick [ns]
 };
 
 /// Measures a tick of @p spec alone, and with each kind of work that the scene lacks, whose result

@@ -468,6 +468,7 @@ constexpr std::array<std::string_view, 6> kIdentitySteps{
     )sql",
 };
 
+// SQLite's application ids of the files: the ASCII codes of the four characters beside each.
 constexpr std::int32_t kStudyId = 0x50616c53;     // "PalS"
 constexpr std::int32_t kTraceId = 0x50616c54;     // "PalT"
 constexpr std::int32_t kIdentityId = 0x50616c49;  // "PalI"
