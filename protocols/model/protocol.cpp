@@ -41,9 +41,8 @@ std::optional<ComparedScale> scaleOf(
     const Family& family, const questionnaires::Instrument& instrument) {
   if (!family.score.empty()) {
     const auto* score = instrument.score(family.score);
-    // possible in a protocol that an earlier release
+    // a protocol that an earlier release accepted may lack the score
     if (score == nullptr) return std::nullopt;
-    // accepted
     const auto range = questionnaires::rangeOf(instrument, *score);
     return ComparedScale{range.low, range.high, false};
   }

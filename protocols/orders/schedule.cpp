@@ -21,8 +21,9 @@ Row shifted(const Row& row, int by) {
   return result;
 }
 
-/// The first row of Williams' design: 0, 1, k−1, 2, k−2, …. The differences of neighbours (modulo
-/// k) are all different.
+/// The first row of Williams' design: 0, 1, k−1, 2, k−2, …. For even k the differences of
+/// neighbours (modulo k) are all different; for odd k each occurs twice with those of the reversed
+/// row.
 Row williamsRow(int k) {
   Row row{0};
   for (int low = 1, high = k - 1; static_cast<int>(row.size()) < k;) {

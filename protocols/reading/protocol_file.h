@@ -19,7 +19,7 @@ struct Draft {
   LoadedProtocol loaded;
   bool hasAllInstruments = true;  ///< whether all files of 'instrument_files' were readable
 
-  /// Whether @p id is a valid id and the protocol has no device with this id.
+  /// Whether @p id is a valid id, all devices were readable, and none has this id.
   bool lacksDevice(std::string_view id) const noexcept;
   bool lacksCondition(std::string_view id) const noexcept;
   bool lacksInstrument(std::string_view id) const noexcept;

@@ -198,9 +198,8 @@ void refuseWithoutMaterial(const Node& node) {
 bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
-  // static tests press on bone without
+  // static tests press on bone without removing it
   if (set == TestSet::Static) spec.isRemoved = false;
-  // removing it
   const bool hasJitter = node.flag("jitter", false);
   spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
   if (node.has("nodes")) {

@@ -41,7 +41,7 @@ std::size_t endOfString(std::string_view json, std::size_t start) {
   return i + 1;
 }
 
-/// The index after the value that begins at @p start and any spaces after it.
+/// The index after the value that begins at @p start, or after spaces that follow the value.
 std::size_t endOfValue(std::string_view json, std::size_t start) {
   int depth = 0;
   std::size_t i = start;

@@ -45,8 +45,8 @@ inline constexpr std::size_t kLongestText = 100'000;   ///< [bytes]
 inline constexpr std::size_t kMostElements = 100'000;  ///< elements of one list or object
 
 /// Parses JSON from @p text. Stricter than most parsers: duplicate keys, NUL characters in texts,
-/// nesting deeper than kDeepestNesting, and texts longer than kLargestFile are problems. Returns
-/// std::nullopt if the text is not JSON.
+/// nesting deeper than kDeepestNesting, and a @p text longer than kLargestFile are problems.
+/// Returns std::nullopt if @p text is not JSON.
 std::optional<Value> parseJson(std::string_view text, Problems& problems);
 
 /// The line in @p json, from 0, of the value at @p path ("$.phases[3].order"); of its nearest

@@ -8,8 +8,8 @@ namespace study::app {
 void addBenchCommand(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
       "bench", "Measure errors, stability, speed and timing: starts palpate-bench");
-  noun->prefix_command();  // --help is passed to the other program, too
-  noun->set_help_flag();   // --help goes there as well
+  noun->prefix_command();  // all further arguments go to the other program
+  noun->set_help_flag();   // --help is passed to the other program, too
   noun->callback([&action, noun] {
     action = [words = noun->remaining()]() -> int { handOver("palpate-bench", words); };
   });

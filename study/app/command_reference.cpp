@@ -147,8 +147,7 @@ std::string synopsis(const CommandDescription& command) {
   return text;
 }
 
-/// Adds a command and its subcommands. If it has subcommands, only its heading and description are
-/// printed for itself.
+/// Adds a section for each subcommand of @p above, and for their subcommands.
 void addCommands(const CommandDescription& above, std::string& page) {
   for (const auto& command : above.commands) {
     page += ".SS " + escaped(command.name) + "\n" + synopsis(command) + ".PP\n" +

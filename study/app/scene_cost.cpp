@@ -105,7 +105,8 @@ void addMaterial(
   }
 }
 
-/// Adds a scene with spheres, and variants that compute less.
+/// Adds a scene with spheres, with the other treatment of spheres (stay or removed), and with a
+/// curve in place of spheres.
 void addPacking(
     const engine::PackingSpec& packing,
     double middle,

@@ -15,8 +15,9 @@ struct SceneCost {
 };
 
 /// Measures a tick of @p spec alone, and with each kind of work that the scene lacks, whose result
-/// is not used. Measurements alternate on this computer. The first result is the scene alone. The
-/// tool moves back and forth over the travel of a device of @p kind.
+/// is not used; for a scene with spheres, variants of the scene instead. Measurements alternate on
+/// this computer. The first result is the scene alone. The tool moves back and forth over the
+/// travel of a device of @p kind.
 std::vector<SceneCost> costsOf(
     const haptics::engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind);
 

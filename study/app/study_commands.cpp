@@ -118,8 +118,8 @@ int simulatedSessions(Study& study) {
       all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
 }
 
-/// Prints the progress of a long simulation: the number of finished participants, which an
-/// enrolment increases.
+/// Prints the progress of a long simulation at some enrolments; the previous participant has then
+/// finished.
 void printProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;
   if (done.kind != Acknowledged::Kind::Enrolment) return;

@@ -23,7 +23,7 @@ namespace {
 constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
 constexpr int kMostDisturbed = 60;    // further failures allowed if the machine stalled during them
-constexpr double kImmediately = 0.5;  // [s]: longest trial that counts as an immediate failure
+constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier failed immediately
 // consecutive immediate failures after which the device counts as broken
 constexpr int kMostImmediateFailures = 5;
 constexpr std::chrono::milliseconds kBetweenTries{500};
@@ -99,8 +99,8 @@ class SimulatedSession {
     session_.skipStep("a simulated trial broke off");
   }
 
-  /// Runs the trial on real devices in real time. A device that fails is connected again, at most
-  /// kMostFailures times and for at most kLongestWait.
+  /// Runs the trial on real devices in real time. A device that fails is connected again until one
+  /// of the limits above is reached.
   void runTrialOn(DeviceSet& deviceSet) {
     const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;

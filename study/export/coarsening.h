@@ -48,7 +48,7 @@ class Coarsening {
   /// Whether band labels have the form "20 to 24" (whole numbers) instead of "20 to <25".
   bool isWhole() const noexcept { return isWhole_; }
 
-  /// The released values of a level, in order; empty if any value is possible.
+  /// The released values of a level, in order; empty for sets of options, which have no list.
   const std::vector<Level>& values(std::size_t level) const { return levels_.at(level).values; }
 
   /// The released value of @p response; empty if the response is not valid for the item.

@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line on a measurement that scenes are based on. Blinded exports omit its name, which may
-/// reveal a condition.
+/// A line on data that scenes render or show: a cut, a material, a knee. Blinded exports omit their
+/// name, which may reveal a condition.
 std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
   if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";

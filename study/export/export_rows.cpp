@@ -19,8 +19,8 @@ using storage::SessionRecord;
 using storage::StepRecord;
 
 /// The time between two events of a session [ns]. The monotonic clock restarts with the computer,
-/// so the time between two runs of the program is taken from the wall clock, corrected by the step
-/// of a ClockStepped event.
+/// so the time between two runs of the program is taken from the wall clock. The time before a
+/// ClockStepped event is that of the wall clock minus the step.
 std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
   const std::int64_t byWallClock = (event.when.wall - last.wall) * 1'000'000;
   if (event.kind == EventKind::Resumed || event.kind == EventKind::TookOver) return byWallClock;

@@ -42,7 +42,7 @@ Columns<ExportedSession> columnsOfSession() {
        "Since the first session of this export, which has 1",
        &ExportedSession::day},
       C("started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)).exact(),
-      // end minus start is the duration of all trials
+      // end minus start contains the duration of all trials
       C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).revealsCondition().exact(),
       {"protocol_hash",
        Text{},

@@ -35,7 +35,7 @@ struct StatisticsRow {
   std::string_view design;
   std::string_view unit;
   std::optional<std::size_t> tests;  ///< number of tests in the family, m
-  bool isDeclared = false;           ///< whether the protocol declares the test
+  bool isDeclared = false;           ///< whether the protocol declared the test in time
   std::string_view adjustment;       ///< name of the correction for the size of the family
   std::optional<double> alpha;
   std::optional<double> alphaPerTest;

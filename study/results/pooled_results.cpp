@@ -14,7 +14,7 @@
 namespace study {
 namespace {
 
-/// Removes the adjusted p values.
+/// Undoes the adjustment: adjusted p values and intervals become the unadjusted ones.
 void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   comparisons.alphaPerTest = comparisons.alpha;
   for (auto& row : comparisons.rows) {
@@ -124,9 +124,8 @@ Results pooledResults(Study& study, RunMode mode) {
   const bool isOfPoints = std::ranges::all_of(protocol.analysis.families, [&](const auto& family) {
     return FamilyLayout(loaded, family).table().isOfPoints;
   });
-  // numbers and scores have no countable
+  // numbers and scores have no countable points
   if (!isOfPoints) return computeResults(study, mode);
-  // points
   const auto history = analysisPlanHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});

@@ -60,7 +60,8 @@ std::set<std::string> comparedConditions(const protocols::Family& family) {
   return conditions;
 }
 
-/// The number of items of @p family that a participant answers about @p condition.
+/// The number of values that a participant gives @p family about @p condition: one per compared
+/// item, or one per form if a score is compared.
 std::size_t answersTo(
     const std::string& condition, const protocols::Family& family, const LoadedProtocol& loaded) {
   const auto& instrument = *loaded.instrument(family.instrument);

@@ -83,7 +83,8 @@ struct FamilyPlan {
   std::uint64_t fewestForSignificance = 0;
   std::optional<std::uint64_t> forPower;     ///< participants needed for the requested effect and
                                              ///< power
-  std::optional<std::uint64_t> recommended;  ///< next larger number that balances the orders
+  std::optional<std::uint64_t> recommended;  ///< fewest participants that suffice for power and
+                                             ///< significance and balance the orders
   /// Participants over all sites needed for the requested effect and power; std::nullopt without
   /// sites, or if no number suffices.
   std::optional<std::uint64_t> forPowerAtSites = {};
@@ -121,7 +122,7 @@ struct StudyPlan {
   std::string title;
   PlanQuestion question;
   std::vector<BlockPlan> blocks;
-  /// Every multiple of this number balances every block; 1: every number does.
+  /// Every multiple of this number balances every block that can be balanced; 1: there is none.
   std::size_t balancedBy = 1;
   std::vector<CohortPlan> cohorts;
   std::vector<CohortPairPlan> cohortPairs;  ///< for pairs of cohorts whose numbers are known

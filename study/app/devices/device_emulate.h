@@ -23,9 +23,9 @@ struct EmulateArguments {
   unsigned seed = 1;           ///< of the hand's movement and of injected faults
 };
 
-/// Emulates a punch on a pseudo-terminal, or the arm's controller on UDP. Prints a line "ready …",
-/// then executes the lines of its input ("drop 3", "status") until it is stopped. Returns the exit
-/// status.
+/// Emulates a serial device on a pseudo-terminal, or the arm's controller on UDP. Prints a line
+/// "ready …", then executes the lines of its input ("drop 3", "status") until it is stopped.
+/// Returns the exit status.
 int emulateSerial(const EmulateArguments& arguments);
 int emulateIiwa(const EmulateArguments& arguments);
 

@@ -41,9 +41,8 @@ Decoded firstOf(std::string_view text) {
     code = code << 6 | (byte & 0x3fU);
   }
   if (text.size() < bytes) return {.state = Decoded::State::Unfinished};
-  // an overlong encoding or a
+  // an overlong encoding or a surrogate
   if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};
-  // surrogate
   return {Decoded::State::Sound, code, bytes};
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 using ResultJson = nlohmann::ordered_json;
 
-/// null for infinite values, because JSON has no infinity; the row has the reason.
+/// null for missing values, and for infinite ones, which JSON does not have; the row has the
+/// reason.
 ResultJson nullable(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ResultJson(*value) : ResultJson(nullptr);
 }
@@ -95,7 +96,7 @@ ResultJson pooledAsJson(const analysis::TestRow& test) {
   return json;
 }
 
-/// The keys that the tests of all comparisons have.
+/// The keys that all tests of a family's comparisons have.
 ResultJson testedAsJson(const analysis::TestRow& test) {
   return {
       {"p", nullable(test.p)},

@@ -59,8 +59,8 @@ struct CollectMeasurement {
   double pulledMegabytes = 0;         ///< size of the pulled folder [MB]
   std::vector<TableSize> tables;
   std::vector<std::string> plan;      ///< EXPLAIN ANALYZE of the counts from the view
-  std::vector<std::string> problems;  ///< differences between pulled and sent data; empty if there
-                                      ///< are none
+  std::vector<std::string> problems;  ///< differences from the sent data, on the server or in the
+                                      ///< pulled study; empty if there are none
 };
 
 /// Starts a private PostgreSQL server and measures on it.
