@@ -24,7 +24,8 @@ enum class EventKind {
   RestoredCopy,     ///< an older copy of the study, such as a backup, replaced it
   NotedIdentities,  ///< fingerprints of rows of identity.db that the trail did not have yet
   SignedHead,       ///< a station's signature of all events before this one
-  HeadNotSigned,    ///< the trail could not be signed, because the station's key could not be used
+  HeadNotSigned,    ///< the trail was not signed, because the station's key or list could not be
+                    ///< used, or the trail lacks heads in the list
   Erased,           ///< names, answers or both of a participant were erased
   CollectedStudy,   ///< the study was assembled from the data of its stations
   ResealedTrail,  ///< the trail of an older release was sealed, so that participants can be erased

@@ -103,7 +103,7 @@ struct TrialRecord {
   double slewed = 0.0;                    ///< time in which it asked for a faster change than the
                                           ///< limit [s]
   double undefined = 0.0;                 ///< time in which the scene gave no force [s]
-  double contact = 0.0;                   ///< time in which the force was at least 0.05 N [s]
+  double contact = 0.0;                   ///< time in which the force was more than 0.05 N [s]
   double largestForce = 0.0;              ///< largest commanded force [N]
   std::int64_t traceSamples = 0;          ///< number of samples stored in traces.db
   std::vector<Cut> cuts;

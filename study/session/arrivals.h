@@ -23,10 +23,9 @@ Arrivals arrivalsBy(Study& study, std::int64_t event);
 /// The result of the last push of a study to its server, as recorded in a list of this account. The
 /// operator's windows show it without a network connection.
 struct NotedPush {
-  std::string utc;  ///< of the push; empty: there was none
-  std::int64_t have = 0;
-  std::string problem;  ///< name of the refusal or kind of error; empty: it succeeded  ///< number
-                        ///< of events that the server had after the push
+  std::string utc;        ///< of the push; empty: there was none
+  std::int64_t have = 0;  ///< number of events that the server had after the push
+  std::string problem;    ///< name of the refusal or kind of error; empty: it succeeded
 };
 
 /// @param study, station  their uuids

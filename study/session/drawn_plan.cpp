@@ -39,7 +39,7 @@ bool hasFixedOrder(const Protocol& protocol, const std::set<std::string>& blocks
 }
 
 /// The permutation: which condition replaces each condition of the schedule that the seed draws.
-/// Empty if the protocol itself fixes the conditions.
+/// It lacks conditions that the protocol itself fixes.
 std::map<std::string, std::string> exchanged(
     const Protocol& protocol, const storage::BlindingSecret& secret, RunMode mode) {
   std::map<std::string, std::string> parts;

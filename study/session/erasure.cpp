@@ -243,8 +243,8 @@ std::string listOnStation(const storage::ListedErasure& erasure) {
   }
 }
 
-/// The part of an erasure outside of its transaction: destroys keys, deletes traces, overwrites
-/// freed bytes of the files. May be repeated after an interruption.
+/// The part of an erasure outside of its transaction: destroys keys, deletes traces, rebuilds the
+/// files without deleted rows. May be repeated after an interruption.
 void finish(Study& study, const Erasure& erasure) {
   if (erasesNames(erasure.level)) study.identities().destroy(Key::Identity, erasure.participant);
   if (erasesAnswers(erasure.level)) {

@@ -252,7 +252,7 @@ void Session::transact(const std::function<void()>& action) {
       action();
       study_.sessions().update(row_);
       for (const auto& event : pendingEvents_) study_.events().append(event);
-      // Simulated sessions can be reproduced from their seed, so they are not signed.
+      // Simulated sessions can be reproduced from their seed, so they are not signed one by one.
       const bool isSigned = isOver() && runMode() != RunMode::Simulated && !pendingEvents_.empty();
       if (isSigned) study_.signTrail(pendingEvents_.back().name());
     });

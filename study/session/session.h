@@ -101,8 +101,8 @@ class Session {
   /// skipStep() and giveUpOnDevice().
   void abortTrial(const TrialRecord& record);
 
-  /// After a break-off, repeats the present step; otherwise goes back to the previous one. Answers
-  /// of the earlier attempt are kept and marked as repeated.
+  /// After a break-off, repeats the present step; otherwise goes back to the previous one, or from
+  /// a questionnaire to its trial. Answers of the earlier attempt are kept and marked as repeated.
   void repeatStep(const std::string& reason);
   /// Skips the present step; after a trial also the questions about it.
   void skipStep(const std::string& reason);

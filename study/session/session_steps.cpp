@@ -131,8 +131,8 @@ TrialRecord Session::abortedRecord(TrialEnding ending) {
 
 /// The step that repeatStep() goes back to. From a questionnaire about a condition it is the trial
 /// of that condition. From the step after such a questionnaire it is the questionnaire, or the
-/// trial if the questionnaire was not finished: a condition is rendered again before questions
-/// about it are asked again.
+/// trial if the trial was not finished: without its trial, no questions about a condition are
+/// asked.
 int Session::stepToRepeat() const {
   if (row_.state == SessionState::Interrupted) return row_.step;
   const auto isQuestionnaire = [&](int step) {

@@ -78,15 +78,15 @@ class Study {
   /// Whether the study's key can be opened with a passphrase.
   bool hasPassphrase() const { return storage::wrappedKeyIn(database_).has_value(); }
 
-  /// Opens the study's key with its passphrase; this object then holds the key. @return false if
-  /// the passphrase is wrong
+  /// Opens the study's key with its passphrase; this program then holds the key until it ends.
+  /// @return false if the passphrase is wrong
   bool unlock(const std::string& passphrase);
 
   /// Uses an exported key. @throws UserError  if it is the key of another study.
   void useKey(const storage::BlindingSecret& key);
 
-  /// Opens the key that seals names with the passphrase of names (docs/decisions/0062); this object
-  /// then holds the key. @return false if the passphrase is wrong
+  /// Opens the key that seals names with the passphrase of names (docs/decisions/0062); this
+  /// program then holds the key until it ends. @return false if the passphrase is wrong
   bool unlockNames(const std::string& passphrase);
 
   /// The secret for the fingerprints of identity.db in the audit trail; std::nullopt if the study
@@ -156,7 +156,7 @@ class Study {
       storage::Database identities);
   void readStudyRow();
   void readSecret();
-  /// Sets the keys of conditions and names, if this computer has them.
+  /// Sets the keys of conditions and names that are available without a passphrase.
   void findKey() noexcept;
   void setKey();
   /// Copies forms of the library into protocol versions that an older release stored without them.

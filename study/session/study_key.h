@@ -52,8 +52,8 @@ void dropKey(Study& study, const std::string& reason);
 /// opens it.
 bool hasOnlyCopyOfKey(Study& study);
 
-/// One line on where the study's key is: "sealed; this account has the key". Empty if the
-/// conditions are not sealed.
+/// One line on where the study's key is: "sealed; this account has the key". Empty in studies
+/// without a secret or without blinding.
 std::string keyStatusText(Study& study);
 
 }  // namespace study

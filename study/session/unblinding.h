@@ -11,8 +11,8 @@
 namespace study {
 
 /// Results that name conditions unblind the reader. For live and pilot sessions the reason is
-/// appended to the audit trail before the results are shown. Simulated sessions and studies whose
-/// protocol has no blinding need no reason; nothing is appended for them.
+/// appended to the audit trail before the results are shown. Studies whose protocol has no blinding
+/// need no reason; without one nothing is appended. For simulated sessions nothing is appended.
 /// @param kind  UnblindedReport or UnblindedResults
 /// @throws storage::StorageError  if results of live or pilot sessions are requested without a
 ///     reason.

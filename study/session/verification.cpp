@@ -81,7 +81,7 @@ std::vector<std::string> remarksOn(Study& study) {
   }
 }
 
-/// Checks that the files are undamaged; a remark lists other accounts that may read them.
+/// Checks that the files are undamaged; a remark says if other accounts may read them.
 storage::Findings filesAndRights(Study& study) {
   storage::Findings findings{.problems = files(study)};
   if (auto remark = describeOtherAccess(study.folder()); !remark.empty()) {

@@ -98,9 +98,8 @@ void addRows(Hasher& hasher, Statement& rows) {
 }
 
 void addStation(const Database& database, SessionId session, Hasher& hasher) {
-  // a file of an older format, opened for
+  // A file of an older format that was opened for reading only lacks the column `station`.
   if (!database.hasColumn("session", "station")) return;
-  // reading only
   Statement row(database, kStationOfASession);
   row.bind(1, static_cast<std::int64_t>(session));
   if (!row.step()) return;

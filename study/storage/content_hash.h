@@ -13,8 +13,8 @@ namespace study::storage {
 ///     answers after the key is destroyed; nullptr: a hash without a key.
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key = nullptr);
 
-/// The hash of all rows that belong to no session: of the study, its protocols, erasures, and the
-/// key that is wrapped with a passphrase.
+/// The hash of the rows of the study itself: of the tables of the study, its protocols, erasures,
+/// and the key that is wrapped with a passphrase.
 Hash contentHash(const Database& database);
 
 }  // namespace study::storage

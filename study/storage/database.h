@@ -68,8 +68,8 @@ class Database {
   /// Like integrityProblems(), but without checking indexes and references; much faster.
   std::string quickProblems();
 
-  /// Begins a read transaction: until the connection is closed, it sees the file in its present
-  /// state, even if other connections write.
+  /// Begins a read transaction: until this transaction ends, the connection sees the file in its
+  /// present state, even if other connections write.
   void beginSnapshot();
 
   /// Writes the file in the state that this connection sees to @p path, which must not exist. Other

@@ -106,14 +106,14 @@ class EventLog {
   /// The values of the event MadeStudy.
   base::NamedArguments madeStudy() const;
 
-  /// The commitment to the study's secret in the first event (BlindingSecret::commitment()); empty
-  /// in studies without a secret.
+  /// The commitment to the study's secret in the event MadeStudy (BlindingSecret::commitment());
+  /// empty in studies without a secret.
   std::string commitment() const;
 
   /// Whether the trail contains an event with the hash @p head.
   bool holds(const std::vector<std::byte>& head) const;
 
-  /// The hash of the tables' content in the last event of a session, or of the study without a
+  /// The hash of the tables' content in the last event of a session, or in the last event without a
   /// session.
   struct Content {
     std::vector<std::byte> hash;  ///< empty if format 1 wrote the event

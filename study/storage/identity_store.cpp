@@ -143,7 +143,8 @@ std::vector<std::byte> sealedKey(
   return names.seal(bytes, placeOf(participant));
 }
 
-/// A participant's stored Identity key. One of the members is empty.
+/// A participant's stored Identity key, unsealed or sealed. Both members are empty if it was
+/// destroyed or never drawn.
 struct StoredKey {
   std::vector<std::byte> open;
   std::vector<std::byte> sealed;

@@ -100,7 +100,7 @@ Tokens& tokens() {
 
 /// Whether the program that wrote a lease's row is still running.
 bool isAlive(const Writer& writer) {
-  if (!writer.isHere()) return true;  // the other computer cannot be asked
+  if (!writer.isHere()) return true;  // its process cannot be looked up from here
   if (writer.pid == getpid()) return tokens().isHeld(writer.token);
   const std::string mark = processMarkOf(writer.pid);
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));

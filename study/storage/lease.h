@@ -46,7 +46,7 @@ class Lease {
   /// Removes all leases, because no session runs in a copy of a study.
   static void clear(Database& database);
 
-  /// @throws StorageError  (Busy) if another program has taken the lease over.
+  /// @throws StorageError  if another program has taken the lease over.
   void requireHeld() const;
 
   Lease(Lease&& other) noexcept;

@@ -41,7 +41,8 @@ class ProtocolRepository {
   /// Records that a live participant has begun with this version.
   void freeze(ProtocolId id, const std::string& utc);
 
-  /// The versions without copies of the library's forms (docs/decisions/0073).
+  /// The versions that were stored without copies of the library's forms, and for which addForms()
+  /// was not called since (docs/decisions/0073).
   std::vector<ProtocolId> withoutForms() const;
   /// Adds those of @p files that are copies of the library's forms to a version without forms,
   /// inside the caller's transaction. @return their number

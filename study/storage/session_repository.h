@@ -83,7 +83,8 @@ class SessionRepository {
   int attempts(SessionId session, int step) const;
   /// The status of a visit; Open for a step that was never begun.
   VisitStatus statusOf(const VisitKey& visit) const;
-  /// Marks the finished visits to @p step and later steps as repeated, so that results ignore them.
+  /// Marks the visits to @p step and later steps as repeated, so that results ignore them. Visits
+  /// that were broken off are not changed.
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
   /// The stored condition of every step that has one, with the index of the step.

@@ -17,14 +17,14 @@ struct TraceSample {
   std::uint32_t tick = 0;          ///< number of the tick in the trial
   float travel = 0.0F;             ///< [device's travel unit]
   float velocity = 0.0F;           ///< [device's travel unit / s]
-  float desired = 0.0F;            ///< commanded by the scene [N]
+  float desired = 0.0F;            ///< desired by the scene [N]
   float force = 0.0F;              ///< sent to the device after limiting [N]
   float lateness = 0.0F;           ///< of the loop's wake-up [µs]
   std::uint8_t status = 0;         ///< haptics::devices::DeviceStatus
   std::uint8_t interventions = 0;  ///< haptics::engine::ForceLimiter::Intervention
   std::uint8_t marks = 0;          ///< haptics::engine::TickSample::Mark
   std::uint8_t landmark = 0;       ///< haptics::models::CutDetector::Event
-  float desiredTorque = 0.0F;      ///< commanded by the scene, about the tool's axis [N·m]
+  float desiredTorque = 0.0F;      ///< desired by the scene, about the tool's axis [N·m]
   float torque = 0.0F;             ///< sent to the device after limiting [N·m]
 };
 

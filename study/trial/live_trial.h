@@ -58,7 +58,7 @@ class LiveTrial {
 
   /// One tick, in the haptic thread.
   void tick(double dt, double lateness) noexcept;
-  /// Called in the haptic thread when a landmark of the cut is detected.
+  /// Sets isCutThrough_; called in every tick of the haptic thread, also without a landmark.
   void onCutLandmark(haptics::models::CutDetector<double>::Event landmark) noexcept;
   /// The recorder thread: stores samples from the ring until @p stop is requested.
   void record(const std::stop_token& stop);

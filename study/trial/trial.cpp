@@ -11,7 +11,7 @@ namespace {
 using haptics::engine::ForceLimiter;
 using haptics::engine::TickSample;
 
-constexpr double kFelt = 0.05;  // [N]: a smaller commanded force does not count as contact
+constexpr double kFelt = 0.05;  // [N]: only a larger commanded force counts as contact
 
 }  // namespace
 

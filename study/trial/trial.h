@@ -21,7 +21,7 @@ class TrialStatistics {
 
   void add(const haptics::engine::TickSample& sample);
 
-  /// Writes the counts into @p record, but not the timing of the loop or the number of stored
+  /// Writes the results into @p record, but not the timing of the loop or the number of stored
   /// samples.
   void fillIn(TrialRecord& record) const;
 

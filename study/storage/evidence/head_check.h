@@ -17,7 +17,8 @@ Findings checkHeads(
 
 /// checkHeads() for the heads that this station noted. If the station noted heads of a study with
 /// this uuid, and the oldest of them has another first event, a different trail is reported, even
-/// if the station signed the present one later.
+/// if the station signed the present one later; not if this trail began, or was accepted on
+/// purpose, at the station.
 /// @throws StorageError  if the station's list cannot be read
 Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy);
 

@@ -42,9 +42,9 @@ inline constexpr std::string_view kWitness = "witness";
 std::optional<SignedHead> headIn(const std::string& line, std::string* rest = nullptr);
 
 /// The end of an audit trail.
-struct TrailEnd {  ///< number of events
-  std::int64_t events = 0;
-  std::string hash;  ///< hash of the last event; empty before the first
+struct TrailEnd {
+  std::int64_t events = 0;  ///< number of events
+  std::string hash;         ///< hash of the last event; empty before the first
 };
 /// The end of the trail in study.db.
 TrailEnd endOf(const Database& study);

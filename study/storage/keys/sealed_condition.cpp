@@ -5,7 +5,7 @@
 namespace study::storage {
 namespace {
 
-// Plain text is padded with zeros to a multiple of these sizes.
+// Plain text is padded with zeros to a multiple of these sizes [bytes].
 constexpr std::size_t kSizeOfCondition = 64;  // ids of conditions are shorter
 constexpr std::size_t kSizeOfMeasurements = 8192;
 

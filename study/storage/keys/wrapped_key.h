@@ -35,7 +35,8 @@ struct WrappedKey {
       const SealingKey::Bytes& key, std::string_view passphrase, const PassphraseCost& cost);
 
   /// The key; std::nullopt if the passphrase is wrong, or if the sealed key was changed.
-  /// @throws StorageError  (Damaged) if the stored cost exceeds the limits of this program.
+  /// @throws StorageError  (Damaged) if the stored cost is outside of the limits of this program;
+  ///     also if the memory that it needs is not available.
   std::optional<SealingKey::Bytes> opened(std::string_view passphrase) const;
 };
 
