@@ -89,8 +89,8 @@ Row orderFor(
 
 namespace {
 
-/// The block's conditions in the order of the protocol's "conditions", to which labels and rows
-/// refer.
+/// The block's conditions in the order of the protocol's "conditions", to which labels refer. (Rows
+/// refer to the order in the block.)
 std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
   std::vector<std::string> sorted;
   for (const auto& condition : protocol.conditions) {

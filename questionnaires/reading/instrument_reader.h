@@ -63,7 +63,7 @@ class ItemReader {
 
  private:
   void readCommonKeys(const Node& node, Item& item) const;
-  /// Reads the keys that only items of this type have.
+  /// Reads the keys of the item's type that readCommonKeys() does not read.
   void readKind(const Node& node, Item& item) const;
   /// Reads the item's scale; without one, copies the instrument's.
   void readScaleOf(const Node& node, Item& item) const;

@@ -78,7 +78,7 @@ constexpr std::array kEndWords{
     Choice<WordingField>{"right_label", WordingField::RightLabel},
 };
 
-/// The keys that only items of this type have.
+/// The keys of this type of item, except those that all items may have.
 std::vector<std::string_view> keysOf(ItemType type) {
   switch (type) {
     case ItemType::Likert:

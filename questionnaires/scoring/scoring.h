@@ -28,9 +28,9 @@ struct ScoreResult {
 /// number of times that the item was chosen in the pairs of Score::weightsFrom. An unanswered item
 /// is missing, unless Score::missingAs replaces its answer. There is no value if too few items were
 /// answered: a mean, and a score that replaces missing answers, requires Score::leastAnswered;
-/// every other score requires all items, and weights from pairs require every pair. Only valid
-/// answers (validationError()) that are points or numbers are used. If an item was answered more
-/// than once, the last answer is used.
+/// every other score requires all items, and a score with weights from pairs requires all items and
+/// every pair. Only valid answers (validationError()) that are points or numbers are used. If an
+/// item was answered more than once, the last answer is used.
 ScoreResult computeScore(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 

@@ -299,8 +299,8 @@ LinkSeries runAlone(EmulatedDevice emulated, double seconds) {
   return supervised.finish();
 }
 
-/// Injects @p wanted faults of each kind, @p perRound at a time with a pause after each round. The
-/// link must not fail.
+/// Injects @p wanted faults of each kind, @p perRound at a time with a pause after each round,
+/// until the device fails. @p perRound must be so small that the link survives a round.
 void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int perRound) {
   constexpr double kPause = 40.0;  // frames: the arm's controller requires that 90 of 100 are
                                    // answered

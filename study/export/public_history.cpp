@@ -44,7 +44,7 @@ Values valuesOfPeople(const Values& values, const std::vector<std::size_t>& peop
 }
 
 /// A column that tells whether a person was in an earlier export, and the columns that it released.
-/// They are empty for people who were not in that export.
+/// The latter are empty for people who were not in that export.
 std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,
     const PublicPeople& people,

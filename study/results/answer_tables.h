@@ -76,7 +76,8 @@ std::vector<std::size_t> expectedAnswers(
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
-/// The indices of the statements that ask for a comparison with the previous condition.
+/// The indices of answered statements that ask for a comparison with the previous condition; none
+/// if the family compares a score.
 std::vector<std::size_t> relativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

@@ -12,9 +12,9 @@
 namespace study {
 
 /// The commanded force of a condition over travel, while the tool closed or advanced, in all
-/// finished trials of completed sessions. It is a manipulation check: if the forces of two
-/// alternatives do not differ at the handle, forces cannot be the cause of differences in
-/// questionnaires.
+/// finished trials of completed sessions, except optional trials. It is a manipulation check: if
+/// the forces of two alternatives do not differ at the handle, forces cannot be the cause of
+/// differences in questionnaires.
 struct FeltCurve {
   /// The forces in one bin of travel.
   struct Point {

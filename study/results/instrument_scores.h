@@ -22,7 +22,7 @@ struct ScoreSummary {
                                ///< scored; otherwise empty
   std::vector<double> values;  ///< for each participant, the mean over their forms
   std::size_t missing = 0;     ///< forms that answer items of the score, but not enough to compute
-                               ///< it
+                               ///< it; for "change", participants without a change
   std::optional<double> mean;
   std::optional<double> standardDeviation;     ///< of a sample: divided by n − 1
   std::optional<analysis::Interval> interval;  ///< 95 % confidence interval of the mean

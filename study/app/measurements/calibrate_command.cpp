@@ -34,7 +34,7 @@ struct CalibrateCommand {
   bool throughZero = false;
 };
 
-/// A calibration as text: "0.0123 + 0.0076665·r − 1.962e-06·r^2". A constant of 0 is left out.
+/// A calibration as text: "0.0123 + 0.0076665 r - 1.962e-06 r^2". A constant of 0 is left out.
 std::string polynomialOf(const recordings::ForceCalibration& calibration) {
   std::string text;
   for (std::size_t power = 0; power < calibration.coefficients.size(); ++power) {

@@ -12,8 +12,8 @@ namespace study::app {
 
 inline constexpr double kMillimetres = 1000.0;  ///< mm per m
 
-/// Every n-th of @p count points, about @p most in all, so that a figure of 200,000 samples can be
-/// opened.
+/// Every n-th of @p count points, at most @p most in all, so that a figure of 200,000 samples can
+/// be opened.
 template <typename X, typename Y>
 report::ChartSeries thinned(
     const std::string& title, std::size_t count, X x, Y y, std::size_t most = 3000) {

@@ -47,7 +47,7 @@ Chart seriesChart(
   return chart;
 }
 
-/// An envelope with its splines.
+/// The curves of an envelope, with the nodes of their splines.
 Chart envelopeChart(
     const reaming::FittedEnvelope& envelope,
     const std::string& unit,
