@@ -151,6 +151,12 @@ void addEmulate(CLI::App& noun, Action& action) {
   iiwa->add_option("--period", options.period, "Time between two FRI messages [ms]")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  iiwa->add_option(
+          "--advance",
+          options.advance,
+          "Time in which the simulated hand advances to its full depth [s]")
+      ->check(CLI::Range(0.5, 60.0))
+      ->capture_default_str();
   addEmulateOptions(*iiwa, options);
 }
 

@@ -138,7 +138,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   options.impairment.seed = arguments.seed;
   options.arm.model = arguments.model == "iiwa7" ? haptics::devices::IiwaModel::Iiwa7
                                                  : haptics::devices::IiwaModel::Iiwa14;
-  options.arm.person.closeTime = 7.0;  // [s]: with a typical reamer, 2 mm of bone in a second
+  options.arm.person.closeTime = arguments.advance;
   const bool isTorque = arguments.overlay == "torque";
   options.arm.command = isTorque ? fri::ClientCommandMode::Torque : fri::ClientCommandMode::Wrench;
   options.arm.control =

@@ -14,13 +14,14 @@ struct EmulateArguments {
   std::string version = "1.15";
   std::string model = "iiwa14";
   std::string overlay = "wrench";
-  std::string firmware;        ///< punch: firmware that QEMU runs; empty: no QEMU
-  int rate = 1000;             ///< punch: rate of the control loop [Hz]
-  int period = 5;              ///< iiwa: interval between messages [ms]
-  double clockDrift = 0.0;     ///< punch: drift of the device's clock [ppm]
-  double seconds = 0.0;        ///< duration [s]; 0: until it is stopped
-  bool endsWithInput = false;  ///< whether the end of the input ends the emulator
-  unsigned seed = 1;           ///< of the hand's movement and of injected faults
+  std::string firmware;     ///< punch: firmware for the board, run under QEMU
+  int rate = 1000;          ///< punch: rate of its loop [Hz]
+  int period = 5;           ///< iiwa: period of messages [ms]
+  double advance = 7.0;     ///< iiwa: time in which the hand advances to the full depth [s]
+  double clockDrift = 0.0;  ///< punch: drift of its clock [ppm]
+  double seconds = 0.0;     ///< duration [s]; 0: until it is stopped
+  bool endsWithInput = false;
+  unsigned seed = 1;  ///< of the hand's movement and of faults
 };
 
 /// Emulates a serial device on a pseudo-terminal, or the arm's controller on UDP. Prints a line

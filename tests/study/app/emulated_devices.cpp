@@ -25,6 +25,11 @@ std::vector<std::string> emulate(std::vector<std::string> arguments) {
   return arguments;
 }
 
+/// Time of the arm's hand for a stroke [s], and turns per second of a reamer that is fast enough
+/// for it. Trials are in real time, and nothing is learnt while the hand advances slowly.
+constexpr const char* kAdvance = "1.75";
+constexpr int kReamerSpeed = 20;
+
 /// The shipped protocol for both devices, with so many cuts and strokes in each trial.
 std::string shortProtocol(int cuts, int strokes) {
   std::ifstream file((tests::repository() / "protocols/library/two-devices.json").string());
@@ -32,6 +37,10 @@ std::string shortProtocol(int cuts, int strokes) {
   for (auto& phase : json["phases"]) {
     if (phase.contains("minimum_cuts"))
       phase["minimum_cuts"] = phase["id"] == "punching" ? cuts : strokes;
+  }
+  for (auto& condition : json["conditions"]) {
+    auto& scene = condition["scene"];
+    if (scene["device"] == "reamer") scene["reamer"] = {{"speed", kReamerSpeed}};
   }
   return json.dump(1);
 }
@@ -80,8 +89,8 @@ std::map<std::string, std::string> Emulator::status() {
 EmulatedLaboratory::EmulatedLaboratory(int cuts, int strokes) : port_(folder_ / "punch-port") {
   const auto iiwaPort = tests::freePort();
   punch_ = std::make_unique<Emulator>(std::vector<std::string>{"punch", "--link", port_});
-  iiwa_ = std::make_unique<Emulator>(
-      std::vector<std::string>{"iiwa", "--client", "127.0.0.1:" + std::to_string(iiwaPort)});
+  iiwa_ = std::make_unique<Emulator>(std::vector<std::string>{
+      "iiwa", "--client", "127.0.0.1:" + std::to_string(iiwaPort), "--advance", kAdvance});
   deviceFile_ = folder_.write("devices.json", devicesAt(port_, iiwaPort));
   protocol_ = folder_.write("protocol.json", shortProtocol(cuts, strokes));
   study_ = folder_ / "study";
