@@ -177,8 +177,7 @@ namespace scene = gui::scene;
 using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
 
-constexpr QSize kPictureSize(1280, 800);
-/// A scene, and the simulated hand that moves in it.
+/// A scene, and the hand that moves in it.
 struct Subject {
   std::string name;
   std::string picture;  ///< part of the names of image files
@@ -277,7 +276,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
       scene::openGraphics(options.renderer),
       scene::SimulationView::Pace::Unbound);
   measured.remark = view.remark().toStdString();
-  view.resize(kPictureSize);
+  view.resize(options.size.first, options.size.second);
   view.show();
   wait(0.5);  // until the window is shown and all spheres have been sent once
   const auto bytesBefore = view.renderer().sphereBytes();
@@ -289,6 +288,8 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
     measured.view = view.report();
     savePicture(view, options.folder, QStringLiteral("%1-%2.png").arg(picture).arg(i + 1));
   }
+  measured.size = {view.pictureSize().width(), view.pictureSize().height()};
+  measured.longest = view.longestInterval();
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
   view.setLookSource({});

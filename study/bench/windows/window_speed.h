@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocols/reading/anatomy_file.h"
@@ -34,7 +35,8 @@ double measureHome(const std::string& folder, int studies);
 
 /// The options of measureKnee() and measureCup().
 struct SimulationOptions {
-  double seconds = 8.0;  ///< duration of each simulation [s]
+  double seconds = 8.0;                 ///< of each simulation
+  std::pair<int, int> size{1280, 800};  ///< width and height of the window [pixels]
   std::size_t spheres = 201'532;
   gui::scene::RendererChoice renderer = gui::scene::RendererChoice::Best;
   gui::scene::SphereColours colours = gui::scene::SphereColours::Neutral;
@@ -48,6 +50,8 @@ struct SimulationSpeed {
   std::string remark;  ///< description of the renderer, e.g. that it draws without a graphics card
   ViewReport view;
   TrialRecord felt;
+  std::pair<int, int> size;    ///< of the picture that is scaled to the window [pixels]
+  double longest = 0.0;        ///< the longest time from frame to frame [ms]
   double making = 0.0;         ///< time to build the scene before the trial [ms]
   double bytesPerFrame = 0.0;  ///< number of bytes on spheres that a frame sends to the renderer
   double allBytes = 0.0;       ///< number of bytes on all spheres; 0 without spheres
@@ -56,8 +60,8 @@ struct SimulationSpeed {
   bool sendsChangesOnly() const { return bytesPerFrame <= 0.05 * allBytes; }
 };
 
-/// Simulate a hand with the punch in a knee, or with the reamer in a bone. Frames of 1280 × 800
-/// pixels are drawn as fast as possible. Need a QApplication.
+/// A simulated hand uses the punch in a knee, or the reamer in a cup. Frames are drawn as
+/// fast as possible. Needs a QApplication.
 SimulationSpeed measureKnee(const SimulationOptions& options);
 SimulationSpeed measureCup(const SimulationOptions& options);
 

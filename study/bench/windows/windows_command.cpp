@@ -23,8 +23,11 @@ using gui::scene::RendererChoice;
 using gui::scene::SphereColours;
 
 constexpr int kStudies = 200;
+constexpr const char* kSimulations = "simulations";
+constexpr const char* kDesk = "desk";
 
 struct WindowsOptions {
+  std::string part;  ///< empty: all
   std::string anatomy;
   std::string colours = "neutral";
   std::string renderer = "best";
@@ -45,16 +48,24 @@ protocols::Anatomy anatomyIn(const std::string& file) {
   return *anatomy;
 }
 
-DataTable simulationTable(const std::vector<SimulationSpeed>& simulations) {
+std::string inPixels(std::pair<int, int> size) {
+  return fmt::format("{} × {}", size.first, size.second);
+}
+
+DataTable simulationTable(
+    const std::vector<SimulationSpeed>& simulations, std::pair<int, int> window) {
   DataTable table{
       .name = "simulations",
-      .description = "Simulations, pictures of 1280 × 800",
+      .description = "Simulations, a window of " + inPixels(window),
       .columns = {
           {"simulation", "Simulation"},
           {"drawn_by", "Drawn by"},
+          {"drawn_size", "Drawn size"},
           {"pictures_per_s", "Pictures a second"},
+          {"mean_pictures_per_s", "… mean"},
           {"frame_p50_ms", "Picture to picture, p50 [ms]"},
           {"frame_p99_ms", "… p99"},
+          {"frame_longest_ms", "… longest"},
           {"latency_p50_ms", "Latency, p50 [ms]"},
           {"latency_p99_ms", "… p99"},
           {"pictures", "Pictures"},
@@ -69,9 +80,12 @@ DataTable simulationTable(const std::vector<SimulationSpeed>& simulations) {
     table.rows.push_back(
         {measured.name,
          view.renderer,
+         inPixels(measured.size),
          view.frameMedian > 0.0 ? 1000.0 / view.frameMedian : 0.0,
+         view.rate,
          view.frameMedian,
          view.frameP99,
+         measured.longest,
          view.latencyMedian,
          view.latencyP99,
          static_cast<std::int64_t>(view.frames),
@@ -139,26 +153,33 @@ int windows(const WindowsOptions& options) {
   static char* argv[] = {name, nullptr};
   const QApplication application(argc, argv);
 
-  const std::vector<SimulationSpeed> simulations{measureKnee(simulation), measureCup(simulation)};
-  std::fprintf(stderr, "live plots, pages\n");
-  const auto plots = measurePlots(simulation.seconds);
-  const auto folder = simulation.folder.empty() ? std::filesystem::temp_directory_path().string()
-                                                : simulation.folder;
-  const auto waits = measurePageChanges(folder);
-  const auto home = measureHome(folder, kStudies);
-  present(
-      simulation.folder,
-      "windows",
-      {.title = "Windows: simulations, plots, pages",
-       .lead =
-           {"How fast they are drawn on this computer. docs/benchmarks.md explains the columns.",
-            simulations.front().remark},
-       .parts = {
-           {.heading = "Simulations", .tables = {simulationTable(simulations)}},
-           {.heading = "Desk",
-            .tables = {plotTable(plots), pageTable(waits, folder), homeTable(home)}}}});
-  if (!simulations.front().remark.empty()) fmt::print("{}\n", simulations.front().remark);
-  const bool isSparing = simulations.back().sendsChangesOnly();
+  report::Document document{
+      .title = "Windows: simulations, plots, pages",
+      .lead = {
+          "How fast they are drawn on this computer. docs/benchmarks.md explains the columns."}};
+  bool isSparing = true;
+  std::string remark;
+  if (options.part != kDesk) {
+    const std::vector<SimulationSpeed> simulations{measureKnee(simulation), measureCup(simulation)};
+    document.parts.push_back(
+        {.heading = "Simulations", .tables = {simulationTable(simulations, simulation.size)}});
+    isSparing = simulations.back().sendsChangesOnly();
+    remark = simulations.front().remark;
+    document.lead.push_back(remark);
+  }
+  if (options.part != kSimulations) {
+    std::fprintf(stderr, "live plots, pages\n");
+    const auto plots = measurePlots(simulation.seconds);
+    const auto folder = simulation.folder.empty() ? std::filesystem::temp_directory_path().string()
+                                                  : simulation.folder;
+    const auto waits = measurePageChanges(folder);
+    const auto home = measureHome(folder, kStudies);
+    document.parts.push_back(
+        {.heading = "Desk",
+         .tables = {plotTable(plots), pageTable(waits, folder), homeTable(home)}});
+  }
+  present(simulation.folder, "windows", document);
+  if (!remark.empty()) fmt::print("{}\n", remark);
   if (!isSparing)
     fmt::print("FAIL  a picture hands on more than 5 % of the bytes of all spheres.\n");
   return isSparing ? 0 : 1;
@@ -174,10 +195,18 @@ void addWindowsCommand(CLI::App& program, Action& action) {
       "Speed at which simulations, live plots and a participant's pages are drawn",
       windows);
   auto& simulation = options.simulation;
+  command->add_option("--part", options.part, "Part to measure (default: both)")
+      ->check(CLI::IsMember({kSimulations, kDesk}));
   command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
   command->add_option("--seconds", simulation.seconds, "Duration of each simulation [s]")
       ->check(app::finiteRange(0.5, 600.0))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--size", simulation.size, "Size of a simulation's window [pixels], 1280x800 by default")
+      ->delimiter('x')
+      ->type_name("WIDTHxHEIGHT")
+      ->check(CLI::Range(320, 7680));
   command->add_option("--spheres", simulation.spheres, "Number of spheres in the cup")
       ->check(CLI::Range(std::size_t{1000}, std::size_t{10'000'000}))
       ->capture_default_str();

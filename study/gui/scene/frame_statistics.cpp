@@ -23,6 +23,10 @@ void FrameStatistics::add(std::int64_t shown, std::int64_t sampled) {
   last_ = shown;
 }
 
+double FrameStatistics::longest() const noexcept {
+  return kMillisecond * intervals_.largest();
+}
+
 ViewReport FrameStatistics::report() const {
   ViewReport report{.frames = frames_, .dropped = dropped_};
   report.period = 1e-6 * static_cast<double>(period_);

@@ -18,6 +18,7 @@ class FrameStatistics {
   void add(std::int64_t shown, std::int64_t sampled);
 
   std::int64_t frames() const noexcept { return frames_; }
+  double longest() const noexcept;  ///< the longest interval [ms]
   ViewReport report() const;
 
  private:

@@ -37,6 +37,11 @@ class SimulationView final : public QWidget {
 
   /// The frame statistics of the running trial, or else of the last one.
   ViewReport report() const;
+  double longestInterval() const { return statistics_->longest(); }  ///< of the same trial [ms]
+
+  /// Size of the picture that is drawn [pixels], which is smaller than a large view: it is scaled
+  /// up.
+  QSize pictureSize() const;
 
   const Renderer& renderer() const noexcept { return *graphics_.renderer; }
   /// A message for the operator; empty if a graphics card draws.
@@ -51,7 +56,6 @@ class SimulationView final : public QWidget {
  private:
   void beginCounting();
   std::int64_t period() const;
-  QSize pictureSize() const;
   void drawNext();
   void noteShown();
 

@@ -27,7 +27,7 @@ class WindowsCommand : public testing::Test {
   /// The share of a picture that is brighter than its background [%].
   int bright(const std::string& name) const {
     const QImage picture(QString::fromStdString(folder_ / "pictures/" + name));
-    EXPECT_EQ(picture.size(), QSize(1280, 800));
+    EXPECT_EQ(picture.size(), size_);
     int count = 0;
     for (int y = 0; y < picture.height(); ++y) {
       for (int x = 0; x < picture.width(); ++x) count += qGray(picture.pixel(x, y)) > 45 ? 1 : 0;
@@ -36,6 +36,7 @@ class WindowsCommand : public testing::Test {
   }
 
   tests::ScratchFolder folder_;
+  QSize size_{1280, 800};
 };
 
 TEST_F(WindowsCommand, DrawsOnTheProcessorWithoutADisplay) {
@@ -50,6 +51,17 @@ TEST_F(WindowsCommand, DrawsOnTheProcessorWithoutADisplay) {
       tests::contentOf(folder_ / "pictures/windows-home.csv").find("\n200,"), std::string::npos);
   EXPECT_GT(bright("knee-1.png"), 30);
   EXPECT_GT(bright("hip-1.png"), 15);
+}
+
+TEST_F(WindowsCommand, DrawsAtAGivenSizeAndWritesTheSizeOfAScaledPicture) {
+  const auto finished =
+      run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--part", "simulations", "--size", "3840x2160"});
+  EXPECT_LE(finished.status, 1) << finished.error;
+  EXPECT_NE(finished.out.find("a window of 3840 × 2160"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("1920 × 1080"), std::string::npos) << finished.out;
+  EXPECT_EQ(finished.out.find("Live plots"), std::string::npos) << finished.out;
+  size_ = {3840, 2160};
+  EXPECT_GT(bright("knee-1.png"), 30);
 }
 
 TEST_F(WindowsCommand, DrawsWithOpenGlOnADisplay) {
@@ -87,6 +99,10 @@ TEST_F(WindowsCommand, RefusesOptionsOutOfRangeAndAKneeInMetres) {
       tests::run({tests::releaseProgram(), "bench", "windows", "--seconds", "no"});
   EXPECT_EQ(finished.status, 2);
   EXPECT_NE(finished.error.find("--seconds"), std::string::npos) << finished.error;
+  for (const char* size : {"1280", "1280x100", "1280xhigh"}) {
+    EXPECT_EQ(tests::run({tests::releaseProgram(), "bench", "windows", "--size", size}).status, 2)
+        << size;
+  }
   const auto metres =
       folder_.write("metres.obj", "o tibia\nv 0 0 0\nv 0.06 0 0\nv 0 0 0.06\nf 1 2 3\n");
   const auto knee = run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--anatomy", metres});

@@ -24,6 +24,7 @@ TEST(FrameStatistics, CountsDroppedFrames) {
   }
   const auto report = statistics.report();
   EXPECT_EQ(report.frames, 5);
+  EXPECT_DOUBLE_EQ(statistics.longest(), 48.0);
   EXPECT_EQ(report.dropped, 2);
   EXPECT_NEAR(report.rate, 4.0 / 0.096, 1e-9);
   EXPECT_NEAR(report.frameMedian, 16.0, 1.1);  // bins are a sixteenth wide
