@@ -337,8 +337,7 @@ std::string remarkOnUnsealedTrail(Study& study) {
 
 std::vector<std::string> remarksOnErasure(Study& study) {
   std::vector<std::string> remarks;
-  for (const auto& event : study.events().read()) {
-    if (event.kind != EventKind::ResealedTrail) continue;
+  for (const auto& event : study.events().read(EventKind::ResealedTrail)) {
     remarks.push_back("it was sealed again on " + asUtc(event.when.wall) + ": " + describe(event));
   }
   if (auto open = remarkOnUnsealedTrail(study); !open.empty()) remarks.push_back(std::move(open));

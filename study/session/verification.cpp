@@ -239,8 +239,8 @@ storage::Findings orders(Study& study) {
 /// The digests of all traces according to the audit trail.
 std::map<VisitKey, std::string> keptTraces(Study& study) {
   std::map<VisitKey, std::string> kept;
-  for (const auto& event : study.events().read()) {
-    if (event.kind == EventKind::KeptTrace && event.visit) kept[*event.visit] = event.detail;
+  for (const auto& event : study.events().read(EventKind::KeptTrace)) {
+    if (event.visit) kept[*event.visit] = event.detail;
   }
   return kept;
 }

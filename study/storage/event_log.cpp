@@ -456,12 +456,24 @@ SealingKey EventLog::sealedWith(const SealingKey& own, EventKind kind) const {
   return key != nullptr ? key->joinedWith(own) : own;
 }
 
+std::string EventLog::selectEvents(const char* which) const {
+  return std::string("SELECT ") + columnsIn(database_) + ", unixepoch(utc) FROM event " + which +
+         " ORDER BY seq";
+}
+
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
-  Statement select(
-      database_,
-      std::string("SELECT ") + columnsIn(database_) + ", unixepoch(utc) FROM event" +
-          (session ? " WHERE session_id = ?" : "") + " ORDER BY seq");
+  Statement select(database_, selectEvents(session ? "WHERE session_id = ?" : ""));
   if (session) select.bind(1, static_cast<std::int64_t>(*session));
+  return eventsIn(select);
+}
+
+std::vector<Event> EventLog::read(EventKind kind) const {
+  Statement select(database_, selectEvents("WHERE kind = ?"));
+  select.bind(1, nameOf(kind));
+  return eventsIn(select);
+}
+
+std::vector<Event> EventLog::eventsIn(Statement& select) const {
   std::vector<Event> events;
   Keys keys(*this);
   while (select.step()) {

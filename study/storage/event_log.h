@@ -16,7 +16,8 @@
 
 namespace study::storage {
 
-/// Who caused an event.
+class Statement;
+
 enum class Actor { Participant, Operator, Program };
 
 /// An event of the audit trail.
@@ -157,6 +158,8 @@ class EventLog {
 
   /// The events of one session, or of the whole study, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
+  /// Events of one kind, in order.
+  std::vector<Event> read(EventKind kind) const;
 
   /// Describes the first event at which the hash chain is broken; std::nullopt if it is intact.
   std::optional<std::string> firstBreak() const;
@@ -164,6 +167,8 @@ class EventLog {
  private:
   /// The key that seals an event of @p kind, from the participant's key @p own.
   SealingKey sealedWith(const SealingKey& own, EventKind kind) const;
+  std::string selectEvents(const char* which) const;
+  std::vector<Event> eventsIn(Statement& select) const;
 
   Database& database_;
   const IdentityStore* identities_;
