@@ -16,6 +16,7 @@
 #include "study/collect/server/schema.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
+#include "study/words/counted.h"
 
 namespace study::collect {
 namespace {
@@ -150,7 +151,12 @@ int takeIn(const ServerArguments& given) {
     requireSchema(server);
     return ingestBundle(server, given.file);
   });
-  fmt::print("The server has all events of '{}' up to {}.\n", taken.station, taken.have);
+  const auto added = static_cast<std::uint64_t>(taken.have - taken.before);
+  fmt::print(
+      "{} The server has all events of '{}' up to {}.\n",
+      added == 0 ? "Nothing in it is new." : words::counted(added, "new event") + ".",
+      taken.station,
+      taken.have);
   for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));
   return 0;
 }

@@ -221,13 +221,14 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
 IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& file) {
   const auto bundle = bundleIn(file);
   const auto rows = server.query(
-      "SELECT s.key, s.label, d.name FROM palpate.station AS s JOIN palpate.study AS d "
+      "SELECT s.key, s.label, d.name, s.have FROM palpate.station AS s JOIN palpate.study AS d "
       "ON d.uuid = s.study WHERE s.study = $1 AND s.uuid = $2",
       {bundle.study, bundle.station});
   if (rows.isEmpty()) {
     throw UserError(file.string() + " is of a station that this server does not know.");
   }
-  IngestedBundle taken{.station = rows.text(0, 1)};
+  IngestedBundle taken{
+      .station = rows.text(0, 1), .before = rows.number(0, 3), .have = rows.number(0, 3)};
   const auto study = findStudy(server, rows.text(0, 2));
   Answer answer;
   const auto take = [&](const auto& text, const auto& chunks) {

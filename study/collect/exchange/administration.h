@@ -50,8 +50,9 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request);
 
 /// The result of ingestBundle().
 struct IngestedBundle {
-  std::string station;    ///< label
-  std::int64_t have = 0;  ///< the server has all events up to this one
+  std::string station;      ///< label
+  std::int64_t before = 0;  ///< the server had all events up to this one
+  std::int64_t have = 0;    ///< … and has them up to this one
   std::vector<ErasureReceipt> erased;
 };
 
