@@ -1,5 +1,7 @@
 #include "study/storage/fact_rows.h"
 
+#include <map>
+
 namespace study::storage {
 namespace {
 
@@ -85,11 +87,20 @@ void insertRows(
       database,
       "INSERT INTO " + std::string(table) + " (" + all + std::string(columns) + ") VALUES (" +
           marks + ")");
+  int index = 1 + static_cast<int>(keys.size());
+  std::map<std::string_view, int> parameters;  // in the order of a row's columns
+  for (const auto& name : names) parameters[name] = index++;
   for (const auto& row : rows) {
-    requireColumns(table, columns, row);
-    int index = 1;
+    index = 1;
     for (const auto& [name, value] : keys) statement.bind(index++, value);
-    for (const auto& name : names) bind(statement, index++, row.at(name));
+    auto parameter = parameters.begin();
+    for (const auto& [name, value] : row) {
+      if (parameter == parameters.end() || parameter->first != name) break;
+      bind(statement, parameter++->second, value);
+    }
+    if (parameter != parameters.end() || row.size() != parameters.size()) {
+      requireColumns(table, columns, row);
+    }
     statement.run();
   }
 }

@@ -46,28 +46,75 @@ json asJson(const storage::FactRow& row) {
   return object;
 }
 
-storage::FactRow rowIn(const json& object) {
-  if (!object.is_object()) refuseBatch("session");
-  storage::FactRow row;
-  for (const auto& [name, value] : object.items()) {
-    if (value.is_number_integer()) {
-      row[name] = value.get<std::int64_t>();
-    } else if (value.is_number_float()) {
-      row[name] = value.get<double>();
-    } else if (value.is_string()) {
-      row[name] = value.get<std::string>();
-    } else if (value.is_null()) {
-      row[name] = std::monostate();
-    } else {
-      refuseBatch("session");
-    }
-  }
-  return row;
-}
-
 bool isSingle(const std::string& table) {
   return table == "participant" || table == "session";
 }
+
+/// Reads the text of a session row by row: {"table": [{"column": value}]}, or without the list
+/// where a table has one row. A tree of the whole text would take twice as long.
+class FactsReader : public nlohmann::json_sax<json> {
+ public:
+  storage::SessionFacts take() { return std::move(facts_); }
+
+  bool null() override { return put(std::monostate()); }
+  bool boolean(bool /*value*/) override { return false; }
+  bool number_integer(number_integer_t value) override { return put(std::int64_t{value}); }
+  bool number_unsigned(number_unsigned_t value) override {
+    return put(static_cast<std::int64_t>(value));
+  }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return put(value); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool binary(binary_t& /*value*/) override { return false; }
+  bool start_object(std::size_t /*count*/) override {
+    if (!isOpen_) return isOpen_ = true;
+    if (table_ == nullptr || row_ != nullptr || isInList_ == isSingle_) return false;
+    row_ = &table_->emplace_back();
+    return true;
+  }
+  bool key(string_t& name) override {
+    if (row_ != nullptr) {
+      cell_ = &(*row_)[name];
+    } else {
+      isSingle_ = collect::isSingle(name);
+      table_ = &facts_[name];
+    }
+    return true;
+  }
+  bool end_object() override {
+    row_ = nullptr;
+    cell_ = nullptr;
+    return true;
+  }
+  bool start_array(std::size_t /*count*/) override {
+    if (table_ == nullptr || row_ != nullptr || isInList_ || isSingle_) return false;
+    return isInList_ = true;
+  }
+  bool end_array() override {
+    isInList_ = false;
+    return true;
+  }
+  bool parse_error(
+      std::size_t /*place*/,
+      const std::string& /*token*/,
+      const nlohmann::detail::exception& /*error*/) override {
+    return false;
+  }
+
+ private:
+  bool put(storage::FactValue value) {
+    if (cell_ == nullptr) return false;
+    *cell_ = std::move(value);
+    return true;
+  }
+
+  storage::SessionFacts facts_;
+  bool isOpen_ = false;
+  bool isSingle_ = false;
+  bool isInList_ = false;
+  std::vector<storage::FactRow>* table_ = nullptr;
+  storage::FactRow* row_ = nullptr;
+  storage::FactValue* cell_ = nullptr;  ///< of the column that was named last
+};
 
 json asJson(const storage::StoredEvent& event) {
   return {
@@ -116,19 +163,9 @@ std::string asText(const storage::SessionFacts& facts) {
 }
 
 storage::SessionFacts factsIn(const std::string& text) {
-  const auto all = json::parse(text, nullptr, false);
-  if (!all.is_object()) refuseBatch("session");
-  storage::SessionFacts facts;
-  for (const auto& [table, rows] : all.items()) {
-    if (isSingle(table)) {
-      facts[table].push_back(rowIn(rows));
-      continue;
-    }
-    if (!rows.is_array()) refuseBatch("session");
-    auto& list = facts[table];
-    for (const auto& row : rows) list.push_back(rowIn(row));
-  }
-  return facts;
+  FactsReader reader;
+  if (!json::sax_parse(text, &reader)) refuseBatch("session");
+  return reader.take();
 }
 
 std::string asText(const Batch& batch) {

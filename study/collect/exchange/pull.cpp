@@ -91,7 +91,7 @@ class StationPull {
         problems.emplace_back("its rows differ from their hash");
       }
       facts = factsIn(session.facts);
-      chunks = reader_.chunks(station_, session.number);
+      if (session.hasSamples) chunks = reader_.chunks(station_, session.number);
       for (auto& problem : trail_.problemsOf(session.number, session.asOf, facts, chunks)) {
         problems.push_back(std::move(problem));
       }

@@ -127,7 +127,8 @@ void ServerReader::forEachSession(
     const StationRow& station, const std::function<void(const SessionOnServer&)>& take) {
   for (std::int64_t after = 0;;) {
     const auto rows = server_.query(
-        "SELECT number, as_of, sha256, facts FROM palpate.pull_sessions($1, $2, $3, $4)",
+        "SELECT number, as_of, sha256, facts, has_samples "
+        "FROM palpate.pull_sessions($1, $2, $3, $4)",
         {ticket_, station.id, after, kSessionsAtATime});
     if (rows.isEmpty()) return;
     for (int i = 0; i < rows.count(); ++i) {
@@ -136,7 +137,8 @@ void ServerReader::forEachSession(
           {.number = after,
            .asOf = rows.number(i, 1),
            .sha256 = hexadecimalOf(rows.bytes(i, 2)),
-           .facts = rows.text(i, 3)});
+           .facts = rows.text(i, 3),
+           .hasSamples = rows.text(i, 4) == "t"});
     }
   }
 }

@@ -28,6 +28,7 @@ struct SessionOnServer {
   std::int64_t asOf = 0;
   std::string sha256;
   std::string facts;
+  bool hasSamples = false;
 };
 
 /// A read transaction: while this object exists, all queries see the server in the state of one

@@ -50,9 +50,11 @@ LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
 $$;
 
 CREATE FUNCTION pull_sessions(ticket bigint, of_station integer, after bigint, most integer)
-RETURNS TABLE (number bigint, as_of bigint, sha256 bytea, facts text)
+RETURNS TABLE (number bigint, as_of bigint, sha256 bytea, facts text, has_samples boolean)
 LANGUAGE sql STABLE SECURITY DEFINER SET search_path = palpate, pg_temp AS $$
-  SELECT x.number, x.as_of, x.sha256, x.facts FROM session AS x JOIN station AS s ON s.id = x.station
+  SELECT x.number, x.as_of, x.sha256, x.facts,
+         EXISTS (SELECT 1 FROM chunk AS c WHERE c.station = x.station AND c.session = x.number)
+  FROM session AS x JOIN station AS s ON s.id = x.station
   WHERE s.study = opened(ticket) AND x.station = of_station AND x.number > after ORDER BY x.number LIMIT most;
 $$;
 
