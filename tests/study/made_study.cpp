@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "protocols/load_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 
 namespace tests {
 namespace {
@@ -79,6 +80,17 @@ protocols::LoadedProtocol libraryProtocol(const std::string& name) {
   auto loaded = protocols::loadProtocolFile(name, problems);
   if (!loaded) throw std::runtime_error(questionnaires::describe(problems.all()));
   return std::move(*loaded);
+}
+
+protocols::LoadedProtocol filledIn(const protocols::LoadedProtocol& protocol) {
+  questionnaires::BlankTexts texts;
+  for (const auto& blank : protocols::blanksOf(protocol)) {
+    texts[blank.key] = questionnaires::LocalizedText({{"en", "filled in"}});
+  }
+  questionnaires::Problems problems;
+  auto filled = protocols::withTexts(protocol, texts, problems);
+  if (!filled) throw std::runtime_error(questionnaires::describe(problems.all()));
+  return std::move(*filled);
 }
 
 protocols::LoadedProtocol protocolFrom(

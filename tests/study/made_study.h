@@ -21,6 +21,9 @@ protocols::LoadedProtocol libraryProtocol(const std::string& name);
 protocols::LoadedProtocol protocolFrom(
     const std::string& json, const std::vector<protocols::SourceFile>& files = {});
 
+/// @p protocol with every blank of its texts filled in, as a live session needs it.
+protocols::LoadedProtocol filledIn(const protocols::LoadedProtocol& protocol);
+
 /// Options of a short protocol.
 struct ShortProtocol {
   std::string order = "balancedLatinSquare";

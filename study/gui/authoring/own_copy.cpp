@@ -3,13 +3,13 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QRegularExpression>
 #include <QSaveFile>
 
 #include "protocols/reading/protocol_file.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/model/user_error.h"
 
@@ -38,16 +38,10 @@ void writeProtocol(const QString& file, const std::string& text) {
 }
 
 QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent) {
-  bool isGiven = false;
-  const auto title = QInputDialog::getText(
-      parent,
-      QObject::tr("Save as a protocol of your own"),
-      QObject::tr("Title of your study"),
-      QLineEdit::Normal,
-      QString::fromStdString(shipped.protocol.study.title),
-      &isGiven);
-  if (!isGiven || title.trimmed().isEmpty()) return {};
-  const auto name = asId(title).isEmpty() ? QStringLiteral("my-protocol") : asId(title);
+  const auto title = askForText(
+      parent, Matter::OwnTitle, {}, QString::fromStdString(shipped.protocol.study.title));
+  if (!title) return {};
+  const auto name = asId(*title).isEmpty() ? QStringLiteral("my-protocol") : asId(*title);
   auto file = QFileDialog::getSaveFileName(
       parent,
       QObject::tr("Save as a protocol of your own"),
@@ -56,11 +50,13 @@ QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent) {
   if (file.isEmpty()) return {};
   if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
   const auto id = asId(QFileInfo(file).completeBaseName());
-  const bool isSaved = attempt(parent, [&] {
+  const bool isSaved = attempt(parent, Matter::OwnProtocolNotSaved, [&] {
     writeProtocol(
         file,
         protocols::withName(
-            shipped.text, (id.isEmpty() ? name : id).toStdString(), title.trimmed().toStdString()));
+            shipped.text,
+            (id.isEmpty() ? name : id).toStdString(),
+            title->trimmed().toStdString()));
   });
   if (!isSaved) return {};
   rememberProtocolFolder(file);

@@ -112,13 +112,21 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setResizeMode(QListView::Adjust);
   place_->setAlignment(Qt::AlignCenter);
   place_->setAccessibleName(tr("Page of the participant"));
+  if (const auto blanks = protocols::placeholdersIn(loaded_).size(); blanks > 0) {
+    blanks_ =
+        QStringLiteral(" ") +
+        tr("%1 texts are still to be filled in; they are marked on the pages. Choose “Fill in "
+           "the texts…” before a live session.")
+            .arg(blanks);
+    setRole(*said_, "warn");
+  }
   SystemClock clock;
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
   Study::create(folder, loaded_, clock, kSeed);
   goTo(0);
   fillSteps();
   connect(steps_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (row >= 0) attempt(this, [&] { goTo(row); });
+    if (row >= 0) attempt(this, Matter::PreviewNotShown, [&] { goTo(row); });
   });
   connect(languages_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseLanguage);
   connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
@@ -160,7 +168,7 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   auto* again = new QPushButton(tr("Restart this page"), this);
   again->setObjectName(QStringLiteral("again"));
   connect(again, &QPushButton::clicked, this, [this] {
-    attempt(this, [&] { goTo(steps_->currentRow()); });
+    attempt(this, Matter::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
   });
   auto* pages = new QHBoxLayout;
   for (auto* button : {back, next, again}) {
@@ -237,14 +245,14 @@ void PreviewWindow::updateStep() {
   said_->setText(
       session.state() == SessionState::Interrupted
           ? tr("The trial broke off. In a session the operator would decide; choose a page here.")
-          : tr("A preview: nothing is saved. Answers on earlier pages are examples."));
+          : tr("A preview: nothing is saved. Answers on earlier pages are examples.") + blanks_);
   const QSignalBlocker quiet(steps_);
   steps_->setCurrentRow(session.isOver() ? steps_->count() - 1 : session.stepIndex());
 }
 
 void PreviewWindow::chooseLanguage() {
   if (previewSession_->controller.session().isOver()) {
-    attempt(this, [&] { goTo(steps_->currentRow()); });
+    attempt(this, Matter::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
     return;
   }
   translator_.setLanguage(language());
@@ -285,7 +293,7 @@ ParticipantWindow& PreviewWindow::page() {
 }
 
 void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent) {
-  attempt(parent, [&] {
+  attempt(parent, Matter::PreviewNotShown, [&] {
     auto* window = new PreviewWindow(loaded);
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setAttribute(Qt::WA_QuitOnClose, false);

@@ -58,6 +58,7 @@ class PreviewWindow final : public QMainWindow {
   QListWidget* steps_;
   QComboBox* languages_;
   QComboBox* sizes_;
+  QString blanks_;  ///< says how many blanks the texts have; empty: none
   QLabel* said_;
   QBoxLayout* bar_;
   QScrollArea* place_;

@@ -138,7 +138,7 @@ void ExportDialog::work() {
     sessions = exportStudy(study, target, how, reason);
     what = how.publicClass ? "for the public" : blindingInWords(study, how);
   };
-  const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
+  const bool isDone = BackgroundTask::run(this, tr("Exporting"), Matter::DataNotExported, write);
   if (!isDone) return;
   const QString path = target_->path();
   const QString line =

@@ -6,7 +6,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
-#include <QMessageBox>
 #include <QPointer>
 #include <QScrollBar>
 #include <QSplitter>
@@ -37,6 +36,7 @@ constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"HomeWindow", "The studio"},
     {"ImportCutDialog", "Import a recording"},
     {"KeyDialog", "The results"},
+    {"MessageBox", "When something goes wrong"},
     {"NewStudyDialog", "Create the study"},
     {"OperatorWindow", "The day"},
     {"PageMirror", "The day"},
@@ -46,8 +46,6 @@ constexpr auto kWindows = std::to_array<ProgramWindow>({
     {"PreviewWindow", "Look at every page"},
     {"ProtocolWindow", "Write the protocol"},
     {"QFileDialog", ""},
-    {"QInputDialog", ""},
-    {"QMessageBox", "When something goes wrong"},
     {"ReportDialog", "The results"},
     {"SelfTestDialog", "System check"},
     {"SimulateDialog", "Create the study"},

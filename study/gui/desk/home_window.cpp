@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QLocale>
 #include <QMenuBar>
 #include <QPainter>
@@ -39,6 +38,7 @@
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/theme.h"
@@ -271,7 +271,7 @@ void HomeWindow::fillInTexts() {
   const auto* study = chosen();
   if (study == nullptr) return;
   const auto folder = study->folder;
-  attempt(this, [&] {
+  attempt(this, Matter::TextsNotChanged, [&] {
     auto opened = Study::open(folder);
     const auto& protocol = opened.protocol();
     const bool hasBegun = opened.protocols().current().frozenUtc.has_value();
@@ -289,7 +289,7 @@ void HomeWindow::fillInTexts() {
 void HomeWindow::previewChosen() {
   const auto* study = chosen();
   if (study == nullptr) return;
-  attempt(this, [&] {
+  attempt(this, Matter::PreviewNotShown, [&] {
     auto opened = Study::open(study->folder, storage::Database::Access::ReadOnly);
     openPreview(opened.protocol(), this);
   });
@@ -425,8 +425,9 @@ void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> sessi
   if (open_) return;
   askForKeyOf(folder.toStdString(), this);
   askForNamesOf(folder.toStdString(), this);
-  const bool isOpen = attempt(
-      this, [&] { open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_); });
+  const bool isOpen = attempt(this, Matter::StudyNotOpened, [&] {
+    open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_);
+  });
   if (!isOpen) return;
   const auto& title = open_->study.protocol().protocol.study.title;
   rememberStudy(folder, QString::fromStdString(title));
@@ -490,13 +491,11 @@ void HomeWindow::askForProtocol() {
   for (const auto& name : shipped) {
     names << tr("%1 (ships with the program)").arg(QString::fromStdString(name));
   }
-  bool isChosen = false;
-  const auto name =
-      QInputDialog::getItem(this, tr("Check protocol"), tr("Protocol"), names, 0, false, &isChosen);
-  if (!isChosen) return;
-  const auto index = names.indexOf(name);
-  if (index > 0) {
-    return openProtocolWindow(QString::fromStdString(shipped[static_cast<std::size_t>(index) - 1]));
+  const auto chosen = askForChoice(this, Matter::WhichProtocol, names);
+  if (!chosen) return;
+  if (*chosen > 0) {
+    const auto index = static_cast<std::size_t>(*chosen) - 1;
+    return openProtocolWindow(QString::fromStdString(shipped[index]));
   }
   const QString file = QFileDialog::getOpenFileName(
       this, tr("A protocol"), protocolFolder(), tr("Protocols (*.json)"));

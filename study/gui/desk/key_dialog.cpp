@@ -60,7 +60,7 @@ KeyDialog::Wanted KeyDialog::wanted() const {
 }
 
 void KeyDialog::showState() {
-  attempt(this, [&] {
+  attempt(this, Matter::KeyNotRead, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto words = keyStatusText(study);
     state_ = words.empty() ? tr("Nothing is sealed.")
@@ -90,7 +90,7 @@ void KeyDialog::updateChoices() {
 void KeyDialog::work() {
   if (wanted() == Wanted::Save) return saveKey();
   if (wanted() == Wanted::SealNames) return sealNames();
-  const bool isTaken = attempt(this, [&] {
+  const bool isTaken = attempt(this, Matter::KeyNotTaken, [&] {
     auto study = Study::open(folder_);
     importKey(study, source_->path().toStdString());
   });
@@ -101,7 +101,7 @@ void KeyDialog::work() {
 
 void KeyDialog::saveKey() {
   const auto target = target_->path();
-  const bool isSaved = attempt(this, [&] {
+  const bool isSaved = attempt(this, Matter::KeyNotSaved, [&] {
     auto study = Study::open(folder_);
     exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
   });
@@ -115,7 +115,7 @@ void KeyDialog::saveKey() {
 }
 
 void KeyDialog::sealNames() {
-  const bool isSealed = attempt(this, [&] {
+  const bool isSealed = attempt(this, Matter::NamesNotSealed, [&] {
     auto study = Study::open(folder_);
     setPassphraseOfNames(
         study, passphrase_->text().toStdString(), reason_->text().trimmed().toStdString());

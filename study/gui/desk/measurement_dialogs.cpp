@@ -26,7 +26,9 @@ std::optional<QString> runWithProgress(
     const std::function<std::string(const Progress&)>& work) {
   std::string said;
   const bool isDone =
-      BackgroundTask::run(parent, title, [&](const Progress& progress) { said = work(progress); });
+      BackgroundTask::run(parent, title, Matter::DocumentNotMade, [&](const Progress& progress) {
+        said = work(progress);
+      });
   return isDone ? std::optional(QString::fromStdString(said)) : std::nullopt;
 }
 

@@ -152,7 +152,7 @@ void NewStudyDialog::work() {
   std::optional<std::uint64_t> seed;
   if (!seed_->text().isEmpty()) seed = seed_->text().toULongLong();
   const QString folder = folder_->path();
-  const bool isMade = attempt(this, [&] {
+  const bool isMade = attempt(this, Matter::StudyNotCreated, [&] {
     SystemClock clock;
     Study::create(folder.toStdString(), *checked_.loaded, clock, seed);
   });

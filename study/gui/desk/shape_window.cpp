@@ -89,7 +89,7 @@ void chooseAndOpenShape(QWidget* parent) {
       QFileDialog::tr("Look at a bone or a knee"),
       QDir::homePath(),
       QFileDialog::tr("Bones of spheres, and knees (*.packing *.obj)"));
-  if (!path.isEmpty()) attempt(parent, [&] { openShape(path, parent); });
+  if (!path.isEmpty()) attempt(parent, Matter::FileNotShown, [&] { openShape(path, parent); });
 }
 
 }  // namespace study::gui

@@ -6,7 +6,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QInputDialog>
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/report_work.h"
@@ -14,6 +13,7 @@
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/session/backup.h"
 #include "study/words/words.h"
 
@@ -84,9 +84,10 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
 void BackupDialog::work() {
   Backup backup;
   const std::string target = target_->path().toStdString();
-  const bool isDone = BackgroundTask::run(this, tr("Backing up"), [&](const Progress& progress) {
-    backup = backUp(folder_, target, progress);
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Backing up"), Matter::BackupNotSaved, [&](const Progress& progress) {
+        backup = backUp(folder_, target, progress);
+      });
   if (!isDone) return clear();
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
   const QString checks = describe(backup.verification);
@@ -119,16 +120,11 @@ VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
 }
 
 void VerifyDialog::recordRestoredBackup() {
-  const auto reason = QInputDialog::getText(
-      this,
-      tr("A backup was put back"),
-      tr("What this station signed later is given up. That goes into the audit trail for good, "
-         "with "
-         "the reason:"));
-  if (reason.trimmed().isEmpty()) return;
-  const bool isNoted = attempt(this, [&] {
+  const auto reason = askForText(this, Matter::RestoredBackup);
+  if (!reason) return;
+  const bool isNoted = attempt(this, Matter::BackupNotNoted, [&] {
     auto study = Study::open(folder_);
-    noteRestoredCopy(study, reason.trimmed().toStdString());
+    noteRestoredCopy(study, reason->trimmed().toStdString());
   });
   if (isNoted) work();
 }
@@ -136,11 +132,12 @@ void VerifyDialog::recordRestoredBackup() {
 void VerifyDialog::work() {
   Verification verification;
   std::size_t missing = 0;
-  const bool isDone = BackgroundTask::run(this, tr("Verifying"), [&](const Progress& progress) {
-    auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
-    verification = verify(study, progress);
-    missing = headsMissingIn(study);
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Verifying"), Matter::StudyNotVerified, [&](const Progress& progress) {
+        auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
+        verification = verify(study, progress);
+        missing = headsMissingIn(study);
+      });
   if (!isDone) return clear();
   form().setRowVisible(restored_, missing > 0);
   const QString checks = describe(verification);
@@ -260,7 +257,9 @@ void ReportDialog::work() {
       .format = {.width = width_->value(), .font = font_->value()},
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
   const bool isDone = BackgroundTask::run(
-      this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
+      this, tr("Writing the report"), Matter::ReportNotWritten, [&](const Progress& progress) {
+        write(order, progress);
+      });
   form().setRowVisible(writtenFigures_, isDone && !order.figures.empty());
   writtenFigures_->show(QString::fromStdString(order.figures));
   if (!isDone) return clear();

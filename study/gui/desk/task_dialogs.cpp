@@ -86,7 +86,7 @@ void AmendDialog::updateButton() {
 
 void AmendDialog::work() {
   bool isSame = false;
-  const bool isDone = attempt(this, [&] {
+  const bool isDone = attempt(this, Matter::ProtocolNotChanged, [&] {
     auto study = Study::open(folder_);
     const auto& protocol = *checked_.loaded;
     isSame = storage::isSame(study.protocols().current(), protocol);
@@ -128,16 +128,17 @@ void SimulateDialog::work() {
   std::vector<SimulatedEnding> endings;
   const int wanted = participants_->value();
   const int more = wanted - participants_->minimum() + 1;
-  const bool isDone = BackgroundTask::run(this, tr("Simulating"), [&](const Progress& progress) {
-    SimulatedClock clock;
-    auto study = Study::open(folder_, clock);
-    int begun = 0;
-    const auto seed = simulationSeed(study);
-    endings = simulateCohorts(study, clock, wanted, seed, [&](const Acknowledged& done) {
-      if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
-      tell(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
-    });
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Simulating"), Matter::SimulationNotFinished, [&](const Progress& progress) {
+        SimulatedClock clock;
+        auto study = Study::open(folder_, clock);
+        int begun = 0;
+        const auto seed = simulationSeed(study);
+        endings = simulateCohorts(study, clock, wanted, seed, [&](const Acknowledged& done) {
+          if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
+          tell(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
+        });
+      });
   emit simulated();
   if (!isDone) return clear();
   const auto completed = std::ranges::count_if(endings, [](const SimulatedEnding& ending) {
@@ -186,11 +187,12 @@ void PlanDialog::work() {
     question.participants = static_cast<std::uint64_t>(participants_->value());
   }
   std::string plan;
-  const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
-    tell(progress, kUnknownShare, "simulating studies");
-    auto study = Study::open(folder_, Access::ReadOnly);
-    plan = studyPlanAsText(planOf(study.protocol(), question));
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Computing"), Matter::PlanNotComputed, [&](const Progress& progress) {
+        tell(progress, kUnknownShare, "simulating studies");
+        auto study = Study::open(folder_, Access::ReadOnly);
+        plan = studyPlanAsText(planOf(study.protocol(), question));
+      });
   if (!isDone) return clear();
   showDetails(QString::fromStdString(plan));
 }
@@ -237,12 +239,13 @@ void StatisticsDialog::work() {
   const auto reason =
       mode == RunMode::Simulated ? std::string() : reason_->text().trimmed().toStdString();
   std::string tables;
-  const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
-    tell(progress, kUnknownShare, "computing the tables");
-    auto study = Study::open(folder_, accessForUnblinding(reason));
-    noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
-    tables = resultsAsText(study, computeResults(study, mode), profile);
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Computing"), Matter::StatisticsNotComputed, [&](const Progress& progress) {
+        tell(progress, kUnknownShare, "computing the tables");
+        auto study = Study::open(folder_, accessForUnblinding(reason));
+        noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
+        tables = resultsAsText(study, computeResults(study, mode), profile);
+      });
   if (!isDone) return clear();
   showDetails(QString::fromStdString(tables));
 }

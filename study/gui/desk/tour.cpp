@@ -275,7 +275,7 @@ void Tour::goTo(int step) {
 }
 
 void Tour::begin() {
-  if (!attempt(this, [&] { punch_.begin(); })) return;
+  if (!attempt(this, Matter::VirtualPunchNotStarted, [&] { punch_.begin(); })) return;
   plot_->begin(punch_.kind(), 1000.0);
   figure_->begin(punch_.kind());
   page_->setRunning(true);

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include <QApplication>
-#include <QMessageBox>
 #include <QScreen>
 
 #include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/session/trial_setup.h"
 
 namespace study::gui {
@@ -91,13 +91,7 @@ bool BoneColoursButton::confirmOpening() {
            each->screen() == screen();
   });
   if (!isBesideParticipant) return true;
-  return QMessageBox::question(
-             this,
-             tr("The participant would see it"),
-             tr("The participant's window is on this screen: they would see how hard this "
-                "alternative is. Show the bone in colours anyway?"),
-             QMessageBox::Yes | QMessageBox::No,
-             QMessageBox::No) == QMessageBox::Yes;
+  return ask(this, Matter::BoneBesideParticipant);
 }
 
 void BoneColoursButton::openWindow() {

@@ -1,12 +1,12 @@
 #include "study/gui/operator/control_panel.h"
 
-#include <QInputDialog>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
 
@@ -57,9 +57,14 @@ QWidget* ControlPanel::makeButtons() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
   const auto repeat =
-      add(tr("Repeat…"), SessionEvent::RepeatedStep, &SessionController::repeatStep);
-  const auto skip = add(tr("Skip…"), SessionEvent::SkippedStep, &SessionController::skipStep);
-  pause_ = add(tr("Pause…"), SessionEvent::PausedSession, &SessionController::pause);
+      add(tr("Repeat…"),
+          SessionEvent::RepeatedStep,
+          Matter::RepeatStep,
+          &SessionController::repeatStep);
+  const auto skip =
+      add(tr("Skip…"), SessionEvent::SkippedStep, Matter::SkipStep, &SessionController::skipStep);
+  pause_ = add(
+      tr("Pause…"), SessionEvent::PausedSession, Matter::PauseSession, &SessionController::pause);
   auto* now = addGroup(*layout, tr("Now"), {{repeat, skip}, {pause_, interviewDone_}});
   resume_->setProperty("role", QStringLiteral("tool"));
   now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
@@ -70,9 +75,15 @@ QWidget* ControlPanel::makeButtons() {
   layout->addWidget(note_);
   addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
   emergency_ = {
-      add(tr("Withdrawal…"), SessionEvent::Withdrew, &SessionController::withdraw),
-      add(tr("Reject…"), SessionEvent::WasRejected, &SessionController::reject),
-      add(tr("Device failed…"), SessionEvent::GaveUpOnDevice, &SessionController::giveUpOnDevice)};
+      add(tr("Withdrawal…"),
+          SessionEvent::Withdrew,
+          Matter::Withdrawal,
+          &SessionController::withdraw),
+      add(tr("Reject…"), SessionEvent::WasRejected, Matter::Rejection, &SessionController::reject),
+      add(tr("Device failed…"),
+          SessionEvent::GaveUpOnDevice,
+          Matter::DeviceFailure,
+          &SessionController::giveUpOnDevice)};
   emergency_[0]->setToolTip(tr("The participant withdraws: the session ends"));
   emergency_[1]->setToolTip(tr("This session does not count: it ends"));
   emergency_[2]->setToolTip(tr("The device cannot go on: the session ends"));
@@ -123,32 +134,21 @@ void ControlPanel::connectButtons() {
   connect(close_, &QPushButton::clicked, this, &ControlPanel::closeSessionRequested);
 }
 
-QPushButton* ControlPanel::add(const QString& text, SessionEvent event, Perform action) {
+QPushButton* ControlPanel::add(
+    const QString& text, SessionEvent event, Matter question, Perform action) {
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event});
-  connect(button, &QPushButton::clicked, this, [this, action, text, event] {
-    performWithReason(action, text, event);
+  connect(button, &QPushButton::clicked, this, [this, action, question] {
+    performWithReason(action, question);
   });
   return button;
 }
 
-void ControlPanel::performWithReason(Perform action, const QString& what, SessionEvent event) {
+void ControlPanel::performWithReason(Perform action, Matter question) {
   if (controller_ == nullptr) return;
-  const bool isEnd = event == SessionEvent::Withdrew || event == SessionEvent::WasRejected ||
-                     event == SessionEvent::GaveUpOnDevice;
-  const QString consequence = isEnd ? tr("This ends the session for good; what was answered is "
-                                         "kept, and its place in the design is free again.\n\n")
-                                    : QString();
   controller_->stop();  // no force while the operator types a reason
-  bool isMeant = false;
-  const QString reason = QInputDialog::getText(
-      this,
-      what,
-      consequence + tr("Why? This goes into the record."),
-      QLineEdit::Normal,
-      {},
-      &isMeant);
-  if (isMeant && controller_ != nullptr) (controller_->*action)(reason);
+  const auto reason = askForText(this, question);
+  if (reason && controller_ != nullptr) (controller_->*action)(*reason);
   keepFocusOffButtons();
 }
 

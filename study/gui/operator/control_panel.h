@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "study/gui/widgets/messages.h"
 #include "study/model/session_state.h"
 
 namespace study::gui {
@@ -39,7 +40,7 @@ class ControlPanel final : public QWidget {
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
-  QPushButton* add(const QString& text, SessionEvent event, Perform action);
+  QPushButton* add(const QString& text, SessionEvent event, Matter question, Perform action);
   QWidget* makeButtons();
   QHBoxLayout* addGroup(
       QVBoxLayout& layout,
@@ -48,7 +49,7 @@ class ControlPanel final : public QWidget {
   void keepFocusOffButtons();
   void connectButtons();
   void showWho();
-  void performWithReason(Perform action, const QString& what, SessionEvent event);
+  void performWithReason(Perform action, Matter question);
   void keepNote();
   void showNotes();
 

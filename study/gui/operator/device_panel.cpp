@@ -94,22 +94,12 @@ void DevicePanel::check() {
   FindingsDialog(again(), FindingsDialog::Question::Nothing, again, window()).exec();
 }
 
-bool DevicePanel::confirmDevicesReady(const Found& otherwise) {
-  const auto checkAll = [&] {
-    Found found = otherwise;
-    if (deviceSet_ == nullptr) return found;
-    const auto heard = checkDevices();
-    found.insert(found.end(), heard.begin(), heard.end());
-    return found;
-  };
-  const auto found = checkAll();
+bool DevicePanel::confirmDevicesReady() {
+  if (deviceSet_ == nullptr) return true;
+  const auto again = [this] { return checkDevices(); };
+  const auto found = again();
   if (!FindingsDialog::hasFailed(found)) return true;
-  const bool mayMend = deviceSet_ != nullptr;
-  FindingsDialog question(
-      found,
-      FindingsDialog::Question::StartDespiteFailures,
-      mayMend ? FindingsDialog::CheckAgain(checkAll) : FindingsDialog::CheckAgain(),
-      window());
+  FindingsDialog question(found, FindingsDialog::Question::StartDespiteFailures, again, window());
   return question.exec() == QDialog::Accepted;
 }
 
@@ -135,7 +125,11 @@ Found DevicePanel::checkDevices() {
   // No trial can begin meanwhile, because the modal dialog takes all clicks until the check is
   // over.
   const bool isDone = BackgroundTask::run(
-      window(), tr("Devices"), checkAll, BackgroundTask::Cancelling::Impossible);
+      window(),
+      tr("Devices"),
+      Matter::DevicesNotChecked,
+      checkAll,
+      BackgroundTask::Cancelling::Impossible);
   if (!isDone) {
     found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
   }

@@ -33,10 +33,10 @@ class DevicePanel final : public QWidget {
   /// Disables checking while a trial runs.
   void setBusy(bool isBusy);
 
-  /// Checks every device before a session. If a device or one of the other findings, @p otherwise,
-  /// has failed, asks whether to start anyway; Enter cancels.
+  /// Checks every device before a session. If one has failed, asks whether to start anyway; Enter
+  /// cancels.
   /// @return whether the session may begin. Virtual devices always pass.
-  bool confirmDevicesReady(const std::vector<FindingsDialog::Found>& otherwise);
+  bool confirmDevicesReady();
 
  public slots:
   /// Checks every device of the protocol and shows the findings.

@@ -1,23 +1,42 @@
 #include "study/gui/operator/enrolment_check.h"
 
+#include <algorithm>
+
+#include <QStringList>
+
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
+namespace {
 
-std::vector<FindingsDialog::Found> checkTexts(
-    const protocols::LoadedProtocol& protocol, const Enrolment& enrolment) {
-  FindingsDialog::Found texts{"texts", {}};
-  if (enrolment.runMode != RunMode::Live) return {};
-  for (const auto& blank : protocols::placeholdersIn(protocol)) {
-    texts.results.push_back(
-        {haptics::devices::Finding::Fail,
-         blank.where,
-         said("still to be filled in: {}", blank.words),
-         "Fill in the texts of the study, or try it with a pilot session."});
+/// The first blanks, one line each.
+QString listOf(const std::vector<protocols::Placeholder>& blanks) {
+  constexpr std::size_t kMost = 6;
+  QStringList lines;
+  for (std::size_t i = 0; i < std::min(blanks.size(), kMost); ++i) {
+    lines << QStringLiteral("•  ") +
+                 QString::fromStdString(blanks[i].where + ": " + blanks[i].words);
   }
-  if (texts.results.empty()) return {};
-  return {texts};
+  if (blanks.size() > kMost) {
+    lines << QString::fromStdString(said("and {} more", blanks.size() - kMost));
+  }
+  return lines.join(u'\n');
+}
+
+}  // namespace
+
+bool confirmTexts(
+    const protocols::LoadedProtocol& protocol, const Enrolment& enrolment, QWidget* parent) {
+  const auto blanks = protocols::placeholdersIn(protocol);
+  if (blanks.empty()) return true;
+  const QStringList count{QString::number(blanks.size())};
+  if (enrolment.runMode == RunMode::Pilot) {
+    return ask(parent, Matter::PilotSessionHasBlanks, count, listOf(blanks));
+  }
+  showMessage(parent, Matter::LiveSessionHasBlanks, count, listOf(blanks));
+  return false;
 }
 
 }  // namespace study::gui

@@ -1,17 +1,16 @@
 #pragma once
 
-#include <vector>
+#include <QWidget>
 
 #include "protocols/model/loaded_protocol.h"
-#include "study/gui/operator/findings_dialog.h"
 #include "study/session/session.h"
 
 namespace study::gui {
 
-/// Findings about the texts that a newly enrolled participant would read. For a live session each
-/// placeholder that is still in double square brackets fails. Empty if there are none, and in other
-/// run modes.
-std::vector<FindingsDialog::Found> checkTexts(
-    const protocols::LoadedProtocol& protocol, const Enrolment& enrolment);
+/// Whether a participant may be enrolled although a text that they would read still has a blank in
+/// double square brackets: never for a live session, which is refused with a list of the blanks;
+/// for a pilot if the operator says so.
+bool confirmTexts(
+    const protocols::LoadedProtocol& protocol, const Enrolment& enrolment, QWidget* parent);
 
 }  // namespace study::gui

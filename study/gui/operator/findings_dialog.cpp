@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/desk_language.h"
-#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
@@ -76,20 +76,30 @@ QTableWidget* emptyTable(QWidget* parent) {
 
 FindingsDialog::FindingsDialog(
     const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
-    : QDialog(parent), verdict_(bodyLabel({}, this)), table_(emptyTable(this)) {
+    : QDialog(parent), verdict_(nullptr), table_(emptyTable(this)) {
   setWindowTitle(asks == Question::StartDespiteFailures ? tr("Before the session") : tr("Devices"));
+  auto* layout = new QVBoxLayout(this);
+  const bool isQuestion = asks == Question::StartDespiteFailures;
+  auto* words = addBoxWords(
+      *layout,
+      isQuestion ? MessageRow::Kind::Question : MessageRow::Kind::Information,
+      {},
+      isQuestion ? QStringList(tr("Trials on a device that failed may break off, and are marked. "
+                                  "Nothing is saved yet."))
+                 : QStringList(tr("A check saves nothing.")),
+      *this);
+  verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
   verdict_->setObjectName(QStringLiteral("verdict"));
   auto* buttons = new QDialogButtonBox(this);
   QPushButton* close = nullptr;
   if (asks == Question::StartDespiteFailures) {
     start_ = buttons->addButton(tr("Start anyway"), QDialogButtonBox::AcceptRole);
     start_->setAutoDefault(false);
-    close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
+    close = buttons->addButton(tr("Do not start"), QDialogButtonBox::RejectRole);
   } else {
     close = buttons->addButton(QDialogButtonBox::Close);
   }
   close->setDefault(true);
-  close->setFocus();
   if (checkAgain) {
     auto* again = buttons->addButton(tr("Check again"), QDialogButtonBox::ActionRole);
     again->setObjectName(QStringLiteral("check-again"));
@@ -98,11 +108,10 @@ FindingsDialog::FindingsDialog(
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(verdict_);
   layout->addWidget(table_, 1);
   layout->addWidget(buttons);
   resize(1000, 520);
+  close->setFocus();
   show(found);
 }
 
@@ -117,9 +126,7 @@ void FindingsDialog::show(const std::vector<Found>& found) {
     return;
   }
   verdict_->setText(
-      isBad ? tr("Some checks failed. Start anyway? Trials on a device that failed may break off, "
-                 "and are marked.")
-            : tr("All checks passed."));
+      isBad ? tr("Start the session although some checks failed?") : tr("All checks passed."));
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -28,6 +27,7 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/trial_setup.h"
@@ -208,23 +208,24 @@ OperatorWindow::~OperatorWindow() {
 
 void OperatorWindow::enrol(const Enrolment& enrolment) {
   if (controller_) return;
-  attempt(this, [&] { begin(Session::enrol(study_, enrolment)); });
+  attempt(this, Matter::SessionNotBegun, [&] { begin(Session::enrol(study_, enrolment)); });
 }
 
 void OperatorWindow::resume(SessionId id, const std::string& takeOver) {
   if (controller_) return;
-  attempt(this, [&] { begin(Session::resume(study_, id, takeOver)); });
+  attempt(this, Matter::SessionNotContinued, [&] { begin(Session::resume(study_, id, takeOver)); });
 }
 
 void OperatorWindow::enrolAfterChecks(const Enrolment& enrolment) {
   if (controller_) return;
-  attempt(this, [&] {
-    if (devices_->confirmDevicesReady(checkTexts(study_.protocol(), enrolment))) enrol(enrolment);
+  attempt(this, Matter::SessionNotBegun, [&] {
+    const bool mayBegin = confirmTexts(study_.protocol(), enrolment, this);
+    if (mayBegin && devices_->confirmDevicesReady()) enrol(enrolment);
   });
 }
 
 void OperatorWindow::resumeAfterChecks(SessionId id, const std::string& takeOver) {
-  if (!controller_ && devices_->confirmDevicesReady({})) resume(id, takeOver);
+  if (!controller_ && devices_->confirmDevicesReady()) resume(id, takeOver);
 }
 
 void OperatorWindow::begin(Session session) {
@@ -266,7 +267,7 @@ void OperatorWindow::showError(const QString& why) {
     waitingErrors_ << why;
     return;
   }
-  QMessageBox::warning(this, tr("Error"), why);
+  showMessage(this, Matter::StepNotDone, {}, why);
 }
 
 void OperatorWindow::showWaitingErrors() {
@@ -373,7 +374,7 @@ void OperatorWindow::showInterview() {
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  if (!controller_->saveAll() && !confirmLoss()) return;
+  if (!controller_->saveAll() && !ask(this, Matter::CloseWithLoss)) return;
   trial_->setController(nullptr);
   controls_->setController(nullptr);
   mirror_->setPage(nullptr);
@@ -388,20 +389,9 @@ void OperatorWindow::endSession() {
   push_.send();
 }
 
-bool OperatorWindow::confirmLoss() {
-  return QMessageBox::question(
-             this,
-             tr("Not everything is kept"),
-             tr("Something that was written in this step could not be kept. Close anyway, "
-                "and lose it?"),
-             QMessageBox::Yes | QMessageBox::No,
-             QMessageBox::No) == QMessageBox::Yes;
-}
-
 void OperatorWindow::closeEvent(QCloseEvent* event) {
   if (controller_ && controller_->isTrialRunning()) {
-    QMessageBox::warning(
-        this, tr("A trial is running"), tr("Stop it first; then this window can be closed."));
+    showMessage(this, Matter::TrialIsRunning);
     event->ignore();
     return;
   }

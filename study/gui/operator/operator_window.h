@@ -83,7 +83,6 @@ class OperatorWindow final : public QMainWindow {
   void removeInterview();
   void endSession();
   /// Asks whether to close although something could not be saved. Enter means No.
-  bool confirmLoss();
   void updateAll();
   void moveHand(double share);
   void useSessionLanguage();

@@ -8,13 +8,13 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/cohort_bar.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
@@ -198,7 +198,7 @@ void SessionsPage::giveRoom() {
 }
 
 void SessionsPage::refresh() {
-  attempt(this, [&] {
+  attempt(this, Matter::SessionsNotListed, [&] {
     const auto sessions = storage::Records(study_.database()).sessions();
     unfinished_ = unfinishedSessions(study_);
     const auto& protocol = study_.protocol().protocol;
@@ -258,18 +258,11 @@ void SessionsPage::fillCohorts(
 void SessionsPage::goOnWith(const UnfinishedSession& session) {
   const auto id = static_cast<qlonglong>(session.id);
   if (!session.mayBeTakenOver()) return emit resumeRequested(id, {});
-  bool isMeant = false;
-  const QString reason = QInputDialog::getText(
+  const auto reason = askForText(
       this,
-      tr("Take the session over"),
-      tr("It is open on %1, which cannot be seen from here. It last stored something at %2. "
-         "From now on nothing can be saved there any more.\n\n"
-         "Why is it taken over? The reason is recorded.")
-          .arg(QString::fromStdString(session.holder->station), localTime(session.lastStoredUtc)),
-      QLineEdit::Normal,
-      {},
-      &isMeant);
-  if (isMeant && !reason.trimmed().isEmpty()) emit resumeRequested(id, reason.trimmed());
+      Matter::TakeOver,
+      {QString::fromStdString(session.holder->station), localTime(session.lastStoredUtc)});
+  if (reason) emit resumeRequested(id, reason->trimmed());
 }
 
 const UnfinishedSession* SessionsPage::selectedUnfinished() const {

@@ -8,6 +8,7 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/field_form.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
 
@@ -65,18 +66,22 @@ PinDialog::PinDialog(QWidget* parent)
       objection_(quietLabel({}, this)) {
   setWindowTitle(tr("A PIN for this screen"));
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(bodyLabel(
-      tr("The participant gets the whole screen. This PIN brings you back. It is valid "
-         "until the program ends, and is not saved anywhere."),
-      this));
+  auto* words = addBoxWords(
+      *layout,
+      MessageRow::Kind::Question,
+      tr("Which PIN brings you back?"),
+      {tr("The participant gets the whole screen until the PIN is typed. The session goes on, and "
+          "answers are saved as before."),
+       tr("The PIN is valid until the program ends, and is not saved.")},
+      *this);
   auto* form = new FieldForm;
   form->addRow(tr("PIN"), first_);
   form->addRow(tr("Once more"), second_);
-  layout->addLayout(form);
-  layout->addWidget(objection_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  handOver_ = buttons->button(QDialogButtonBox::Ok);
-  handOver_->setText(tr("Hand over"));
+  words->addLayout(form);
+  words->addWidget(objection_);
+  auto* buttons = new QDialogButtonBox(this);
+  handOver_ = buttons->addButton(tr("Hand over"), QDialogButtonBox::AcceptRole);
+  buttons->addButton(tr("Keep the screen"), QDialogButtonBox::RejectRole);
   layout->addWidget(buttons);
   for (auto* line : {first_, second_}) {
     connect(line, &QLineEdit::textChanged, this, &PinDialog::judge);

@@ -2,23 +2,26 @@
 
 #include <exception>
 
-#include <QMessageBox>
 #include <QWidget>
 
-#include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/messages.h"
 
 namespace study::gui {
 
-/// Runs @p action. If it throws, shows the error's message and returns false.
+/// Shows the message about @p matter, with @p why [UTF-8] it failed.
+void showFailure(QWidget* parent, Matter matter, const char* why);
+
+/// Runs @p action. If it throws, shows the message about @p matter with the error's own, and
+/// returns false.
 ///
 /// Exceptions must not cross Qt's event loop, so slots call this for code that may throw.
 template <typename Action>
-bool attempt(QWidget* parent, Action&& action) {
+bool attempt(QWidget* parent, Matter matter, Action&& action) {
   try {
     action();
     return true;
   } catch (const std::exception& error) {
-    QMessageBox::warning(parent, deskText("Error"), QString::fromUtf8(error.what()));
+    showFailure(parent, matter, error.what());
     return false;
   }
 }

@@ -99,7 +99,11 @@ void BackgroundTask::showProgress() {
 }
 
 bool BackgroundTask::run(
-    QWidget* parent, const QString& title, const Work& work, Cancelling cancelling) {
+    QWidget* parent,
+    const QString& title,
+    Matter failure,
+    const Work& work,
+    Cancelling cancelling) {
   BackgroundTask task(title, work, cancelling, parent);
   task.exec();
   if (!task.failure()) return true;
@@ -108,7 +112,7 @@ bool BackgroundTask::run(
   } catch (const Cancelled&) {
     return false;  // cancelled by the user, who needs no message
   } catch (...) {
-    return attempt(parent, [&] { std::rethrow_exception(task.failure()); });
+    return attempt(parent, failure, [&] { std::rethrow_exception(task.failure()); });
   }
 }
 

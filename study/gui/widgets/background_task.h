@@ -12,6 +12,7 @@
 #include <QThread>
 #include <QTimer>
 
+#include "study/gui/widgets/messages.h"
 #include "study/model/progress.h"
 
 namespace study::gui {
@@ -37,11 +38,13 @@ class BackgroundTask final : public QDialog {
   /// Cancels the work and waits for its end.
   ~BackgroundTask() override;
 
-  /// Runs @p work behind a dialog. If it fails, shows the error's message.
+  /// Runs @p work behind a dialog. If it fails, shows the message about @p failure with the error's
+  /// own.
   /// @return whether it completed: it neither failed nor was cancelled.
   static bool run(
       QWidget* parent,
       const QString& title,
+      Matter failure,
       const Work& work,
       Cancelling cancelling = Cancelling::Possible);
 

@@ -1,14 +1,13 @@
 #include "study/gui/widgets/written_file.h"
 
 #include <QDesktopServices>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QUrl>
+
+#include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
 
@@ -22,21 +21,11 @@ void openOnDesktop(const QString& path) {
 }
 
 void announceWrittenFile(QWidget* parent, const QString& path) {
-  auto* box = new QMessageBox(
-      QMessageBox::NoIcon,
-      WrittenFile::tr("Saved"),
-      WrittenFile::tr("Saved: %1").arg(shownPath(path)),
-      QMessageBox::Close,
-      parent);
+  auto* box = new MessageBox(Matter::FileSaved, {shownPath(path)}, {}, parent);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* written = new WrittenFile(box);
   written->show(path);
-  auto* grid = qobject_cast<QGridLayout*>(box->layout());
-  auto* close = box->findChild<QDialogButtonBox*>();  // below what was written
-  grid->removeWidget(close);
-  for (QWidget* part : {static_cast<QWidget*>(written), static_cast<QWidget*>(close)}) {
-    grid->addWidget(part, grid->rowCount(), 0, 1, grid->columnCount());
-  }
+  box->add(*written);
   box->open();
 }
 

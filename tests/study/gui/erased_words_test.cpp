@@ -8,14 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include <QApplication>
-#include <QInputDialog>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QTest>
 #include <QTimer>
 
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/session/erasure.h"
 #include "study/storage/records.h"
@@ -54,9 +53,9 @@ class ErasedWords : public testing::Test {
   void SetUp() override {
     open();
     QObject::connect(&watch_, &QTimer::timeout, &watch_, [] {
-      auto* message = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (message == nullptr) return;
-      ADD_FAILURE() << message->text().toStdString();
+      auto* message = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
+      if (message == nullptr || message->matter() != Matter::StepNotDone) return;
+      ADD_FAILURE() << message->words().toStdString();
       message->reject();
     });
     watch_.start(50);
@@ -84,10 +83,10 @@ class ErasedWords : public testing::Test {
     bool isAsked = false;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &look, [&] {
-      auto* question = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+      auto* question = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
       if (question == nullptr) return;
       isAsked = true;
-      question->setTextValue(planted(button));
+      question->setText(planted(button));
       question->accept();
     });
     look.start(10);

@@ -6,18 +6,16 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QTableWidget>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/cut_table.h"
-#include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/model/study_files.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
@@ -88,23 +86,21 @@ class OperatorSession : public testing::Test {
   tests::Participant participant_{window_};
 };
 
-TEST_F(OperatorSession, AsksBeforeALiveSessionWithPlaceholdersInTexts) {
-  QStringList parts;
+TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot) {
   const auto press = [&](const auto& answer) {
-    int asked = 0;
+    std::vector<Matter> shown;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &look, [&] {
-      auto* question = window_.findChild<FindingsDialog*>();
-      if (question == nullptr || !question->isVisible()) return;
-      ++asked;
-      const auto* table = question->findChild<QTableWidget*>();
-      for (int row = 0; row < table->rowCount(); ++row) parts << table->item(row, 2)->text();
-      tests::photograph(*question, QStringLiteral("blanks"));
-      answer(*question);
+      auto* box = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      shown.push_back(box->matter());
+      EXPECT_TRUE(box->words().contains(QStringLiteral("consent-punch")))
+          << box->words().toStdString();
+      answer(*box);
     });
     look.start(20);
     QTest::mouseClick(buttonSaying(&window_, QStringLiteral("New participant")), Qt::LeftButton);
-    return asked;
+    return shown;
   };
   QComboBox* mode = nullptr;
   for (auto* box : window_.findChildren<QComboBox*>()) {
@@ -113,15 +109,23 @@ TEST_F(OperatorSession, AsksBeforeALiveSessionWithPlaceholdersInTexts) {
   ASSERT_NE(mode, nullptr);
   EXPECT_EQ(mode->currentData().toInt(), static_cast<int>(RunMode::Pilot))
       << "is offered first, because the devices are virtual";
+  const auto pressEnter = [](MessageBox& box) { QTest::keyClick(&box, Qt::Key_Return); };
+  EXPECT_EQ(press(pressEnter), std::vector{Matter::PilotSessionHasBlanks});
+  EXPECT_EQ(window_.controller(), nullptr) << "Enter does not begin it";
   mode->setCurrentIndex(mode->findData(static_cast<int>(RunMode::Live)));
-  EXPECT_EQ(press([](FindingsDialog& question) { QTest::keyClick(&question, Qt::Key_Return); }), 1);
-  EXPECT_EQ(window_.controller(), nullptr) << "Enter means No";
-  EXPECT_TRUE(parts.filter(QStringLiteral("consent-punch")).size() > 0)
-      << parts.join(u' ').toStdString();
+  EXPECT_EQ(
+      press([](MessageBox& box) {
+        EXPECT_EQ(box.findChild<QPushButton*>(QStringLiteral("action")), nullptr);
+        box.accept();
+      }),
+      std::vector{Matter::LiveSessionHasBlanks});
+  EXPECT_EQ(window_.controller(), nullptr) << "there is no way past it";
   EXPECT_TRUE(storage::Records(study_.database()).sessions().empty());
 
   mode->setCurrentIndex(mode->findData(static_cast<int>(RunMode::Pilot)));
-  EXPECT_EQ(press([](FindingsDialog& question) { question.reject(); }), 0);
+  press([](MessageBox& box) {
+    QTest::mouseClick(box.findChild<QPushButton*>(QStringLiteral("action")), Qt::LeftButton);
+  });
   ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
 }
 
@@ -152,9 +156,9 @@ class Reader {
  public:
   Reader() {
     QObject::connect(&look_, &QTimer::timeout, &look_, [this] {
-      auto* message = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      auto* message = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
       if (message == nullptr) return;
-      texts_ << message->text();
+      texts_ << message->words();
       message->close();
     });
     look_.start(20);
@@ -279,7 +283,7 @@ TEST_F(OperatorSession, ShowsMessagesOnlyAfterUnlocking) {
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "no message while the screen is locked";
 
   const InFront read([&](QWidget& message) {
-    told = qobject_cast<QMessageBox*>(&message)->text();
+    told = qobject_cast<MessageBox*>(&message)->words();
     message.close();
     return true;
   });
@@ -290,7 +294,8 @@ TEST_F(OperatorSession, ShowsMessagesOnlyAfterUnlocking) {
   QTest::keyClicks(pin, QStringLiteral("2468"));
   QTest::keyClick(pin, Qt::Key_Return);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !told.isEmpty(); }, 2000));
-  EXPECT_EQ(told, QStringLiteral("The disk is full.\n\nIt still is."));
+  EXPECT_TRUE(told.endsWith(QStringLiteral("\n\nThe disk is full.\n\nIt still is.")))
+      << told.toStdString();
 }
 
 }  // namespace operator_session_test

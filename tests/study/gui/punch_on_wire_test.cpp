@@ -15,12 +15,12 @@
 
 #include "haptics/emulators/punch_emulator.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "protocols/load_protocol.h"
 #include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -71,10 +71,9 @@ class ConnectedPunch : public testing::Test {
       R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "punch-serial", "port": ")" +
           port_ + R"(", "newtons_per_volt": 0.667}]})");
   SystemClock clock_;
-  questionnaires::Problems problems_;
   Study study_ = Study::create(
       folder_ / "study",
-      *protocols::loadProtocolFile("punch-face-validity", problems_),
+      tests::filledIn(tests::libraryProtocol("punch-face-validity")),
       clock_,
       7,
       tests::knownSecret());

@@ -8,7 +8,6 @@
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -20,6 +19,7 @@
 
 #include "protocols/load_protocol.h"
 #include "study/gui/authoring/timeline_bar.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
@@ -166,8 +166,8 @@ TEST_F(ProtocolWindowTest, SavesAShippedProtocolAsOneOfOnesOwn) {
   QTimer answer;
   QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
     auto* asked = QApplication::activeModalWidget();
-    if (auto* title = qobject_cast<QInputDialog*>(asked)) {
-      title->setTextValue(QStringLiteral("Our punch"));
+    if (auto* title = qobject_cast<MessageBox*>(asked)) {
+      title->setText(QStringLiteral("Our punch"));
       title->accept();
     } else if (auto* where = qobject_cast<QFileDialog*>(asked)) {
       answer.stop();

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QMessageBox>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
@@ -19,6 +18,7 @@
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/desk/tour.h"
 #include "study/gui/participant/trial_page.h"
+#include "study/gui/widgets/message_box.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
@@ -83,7 +83,7 @@ TEST_F(HelpTest, OpensForTheOperatorButNotForTheParticipant) {
       tests::knownSecret());
   OperatorWindow window(study);
   EXPECT_TRUE(pressF1(window).contains(QStringLiteral("The day")));
-  QMessageBox box(&window);
+  const MessageBox box(Matter::StepNotDone, {}, {}, &window);
   EXPECT_EQ(helpTopicOf(box), QStringLiteral("When something goes wrong"));
   window.enrol({.cohort = "professional", .language = "en", .code = {}});
   ASSERT_NE(window.participantWindow(), nullptr);

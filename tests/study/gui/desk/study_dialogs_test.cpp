@@ -11,9 +11,7 @@
 #include <QComboBox>
 #include <QDate>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
@@ -26,6 +24,7 @@
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/task_dialogs.h"
+#include "study/gui/widgets/message_box.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/model/clock.h"
 #include "study/results/results.h"
@@ -103,9 +102,9 @@ TEST_F(StudyDialogsTest, VerifyNotesThatABackupWasPutBackOnPurpose) {
   auto* restored = dialog.findChild<QPushButton*>(QStringLiteral("restored"));
   ASSERT_TRUE(restored->isVisible());
   QTimer::singleShot(0, &dialog, [] {
-    auto* question = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    auto* question = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(question, nullptr);
-    question->setTextValue(QStringLiteral("the disk failed"));
+    question->setText(QStringLiteral("the disk failed"));
     question->accept();
   });
   QTest::mouseClick(restored, Qt::LeftButton);
@@ -279,9 +278,9 @@ TEST_F(StudyDialogsTest, ReportRefusesToOverwriteAFile) {
   QString told;
   QTimer look;
   QObject::connect(&look, &QTimer::timeout, &look, [&] {
-    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    auto* box = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
     if (box == nullptr) return;
-    told = box->text();
+    told = box->words();
     box->accept();
   });
   look.start(20);

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QMessageBox>
 #include <QTest>
 
+#include "study/gui/widgets/message_box.h"
 #include "tests/study/gui/participant.h"
 
 namespace study::gui {
@@ -89,17 +89,21 @@ TEST(BackgroundTask, ShowsTheMessageOfTheException) {
   QString told;
   QTimer look;
   QObject::connect(&look, &QTimer::timeout, &look, [&] {
-    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    auto* box = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
     if (box == nullptr) return;
-    told = box->text();
+    told = box->words();
     box->accept();
   });
   look.start(20);
-  const bool isDone = BackgroundTask::run(nullptr, QStringLiteral("Working"), [](const Progress&) {
-    throw std::runtime_error("The disk is full. Free some space.");
-  });
+  const bool isDone = BackgroundTask::run(
+      nullptr, QStringLiteral("Working"), Matter::ReportNotWritten, [](const Progress&) {
+        throw std::runtime_error("The disk is full. Free some space.");
+      });
   EXPECT_FALSE(isDone);
-  EXPECT_EQ(told, QStringLiteral("The disk is full. Free some space."));
+  EXPECT_EQ(
+      told,
+      QStringLiteral("The report was not written.\n\nNothing in the study was changed.\n\nThe disk "
+                     "is full. Free some space."));
 }
 
 }  // namespace background_task_test

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <span>
+
+namespace study::gui {
+
+/// What the windows show a message about, or ask a question about. Each has a row in messages().
+enum class Matter {
+  // What failed; the error says why, and what to do.
+  BackupNotNoted,
+  BackupNotSaved,
+  ConsentCopyNotSaved,
+  DataNotExported,
+  DevicesNotChecked,
+  DocumentNotMade,
+  FileNotShown,
+  KeyNotRead,
+  KeyNotSaved,
+  KeyNotTaken,
+  NamesNotSealed,
+  OwnProtocolNotSaved,
+  ParticipantNotErased,
+  ParticipantsNotListed,
+  PlanNotComputed,
+  PreviewNotShown,
+  ProtocolNotChanged,
+  ReportNotWritten,
+  SessionNotBegun,
+  SessionNotContinued,
+  SessionsNotListed,
+  SimulationNotFinished,
+  StatisticsNotComputed,
+  StepNotDone,
+  StudyNotCreated,
+  StudyNotOpened,
+  StudyNotVerified,
+  SystemNotChecked,
+  TextsNotChanged,
+  TextsNotSaved,
+  VirtualPunchNotStarted,
+  // What the operator should know.
+  FileSaved,
+  LiveSessionHasBlanks,
+  TrialIsRunning,
+  // What is asked.
+  BoneBesideParticipant,
+  CloseWithLoss,
+  PilotSessionHasBlanks,
+  // What is asked with a text to write, or a choice to make.
+  DeviceFailure,
+  NamesPassphrase,
+  OwnTitle,
+  PauseSession,
+  Rejection,
+  RepeatStep,
+  RestoredBackup,
+  SkipStep,
+  StudyPassphrase,
+  TakeOver,
+  WhichProtocol,
+  Withdrawal,
+};
+
+/// The words of a message or question, in English; %1, %2, … are replaced by arguments.
+struct MessageRow {
+  enum class Kind { Failure, Warning, Information, Question };
+  enum class Field { None, Text, NeededText, Passphrase, Choice };
+
+  Matter matter;
+  Kind kind;
+  const char* title;        ///< of the window: names the matter
+  const char* headline;     ///< what happened, or what is asked
+  const char* data;         ///< what it means for the data: what is saved, and what is not
+  const char* advice = "";  ///< what to do; empty where an error says it
+  const char* safe = "Close";
+  const char* action = "";  ///< the verb of what is asked; empty: nothing is asked
+  Field field = Field::None;
+  const char* label = "";  ///< of the field
+};
+
+/// All messages and questions of the windows, one row for each Matter, in its order.
+std::span<const MessageRow> messages() noexcept;
+
+const MessageRow& messageAbout(Matter matter) noexcept;
+
+}  // namespace study::gui
