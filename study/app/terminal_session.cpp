@@ -314,20 +314,21 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
   return std::nullopt;
 }
 
-/// Asks the operator whether to enrol although texts that the participant reads contain unfilled
-/// placeholders in double brackets.
-bool confirmEnrolment(Study& study, const Enrolment& enrolment) {
-  if (enrolment.runMode != RunMode::Live) return true;
+/// Whether a participant may be enrolled: not for a live session while a text that they would read
+/// has blanks in double brackets. A pilot begins with a notice, because it does not count.
+bool mayEnrol(Study& study, const Enrolment& enrolment) {
   const auto blanks = protocols::placeholdersIn(study.protocol());
   if (blanks.empty()) return true;
-  fmt::print("A participant would read what is still to be filled in:\n");
+  const bool isPilot = enrolment.runMode == RunMode::Pilot;
+  fmt::print(
+      "{}",
+      isPilot ? "These texts are still to be filled in before a live session:\n"
+              : "A live session cannot begin: these texts are still to be filled in.\n");
   for (const auto& blank : blanks) fmt::print("  {}: {}\n", blank.where, blank.words);
-  fmt::print("Fill in with 'palpate study texts', or try it with --pilot. Start anyway? [y/N] ");
-  try {
-    return isYes(readLine());
-  } catch (const InputEnded&) {
-    return false;
-  }
+  fmt::print(
+      "Fill them in with 'palpate study texts'{}.\n",
+      isPilot ? "" : ", or try the study with --pilot");
+  return isPilot;
 }
 
 }  // namespace
@@ -336,8 +337,8 @@ int runInTerminal(
     Study& study, Enrolment enrolment, const std::string& deviceFile, const std::string& takeOver) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
-  if (!open && !confirmEnrolment(study, enrolment)) {
-    fmt::print("\nNobody was enrolled.\n");
+  if (!open && !mayEnrol(study, enrolment)) {
+    fmt::print("No participant was enrolled.\n");
     return 1;
   }
   try {

@@ -18,6 +18,11 @@ namespace terminal_session_test {
 
 class TerminalSessionTest : public testing::Test {
  protected:
+  explicit TerminalSessionTest(
+      const protocols::LoadedProtocol& protocol =
+          tests::filledIn(tests::protocolFrom(tests::shortProtocol())))
+      : study_(protocol) {}
+
   /// Runs a session with @p typed as its whole input.
   tests::Finished run(const std::string& typed, const std::string& options = "") {
     study_.close();
@@ -95,34 +100,44 @@ TEST_F(TerminalSessionTest, StoresNothingWhileAnotherProgramKeepsTheStudy) {
 
 TEST_F(TerminalSessionTest, AcceptsYesAndNoInItsLanguages) {
   for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
-    const auto finished = run("y\\n" + yes + "\\n\\n\\n");
+    const auto finished = run(yes + "\\n\\n\\n");
     EXPECT_EQ(consented(), "yes") << yes << "\n" << finished.out;
     EXPECT_FALSE(isOver(last().state)) << yes;
     auto session = Session::resume(*study_, last().id);
     session.withdraw("a test");
   }
   for (const std::string no : {"no", "Nein", "nei", "n"}) {
-    run("y\\n" + no + "\\n\\n\\n");
+    run(no + "\\n\\n\\n");
     EXPECT_EQ(last().state, SessionState::Declined) << no;
   }
-  run("y\\nperhaps\\n");
+  run("perhaps\\n");
   EXPECT_FALSE(isOver(last().state)) << "neither yes nor no";
 }
 
-TEST_F(TerminalSessionTest, AsksBeforeAParticipantReadsPlaceholders) {
-  const auto refused = run("\\n");
+/// A study whose texts have blanks.
+class TerminalWithBlanks : public TerminalSessionTest {
+ protected:
+  TerminalWithBlanks() : TerminalSessionTest(tests::protocolFrom(tests::shortProtocol())) {}
+};
+
+TEST_F(TerminalWithBlanks, BeginsNoLiveSession) {
+  const auto refused = run("y\\ny\\n");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.out.find("[[institution]]"), std::string::npos) << refused.out;
+  EXPECT_NE(refused.out.find("palpate study texts"), std::string::npos) << refused.out;
   EXPECT_TRUE(storage::Records(study_->database()).sessions().empty()) << "no place is taken";
-  EXPECT_NE(refused.out.find("Start anyway?"), std::string::npos) << refused.out;
+}
+
+TEST_F(TerminalWithBlanks, BeginsAPilotAndNamesTheBlanks) {
   const auto pilot = run("", "--pilot");
-  EXPECT_EQ(pilot.out.find("Start anyway"), std::string::npos) << "a pilot does not count";
+  EXPECT_NE(pilot.out.find("[[institution]]"), std::string::npos) << pilot.out;
+  EXPECT_EQ(last().runMode, RunMode::Pilot);
 }
 
 TEST_F(TerminalSessionTest, HasTheRequestedRunMode) {
   run("", "--run-mode pilot");
   EXPECT_EQ(last().runMode, RunMode::Pilot);
-  run("y\\n", "--cohort students");
+  run("", "--cohort students");
   EXPECT_EQ(last().runMode, RunMode::Live);
   EXPECT_EQ(run("", "--run-mode simulated").status, 2);
   EXPECT_EQ(run("", "--pilot --run-mode live").status, 2);
