@@ -1,13 +1,14 @@
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 
 namespace study::gui {
 
 class CutCounter;
 
-/// A page for cuts with the physical tool: an instruction, and how many cuts were counted. The
-/// operator counts them, because the participant has both hands full.
+/// A page for cuts with the physical tool: an instruction, how many cuts were counted, and what
+/// happens next. The operator counts them, because the participant has both hands full.
 class BenchmarkPage final : public QWidget {
   Q_OBJECT
 
@@ -20,6 +21,7 @@ class BenchmarkPage final : public QWidget {
  private:
   int minimumCuts_;
   CutCounter* count_;
+  QLabel* next_;  ///< what happens next
 };
 
 }  // namespace study::gui

@@ -40,7 +40,7 @@ PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
                               ? QString()
                               : text(labels[static_cast<std::size_t>(i)]) + QStringLiteral(", ");
     options.push_back(
-        {isBetweenWords ? QStringLiteral("●") : number,
+        {isBetweenWords ? QString() : number,
          tr("%1: %2%3 of %4, from %5 to %6")
              .arg(
                  text(item.text),

@@ -11,12 +11,13 @@
 
 namespace study::gui {
 namespace {
-constexpr int kRadius = 15;    // [px] at scale 1
+constexpr int kRadius = 16;    // [px] at scale 1
 constexpr int kMostDots = 12;  // more are hard to count; the words say it as well
 }  // namespace
 
 CutCounter::CutCounter(int needed, QWidget* parent)
-    : QWidget(parent), needed_(needed), words_(titleLabel({}, this)) {
+    : QWidget(parent), needed_(needed), words_(bodyLabel({}, this)) {
+  words_->setProperty("role", QStringLiteral("count"));
   words_->setAlignment(Qt::AlignCenter);
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(0);

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "study/gui/participant/blank_text.h"
 #include "study/gui/participant/choice_items.h"
 #include "study/gui/participant/entry_items.h"
 #include "study/gui/widgets/labels.h"
@@ -25,7 +26,7 @@ ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language
 }
 
 QString ItemWidget::text(const questionnaires::LocalizedText& text) const {
-  return QString::fromStdString(text.in(language_.toStdString()));
+  return withBlanksNamed(QString::fromStdString(text.in(language_.toStdString())));
 }
 
 ItemWidget* makeItemWidget(

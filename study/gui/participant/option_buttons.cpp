@@ -4,6 +4,7 @@
 
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QVariant>
 
 #include "study/gui/widgets/theme.h"
@@ -13,7 +14,7 @@ namespace {
 
 /// Qt does not wrap the words of a button.
 QString inLines(QString text) {
-  constexpr qsizetype kLine = 48;  // [characters] that fit into the column of a small window
+  constexpr qsizetype kLine = 54;  // [characters] that fit into the column of a small window
   for (qsizetype start = 0; text.size() - start > kLine;) {
     const auto space = text.lastIndexOf(QLatin1Char(' '), start + kLine);
     if (space <= start) break;
@@ -22,6 +23,38 @@ QString inLines(QString text) {
   }
   return text;
 }
+
+/// A button with a ring, so that it is seen as one of several to choose from: beside the words of
+/// an option, below the number of a point.
+class RingButton final : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QPushButton::paintEvent(event);
+    constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
+    constexpr int kAtBottom = 15;
+    constexpr int kRadius = 9;
+    constexpr int kSmallRadius = 7;
+    const bool isOption = property("role").toString() == QStringLiteral("option");
+    const int r = scaled(*this, isOption ? kRadius : kSmallRadius);
+    const bool isMirrored = layoutDirection() == Qt::RightToLeft;
+    const int side = isMirrored ? width() - scaled(*this, kAtSide) : scaled(*this, kAtSide);
+    const int below = text().isEmpty() ? height() / 2 : height() - scaled(*this, kAtBottom);
+    const QPointF centre = isOption ? QPointF(side, 0.5 * height()) : QPointF(0.5 * width(), below);
+    const auto& theme = themeOf(*this);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(isChecked() ? theme.accent.text : theme.border, 0.22 * r));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(centre, r, r);
+    if (!isChecked()) return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.accent.text);
+    painter.drawEllipse(centre, 0.55 * r, 0.55 * r);
+  }
+};
 
 }  // namespace
 
@@ -33,9 +66,10 @@ OptionButtons::OptionButtons(
   layout->setSpacing(scaled(*this, 8));
   for (int column = 0; column < columns_; ++column) layout->setColumnStretch(column, 1);
   for (const auto& option : options) {
-    auto* button = new QPushButton(inLines(option.text), this);
+    auto* button = new RingButton(inLines(option.text), this);
     button->setCheckable(true);
     button->setProperty("role", role);
+    button->setProperty("isMirrored", layoutDirection() == Qt::RightToLeft);
     button->setAccessibleName(option.accessibleName);
     button->installEventFilter(this);
     const int place = static_cast<int>(buttons_.size());
@@ -102,7 +136,8 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
   }
   bool isNumber = false;
   const int place = digit.toInt(&isNumber);
-  const bool bearsNumbers = buttons_.front()->text().at(0).isDigit();
+  const bool bearsNumbers =
+      buttons_.front()->text().left(1).toInt() > 0 || buttons_.front()->text().startsWith(u'0');
   if (!isNumber || bearsNumbers || place < 1 || place > static_cast<int>(buttons_.size()))
     return false;
   button(place - 1)->setFocus(Qt::TabFocusReason);
@@ -112,9 +147,9 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
 
 int columnsFor(const std::vector<OptionButtons::Option>& options) {
   // [characters] that fit into a button beside others of its kind, in the participant's column
-  constexpr qsizetype kInTwo = 28;
-  constexpr qsizetype kInThree = 16;
-  constexpr qsizetype kInFour = 11;
+  constexpr qsizetype kInTwo = 25;
+  constexpr qsizetype kInThree = 14;
+  constexpr qsizetype kInFour = 9;
   qsizetype longest = 0;
   for (const auto& option : options) longest = std::max(longest, option.text.size());
   const int count = static_cast<int>(options.size());

@@ -9,7 +9,8 @@
 
 namespace study::gui {
 
-/// A grid of buttons of which at most one is chosen. None is chosen at first.
+/// A grid of buttons of which at most one is chosen. None is chosen at first. Each has a ring, as a
+/// radio button does; that of the chosen one is filled.
 ///
 /// Space, Enter or a digit chooses. Arrow keys only move the focus, so that a stray key changes no
 /// answer.

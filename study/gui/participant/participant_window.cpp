@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include "study/gui/participant/benchmark_page.h"
+#include "study/gui/participant/blank_text.h"
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/thanks_page.h"
@@ -130,7 +131,9 @@ void ParticipantWindow::adjustScale() {
   const double scale = scaleFor(size());
   if (scale == scale_) return;
   const double ratio = scale_ > 0.0 ? scale / scale_ : 1.0;
-  if (page_ != nullptr) spaceOut(*page_, ratio);
+  for (auto* page : {page_, reading_}) {
+    if (page != nullptr) spaceOut(*page, ratio);
+  }
   scale_ = scale;
   setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
 }
@@ -141,7 +144,7 @@ void ParticipantWindow::resizeEvent(QResizeEvent* event) {
 }
 
 QString ParticipantWindow::localized(const questionnaires::LocalizedText& text) const {
-  return QString::fromStdString(text.in(controller_.session().language()));
+  return withBlanksNamed(QString::fromStdString(text.in(controller_.session().language())));
 }
 
 QString ParticipantWindow::alternativeName(const QString& label) const {
@@ -181,7 +184,44 @@ void ParticipantWindow::showStep() {
   showPage(makePage());
 }
 
+/// Whether the page before this step is one that was only read, and may be read again.
+bool ParticipantWindow::mayReadAgain() const {
+  const auto& session = controller_.session();
+  if (session.isOver() || session.stepIndex() == 0) return false;
+  return session.plan()[static_cast<std::size_t>(session.stepIndex() - 1)].kind ==
+         StepKind::Reading;
+}
+
+/// Shows the text before this step once more, in place of the page, which is kept as it is. The
+/// session stays at its step: nothing that was acknowledged or answered is taken back.
+void ParticipantWindow::readAgain() {
+  const auto& session = controller_.session();
+  const auto& before = session.plan()[static_cast<std::size_t>(session.stepIndex() - 1)];
+  const auto* instrument = session.protocol().instrument(before.instrument);
+  reading_ = new QuestionnairePage(
+      {.title = localized(instrument->title),
+       .introduction = localized(instrument->introduction),
+       .items = {},
+       .choices = {},
+       .language = QString::fromStdString(session.language()),
+       .before = {}},
+      this);
+  page_->hide();
+  place_->addWidget(reading_);
+  back_->hide();
+  remark_->clear();
+  reading_->setFocus();
+}
+
+void ParticipantWindow::stopReadingAgain() {
+  delete std::exchange(reading_, nullptr);
+  page_->show();
+  page_->setFocus();
+  showUnanswered(false);
+}
+
 void ParticipantWindow::goOn() {
+  if (reading_ != nullptr) return stopReadingAgain();
   if (questions_ == nullptr) {
     controller_.finishStep();
     return;
@@ -197,14 +237,14 @@ void ParticipantWindow::goOn() {
 
 void ParticipantWindow::goBack() {
   showsUnanswered_ = false;
-  if (questions_ != nullptr) questions_->turn(false);
+  if (questions_ != nullptr && !questions_->turn(false)) readAgain();
 }
 
 /// Says how many questions are open once Next was pressed, and which sheet is shown.
 void ParticipantWindow::showUnanswered(bool isAskedFor) {
   if (questions_ == nullptr) return;
   showsUnanswered_ = showsUnanswered_ || isAskedFor;
-  back_->setVisible(questions_->sheet() > 0);
+  back_->setVisible(questions_->sheet() > 0 || mayReadAgain());
   const auto progress = questions_->progress();
   QString words;
   if (showsUnanswered_ && progress.open > 0) {
@@ -224,6 +264,7 @@ void ParticipantWindow::showUnanswered(bool isAskedFor) {
 }
 
 void ParticipantWindow::showPage(QWidget* page) {
+  delete std::exchange(reading_, nullptr);
   if (page_ != nullptr) {
     page_->hide();
     page_->setParent(nullptr);  // so that findChild() does not return it any more
@@ -366,7 +407,6 @@ QWidget* ParticipantWindow::makeBenchmark() {
     const bool isEnough = cuts >= controller_.session().step().minimumCuts;
     page->setCuts(cuts);
     next_->setEnabled(isEnough);
-    remark_->setText(isEnough ? QString() : tr("The researcher counts your cuts."));
   };
   connect(&controller_, &SessionController::benchmarkCutCounted, page, show);
   show();
@@ -417,12 +457,17 @@ QWidget* ParticipantWindow::makeThanks() {
   const auto& last = session.plan().back();
   const auto* debrief =
       last.kind == StepKind::Reading ? session.protocol().instrument(last.instrument) : nullptr;
+  const auto& texts = session.protocol().protocol.texts;
+  const auto written = texts.find("contact");
+  const QString contact = written == texts.end() ? QString() : localized(written->second);
   return new ThanksPage(
       debrief == nullptr ? tr("Thank you") : localized(debrief->title),
       debrief == nullptr ? QString() : localized(debrief->introduction),
       {tr("This session is over. Please tell the researcher."),
-       tr("Your answers are saved."),
-       tr("Do you have a question, now or later? Please ask the researcher.")},
+       tr("Your answers and what was measured are saved under the code %1, not under your name.")
+           .arg(QString::fromStdString(session.participant())),
+       contact.isEmpty() ? tr("Do you have a question, now or later? Please ask the researcher.")
+                         : tr("Do you have a question, now or later? %1").arg(contact)},
       this);
 }
 

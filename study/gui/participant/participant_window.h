@@ -49,6 +49,9 @@ class ParticipantWindow final : public QWidget {
   void showPage(QWidget* page);
   void goOn();
   void goBack();
+  bool mayReadAgain() const;
+  void readAgain();
+  void stopReadingAgain();
   void showUnanswered(bool isAskedFor);
   void updateProgress();
   void updateTrial();
@@ -78,6 +81,7 @@ class ParticipantWindow final : public QWidget {
   QPushButton* operator_;
   ScreenLock* lock_;
   QWidget* page_ = nullptr;
+  QWidget* reading_ = nullptr;  ///< the text before the step, while it is read again over the page
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   double scale_ = 0.0;

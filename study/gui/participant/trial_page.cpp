@@ -28,7 +28,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
           tr("The numbers start again: %1 may now stand for something else than before.")
               .arg(content.name),
           this)),
-      hint_(nullptr),
+      hint_(bodyLabel(tr("Press Begin when you hold the instrument."), this)),
       begin_(new QPushButton(tr("Begin"), this)),
       enough_(new QPushButton(tr("Done"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
@@ -41,25 +41,28 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   if (picture == nullptr) {
     layout->addStretch(2);
     layout->addWidget(hugeLabel(content.name, this));
+    layout->addWidget(hint_);
     layout->addWidget(count_);
   } else {
     auto* above = new QHBoxLayout;
-    above->addWidget(titleLabel(content.name, this), 1);
+    auto* words = new QVBoxLayout;
+    words->addWidget(titleLabel(content.name, this));
+    words->addWidget(hint_);
+    above->addLayout(words, 1);
     above->addWidget(count_, 1);
     layout->addLayout(above);
     layout->addWidget(picture, 1);
   }
-  hint_ = bodyLabel(tr("Press Begin when you hold the instrument."), this);
   setCuts(0);
   if (content.isOffered) {
     count_->setCount(0, tr("Would you like to feel it once more before you choose?"));
     begin_->setText(tr("Feel it again"));
   }
-  for (auto* label : {numbering_, hint_}) {
-    label->setProperty("role", QStringLiteral("text"));
-    label->setAlignment(Qt::AlignCenter);
-    layout->addWidget(label);
-  }
+  hint_->setProperty("role", QStringLiteral("statement"));
+  numbering_->setProperty("role", QStringLiteral("text"));
+  numbering_->setAlignment(Qt::AlignCenter);
+  layout->addWidget(numbering_);
+  if (picture == nullptr) hint_->setAlignment(Qt::AlignCenter);
   if (picture == nullptr) {
     // A spacer that disappears in a low window.
     constexpr int kAboveButton = 30;  // [px] at scale 1
@@ -98,7 +101,10 @@ void TrialPage::moveHandTo(double share, int duration) {
 
 QString TrialPage::cutsInWords(int cuts) const {
   const QString strokes = asText(content_.device->strokesName.in(content_.language));
-  return tr("%1: %2 of at least %3").arg(capitalised(strokes)).arg(cuts).arg(content_.minimumCuts);
+  return tr("%1: %2 (make %3 or more)")
+      .arg(capitalised(strokes))
+      .arg(cuts)
+      .arg(content_.minimumCuts);
 }
 
 void TrialPage::setRunning(bool isRunning) {
@@ -118,7 +124,11 @@ void TrialPage::setRunning(bool isRunning) {
 
 void TrialPage::setCuts(int cuts) {
   count_->setCount(cuts, cutsInWords(cuts));
-  enough_->setEnabled(isRunning_ && cuts >= content_.minimumCuts);
+  const bool isEnough = isRunning_ && cuts >= content_.minimumCuts;
+  if (isEnough && !enough_->isEnabled()) {
+    hint_->setText(tr("That is enough. Press Done, or feel it for longer."));
+  }
+  enough_->setEnabled(isEnough);
 }
 
 void TrialPage::mousePressEvent(QMouseEvent* event) {

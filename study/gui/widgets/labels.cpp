@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QStyle>
 
 #include "study/gui/widgets/desk_language.h"
@@ -22,12 +23,23 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
   return label;
 }
 
+/// A blank that the laboratory has not filled in must not look like a text of the study.
+QString withBlanksMarked(QString html, const QWidget* where) {
+  static const QRegularExpression kBlank(QStringLiteral("(\\[\\[[^\\]]*\\]\\])"));
+  if (where == nullptr || !html.contains(QStringLiteral("[["))) return html;
+  const auto& warn = themeOf(*where).warn;
+  return html.replace(
+      kBlank,
+      QStringLiteral("<span style=\"background-color:%1; color:%2; font-weight:600\">\\1</span>")
+          .arg(warn.background.name(), warn.text.name()));
+}
+
 /// Formatted text. The gaps between its paragraphs grow with the window's scale; Qt's own gaps do
 /// not.
 class MarkedText final : public QLabel {
  public:
   MarkedText(const QString& markdown, QWidget* parent)
-      : QLabel(parent), html_(report::asHtml(markdown)) {
+      : QLabel(parent), html_(withBlanksMarked(report::asHtml(markdown), parent)) {
     setProperty("role", QStringLiteral("text"));
     setTextFormat(Qt::RichText);
     setWordWrap(true);
@@ -46,12 +58,11 @@ class MarkedText final : public QLabel {
     constexpr int kGap = 10;          // [px] at scale 1, below a paragraph
     constexpr int kAboveHeading = 8;  // [px] at scale 1, in addition
     const int gap = scaled(*this, kGap);
-    // A single paragraph, such as a statement, needs no gaps.
+    // A single paragraph, such as a statement, needs no gap below it.
     const bool isRunning = html_.count(QStringLiteral("<p>")) > 1 ||
                            html_.contains(QStringLiteral("<h")) ||
                            html_.contains(QStringLiteral("<li"));
-    if (!isRunning && gap_ < 0) setText(html_);
-    if (gap == std::exchange(gap_, gap) || !isRunning) return;
+    if (gap == std::exchange(gap_, gap)) return;
     QString html = html_.trimmed();
     const auto styled = [&](const char* tag, int above, int below, int line) {
       html.replace(
@@ -63,7 +74,7 @@ class MarkedText final : public QLabel {
               .arg(line));
     };
     constexpr int kOfText = 125;  // line height [%], so that the eye finds the next line
-    styled("p", 0, gap, kOfText);
+    styled("p", 0, isRunning ? gap : 0, kOfText);
     styled("li", 0, gap / 2, kOfText);
     for (const auto* heading : {"h2", "h3"}) {
       styled(heading, scaled(*this, kAboveHeading), gap / 2, 100);

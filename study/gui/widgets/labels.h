@@ -35,6 +35,7 @@ QLabel* hugeLabel(const QString& text, QWidget* parent);
 
 /// A text for participants in the subset of Markdown that instruments and protocols may use:
 /// headings, paragraphs, lists, bold and italics. Links become plain text, pictures are left out.
+/// Text in double square brackets, a blank of the study, is marked.
 QLabel* textLabel(const QString& markdown, QWidget* parent);
 
 /// Changes the style of a label: "good", "warn", "resting", "bad", "quiet", "heading".

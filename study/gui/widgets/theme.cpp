@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* kThemeProperty = "wears";
 constexpr const char* kScaleProperty = "scale";
+constexpr int kBody = 17;  // [px] at scale 1: all running text of participants
 
 /// @name stands for a background colour and @name.text for the colour of text on it. Normal text
 /// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
@@ -30,7 +31,8 @@ QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
 QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
 QLabel[role="quiet"] { color: @quiet; }
-QLabel[role="anchor"] { color: @quiet; font-size: 15px; }
+QLabel[role="anchor"] { color: @quiet; font-size: 17px; }
+QLabel[role="count"] { font-size: 32px; font-weight: 600; }
 QWidget[role="column"] { max-width: 640px; }
 QLabel[role="good"] { color: @good.text; background: @good; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
 QLabel[role="resting"] { color: @header.text; background: @header; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
@@ -52,11 +54,16 @@ QPushButton[role="main"] { color: @accent.text; background: @accent; border-colo
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
-QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 52px; padding: 4px; }
-QPushButton[role="point"]:checked:focus { padding: 0px; }
-QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px; }
-QPushButton[role="option"]:checked:focus { padding: 2px 10px; }
-QCheckBox[role="option"] { min-height: 40px; font-size: 18px; }
+QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 44px; padding: 4px 4px 26px 4px; }
+QPushButton[role="point"]:checked:focus { padding: 0px 0px 22px 0px; }
+QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px 6px 42px; }
+QPushButton[role="option"]:checked:focus { padding: 2px 10px 2px 38px; }
+QPushButton[role="option"][isMirrored="true"] { text-align: right; padding: 6px 42px 6px 14px; }
+QPushButton[role="option"][isMirrored="true"]:checked:focus { padding: 2px 38px 2px 10px; }
+QCheckBox[role="option"] { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
+                           min-height: 40px; font-size: 18px; padding: 6px 14px; spacing: 12px; }
+QCheckBox[role="option"]:checked { border-color: @accent; }
+QCheckBox[role="option"]:focus { border: 3px solid @focus; border-radius: 8px; padding: 5px 13px; }
 QCheckBox[role="option"]::indicator { width: 20px; height: 20px; }
 QLineEdit[role="answer"], QPlainTextEdit[role="answer"] { font-size: 18px; }
 QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; }
@@ -234,7 +241,8 @@ void setWindowTheme(QWidget& window, ThemeName name, double scale) {
       QStringLiteral(
           "QWidget { color: %1; }\nQLineEdit, QPlainTextEdit, QComboBox { color: %2; }\n")
           .arg(own.window.text.name(), own.field.text.name()) +
-      styleSheetOf(own, scale));
+      styleSheetOf(own, scale) +
+      QStringLiteral("QLabel[role=\"quiet\"] { font-size: %1px; }\n").arg(scaled(window, kBody)));
 }
 
 int scaled(const QWidget& widget, int length) noexcept {

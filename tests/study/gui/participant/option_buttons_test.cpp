@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "study/gui/widgets/theme.h"
+
 namespace study::gui {
 namespace option_buttons_test {
 
@@ -82,6 +84,21 @@ TEST(OptionButtonsWithText, AreChosenByTheDigitOfTheirPosition) {
     QTest::keyClick(buttons.button(1), key);
     EXPECT_EQ(buttons.chosen(), 0) << "there is no option at that place";
   }
+}
+
+TEST(OptionButtonsWithText, FillTheRingOfTheChosenOneOnly) {
+  OptionButtons options(
+      {{QStringLiteral("Often"), {}}, {QStringLiteral("Never"), {}}}, 1, QStringLiteral("option"));
+  setWindowTheme(options, ThemeName::Light);
+  options.show();
+  options.choose(0);
+  const auto ring = [&](int index) {
+    const auto picture = options.button(index)->grab().toImage();
+    constexpr int kAtSide = 22;
+    return picture.pixelColor(kAtSide, picture.height() / 2);
+  };
+  EXPECT_EQ(ring(0), themeNamed(ThemeName::Light).accent.text);
+  EXPECT_EQ(ring(1), themeNamed(ThemeName::Light).field.background);
 }
 
 TEST_F(OptionButtonsTest, AScreenReaderCanChoose) {
