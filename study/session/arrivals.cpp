@@ -27,6 +27,8 @@ Arrivals arrivalsBy(Study& study, std::int64_t event) {
   for (const auto& mark : marks) {
     if (mark.lastEvent <= event) {
       ++arrivals.arrived;
+    } else if (mark.isSimulated) {
+      continue;
     } else if (arrivals.waitingSince.empty() || mark.utc < arrivals.waitingSince) {
       arrivals.waitingSince = mark.utc;
     }
@@ -84,6 +86,10 @@ std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::stri
     ErasureReceipt receipt;
     if (!(words >> receipt.utc >> receipt.session >> receipt.left >> std::ws)) continue;
     std::getline(words, receipt.participant);
+    // A server that was restored erases a session again.
+    std::erase_if(receipts, [&](const ErasureReceipt& earlier) {
+      return earlier.session == receipt.session && earlier.participant == receipt.participant;
+    });
     receipts.push_back(std::move(receipt));
   }
   return receipts;

@@ -12,8 +12,8 @@ namespace study {
 struct Arrivals {
   std::int64_t all = 0;
   std::int64_t arrived = 0;
-  /// UTC time of the last event of the oldest session that has not arrived; empty if all have
-  /// arrived.
+  /// UTC of the last event of the oldest session with a person that has not arrived; empty if there
+  /// is none. The times of simulated sessions are virtual.
   std::string waitingSince;
 };
 
@@ -46,7 +46,7 @@ struct ErasureReceipt {
 /// written.
 void noteReceipt(
     const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept;
-/// All receipts in the account's list, the oldest first.
+/// The receipts in the account's list, the last of each session.
 std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station);
 
 }  // namespace study

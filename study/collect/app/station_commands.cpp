@@ -63,7 +63,8 @@ std::string arrivedInWords(const Arrivals& sessions) {
   const auto waiting = sessions.all - sessions.arrived;
   std::string words =
       fmt::format("{} here, {} arrived", words::counted(all, "session"), sessions.arrived);
-  if (waiting > 0) words += fmt::format(", {} waiting since {}", waiting, sessions.waitingSince);
+  if (waiting > 0) words += fmt::format(", {} waiting", waiting);
+  if (!sessions.waitingSince.empty()) words += " since " + sessions.waitingSince;
   return words;
 }
 

@@ -44,7 +44,7 @@ std::string problemInWords(const std::string& problem) {
   if (problem == "fork" || problem == "older_copy") {
     return said("another copy of this folder has sent something");
   }
-  return said("the server refused it; 'palpate collect push' says why");
+  return said("the server refused it; sending it from the command line says why");
 }
 
 bool isSame(const NotedPush& one, const NotedPush& other) {
@@ -56,14 +56,17 @@ bool isSame(const NotedPush& one, const NotedPush& other) {
 std::string arrivalsInWords(const Arrivals& arrivals, const std::string& problem) {
   const auto& [all, arrived, since] = arrivals;
   if (all == 0) return {};
-  std::string words = arrived == all ? said("Sessions here: {}. All have arrived", all)
-                                     : said(
-                                           "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
-                                           all,
-                                           arrived,
-                                           dayInWords(since),
-                                           all - arrived);
-  if (arrived < all && !problem.empty()) words += " (" + problemInWords(problem) + ")";
+  const auto waiting = all - arrived;
+  std::string words =
+      waiting == 0    ? said("Sessions here: {}. All have arrived", all)
+      : since.empty() ? said("Sessions here: {}. Arrived: {}. Waiting: {}", all, arrived, waiting)
+                      : said(
+                            "Sessions here: {}. Arrived: {}. Waiting since {}: {}",
+                            all,
+                            arrived,
+                            dayInWords(since),
+                            waiting);
+  if (waiting > 0 && !problem.empty()) words += " (" + problemInWords(problem) + ")";
   return words;
 }
 
@@ -89,7 +92,8 @@ bool StationPush::isPossible() const {
 
 bool StationPush::isWaiting() const {
   const auto last = lastPush(study_.uuid(), study_.station().uuid);
-  return !arrivalsBy(study_, last.have).waitingSince.empty();
+  const auto arrivals = arrivalsBy(study_, last.have);
+  return arrivals.arrived < arrivals.all;
 }
 
 void StationPush::send() {

@@ -199,7 +199,7 @@ void addFactsAs(
 std::vector<LastSessionEvent> lastSessionEvents(const Database& study) {
   Statement select(
       study,
-      "SELECT s.id, p.code, e.seq, e.utc FROM session AS s "
+      "SELECT s.id, p.code, e.seq, e.utc, s.run_mode = 'simulated' FROM session AS s "
       "JOIN participant AS p ON p.id = s.participant_id "
       "JOIN event AS e ON e.seq = (SELECT max(seq) FROM event WHERE session_id = s.id) "
       "ORDER BY s.id");
@@ -209,7 +209,8 @@ std::vector<LastSessionEvent> lastSessionEvents(const Database& study) {
         {.session = SessionId{select.number(0)},
          .participant = select.text(1),
          .lastEvent = select.number(2),
-         .utc = select.text(3)});
+         .utc = select.text(3),
+         .isSimulated = select.number(4) != 0});
   }
   return marks;
 }

@@ -54,7 +54,8 @@ struct LastSessionEvent {
   SessionId session{};
   std::string participant;  ///< code
   std::int64_t lastEvent = 0;
-  std::string utc;  ///< of that event
+  std::string utc;           ///< of that event
+  bool isSimulated = false;  ///< its times are virtual
 };
 
 /// The last event of each session, in the order of the sessions' numbers.
