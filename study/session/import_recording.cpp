@@ -13,9 +13,9 @@
 #include "study/storage/protocol_repository.h"
 
 namespace study {
-namespace {
 
-haptics::recordings::RecordingColumns columnsIn(const std::string& file) {
+using haptics::recordings::RecordingColumns;
+RecordingColumns columnsIn(const std::string& file) {
   questionnaires::Problems problems;
   const auto read = protocols::readColumns(questionnaires::readTextFile(file), problems);
   if (!read) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
@@ -27,8 +27,6 @@ haptics::recordings::RecordingColumns columnsIn(const std::string& file) {
   return columns;
 }
 
-}  // namespace
-
 haptics::recordings::ForceCalibration calibrationIn(const std::string& file) {
   questionnaires::Problems problems;
   const auto calibration = protocols::readCalibration(questionnaires::readTextFile(file), problems);
@@ -37,8 +35,14 @@ haptics::recordings::ForceCalibration calibrationIn(const std::string& file) {
 }
 
 haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns) {
-  return columns.empty() ? haptics::recordings::readRecordingFile(file)
-                         : haptics::recordings::readRecordingTableFile(file, columnsIn(columns));
+  return recordingIn(
+      file, columns.empty() ? std::optional<RecordingColumns>() : columnsIn(columns));
+}
+
+haptics::recordings::Recording recordingIn(
+    const std::string& file, const std::optional<RecordingColumns>& columns) {
+  return columns ? haptics::recordings::readRecordingTableFile(file, *columns)
+                 : haptics::recordings::readRecordingFile(file);
 }
 
 haptics::recordings::ImportedCut importRecording(

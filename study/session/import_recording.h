@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording_table.h"
 
 namespace study {
 
@@ -10,13 +12,20 @@ namespace study {
 /// @throws UserError  that names the place of the error in the file.
 haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
 
-/// Reads a recording of the punch's recorder or, with a columns file, of another laboratory. A
-/// calibration file that the columns file names must be in the folder of the columns file.
+/// Reads a columns file, and the calibration that it names.
+/// @throws UserError  says where one of them is wrong.
+haptics::recordings::RecordingColumns columnsIn(const std::string& file);
+
+/// Reads a recording of the punch's recorder; or, with a columns file, of another laboratory. A
+/// calibration file that the columns file names is in the same folder.
 ///
 /// @param columns  path of a columns file; empty: the recorder's five columns.
 /// @throws UserError  that names the place of the error in the columns file, the calibration file
 ///     or the recording.
 haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
+/// The same with the description of a table; std::nullopt: the recorder's five columns.
+haptics::recordings::Recording recordingIn(
+    const std::string& file, const std::optional<haptics::recordings::RecordingColumns>& columns);
 
 /// Imports a cut under a name that a protocol can refer to.
 haptics::recordings::ImportedCut importRecording(

@@ -32,8 +32,9 @@ std::optional<QString> runWithProgress(
   return isDone ? std::optional(QString::fromStdString(said)) : std::nullopt;
 }
 
-QString pathInHomeFolder(const char* name) {
-  return QDir::home().filePath(QString::fromUtf8(name));
+QString newFile(const char* name, const char* extension) {
+  return unusedPath(
+      QDir(documentsFolder()).filePath(QString::fromUtf8(name)), QString::fromUtf8(extension));
 }
 
 }  // namespace
@@ -41,16 +42,16 @@ QString pathInHomeFolder(const char* name) {
 ImportCutDialog::ImportCutDialog(QWidget* parent)
     : WorkDialog(
           tr("Import a recording"),
-          tr("Takes one cut from what the punch's recorder wrote (five columns), calibrated and "
-             "filtered as published, or from a table that a columns file describes. Put it beside "
-             "a "
-             "protocol and name it there as \"cut\"."),
+          tr("Takes one cut from what the punch's recorder wrote, calibrated and filtered as "
+             "published, or from any other table of time, travel and force. Put the new file "
+             "beside a protocol and name it there as \"cut\"."),
           tr("Import"),
           parent),
       recording_(new PathField(
           PathField::Kind::ExistingFile, tr("Recording"), tr("Recordings (*)"), this)),
       columns_(new PathField(
           PathField::Kind::ExistingFile, tr("Columns file"), tr("Columns files (*.json)"), this)),
+      form_(new ColumnsForm(this)),
       cut_(new QSpinBox(this)),
       slope_(new QDoubleSpinBox(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)),
@@ -68,16 +69,17 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   recording_->setObjectName(QStringLiteral("recording"));
   columns_->setObjectName(QStringLiteral("columns"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(pathInHomeFolder("my-cut.json"));
+  target_->setPath(newFile("my-cut", ".json"));
   form().addRow(tr("Recording"), recording_);
-  form().addRow(tr("Columns file (if it has other columns)"), columns_);
+  form().addRow(tr("Columns file (optional)"), columns_);
+  form().addRow(form_);
+  form_->setVisible(false);
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("Largest slope [N per travel unit]"), slope_);
   form().addRow(quietLabel(
       tr("Steeper parts of the cut are made gentler, and a steep peak is lost. %1 is the largest "
          "stiffness in the cuts of the punch paper, for which its device can be kept stable. "
-         "Choose a larger one to keep the recorded shape, and check the result with 'palpate scene "
-         "explain'.")
+         "Choose a larger one to keep the recorded shape.")
           .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
@@ -85,28 +87,45 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   pictures->addWidget(picture_, 1);
   pictures->addWidget(cutPicture_, 1);
   form().addRow(pictures);
-  connect(recording_, &PathField::pathChanged, this, &ImportCutDialog::look);
-  connect(columns_, &PathField::pathChanged, this, &ImportCutDialog::look);
+  const auto lookAnew = [this] {
+    form_->setVisible(false);
+    look();
+  };
+  connect(recording_, &PathField::pathChanged, this, lookAnew);
+  connect(columns_, &PathField::pathChanged, this, lookAnew);
+  connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::look);
   connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPicture::choose);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   look();
 }
 
-void ImportCutDialog::look() {
-  std::optional<RecordingLook> read;
-  clear();
-  const QString columns = columns_->path();
-  if (QFileInfo(recording_->path()).isFile() &&
-      (columns.isEmpty() || QFileInfo(columns).isFile())) {
-    try {
-      read = lookAt(recording_->path().toStdString(), columns.toStdString());
-    } catch (const std::exception& error) {
-      showOutcome(
-          Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
+std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() const {
+  if (!columns_->path().isEmpty()) return columnsIn(columns_->path().toStdString());
+  return form_->isVisibleTo(this) ? std::optional(form_->columns()) : std::nullopt;
+}
+
+std::optional<RecordingLook> ImportCutDialog::readLook() {
+  const auto file = recording_->path().toStdString();
+  try {
+    return lookAt(file, columns());
+  } catch (const std::exception& error) {
+    const bool mayAsk = columns_->path().isEmpty() && form_->isHidden();
+    if (mayAsk && form_->offer(file)) {
+      form_->setVisible(true);
+      return readLook();
     }
+    showOutcome(Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
   }
-  picture_->show(std::move(read));
+  return std::nullopt;
+}
+
+void ImportCutDialog::look() {
+  clear();
+  const auto isFile = [](const QString& path) { return QFileInfo(path).isFile(); };
+  const QString columns = columns_->path();
+  const bool isThere = isFile(recording_->path()) && (columns.isEmpty() || isFile(columns));
+  picture_->show(isThere ? readLook() : std::nullopt);
   constexpr int kMostCuts = 10'000;
   cut_->setRange(0, picture_->cuts() > 0 ? picture_->cuts() : kMostCuts);
   preview();
@@ -137,11 +156,10 @@ void ImportCutDialog::preview() {
 
 void ImportCutDialog::work() {
   const auto recording = recording_->path().toStdString();
-  const auto columns = columns_->path().toStdString();
   const auto target = target_->path().toStdString();
   haptics::recordings::ImportReport report;
   const auto said = runWithProgress(this, tr("Importing"), [&](const Progress& progress) {
-    report = importCutTo(recording, columns, options(), target, progress);
+    report = importCutTo(recording, columns(), options(), target, progress);
     std::string words = report.reason + "\n";
     for (const auto& change : report.changes) words += change + "\n";
     return words;
@@ -161,8 +179,7 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
     : WorkDialog(
           tr("Fit a material"),
           tr("Makes bone that can be felt from a folder of measured reaming series. The name of "
-             "each file says of which test it is: static, dynamic-1 or dynamic-2. Other choices: "
-             "'palpate material fit'."),
+             "each file says of which test it is: static, dynamic-1 or dynamic-2."),
           tr("Fit"),
           parent),
       series_(new PathField(PathField::Kind::ExistingFolder, tr("Folder of series"), {}, this)),
@@ -172,7 +189,7 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
   title_->setAccessibleName(tr("Title"));
   series_->setObjectName(QStringLiteral("series"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(pathInHomeFolder("my-material.json"));
+  target_->setPath(newFile("my-material", ".json"));
   form().addRow(tr("Folder of series"), series_);
   form().addRow(tr("Title"), title_);
   form().addRow(tr("To a new file"), target_);
@@ -194,9 +211,7 @@ void FitMaterialDialog::work() {
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
     : WorkDialog(
           tr("Build a bone of spheres"),
-          tr("Fills the program's own cup with spheres that a reamer takes away. For a mesh of "
-             "your "
-             "own: 'palpate packing build MESH'."),
+          tr("Fills the program's own cup with spheres that a reamer takes away."),
           tr("Build"),
           parent),
       spheres_(new QSpinBox(this)),
@@ -210,7 +225,7 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   seed_->setRange(1, 1'000'000);
   seed_->setAccessibleName(tr("Seed"));
   target_->setObjectName(QStringLiteral("target"));
-  target_->setPath(pathInHomeFolder("my-bone.packing"));
+  target_->setPath(newFile("my-bone", ".packing"));
   form().addRow(tr("Spheres"), spheres_);
   form().addRow(tr("Seed"), seed_);
   form().addRow(tr("To a new file"), target_);

@@ -4,14 +4,15 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include "study/gui/desk/columns_form.h"
 #include "study/gui/desk/recording_picture.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
 namespace study::gui {
 
-/// Imports a cut for use in a protocol: from a recording of the punch, or from one that a columns
-/// file describes.
+/// Imports a cut for use in a protocol: from a recording of the punch, or from a table whose
+/// columns are chosen in a form or described in a columns file.
 class ImportCutDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -22,14 +23,18 @@ class ImportCutDialog final : public WorkDialog {
   void work() override;
 
  private:
-  /// Shows the chosen recording before it is imported.
+  /// Shows the chosen recording before it is imported; asks for its columns if the punch's recorder
+  /// did not write it.
   void look();
+  std::optional<RecordingLook> readLook();
+  std::optional<haptics::recordings::RecordingColumns> columns() const;
   /// Shows the cut that an import would make of it.
   void preview();
   haptics::recordings::ImportOptions options() const;
 
   PathField* recording_;
   PathField* columns_;
+  ColumnsForm* form_;
   QSpinBox* cut_;
   QDoubleSpinBox* slope_;
   PathField* target_;

@@ -102,7 +102,7 @@ std::string describe(const reaming::MaterialFit& fit) {
 
 haptics::recordings::ImportReport importCutTo(
     const std::string& recording,
-    const std::string& columns,
+    const std::optional<haptics::recordings::RecordingColumns>& columns,
     const haptics::recordings::ImportOptions& options,
     const std::string& out,
     const Progress& progress) {
@@ -133,8 +133,8 @@ std::string fitMaterialTo(
     const auto test = testOf(name);
     if (!test) {
       throw UserError(
-          "Nobody can tell which test " + name +
-          " is of: its name has to hold static, dynamic-1 or dynamic-2.");
+          "It is not clear which test " + name +
+          " is of: its name has to contain static, dynamic-1 or dynamic-2.");
     }
     all.push_back(reaming::readSeriesFile(file.string(), *test, {}));
     sources.push_back({name, storage::sha256(reaming::contentOfSeriesFile(file.string()))});
@@ -172,14 +172,13 @@ std::string buildBoneTo(
       out, protocols::packingAsText(bone, {.mesh = "parametric acetabulum", .seed = seed}));
   return fmt::format(
       "{} spheres of {:.3f} to {:.3f} mm cover {:.1f} % of {:.1f} cm³. SYNTHETIC: nobody measured "
-      "this bone.\nIt has no densities yet: palpate packing fit {} --material MATERIAL.json --out "
-      "FITTED.packing\n",
+      "this bone.\nIt has no densities yet: the help says how to give it those of a material (On "
+      "the command line).\n",
       bone.packing.spheres.size(),
       1e3 * bone.packing.spheres.back().radius,
       1e3 * bone.packing.spheres.front().radius,
       100.0 * bone.packing.coverage(),
-      1e6 * bone.packing.volume,
-      out);
+      1e6 * bone.packing.volume);
 }
 
 }  // namespace study::gui

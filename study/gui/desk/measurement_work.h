@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording_table.h"
 #include "study/model/progress.h"
 
 namespace study::gui {
@@ -13,11 +15,11 @@ namespace study::gui {
 // file, never overwrites one, and returns what describes the result, in a few lines or as values.
 // They throw errors with a message for the user, and pass on what @p progress throws.
 
-/// @param columns  a columns file that describes @p recording; empty: the recorder's five columns.
+/// @param columns  of @p recording; std::nullopt: the recorder's five.
 /// @return what was changed.
 haptics::recordings::ImportReport importCutTo(
     const std::string& recording,
-    const std::string& columns,
+    const std::optional<haptics::recordings::RecordingColumns>& columns,
     const haptics::recordings::ImportOptions& options,
     const std::string& out,
     const Progress& progress);

@@ -50,7 +50,9 @@ QString describe(const RecordingLook& look) {
 
 }  // namespace
 
-RecordingLook lookAt(const std::string& recording, const std::string& columns) {
+RecordingLook lookAt(
+    const std::string& recording,
+    const std::optional<haptics::recordings::RecordingColumns>& columns) {
   RecordingLook look{.recording = recordingIn(recording, columns), .trace = {}, .survey = {}};
   look.trace = haptics::recordings::traceOf(
       look.recording, haptics::recordings::calibrationFor(look.recording), {});

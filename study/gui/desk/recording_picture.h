@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording_table.h"
 #include "haptics/recordings/trace.h"
 
 class QCustomPlot;
@@ -21,8 +22,10 @@ struct RecordingLook {
   haptics::recordings::RecordingSurvey survey;
 };
 
-/// Reads a recording, with a columns file if it is not empty. Throws as recordingIn() does.
-RecordingLook lookAt(const std::string& recording, const std::string& columns);
+/// Reads a recording. Throws as recordingIn() does.
+RecordingLook lookAt(
+    const std::string& recording,
+    const std::optional<haptics::recordings::RecordingColumns>& columns);
 
 /// Draws force and travel over time with the cuts shaded, the chosen one darker. A text below
 /// states rows, rate, unit, calibration, and the samples in which the sensor was saturated.

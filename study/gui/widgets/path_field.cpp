@@ -1,14 +1,34 @@
 #include "study/gui/widgets/path_field.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QStandardPaths>
 
 namespace study::gui {
 
+QString unusedPath(const QString& start, const QString& extension) {
+  QString path = start + extension;
+  for (int number = 2; QFileInfo::exists(path); ++number) {
+    path = QStringLiteral("%1-%2%3").arg(start).arg(number).arg(extension);
+  }
+  return path;
+}
+
+QString documentsFolder() {
+  const auto documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
 PathField::PathField(Kind kind, const QString& name, const QString& filter, QWidget* parent)
-    : QWidget(parent), kind_(kind), name_(name), filter_(filter), line_(new QLineEdit(this)) {
+    : QWidget(parent),
+      kind_(kind),
+      name_(name),
+      filter_(filter),
+      start_(documentsFolder()),
+      line_(new QLineEdit(this)) {
   auto* choose = new QPushButton(tr("Choose…"), this);
   choose->setAccessibleName(tr("Choose: %1").arg(name));
   choose->setProperty("role", QStringLiteral("tool"));

@@ -5,6 +5,12 @@
 
 namespace study::gui {
 
+/// @p start and @p extension, with a number if that is there: "my-cut.json", "my-cut-2.json".
+QString unusedPath(const QString& start, const QString& extension = {});
+
+/// The user's folder of documents; the home folder if there is none.
+QString documentsFolder();
+
 /// A line edit for a path, with a button that opens a file dialog.
 class PathField final : public QWidget {
   Q_OBJECT
@@ -17,7 +23,7 @@ class PathField final : public QWidget {
 
   QString path() const { return line_->text().trimmed(); }
   void setPath(const QString& path) { line_->setText(path); }
-  /// Where choosing begins as long as no path is entered.
+  /// Where choosing begins as long as no path is entered; at first among the documents.
   void startIn(const QString& folder) { start_ = folder; }
   /// Opens the desktop's chooser for a path.
   void choose();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTest>
@@ -15,6 +16,7 @@
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/desk/recording_picture.h"
 #include "study/model/user_error.h"
+#include "study/session/import_recording.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
@@ -49,7 +51,9 @@ TEST_F(MeasurementTest, ImportsACutThatAProtocolCanRead) {
 }
 
 TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
-  const auto file = folder_.write("recording.txt", tests::textOf({}));
+  // So long a name that a picture of the field shows it, and not the scratch folder's.
+  std::filesystem::create_directory(folder_ / "measured-in-november");
+  const auto file = folder_.write("measured-in-november/recording.txt", tests::textOf({}));
   ImportCutDialog dialog;
   dialog.show();
   const auto* picture = dialog.findChild<RecordingPicture*>();
@@ -109,10 +113,47 @@ TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
   EXPECT_NE(cut.find(R"("calibration": "newtons")"), std::string::npos) << cut;
 }
 
+TEST_F(MeasurementTest, AsksForTheColumnsOfAnotherTableAndImportsIt) {
+  std::string table = "load_mN;jaw_mm;t_s\n";
+  const auto recording = lookAt(folder_.write("recording.txt", tests::textOf({})), {}).recording;
+  for (const auto& row : recording.rows) {
+    table += std::to_string(5.0 * row.reading) + ";" + std::to_string(0.6 * row.travel) + ";" +
+             std::to_string(1e-3 * row.time) + "\n";
+  }
+  ImportCutDialog dialog;
+  dialog.show();
+  auto* form = dialog.findChild<ColumnsForm*>();
+  EXPECT_FALSE(form->isVisible());
+  set(dialog, "recording", folder_.write("table.csv", table));
+  set(dialog, "target", folder_ / "cut.json");
+  EXPECT_TRUE(form->isVisible()) << "the recorder did not write it";
+  const auto chosen = [&](const char* name) {
+    return form->findChild<QComboBox*>(QString::fromUtf8(name))->currentText().toStdString();
+  };
+  EXPECT_EQ(chosen("time"), "t_s");
+  EXPECT_EQ(chosen("travel"), "jaw_mm");
+  EXPECT_EQ(chosen("force"), "load_mN");
+  EXPECT_TRUE(dialog.findChild<RecordingPicture*>()->isVisible());
+  tests::photographInAllThemes(dialog, QStringLiteral("import-table"));
+  form->findChild<QComboBox*>(QStringLiteral("time"))->setCurrentIndex(1);
+  EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'))
+      << "the travel goes back";
+  form->findChild<QComboBox*>(QStringLiteral("time"))->setCurrentIndex(2);
+  const auto line = press(dialog);
+  EXPECT_NE(line.find("Cut saved"), std::string::npos) << line;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
+}
+
 TEST_F(MeasurementTest, SaysWhatIsWrongInAColumnsFile) {
   const auto recording = folder_.write("table.txt", tests::textOf({}));
   const auto columns = folder_.write("columns.json", R"({"format": "palpate-columns-1"})");
-  EXPECT_THROW(importCutTo(recording, columns, {}, folder_ / "cut.json", {}), UserError);
+  ImportCutDialog dialog;
+  set(dialog, "recording", recording);
+  set(dialog, "columns", columns);
+  EXPECT_EQ(
+      dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text(),
+      QStringLiteral("✕  This recording cannot be read"));
+  EXPECT_THROW(columnsIn(columns), UserError);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "cut.json"));
 }
 

@@ -1,0 +1,174 @@
+#include "study/gui/desk/columns_form.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+#include "base/text_table.h"
+#include "study/gui/widgets/field_form.h"
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+constexpr double kLargestCell = 1e9;
+
+/// Milliseconds in a unit of time.
+struct TimeUnit {
+  const char* name;
+  double milliseconds;
+};
+constexpr std::array kTimeUnits{TimeUnit{"s", 1000.0}, TimeUnit{"ms", 1.0}, TimeUnit{"us", 1e-3}};
+constexpr std::array kForceUnits{"N", "mN", "kN", "g", "kg"};
+
+QWidget* beside(std::initializer_list<QWidget*> parts, QWidget* parent) {
+  auto* row = new QWidget(parent);
+  row->setProperty("role", QStringLiteral("plain"));
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  for (auto* part : parts) line->addWidget(part, qobject_cast<QLabel*>(part) == nullptr ? 1 : 0);
+  row->setFocusProxy(*parts.begin());
+  return row;
+}
+
+template <typename Units>
+int placeOf(const Units& units, const std::string& name) {
+  const auto found = std::ranges::find_if(units, [&](const auto& unit) {
+    if constexpr (requires { unit.name; }) {
+      return name == unit.name;
+    } else {
+      return name == unit;
+    }
+  });
+  return found == units.end() ? -1 : static_cast<int>(found - units.begin());
+}
+
+}  // namespace
+
+ColumnsForm::ColumnsForm(QWidget* parent)
+    : QWidget(parent),
+      time_(new QComboBox(this)),
+      timeUnit_(new QComboBox(this)),
+      travel_(new QComboBox(this)),
+      open_(new QDoubleSpinBox(this)),
+      closed_(new QDoubleSpinBox(this)),
+      force_(new QComboBox(this)),
+      forceUnit_(new QComboBox(this)) {
+  time_->setObjectName(QStringLiteral("time"));
+  travel_->setObjectName(QStringLiteral("travel"));
+  force_->setObjectName(QStringLiteral("force"));
+  time_->setAccessibleName(tr("Column of the time"));
+  timeUnit_->setAccessibleName(tr("Unit of the time"));
+  travel_->setAccessibleName(tr("Column of the travel"));
+  open_->setAccessibleName(tr("Travel where the tool is open"));
+  closed_->setAccessibleName(tr("Travel where the tool is closed"));
+  force_->setAccessibleName(tr("Column of the force"));
+  forceUnit_->setAccessibleName(tr("Unit of the force"));
+  for (const auto& unit : kTimeUnits) timeUnit_->addItem(QString::fromUtf8(unit.name));
+  for (const auto* unit : kForceUnits) forceUnit_->addItem(QString::fromUtf8(unit));
+  for (auto* end : {open_, closed_}) {
+    end->setRange(-kLargestCell, kLargestCell);
+    end->setDecimals(3);
+    connect(end, &QDoubleSpinBox::valueChanged, this, &ColumnsForm::changed);
+  }
+  auto* form = new FieldForm;
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(quietLabel(
+      tr("The punch's recorder did not write this table. Say which of its columns are what."),
+      this));
+  form->addRow(tr("Time"), beside({time_, timeUnit_}, this));
+  form->addRow(
+      tr("Travel"),
+      beside(
+          {travel_, bodyLabel(tr("open"), this), open_, bodyLabel(tr("closed"), this), closed_},
+          this));
+  form->addRow(tr("Force"), beside({force_, forceUnit_}, this));
+  setLayout(form);
+  connect(travel_, &QComboBox::currentIndexChanged, this, &ColumnsForm::measureTravel);
+  for (auto* box : {time_, timeUnit_, travel_, force_, forceUnit_}) {
+    connect(box, &QComboBox::currentIndexChanged, this, &ColumnsForm::changed);
+  }
+}
+
+bool ColumnsForm::offer(const std::string& file) {
+  const auto text = haptics::recordings::contentOfRecording(file);
+  const auto lines = base::linesOf(base::withoutByteOrderMark(text));
+  if (lines.size() < 2) return false;
+  separator_ = base::separatorOf(lines.front().text);
+  const auto heads = base::cellsOf(lines.front().text, separator_);
+  if (heads.size() < 3) return false;
+  rows_.clear();
+  for (const auto& line : lines) rows_.push_back(base::cellsOf(line.text, separator_));
+  hasHeads_ = std::ranges::none_of(
+      heads, [&](const auto& cell) { return base::numberIn(cell, separator_).has_value(); });
+  const QSignalBlocker quiet(this);
+  for (auto* box : {time_, travel_, force_}) {
+    box->clear();
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      box->addItem(hasHeads_ ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
+    }
+  }
+  std::size_t time = 0;
+  std::size_t force = heads.size() - 1;
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const auto unit = base::columnHeadOf(heads[i]).unit;
+    if (const int place = placeOf(kTimeUnits, unit); place >= 0) {
+      time = i;
+      timeUnit_->setCurrentIndex(place);
+    }
+    if (const int place = placeOf(kForceUnits, unit); place >= 0) {
+      force = i;
+      forceUnit_->setCurrentIndex(place);
+    }
+  }
+  std::size_t travel = 0;
+  while (travel == time || travel == force) ++travel;
+  time_->setCurrentIndex(static_cast<int>(time));
+  travel_->setCurrentIndex(static_cast<int>(travel));
+  force_->setCurrentIndex(static_cast<int>(force));
+  measureTravel();
+  return true;
+}
+
+void ColumnsForm::measureTravel() {
+  const int column = travel_->currentIndex();
+  if (column < 0) return;
+  std::optional<double> first;
+  double farthest = 0.0;
+  for (const auto& row : rows_) {
+    if (row.size() <= static_cast<std::size_t>(column)) continue;
+    const auto value = base::numberIn(row[static_cast<std::size_t>(column)], separator_);
+    if (!value) continue;
+    if (!first) farthest = *(first = value);
+    if (std::abs(*value - *first) > std::abs(farthest - *first)) farthest = *value;
+  }
+  const QSignalBlocker open(open_);
+  const QSignalBlocker closed(closed_);
+  open_->setValue(first.value_or(0.0));
+  closed_->setValue(farthest);
+}
+
+haptics::recordings::RecordingColumns ColumnsForm::columns() const {
+  const auto chosen = [this](const QComboBox& box) {
+    const auto place = static_cast<std::size_t>(box.currentIndex());
+    return hasHeads_ ? haptics::recordings::TableColumn{.head = rows_.front()[place]}
+                     : haptics::recordings::TableColumn{.number = place + 1};
+  };
+  const auto unit = forceUnit_->currentText().toStdString();
+  return {
+      .time = chosen(*time_),
+      .millisecondsPerTime =
+          kTimeUnits[static_cast<std::size_t>(timeUnit_->currentIndex())].milliseconds,
+      .travel = chosen(*travel_),
+      .open = open_->value(),
+      .closed = closed_->value(),
+      .force = chosen(*force_),
+      .forceFactor = haptics::recordings::newtonsIn(unit),
+      .separator = separator_};
+}
+
+}  // namespace study::gui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QWidget>
+
+#include "haptics/recordings/recording_table.h"
+
+namespace study::gui {
+
+/// Asks which columns of a table are its time, travel and force, and in which units: what a columns
+/// file says. Unlike that it knows no calibration and no skipped lines.
+class ColumnsForm final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ColumnsForm(QWidget* parent = nullptr);
+
+  /// Offers the columns of the table in @p file, chosen by their headings where these have units.
+  /// @return whether it is a table of at least three columns
+  bool offer(const std::string& file);
+  haptics::recordings::RecordingColumns columns() const;
+
+ signals:
+  void changed();
+
+ private:
+  /// Takes the ends of the travel from its column.
+  void measureTravel();
+
+  std::vector<std::vector<std::string>> rows_;  ///< cells; the first row may be the headings
+  char separator_ = ',';
+  bool hasHeads_ = false;
+  QComboBox* time_;
+  QComboBox* timeUnit_;
+  QComboBox* travel_;
+  QDoubleSpinBox* open_;
+  QDoubleSpinBox* closed_;
+  QComboBox* force_;
+  QComboBox* forceUnit_;
+};
+
+}  // namespace study::gui
