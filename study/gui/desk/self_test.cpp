@@ -4,6 +4,10 @@
 #include <cstdlib>
 #include <thread>
 
+#include <QGuiApplication>
+#include <QScreen>
+
+#include "study/gui/scene/renderer.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/model/study_files.h"
 #include "study/model/trial_record.h"
@@ -23,7 +27,7 @@ constexpr int kCommits = 40;
 constexpr double kPromptCommit = 0.02;  // [s]: not noticeable between pages
 constexpr double kSlowCommit = 0.2;     // [s]: clearly noticeable between pages
 
-std::vector<SelfTestLine> testDevices(const SelfTestOptions& order, const Progress& progress) {
+std::vector<FindingLine> testDevices(const SelfTestOptions& order, const Progress& progress) {
   const auto own = order.study / kDeviceFileName;
   const std::string file = !order.deviceFile.empty() ? order.deviceFile : own.string();
   if (order.deviceFile.empty() && (order.study.empty() || !std::filesystem::exists(own))) {
@@ -33,9 +37,10 @@ std::vector<SelfTestLine> testDevices(const SelfTestOptions& order, const Progre
           "device file",
           "none: devices are virtual, moved with the mouse or the space bar",
           ""},
-         ""}};
+         "",
+         false}};
   }
-  std::vector<SelfTestLine> lines;
+  std::vector<FindingLine> lines;
   const auto anyHand = [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);
   };
@@ -55,7 +60,7 @@ std::vector<SelfTestLine> testDevices(const SelfTestOptions& order, const Progre
   return lines;
 }
 
-SelfTestLine testClock(double seconds) {
+FindingLine testClock(double seconds) {
   // Loads each tick about as much as a scene of a study does.
   volatile double sink = 0.0;
   RealtimeLoop loop({.rate = kRate}, [&sink](double dt, double) {
@@ -66,7 +71,7 @@ SelfTestLine testClock(double seconds) {
   return judgeClock(loop.finish(), isRealtime, kRate);
 }
 
-SelfTestLine testCommits(const std::filesystem::path& folder) {
+FindingLine testCommits(const std::filesystem::path& folder) {
   try {
     return judgeCommits(storage::measureCommits(folder, kCommits), folder.string());
   } catch (const storage::StorageError& error) {
@@ -77,7 +82,7 @@ SelfTestLine testCommits(const std::filesystem::path& folder) {
   }
 }
 
-SelfTestLine testFile(
+FindingLine testFile(
     const std::string& what, const std::string& file, const storage::Schema& schema) {
   const auto name = std::filesystem::path(file).filename().string();
   std::string problems;
@@ -97,9 +102,45 @@ SelfTestLine testFile(
       problems};
 }
 
+constexpr int kLeastWide = 1280;
+constexpr int kLeastHigh = 800;
+constexpr double kLeastRefresh = 50.0;  // [Hz]
+
+FindingLine judgeScreen(const QScreen& screen) {
+  const QSize size = screen.geometry().size();
+  CheckResult found{
+      .what = screen.name().isEmpty() ? "screen" : screen.name().toStdString(),
+      .measured = said("{} × {} points", size.width(), size.height()),
+      .fix = ""};
+  if (size.width() < kLeastWide || size.height() < kLeastHigh) {
+    found.finding = Finding::Warn;
+    found.fix = "The windows want 1280 × 800 points: choose a higher resolution or less scaling.";
+  } else if (screen.refreshRate() < kLeastRefresh) {
+    found.finding = Finding::Warn;
+    found.fix = "Pictures come late: choose a refresh rate of 50 Hz or more.";
+  }
+  return {
+      "screen",
+      found,
+      said("scale {:g}, {:.0f} Hz", screen.devicePixelRatio(), screen.refreshRate())};
+}
+
+/// Tests which renderer is available by opening one.
+FindingLine judgeGraphics() {
+  const auto graphics = scene::openGraphics();
+  const bool isFast = graphics.remark.isEmpty();
+  return {
+      "screen",
+      {isFast ? Finding::Pass : Finding::Warn,
+       "pictures of simulations",
+       isFast ? "drawn by the graphics card" : "drawn by the processor",
+       graphics.remark.toStdString()},
+      said("drawn by {}", graphics.renderer->name().toStdString())};
+}
+
 }  // namespace
 
-SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, double rate) {
+FindingLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, double rate) {
   constexpr double kRoughShare = 0.05;
   const auto ticks = static_cast<std::int64_t>(report.ticks);
   const auto late = static_cast<std::int64_t>(report.lateTicks);
@@ -116,7 +157,7 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
   } else if (!isRealtime) {
     found.finding = Finding::Warn;
     found.fix =
-        "Other programs can delay forces. Allow real-time priority: docs/devices.md, \"Real "
+        "Other programs can delay forces. Allow real-time priority: the page on devices, \"Real "
         "time\", says how.";
   }
   found.measured = said(words, late, ticks);
@@ -134,7 +175,7 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
           said(isRealtime ? "real-time priority" : "ordinary priority"))};
 }
 
-SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
+FindingLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
   CheckResult found{.what = "saving an answer", .measured = "", .fix = ""};
   const char* words = "fast: {:.1f} ms";
   if (times.median > kSlowCommit) {
@@ -153,7 +194,7 @@ SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& 
       said("median of {}; longest {:.1f} ms; in {}", times.commits, 1e3 * times.longest, folder)};
 }
 
-std::vector<SelfTestLine> testComputer(const SelfTestOptions& order, const Progress& progress) {
+std::vector<FindingLine> testComputer(const SelfTestOptions& order, const Progress& progress) {
   auto lines = testDevices(order, progress);
   tell(progress, kUnknownShare, "ticking a thousand times a second");
   lines.push_back(testClock(order.seconds));
@@ -167,6 +208,23 @@ std::vector<SelfTestLine> testComputer(const SelfTestOptions& order, const Progr
   lines.push_back(testFile("answers", files.study(), storage::studySchema()));
   lines.push_back(testFile("recordings", files.traces(), storage::traceSchema()));
   lines.push_back(testFile("names", files.identity(), storage::identitySchema()));
+  return lines;
+}
+
+std::vector<FindingLine> testScreens() {
+  std::vector<FindingLine> lines;
+  const auto screens = QGuiApplication::screens();
+  for (const auto* screen : screens) lines.push_back(judgeScreen(*screen));
+  if (screens.size() < 2) {
+    lines.push_back(
+        {"screen",
+         {Finding::Warn,
+          "participant's screen",
+          "there is one screen only",
+          "Connect a second one: the participant's window goes there by itself."},
+         ""});
+  }
+  lines.push_back(judgeGraphics());
   return lines;
 }
 

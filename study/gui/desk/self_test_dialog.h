@@ -4,9 +4,9 @@
 #include <QDialog>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableWidget>
 
 #include "study/gui/desk/self_test.h"
+#include "study/gui/widgets/findings_table.h"
 
 namespace study::gui {
 
@@ -25,9 +25,9 @@ class SelfTestDialog final : public QDialog {
   void fill();
 
   SelfTestOptions order_;
-  std::vector<SelfTestLine> lines_;  ///< of the last test
+  std::vector<FindingLine> lines_;  ///< of the last test
   QLabel* outcome_;
-  QTableWidget* table_;
+  FindingsTable* table_;
   QCheckBox* details_;
 };
 

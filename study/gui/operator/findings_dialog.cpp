@@ -1,82 +1,25 @@
 #include "study/gui/operator/findings_dialog.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
-#include <QDialogButtonBox>
-#include <QHeaderView>
+#include <QHBoxLayout>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "study/gui/widgets/desk_language.h"
-#include "study/gui/widgets/message_box.h"
-#include "study/gui/widgets/read_only_table.h"
+#include "study/gui/widgets/findings_table.h"
+#include "study/gui/widgets/labels.h"
 
 namespace study::gui {
-namespace {
 
 using haptics::devices::Finding;
 
-QString signOf(Finding finding) {
-  switch (finding) {
-    case Finding::Pass:
-      return QStringLiteral("✔ ");
-    case Finding::Warn:
-      return QStringLiteral("▲ ");
-    case Finding::Fail:
-      return QStringLiteral("✖ ");
-  }
-  return {};
-}
-
-void addRow(
-    QTableWidget& table, const std::string& part, const haptics::devices::CheckResult& result) {
-  const int row = table.rowCount();
-  table.insertRow(row);
-  const std::array<QString, 5> cells{
-      deskText(part),
-      deskText(haptics::devices::nameOf(result.finding)),
-      deskText(result.what),
-      deskText(result.measured),
-      deskText(result.fix)};
-  for (int column = 0; column < table.columnCount(); ++column) {
-    auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
-    table.setItem(row, column, cell);
-  }
-  auto* verdict = table.item(row, 1);
-  verdict->setText(signOf(result.finding) + verdict->text());
-  auto font = verdict->font();
-  font.setBold(result.finding != Finding::Pass);
-  verdict->setFont(font);
-}
-
-QTableWidget* emptyTable(QWidget* parent) {
-  auto* table = new QTableWidget(0, 5, parent);
-  table->setHorizontalHeaderLabels(
-      {FindingsDialog::tr("Part"),
-       FindingsDialog::tr("Result"),
-       FindingsDialog::tr("What"),
-       FindingsDialog::tr("Measured"),
-       FindingsDialog::tr("What to do")});
-  makeReadOnly(*table);
-  table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setFocusPolicy(Qt::NoFocus);
-  table->setWordWrap(true);
-  table->verticalHeader()->hide();
-  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
-  table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Stretch);
-  // Row heights depend on the column widths, which are known when the window is shown.
-  table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  return table;
-}
-
-}  // namespace
-
 FindingsDialog::FindingsDialog(
     const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
-    : QDialog(parent), verdict_(nullptr), table_(emptyTable(this)) {
+    : QDialog(parent),
+      verdict_(bodyLabel({}, this)),
+      table_(new FindingsTable(this)),
+      start_(new QPushButton(this)) {
   setWindowTitle(asks == Question::StartDespiteFailures ? tr("Before the session") : tr("Devices"));
   auto* layout = new QVBoxLayout(this);
   const bool isQuestion = asks == Question::StartDespiteFailures;
@@ -90,43 +33,56 @@ FindingsDialog::FindingsDialog(
       *this);
   verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
   verdict_->setObjectName(QStringLiteral("verdict"));
-  auto* buttons = new QDialogButtonBox(this);
-  QPushButton* close = nullptr;
-  if (asks == Question::StartDespiteFailures) {
-    start_ = buttons->addButton(tr("Start anyway"), QDialogButtonBox::AcceptRole);
-    start_->setAutoDefault(false);
-    close = buttons->addButton(tr("Do not start"), QDialogButtonBox::RejectRole);
-  } else {
-    close = buttons->addButton(QDialogButtonBox::Close);
-  }
+  table_->setFocusPolicy(Qt::NoFocus);
+  auto* close = new QPushButton(tr("Close"), this);
   close->setDefault(true);
-  if (checkAgain) {
-    auto* again = buttons->addButton(tr("Check again"), QDialogButtonBox::ActionRole);
-    again->setObjectName(QStringLiteral("check-again"));
-    again->setAutoDefault(false);
-    connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
-  }
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  close->setFocus();
+  auto* again = new QPushButton(tr("Check again"), this);
+  again->setObjectName(QStringLiteral("check-again"));
+  again->setVisible(static_cast<bool>(checkAgain));
+  start_->setVisible(asks == Question::StartDespiteFailures);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(start_);
+  buttons->addStretch(1);
+  buttons->addWidget(again);
+  buttons->addWidget(close);
+  for (auto* other : {again, start_}) other->setAutoDefault(false);
+  connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
+  connect(start_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  auto* heading = bodyLabel(windowTitle(), this);
+  heading->setProperty("role", QStringLiteral("heading"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(24, 20, 24, 20);
+  layout->setSpacing(12);
+  layout->addWidget(heading);
+  layout->addWidget(verdict_);
   layout->addWidget(table_, 1);
-  layout->addWidget(buttons);
+  layout->addLayout(buttons);
   resize(1000, 520);
   close->setFocus();
   show(found);
 }
 
 void FindingsDialog::show(const std::vector<Found>& found) {
-  table_->setRowCount(0);
+  std::vector<FindingLine> lines;
   for (const auto& part : found) {
-    for (const auto& result : part.results) addRow(*table_, part.part, result);
+    for (const auto& result : part.results) lines.push_back({part.part, result});
   }
-  const bool isBad = hasFailed(found);
-  if (start_ == nullptr) {
-    verdict_->setText(isBad ? tr("Some checks failed.") : tr("All checks passed."));
-    return;
-  }
+  const auto worst = std::ranges::max_element(
+      lines, {}, [](const FindingLine& line) { return line.found.finding; });
+  const auto finding = worst == lines.end() ? Finding::Pass : worst->found.finding;
+  table_->show(std::move(lines));
+  const bool isBad = finding == Finding::Fail;
+  setRole(*verdict_, isBad ? "bad" : finding == Finding::Warn ? "warn" : "good");
   verdict_->setText(
-      isBad ? tr("Start the session although some checks failed?") : tr("All checks passed."));
+      !isBad && finding == Finding::Warn
+          ? tr("!  Nothing failed. Look at the lines that are marked \"!\".")
+      : !isBad ? tr("✓  All checks passed.")
+      : start_->isHidden()
+          ? tr("✕  Some checks failed. Fix the lines that are marked \"✕\", then check again.")
+          : tr("✕  Some checks failed. Fix the lines that are marked \"✕\". If you start anyway, "
+               "trials on a device that failed may break off, and are marked."));
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 

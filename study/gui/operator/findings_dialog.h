@@ -12,8 +12,8 @@
 
 namespace study::gui {
 
-/// Shows the findings of a check before a session, for devices and texts: PASS, WARN or FAIL, the
-/// measured value, and what to do.
+/// Shows the findings of a check before a session, for devices and texts: the worst first, each
+/// with what to do.
 class FindingsDialog final : public QDialog {
   Q_OBJECT
 
@@ -43,8 +43,8 @@ class FindingsDialog final : public QDialog {
   using QDialog::show;
 
   QLabel* verdict_;
-  class QTableWidget* table_;
-  QPushButton* start_ = nullptr;  ///< nullptr unless the dialog asks whether to start anyway
+  class FindingsTable* table_;
+  QPushButton* start_;  ///< hidden unless the dialog asks whether to start anyway
 };
 
 }  // namespace study::gui

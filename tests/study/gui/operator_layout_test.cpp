@@ -27,6 +27,7 @@
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/operator/window_places.h"
 #include "study/gui/session/station_push.h"
+#include "study/gui/widgets/findings_table.h"
 #include "study/model/new_file.h"
 #include "study/session/arrivals.h"
 #include "tests/study/gui/participant.h"
@@ -312,13 +313,27 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
   };
   FindingsDialog dialog(check(), FindingsDialog::Question::StartDespiteFailures, check, nullptr);
   const auto* verdict = dialog.findChild<QLabel*>(QStringLiteral("verdict"));
-  EXPECT_TRUE(verdict->text().startsWith(QStringLiteral("Some checks failed.")));
+  EXPECT_TRUE(verdict->text().startsWith(QStringLiteral("✕  Some checks failed.")));
   isPlugged = true;
   dialog.findChild<QPushButton*>(QStringLiteral("check-again"))->click();
-  EXPECT_EQ(verdict->text(), QStringLiteral("All checks passed."));
+  EXPECT_EQ(verdict->text(), QStringLiteral("✓  All checks passed."));
   const auto* table = dialog.findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
   EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("open"));
+}
+
+TEST(FindingsTable, ShowsTheWorstFirstAndClaimsNoTestThatWasNotMade) {
+  using haptics::devices::Finding;
+  FindingsTable table(nullptr);
+  table.show(
+      {{"a", {Finding::Pass, "x", "1", ""}, "", false},
+       {"b", {Finding::Pass, "x", "1", ""}},
+       {"c", {Finding::Fail, "x", "1", "Do it."}},
+       {"d", {Finding::Warn, "x", "1", "Look."}}});
+  QString parts;
+  for (int row = 0; row < table.rowCount(); ++row) parts += table.item(row, 0)->text();
+  EXPECT_EQ(parts, QStringLiteral("CDBA"));
+  EXPECT_EQ(table.item(3, 1)->text(), QStringLiteral("– not tested"));
 }
 
 TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {

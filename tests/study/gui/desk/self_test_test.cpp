@@ -59,12 +59,11 @@ class StudySelfTest : public testing::Test {
     Study::create(folder_ / "study", protocol, clock_, 7, tests::knownSecret());
   }
 
-  std::vector<SelfTestLine> test() {
+  std::vector<FindingLine> test() {
     return testComputer({.study = folder_ / "study", .seconds = 0.2}, {});
   }
 
-  static const SelfTestLine* about(
-      const std::vector<SelfTestLine>& lines, const std::string& what) {
+  static const FindingLine* about(const std::vector<FindingLine>& lines, const std::string& what) {
     for (const auto& line : lines) {
       if (line.found.what == what) return &line;
     }

@@ -1,0 +1,88 @@
+#include "study/gui/widgets/findings_table.h"
+
+#include <algorithm>
+
+#include <QHeaderView>
+
+#include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui {
+namespace {
+
+using haptics::devices::Finding;
+
+const Fill& rowFill(const Theme& colours, Finding finding) {
+  return finding == Finding::Pass   ? colours.paleGood
+         : finding == Finding::Warn ? colours.paleWarn
+                                    : colours.paleBad;
+}
+
+QString describe(const FindingLine& line) {
+  if (!line.isTested) return FindingsTable::tr("– not tested");
+  return line.found.finding == Finding::Pass   ? FindingsTable::tr("✓ good")
+         : line.found.finding == Finding::Warn ? FindingsTable::tr("! look at it")
+                                               : FindingsTable::tr("✕ fix it");
+}
+
+}  // namespace
+
+FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
+  setAccessibleName(tr("What was found"));
+  setHorizontalHeaderLabels(
+      {tr("Part"), tr("Result"), tr("What"), tr("Finding"), tr("What to do")});
+  makeReadOnly(*this);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setWordWrap(true);
+  setTextElideMode(Qt::ElideNone);
+  verticalHeader()->hide();
+  verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  auto* heads = horizontalHeader();
+  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  heads->setSectionResizeMode(QHeaderView::ResizeToContents);
+  heads->setSectionResizeMode(3, QHeaderView::Stretch);
+  heads->setSectionResizeMode(4, QHeaderView::Stretch);
+  // A scroll bar that appears leaves the columns less room, and the rows then need more.
+  connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
+}
+
+void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
+  std::ranges::stable_sort(lines, [](const FindingLine& one, const FindingLine& other) {
+    return one.found.finding > other.found.finding ||
+           (one.found.finding == other.found.finding && one.isTested && !other.isTested);
+  });
+  clearSpans();
+  setRowCount(static_cast<int>(lines.size()));
+  int first = 0;  // row of the part
+  for (int row = 0; row < rowCount(); ++row) {
+    const auto& line = lines[static_cast<std::size_t>(row)];
+    const auto& found = line.found;
+    const QString cells[]{
+        capitalised(deskText(line.part)),
+        describe(line),
+        capitalised(deskText(found.what)),
+        hasDetails && !line.details.empty()
+            ? deskText(found.measured) + QLatin1Char('\n') + asText(line.details)
+            : deskText(found.measured),
+        deskText(found.fix)};
+    for (int column = 0; column < columnCount(); ++column) {
+      auto* cell = new QTableWidgetItem(cells[column]);
+      cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+      if (column == 1 && line.isTested) {
+        const auto& fill = rowFill(themeOf(*this), found.finding);
+        cell->setBackground(fill.background);
+        cell->setForeground(fill.text);
+        auto font = cell->font();
+        font.setBold(found.finding != Finding::Pass);
+        cell->setFont(font);
+      }
+      setItem(row, column, cell);
+    }
+    if (lines[static_cast<std::size_t>(first)].part != line.part) first = row;
+    if (row > first) setSpan(first, 0, row - first + 1, 1);
+  }
+}
+
+}  // namespace study::gui

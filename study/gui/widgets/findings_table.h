@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QTableWidget>
+
+#include "haptics/devices/device.h"
+
+namespace study::gui {
+
+/// What was found about one part: a device, the texts, the timing.
+struct FindingLine {
+  std::string part;
+  haptics::devices::CheckResult found;
+  std::string details{};  ///< what was measured, for readers who know the units; may be empty
+  bool isTested = true;   ///< false: there was nothing to test
+};
+
+/// Findings as a table, the worst first, each with what to do.
+class FindingsTable final : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit FindingsTable(QWidget* parent);
+
+  void show(std::vector<FindingLine> lines, bool hasDetails = false);
+  using QWidget::show;
+};
+
+}  // namespace study::gui
