@@ -29,12 +29,11 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
       return isBroken ? "Skip the trial together with its questions."
                       : "Skip the step that it is in.";
     case SessionEvent::GaveUpOnDevice:
-      return "End it because the device failed: aborted_hardware, and its place in the design is "
-             "free again.";
+      return "End it because the device failed; its place is free again.";
     case SessionEvent::ResumedSession:
       return "End the pause and go on.";
     case SessionEvent::Withdrew:
-      return "End it because the participant wants to: withdrawn, and its place is free again.";
+      return "End it because the participant wants to; its place is free again.";
     case SessionEvent::WasRejected:
       return "Reject it with a reason; its place is free again.";
     default:
@@ -92,9 +91,8 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
         .state = row.state,
         .step = row.step,
         .steps = static_cast<int>(plan.size()),
-        .place = placeOf(
-            plan.at(static_cast<std::size_t>(row.step)),
-            study.protocol(row.protocol).protocol.labels),
+        .at = plan.at(static_cast<std::size_t>(row.step)),
+        .labels = study.protocol(row.protocol).protocol.labels,
         .startedUtc = row.startedUtc,
         .lastStoredUtc = lastStoredOf(study, row),
         .holder = storage::Lease::holder(study.database(), row.id),
@@ -129,7 +127,8 @@ std::string describe(const UnfinishedSession& session) {
   const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
   return session.participant + " (" + std::string(nameOf(session.runMode)) + "), begun " + begun +
          " UTC, is in step " + std::to_string(session.step + 1) + " of " +
-         std::to_string(session.steps) + " (" + session.place + "). " + whatHappened(session);
+         std::to_string(session.steps) + " (" + placeOf(session.at, session.labels) + "). " +
+         whatHappened(session);
 }
 
 }  // namespace study

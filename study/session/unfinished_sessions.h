@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "study/model/session_plan.h"
 #include "study/session/study.h"
 #include "study/storage/lease.h"
 
@@ -16,9 +17,10 @@ struct UnfinishedSession {
   std::string participant;  ///< code
   RunMode runMode = RunMode::Live;
   SessionState state = SessionState::Enrolled;
-  int step = 0;       ///< the index of its step, from 0
-  int steps = 0;      ///< number of all steps
-  std::string place;  ///< "round-1: Alternative 2"; never a condition
+  int step = 0;              ///< the index of its step, from 0
+  int steps = 0;             ///< number of all steps
+  Step at;                   ///< that step, without its condition
+  protocols::Labels labels;  ///< of the alternatives
   std::string startedUtc;
   std::string lastStoredUtc;                     ///< of its last event
   std::optional<storage::Lease::Holder> holder;  ///< the program that has the session open, or had

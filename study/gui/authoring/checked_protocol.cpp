@@ -1,6 +1,10 @@
 #include "study/gui/authoring/checked_protocol.h"
 
 #include <algorithm>
+#include <utility>
+
+#include <QRegularExpression>
+#include <QStringList>
 
 #include "protocols/load_protocol.h"
 #include "questionnaires/json/document.h"
@@ -60,17 +64,64 @@ std::string CheckedProtocol::verdict() const {
   return said("Valid, {}: {}", counted(countOf(warnings()), "{} warning", "{} warnings"), what);
 }
 
+QString CheckedProtocol::problemsInWords() const {
+  QStringList lines;
+  for (const auto& problem : problems) {
+    const auto place = placeInWords(problem.path);
+    const auto fix = deskText(problem.fix);
+    lines << (problem.severity == Severity::Error ? QStringLiteral("✕  ") : QStringLiteral("!  ")) +
+                 (place.isEmpty() ? place : place + QStringLiteral(": ")) + deskText(problem.what) +
+                 (fix.isEmpty() ? fix : QStringLiteral("  →  ") + fix);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString placeInWords(const std::string& path) {
+  static const QRegularExpression kIndex(QStringLiteral("\\[(\\d+)\\]"));
+  const QString all = QString::fromStdString(path);
+  const auto root = all.indexOf(u'$');
+  QString inside = root < 0 ? QString() : all.mid(root + 1);
+  for (auto index = kIndex.match(inside); index.hasMatch(); index = kIndex.match(inside)) {
+    const auto number = QString::number(index.captured(1).toInt() + 1);
+    inside.replace(index.capturedStart(), index.capturedLength(), QLatin1Char(' ') + number);
+  }
+  QStringList parts{root < 0 ? all : all.left(root).trimmed()};
+  parts << inside.split(u'.');
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(" › ")).replace(u'_', u' ');
+}
+
 CheckedProtocol checkProtocol(const std::string& source) {
-  CheckedProtocol checked{.source = source};
+  std::string text;
+  std::optional<protocols::LoadedProtocol> loaded;
   questionnaires::Problems problems;
   try {
-    checked.text = textOf(source);
-    checked.loaded = protocols::loadProtocolFile(source, problems);
+    text = textOf(source);
+    loaded = protocols::loadProtocolFile(source, problems);
   } catch (const base::UserError& error) {
     problems.add("$", error.what());
   }
-  checked.problems = problems.all();
-  return checked;
+  return checked(source, std::move(text), std::move(loaded), problems.all());
+}
+
+CheckedProtocol checked(
+    std::string source,
+    std::string text,
+    std::optional<protocols::LoadedProtocol> loaded,
+    std::vector<questionnaires::Problem> problems) {
+  const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
+  if (loaded && std::erase_if(problems, isBlank) > 0) {
+    const auto blanks = protocols::blanksOf(*loaded);
+    const auto left = std::ranges::count_if(
+        blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); });
+    problems.insert(
+        problems.begin(),
+        {.severity = Severity::Warning,
+         .path = "$",
+         .what = base::Message::verbatim(said("{} blanks in texts for participants", left)),
+         .fix = base::Message::verbatim(said("Fill in the texts…"))});
+  }
+  return {std::move(source), std::move(text), std::move(loaded), std::move(problems)};
 }
 
 std::vector<std::string> shippedProtocols() {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <QString>
+
 #include "protocols/model/loaded_protocol.h"
 
 namespace study::gui {
@@ -13,17 +15,29 @@ struct CheckedProtocol {
   std::string source;                               ///< a path, or the name of a built-in protocol
   std::string text;                                 ///< empty if the file cannot be read
   std::optional<protocols::LoadedProtocol> loaded;  ///< std::nullopt if there are errors
-  std::vector<questionnaires::Problem> problems;
+  std::vector<questionnaires::Problem> problems;    ///< all blanks of texts are one, the first
 
   int errors() const noexcept;
   int warnings() const noexcept;
-  /// The last line of `palpate protocol check`: the protocol is valid, or cannot be used yet.
+  /// The protocol is valid, with so many warnings, or cannot be used yet.
   std::string verdict() const;
+  /// All problems, a line each: "! Consent › introduction: … → what to do".
+  QString problemsInWords() const;
 };
+
+/// The place of a problem in a file for readers: "consent-punch $.phases[4].text" → "consent-punch
+/// › phases 5 › text".
+QString placeInWords(const std::string& path);
 
 /// Reads and checks a protocol as `palpate protocol check` does. An unreadable file is reported as
 /// a problem.
 CheckedProtocol checkProtocol(const std::string& source);
+/// The result for a protocol that was read, with the problems found in it.
+CheckedProtocol checked(
+    std::string source,
+    std::string text,
+    std::optional<protocols::LoadedProtocol> loaded,
+    std::vector<questionnaires::Problem> problems);
 
 /// The names of the built-in protocols.
 std::vector<std::string> shippedProtocols();

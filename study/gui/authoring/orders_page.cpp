@@ -17,11 +17,13 @@ namespace {
 
 constexpr int kMostOrders = 200;  // per cohort; the command line prints more
 
-/// The conditions of a block in the order of its trials: "2 kalman · 1 interpolation".
-QString inOrder(const protocols::PlannedBlock& block) {
+/// The conditions of a block in the order of its trials: "2 KF · 1 Interpolation".
+QString inOrder(const protocols::PlannedBlock& block, const protocols::Protocol& protocol) {
   QStringList trials;
   for (const auto& trial : block.trials) {
-    trials << QStringLiteral("%1 %2").arg(trial.label).arg(QString::fromStdString(trial.condition));
+    trials << QStringLiteral("%1 %2")
+                  .arg(trial.label)
+                  .arg(QString::fromStdString(protocol.condition(trial.condition)->title));
   }
   return trials.join(QStringLiteral(" · "));
 }
@@ -93,8 +95,11 @@ std::uint64_t OrdersPage::seed() const {
 void OrdersPage::fill() {
   if (!protocol_) return;
   QStringList heads{tr("Cohort"), tr("Participant")};
+  std::vector<std::string> blocks;
   for (const auto& phase : protocol_->phases) {
-    if (phase.type == protocols::PhaseType::Block) heads << QString::fromStdString(phase.id);
+    if (phase.type != protocols::PhaseType::Block) continue;
+    blocks.push_back(phase.id);
+    heads << phaseTitle(phase.id);
   }
   table_->setColumnCount(static_cast<int>(heads.size()));
   table_->setHorizontalHeaderLabels(heads);
@@ -104,11 +109,11 @@ void OrdersPage::fill() {
     for (int slot = 0; slot < participants_->value(); ++slot, ++row) {
       const auto schedule =
           protocols::scheduleFor(*protocol_, seed(), cohort.id, static_cast<std::uint64_t>(slot));
-      table_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(cohort.id)));
+      table_->setItem(row, 0, new QTableWidgetItem(cohortTitle(*protocol_, cohort.id)));
       table_->setItem(row, 1, new QTableWidgetItem(QString::number(slot + 1)));
       for (int column = 2; column < heads.size(); ++column) {
-        const auto* block = schedule.block(heads[column].toStdString());
-        table_->setItem(row, column, new QTableWidgetItem(inOrder(*block)));
+        const auto* block = schedule.block(blocks[static_cast<std::size_t>(column) - 2]);
+        table_->setItem(row, column, new QTableWidgetItem(inOrder(*block, *protocol_)));
       }
     }
   }

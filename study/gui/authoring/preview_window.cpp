@@ -29,8 +29,8 @@ constexpr std::uint64_t kSeed = 1;
 constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
 
 /// "Round 1: trial, Tissue 2", without its condition.
-QString describe(const Step& step, const protocols::Labels& labels) {
-  const QString phase = QString::fromStdString(step.phase);
+QString pageTitle(const Step& step, const protocols::Labels& labels) {
+  const QString phase = phaseTitle(step.phase);
   const QString kind = deskText(nameOf(step.kind));
   if (step.label > 0) {
     return PreviewWindow::tr("%1: %2, %3")
@@ -39,7 +39,9 @@ QString describe(const Step& step, const protocols::Labels& labels) {
             kind,
             QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage())));
   }
-  return phase == kind ? phase : PreviewWindow::tr("%1: %2").arg(phase, kind);
+  return phase.compare(kind, Qt::CaseInsensitive) == 0
+             ? phase
+             : PreviewWindow::tr("%1: %2").arg(phase, kind);
 }
 
 /// Begins a session in the study in @p folder and lets a simulated participant go to @p step.
@@ -202,7 +204,8 @@ void PreviewWindow::fillSteps() {
   int number = 0;
   for (const auto& step : previewSession_->controller.session().plan()) {
     steps_->addItem(
-        QString::number(++number) + QStringLiteral("  ") + describe(step, loaded_.protocol.labels));
+        QString::number(++number) + QStringLiteral("  ") +
+        pageTitle(step, loaded_.protocol.labels));
   }
   steps_->addItem(QString::number(++number) + QStringLiteral("  ") + tr("the end"));
   steps_->setCurrentRow(0);

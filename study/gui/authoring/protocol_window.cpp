@@ -20,6 +20,7 @@
 #include "study/gui/authoring/orders_page.h"
 #include "study/gui/authoring/own_copy.h"
 #include "study/gui/authoring/preview_window.h"
+#include "study/gui/authoring/protocol_summary.h"
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/authoring/timeline_page.h"
 #include "study/gui/widgets/attempt.h"
@@ -29,6 +30,7 @@
 #include "study/gui/widgets/theme.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/model/user_error.h"
+#include "study/report/marked_text.h"
 
 namespace study::gui {
 namespace {
@@ -57,12 +59,15 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       preview_(new QPushButton(tr("Preview as participant…"), this)),
       fill_(new QPushButton(tr("Fill in the texts…"), this)),
       copy_(new QPushButton(tr("Save as…"), this)),
+      showSource_(new QPushButton(tr("Show source"), this)),
+      summary_(bodyLabel({}, this)),
       text_(new QPlainTextEdit(this)),
       problems_(new QTableWidget(0, 4, this)),
       pages_(new QTabWidget(this)),
       timeline_(new TimelinePage(this)),
       orders_(new OrdersPage(this)) {
   verdict_->setObjectName(QStringLiteral("verdict"));
+  pages_->addTab(makeSummary(), tr("Summary"));
   pages_->addTab(timeline_, tr("Timeline"));
   pages_->addTab(orders_, tr("Orders"));
   auto* sides = new QSplitter(Qt::Horizontal, this);
@@ -84,6 +89,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   head->addWidget(fill_);
   auto* origin = new QHBoxLayout;  // beside the others it has no room on a small screen
   origin->addWidget(readAt_, 1);
+  origin->addWidget(showSource_);
   origin->addWidget(copy_);
   layout->addLayout(head);
   layout->addLayout(origin);
@@ -106,6 +112,10 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   copy_->setObjectName(QStringLiteral("save-as"));
   copy_->setProperty("role", QStringLiteral("tool"));
   copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
+  showSource_->setObjectName(QStringLiteral("show-source"));
+  showSource_->setProperty("role", QStringLiteral("tool"));
+  showSource_->setCheckable(true);
+  connect(showSource_, &QPushButton::toggled, text_, &QWidget::setVisible);
   connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
   connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
@@ -119,7 +129,20 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   showSource(source);
 }
 
+QWidget* ProtocolWindow::makeSummary() {
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setAccessibleName(tr("Summary"));
+  summary_->setObjectName(QStringLiteral("summary"));
+  summary_->setAlignment(Qt::AlignTop);
+  summary_->setTextFormat(Qt::RichText);
+  summary_->setMargin(12);
+  scroll->setWidget(summary_);
+  return scroll;
+}
+
 void ProtocolWindow::prepareText() {
+  text_->setVisible(false);
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
   text_->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 14px;"));
@@ -139,7 +162,7 @@ void ProtocolWindow::prepareProblems() {
   heads->setSectionResizeMode(1, QHeaderView::Interactive);
   heads->setSectionResizeMode(2, QHeaderView::Stretch);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
-  problems_->setColumnWidth(1, 290);
+  problems_->setColumnWidth(1, 220);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, problems_, &QTableWidget::resizeRowsToContents);
   heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -174,9 +197,11 @@ void ProtocolWindow::reload() {
   showText();
   showProblems();
   if (checked_.loaded) {
+    summary_->setText(report::asHtml(protocolSummary(*checked_.loaded)));
     timeline_->show(*checked_.loaded);
     orders_->show(checked_.loaded->protocol);
   } else {
+    summary_->setText(tr("The summary appears here once the protocol has no errors."));
     timeline_->clear();
     orders_->clear();
   }
@@ -244,12 +269,13 @@ void ProtocolWindow::showProblems() {
     const bool isError = problem.severity == Severity::Error;
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
-        QString::fromStdString(problem.path),
+        placeInWords(problem.path),
         deskText(problem.what),
         deskText(problem.fix)};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+      if (column == 1) cell->setToolTip(QString::fromStdString(problem.path));
       if (column == 0) {
         const auto& fill = isError ? colours.paleBad : colours.paleWarn;
         cell->setBackground(fill.background);

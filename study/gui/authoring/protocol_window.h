@@ -15,9 +15,9 @@ namespace study::gui {
 class TimelinePage;
 class OrdersPage;
 
-/// Shows a protocol to its author: the text, a session's timeline, each participant's order, and
-/// all problems with their line in the text. It reloads the file after each change and never writes
-/// it.
+/// Shows a protocol to its author: a summary in words, a session's timeline, each participant's
+/// order, all problems, and on request the text with the line of a problem. It reloads the file
+/// after each change and never writes it.
 class ProtocolWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -41,6 +41,7 @@ class ProtocolWindow final : public QMainWindow {
 
  private:
   void prepareText();
+  QWidget* makeSummary();
   void prepareProblems();
   void showVerdict();
   void showProblems();
@@ -64,7 +65,9 @@ class ProtocolWindow final : public QMainWindow {
   QPushButton* preview_;
   QPushButton* fill_;
   QPushButton* copy_;  ///< of a shipped protocol
-  QPlainTextEdit* text_;
+  QPushButton* showSource_;
+  QLabel* summary_;
+  QPlainTextEdit* text_;  ///< hidden until it is asked for
   QTableWidget* problems_;
   QTabWidget* pages_;
   TimelinePage* timeline_;

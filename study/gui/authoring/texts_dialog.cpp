@@ -141,6 +141,7 @@ void TextsDialog::showProgress() {
     lacksEnglish |= !words.empty() && words.count("en") == 0;
   }
   const int all = static_cast<int>(words_.size());
+  const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
   progress_->setText(
       lacksEnglish ? tr("A text that is given in another language is also needed in English.")
       : filled < all
@@ -148,7 +149,7 @@ void TextsDialog::showProgress() {
                 .arg(filled)
                 .arg(all)
           : tr("All %1 are filled in.").arg(all));
-  const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
+  if (!hasReason) progress_->setText(progress_->text() + QLatin1Char(' ') + tr("Give a reason."));
   save_->setEnabled(!lacksEnglish && hasReason);
 }
 

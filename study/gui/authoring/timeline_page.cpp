@@ -79,7 +79,7 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
   const auto steps = stepsOf(protocol);
   for (std::size_t p = 0; p < protocol.phases.size(); ++p) {
     const auto& phase = protocol.phases[p];
-    TimelineBar::Part whole{.name = QString::fromStdString(phase.id)};
+    TimelineBar::Part whole{.name = phaseTitle(phase.id)};
     auto* top = new QTreeWidgetItem(steps_, {QStringLiteral("%1 %2").arg(p + 1).arg(whole.name)});
     top->setData(0, Qt::UserRole, static_cast<int>(p));
     int count = 0;

@@ -85,6 +85,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   reseal_->setToolTip(
       tr("Once for the whole study. Heads of the audit trail that were noted earlier are no longer "
          "found in it. Back up the study first."));
+  copy_->startIn(folderBeside(folder_));
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
   form().addRow(tr("Reason"), reason_);
@@ -119,8 +120,11 @@ void EraseDialog::fillIn() {
 
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
-  go().setEnabled(
-      !code.isEmpty() && code_->text().trimmed() == code && !reason_->text().trimmed().isEmpty());
+  setObstacle(
+      code.isEmpty()                        ? tr("No participant can be erased.")
+      : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
+      : code_->text().trimmed() != code     ? tr("Type %1 to confirm.").arg(code)
+                                            : QString());
 }
 
 report::ErasureCertificate EraseDialog::erase() const {

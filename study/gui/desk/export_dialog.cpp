@@ -62,6 +62,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
+  earlier_->startIn(folderBeside(folder_));
   form().addRow(tr("Format"), format_);
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("For whom"), audience_);
@@ -106,7 +107,8 @@ void ExportDialog::updateChoices() {
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlier_, hasCodes);
   clear();
-  go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());
+  const bool isReasoned = audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty();
+  setObstacle(isReasoned ? QString() : tr("Give a reason."));
   showIdentifiability();
 }
 

@@ -49,6 +49,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   connect(wanted_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
+  source_->startIn(folderBeside(folder_));
   target_->setPath(newPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   findChild<QTextBrowser*>(QStringLiteral("more"))->setAccessibleName(tr("Where the key is"));
   showState();
@@ -84,7 +85,11 @@ void KeyDialog::updateChoices() {
   go().setText(saves ? tr("Save") : takes ? tr("Take") : tr("Set"));
   const bool isReasoned = !reason_->text().trimmed().isEmpty();
   const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
-  go().setEnabled(takes ? !source_->path().isEmpty() : isReasoned && (saves || isTypedTwice));
+  setObstacle(
+      takes                   ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
+      : !isReasoned           ? tr("Give a reason.")
+      : saves || isTypedTwice ? QString()
+                              : tr("Type the same passphrase twice."));
 }
 
 void KeyDialog::work() {

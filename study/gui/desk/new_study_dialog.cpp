@@ -1,6 +1,5 @@
 #include "study/gui/desk/new_study_dialog.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -29,6 +28,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Protocol file"), tr("Protocols (*.json)"), this)),
       folder_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
+      advanced_(new QCheckBox(tr("Advanced"), this)),
       seed_(new QLineEdit(this)),
       read_(new QPushButton(tr("Check protocol…"), this)),
       preview_(new QPushButton(tr("Preview…"), this)),
@@ -43,7 +43,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   protocol_->addItem(tr("A file of my own…"), QString());
   file_->setObjectName(QStringLiteral("protocol-file"));
   folder_->setObjectName(QStringLiteral("folder"));
-  folder_->setPath(QDir::home().filePath(QStringLiteral("my-study")));
+  folder_->setPath(unusedPath(QDir(documentsFolder()).filePath(QStringLiteral("my-study"))));
   seed_->setAccessibleName(tr("Seed"));
   seed_->setPlaceholderText(tr("the protocol's, otherwise a new one"));
   seed_->setValidator(
@@ -65,15 +65,20 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   form().addRow(tr("Protocol file"), file_);
   form().addRow(looks);
   form().addRow(tr("New folder"), folder_);
+  advanced_->setObjectName(QStringLiteral("advanced"));
+  form().addRow(QString(), advanced_);
   form().addRow(tr("Random seed (optional)"), seed_);
+  form().setRowVisible(seed_, false);
+  connect(advanced_, &QCheckBox::toggled, this, [this](bool isShown) {
+    form().setRowVisible(seed_, isShown);
+    fit();
+  });
   connect(protocol_, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
   connect(protocol_, &QComboBox::activated, this, [this] {
     if (source().isEmpty()) file_->choose();
   });
   connect(file_, &PathField::pathChanged, this, &NewStudyDialog::check);
-  connect(folder_, &PathField::pathChanged, this, [this](const QString& path) {
-    go().setEnabled(checked_.loaded.has_value() && !path.isEmpty());
-  });
+  connect(folder_, &PathField::pathChanged, this, &NewStudyDialog::updateButton);
   connect(&watch_, &FileWatch::changed, this, &NewStudyDialog::check);
   connect(read_, &QPushButton::clicked, this, [this] { emit protocolRequested(source()); });
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
@@ -99,7 +104,6 @@ void NewStudyDialog::check() {
   fit();
   watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
   checked_ = {};
-  go().setEnabled(false);
   read_->setEnabled(!source().isEmpty());
   if (!source().isEmpty()) checked_ = checkProtocol(source().toStdString());
   if (isOwn && checked_.loaded) rememberProtocolFolder(file_->path());
@@ -111,8 +115,9 @@ void NewStudyDialog::fillInTexts() {
   if (form.exec() != QDialog::Accepted) return;
   questionnaires::Problems problems;
   auto filled = protocols::withTexts(*checked_.loaded, form.texts(), problems);
-  checked_.problems = problems.all();
-  if (filled) checked_.loaded = std::move(filled);
+  if (!filled) filled = std::move(checked_.loaded);
+  checked_ = checked(
+      std::move(checked_.source), std::move(checked_.text), std::move(filled), problems.all());
   showChecked();
 }
 
@@ -121,31 +126,24 @@ void NewStudyDialog::saveAs() {
   if (!file.isEmpty()) setProtocolFile(file);
 }
 
-/// What was found, with all blanks of texts in one line: one form asks for them.
-QString NewStudyDialog::problemsInWords() const {
-  const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
-  auto others = checked_.problems;
-  std::erase_if(others, isBlank);
-  const QString words = QString::fromStdString(questionnaires::describe(others));
-  if (!checked_.loaded || others.size() == checked_.problems.size()) return words;
-  const auto blanks = std::ranges::count_if(
-      protocols::blanksOf(*checked_.loaded),
-      [](const auto& blank) { return blank.text.isEmpty(); });
-  return tr("%1 blanks in texts for participants").arg(blanks) + QStringLiteral(" → ") +
-         tr("Fill in the texts…") + QLatin1Char('\n') + words;
-}
-
 void NewStudyDialog::showChecked() {
   preview_->setEnabled(checked_.loaded.has_value());
   fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
+  updateButton();
   if (source().isEmpty()) return clear();
-  const QString problems = problemsInWords();
   const bool isSound = checked_.loaded.has_value();
   showOutcome(
       isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
       QString::fromStdString(checked_.verdict()),
-      problems);
-  go().setEnabled(isSound && !folder_->path().isEmpty());
+      checked_.problemsInWords());
+}
+
+void NewStudyDialog::updateButton() {
+  setObstacle(
+      source().isEmpty()          ? tr("Choose a protocol file.")
+      : !checked_.loaded          ? tr("The protocol has errors.")
+      : folder_->path().isEmpty() ? tr("Choose a new folder.")
+                                  : QString());
 }
 
 void NewStudyDialog::work() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
 
@@ -33,7 +34,7 @@ class NewStudyDialog final : public WorkDialog {
   QString source() const;
   void check();
   void showChecked();
-  QString problemsInWords() const;
+  void updateButton();
   /// Opens the form for the blanks of the protocol; the study gets its texts.
   void fillInTexts();
   /// Saves the shipped protocol as one of the user's own, and chooses that.
@@ -44,6 +45,7 @@ class NewStudyDialog final : public WorkDialog {
   QComboBox* protocol_;
   PathField* file_;
   PathField* folder_;
+  QCheckBox* advanced_;
   QLineEdit* seed_;
   QPushButton* read_;
   QPushButton* preview_;

@@ -57,13 +57,15 @@ RunMode chosenMode(const QComboBox& choice) {
 }
 
 QString newPathBeside(const std::string& folder, const QString& what, const QString& extension) {
-  const QString start = QDir::cleanPath(QString::fromStdString(folder)) + QLatin1Char('-') + what +
-                        QLatin1Char('-') + QDate::currentDate().toString(Qt::ISODate);
-  QString path = start + extension;
-  for (int number = 2; QFileInfo::exists(path); ++number) {
-    path = QStringLiteral("%1-%2%3").arg(start).arg(number).arg(extension);
-  }
-  return path;
+  const QFileInfo study(QDir::cleanPath(QString::fromStdString(folder)));
+  const auto name = study.fileName() + QLatin1Char('-') + what + QLatin1Char('-') +
+                    QDate::currentDate().toString(Qt::ISODate);
+  return unusedPath(QDir(folderBeside(folder)).filePath(name), extension);
+}
+
+QString folderBeside(const std::string& folder) {
+  const QFileInfo beside(QFileInfo(QDir::cleanPath(QString::fromStdString(folder))).absolutePath());
+  return beside.isWritable() && !beside.isRoot() ? beside.filePath() : documentsFolder();
 }
 
 BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
@@ -239,7 +241,8 @@ void ReportDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
   fit();
-  go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
+  const bool isReasoned = !isOfPeople || !reason_->text().trimmed().isEmpty();
+  setObstacle(isReasoned ? QString() : tr("Give a reason."));
 }
 
 void ReportDialog::work() {

@@ -93,4 +93,7 @@ RunMode chosenMode(const QComboBox& choice);
 QString newPathBeside(
     const std::string& folder, const QString& what, const QString& extension = {});
 
+/// The folder in which a study is; the user's documents if nothing can be written there.
+QString folderBeside(const std::string& folder);
+
 }  // namespace study::gui

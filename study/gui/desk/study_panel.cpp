@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QScrollArea>
 
@@ -19,11 +18,6 @@ constexpr std::size_t kMostDocumentsShown = 6;
 constexpr int kLeastOfParts = 110;  // [px]
 constexpr int kGap = 6;             // [px] between buttons of a row
 
-QString localTime(const std::string& utc) {
-  const auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-  return time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-}
-
 }  // namespace
 
 StudyPanel::StudyPanel(QWidget* parent)
@@ -34,10 +28,8 @@ StudyPanel::StudyPanel(QWidget* parent)
       arrivals_(bodyLabel({}, this)),
       folder_(quietLabel({}, this)),
       keyRemark_(bodyLabel(
-          tr("Conditions are sealed. Only this user account on this computer has the key: without "
-             "it the conditions can never be told apart again. Save a copy with \"Key…\" before "
-             "the first participant."),
-          this)),
+          tr("There is no copy of this study's key. Without the key its results are lost."), this)),
+      textsRemark_(bodyLabel({}, this)),
       problem_(bodyLabel({}, this)),
       buttons_(new QVBoxLayout),
       open_(new QPushButton(tr("Open"), this)),
@@ -47,8 +39,8 @@ StudyPanel::StudyPanel(QWidget* parent)
       parts_(new QVBoxLayout(place_)) {
   setProperty("role", QStringLiteral("card"));
   title_->setProperty("role", QStringLiteral("heading"));
-  keyRemark_->setProperty("role", QStringLiteral("warn"));
   keyRemark_->setObjectName(QStringLiteral("key-remark"));
+  textsRemark_->setObjectName(QStringLiteral("texts-remark"));
   problem_->setProperty("role", QStringLiteral("bad"));
   problem_->setObjectName(QStringLiteral("problem"));
   open_->setProperty("role", QStringLiteral("main"));
@@ -68,8 +60,11 @@ StudyPanel::StudyPanel(QWidget* parent)
   layout->setContentsMargins(20, 18, 20, 18);
   layout->setSpacing(10);
   arrivals_->setObjectName(QStringLiteral("arrivals"));
-  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, keyRemark_, problem_})
+  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
     layout->addWidget(label);
+  layout->addWidget(makeRemark(*keyRemark_, tr("Save a copy…"), &StudyPanel::keyRequested));
+  layout->addWidget(
+      makeRemark(*textsRemark_, tr("Fill in the texts…"), &StudyPanel::textsRequested));
   layout->addWidget(open_);
   layout->addWidget(start_);
   layout->addWidget(scroll, 1);
@@ -99,7 +94,7 @@ void StudyPanel::makeButtons() {
   add(tr("Export…"), "export", &StudyPanel::exportRequested);
   add(tr("Statistics…"), "statistics", &StudyPanel::statisticsRequested);
   group(tr("Protocol"));
-  texts_ = add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
+  add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
   add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
   add(tr("Plan…"), "plan", &StudyPanel::planRequested);
@@ -107,12 +102,29 @@ void StudyPanel::makeButtons() {
   group(tr("Safety"));
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
-  key_ = add(tr("Key…"), "key", &StudyPanel::keyRequested);
-  key_->setToolTip(
-      tr("The key says which condition an alternative was: save a copy, or take it from a file"));
+  add(tr("Key…"), "key", &StudyPanel::keyRequested)
+      ->setToolTip(tr(
+          "The key says which condition an alternative was: save a copy, or take it from a file"));
   add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
   buttons_->setContentsMargins(0, 0, 0, 0);
   buttons_->setSpacing(4);
+}
+
+/// Something that is still to be done, with the button that does it.
+QWidget* StudyPanel::makeRemark(
+    QLabel& remark, const QString& words, void (StudyPanel::*wanted)()) {
+  auto* row = new QWidget(this);
+  row->setProperty("role", QStringLiteral("plain"));
+  auto* button = new QPushButton(words, row);
+  button->setProperty("role", QStringLiteral("tool"));
+  button->setObjectName(remark.objectName() + QStringLiteral("-button"));
+  remark.setProperty("role", QStringLiteral("warn"));
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->addWidget(&remark, 1);
+  line->addWidget(button);
+  connect(button, &QPushButton::clicked, this, wanted);
+  return row;
 }
 
 /// A row of buttons that starts with the heading of its group, or with an empty space of the same
@@ -131,7 +143,6 @@ QHBoxLayout* StudyPanel::addRow(QWidget* heading, int headingWidth) {
 }
 
 void StudyPanel::fitInto(int width) {
-  width_ = width;
   const auto margins = layout()->contentsMargins();
   const int room = width - margins.left() - margins.right() - 2 * frameWidth();
   int headingWidth = 0;
@@ -227,16 +238,12 @@ void StudyPanel::show(const StudySummary& summary) {
   open_->setEnabled(isSound);
   forget_->setVisible(!isSound);
   enableActions(isSound);
-  texts_->setText(
-      summary.blanks == 0 ? tr("Fill in the texts…")
-                          : tr("Fill in the texts… (%1)").arg(summary.blanks));
-  texts_->setToolTip(
-      summary.blanks == 0 ? QString()
-                          : tr("%1 blanks in texts for participants").arg(summary.blanks));
-  key_->setText(summary.lacksKeyBackup ? tr("Key… (no copy yet)") : tr("Key…"));
-  keyRemark_->setVisible(summary.lacksKeyBackup);
+  keyRemark_->parentWidget()->setVisible(summary.lacksKeyBackup);
+  textsRemark_->setText(
+      summary.blanks == 1 ? tr("1 text is still blank.")
+                          : tr("%1 texts are still blank.").arg(summary.blanks));
+  textsRemark_->parentWidget()->setVisible(summary.blanks > 0);
   showStart(false);
-  fitInto(width_);  // two of the buttons may have become wider
   while (auto* item = parts_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -299,8 +306,8 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
                QStringLiteral("•  ") + deskText(choice);
   }
   if (!session.isOpenElsewhere()) {
-    auto* button =
-        new QPushButton(tr("Open with %1").arg(QString::fromStdString(session.participant)), card);
+    auto* button = new QPushButton(
+        tr("Continue with %1").arg(QString::fromStdString(session.participant)), card);
     button->setProperty("role", QStringLiteral("tool"));
     layout->insertWidget(0, button, 0, Qt::AlignLeft);  // visible however long the text is
     const auto id = static_cast<qlonglong>(session.id);

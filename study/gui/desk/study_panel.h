@@ -51,6 +51,7 @@ class StudyPanel final : public QFrame {
   void makeButtons();
   QWidget* makeStart();
   void showStart(bool isEmpty);
+  QWidget* makeRemark(QLabel& remark, const QString& words, void (StudyPanel::*wanted)());
   QHBoxLayout* addRow(QWidget* heading, int headingWidth);
   void enableActions(bool isEnabled);
   void showProgress(const StudySummary& summary);
@@ -64,7 +65,8 @@ class StudyPanel final : public QFrame {
   QLabel* sessions_;
   QLabel* arrivals_;
   QLabel* folder_;
-  QLabel* keyRemark_;  ///< as long as there is no copy of the key
+  QLabel* keyRemark_;    ///< as long as there is no copy of the key
+  QLabel* textsRemark_;  ///< as long as texts are blank
   QLabel* problem_;
   /// Actions that belong together, enabled only if the study can be opened.
   struct Group {
@@ -72,12 +74,9 @@ class StudyPanel final : public QFrame {
     std::vector<QPushButton*> buttons;
   };
   QVBoxLayout* buttons_;  ///< the groups, row by row
-  int width_ = 0;         ///< the width that the groups have to fit into [px]
   QPushButton* open_;
   QWidget* start_;  ///< shown in place of the groups if there is no study
   std::vector<Group> groups_;
-  QPushButton* texts_ = nullptr;  ///< one of the groups' buttons; shows how many texts are blank
-  QPushButton* key_ = nullptr;    ///< shows whether a copy of the key is still missing
   QPushButton* forget_;
   QWidget* place_;  ///< the progress, documents and unfinished sessions
   QVBoxLayout* parts_;

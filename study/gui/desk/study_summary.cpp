@@ -6,6 +6,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/session/station_push.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/labels.h"
 #include "study/session/study.h"
 #include "study/session/study_key.h"
 
@@ -46,10 +47,14 @@ void fill(StudySummary& summary) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   summary.title = metadata.title;
-  summary.protocol = metadata.id + " " + metadata.version + ", " +
-                     (current.frozenUtc ? said("frozen {}", current.frozenUtc->substr(0, 10))
-                                        : said("not frozen yet: no live participant has begun"));
+  const auto name = metadata.id + " " + metadata.version;
+  summary.protocol =
+      current.frozenUtc
+          ? said("Protocol: {}, fixed since {}", name, current.frozenUtc->substr(0, 10))
+          : said("Protocol: {}, can still be changed", name);
+  summary.hasBegun = current.frozenUtc.has_value();
   for (const auto& row : study.sessions().all()) {
+    if (row.state == SessionState::Erased) continue;
     ++summary.sessions[row.runMode];
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
   }
@@ -93,10 +98,10 @@ std::string sessionsInWords(const StudySummary& summary) {
   for (const auto mode : kRunModes) {
     if (countIn(summary.sessions, mode) == 0) continue;
     words += (words.empty() ? "" : "; ") + said(
-                                               "{} of {} {} completed",
+                                               "{}: {} of {} completed",
+                                               capitalised(deskText(nameOf(mode))).toStdString(),
                                                countIn(summary.completed, mode),
-                                               countIn(summary.sessions, mode),
-                                               said(nameOf(mode)));
+                                               countIn(summary.sessions, mode));
   }
   if (words.empty()) words = said("no sessions yet");
   if (summary.unfinished.empty()) return words;

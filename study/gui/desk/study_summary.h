@@ -22,9 +22,10 @@ struct CohortProgress {
 struct StudySummary {
   std::string folder;
   std::string title;
-  std::string protocol;  ///< "punch-face-validity 1.0, frozen 2026-11-20 …"
+  std::string protocol;   ///< "Protocol: punch-face-validity 1.0, fixed since …"
+  bool hasBegun = false;  ///< a live participant has: the protocol is fixed
   std::map<RunMode, int> completed;
-  std::map<RunMode, int> sessions;  ///< finished or not
+  std::map<RunMode, int> sessions;  ///< finished or not; without erased ones
   std::vector<CohortProgress> cohorts;
   std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty: none
                                 ///< has, or the sessions are simulated
@@ -40,7 +41,7 @@ struct StudySummary {
 /// Reads a study without changing it. Problems are returned in the summary.
 StudySummary summaryOf(const std::string& folder);
 
-/// "12 live completed, 1 unfinished; 3 simulated".
+/// "Live: 11 of 12 completed; Simulated: 3 of 3 completed; 1 unfinished".
 std::string sessionsInWords(const StudySummary& summary);
 
 /// "23 sessions here, 21 arrived, 2 waiting since Tuesday: no network, or no server"; empty for a

@@ -1,6 +1,9 @@
 #include "study/gui/desk/task_dialogs.h"
 
+#include <algorithm>
+
 #include <QFontDatabase>
+#include <QScreen>
 #include <QTextBrowser>
 
 #include "study/cohort/simulated_participant.h"
@@ -27,12 +30,15 @@ int countOf(const StudySummary& study, RunMode mode) {
 }
 
 /// Shows the details in a fixed-width font, with space for tables.
-void showAsTables(WorkDialog& dialog) {
+void showAsTables(WorkDialog& dialog, QTextEdit::LineWrapMode wrapping) {
+  constexpr int kHeight = 420;  // [px]
+  constexpr int kWidth = 1240;
   auto* tables = dialog.findChild<QTextBrowser*>(QStringLiteral("more"));
   tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  tables->setLineWrapMode(QTextEdit::NoWrap);
+  tables->setLineWrapMode(wrapping);
+  tables->setMinimumHeight(kHeight);
   tables->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 13px;"));
-  dialog.resize(1080, dialog.height());
+  dialog.resize(std::min(kWidth, dialog.screen()->availableSize().width()), dialog.height());
 }
 
 }  // namespace
@@ -45,7 +51,7 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
           tr("Change"),
           parent),
       folder_(study.folder),
-      hasBegun_(countOf(study, RunMode::Live) > 0),
+      hasBegun_(study.hasBegun),
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
       reason_(new QLineEdit(this)) {
@@ -74,14 +80,18 @@ void AmendDialog::check() {
         : checked_.warnings() > 0 ? Outcome::Warning
                                   : Outcome::Good,
         QString::fromStdString(checked_.verdict()),
-        QString::fromStdString(questionnaires::describe(checked_.problems)));
+        checked_.problemsInWords());
   }
   updateButton();
 }
 
 void AmendDialog::updateButton() {
-  go().setEnabled(
-      checked_.loaded.has_value() && (!hasBegun_ || !reason_->text().trimmed().isEmpty()));
+  const bool lacksReason = hasBegun_ && reason_->text().trimmed().isEmpty();
+  setObstacle(
+      file_->path().isEmpty() ? tr("Choose the changed protocol.")
+      : !checked_.loaded      ? tr("The protocol has errors.")
+      : lacksReason           ? tr("Give a reason.")
+                              : QString());
 }
 
 void AmendDialog::work() {
@@ -177,7 +187,7 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Participants of each cohort"), participants_);
   form().addRow(tr("Effect to find (Cohen's d_z)"), effect_);
   form().addRow(tr("Power to reach"), power_);
-  showAsTables(*this);
+  showAsTables(*this, QTextEdit::WidgetWidth);
   fit();
 }
 
@@ -220,7 +230,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Tests"), profile_);
   form().addRow(tr("Reason for unblinding"), reason_);
-  showAsTables(*this);
+  showAsTables(*this, QTextEdit::NoWrap);
   connect(mode_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &StatisticsDialog::updateChoices);
   updateChoices();
@@ -230,7 +240,8 @@ void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
   fit();
-  go().setEnabled(!isOfPeople || !reason_->text().trimmed().isEmpty());
+  const bool isReasoned = !isOfPeople || !reason_->text().trimmed().isEmpty();
+  setObstacle(isReasoned ? QString() : tr("Give a reason."));
 }
 
 void StatisticsDialog::work() {

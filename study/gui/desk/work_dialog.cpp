@@ -24,6 +24,7 @@ WorkDialog::WorkDialog(
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
       more_(new QTextBrowser(this)),
+      obstacle_(quietLabel({}, this)),
       go_(new QPushButton(verb, this)) {
   setWindowTitle(title);
   auto* heading = bodyLabel(title, this);
@@ -66,12 +67,20 @@ QHBoxLayout* WorkDialog::makeButtons() {
   close->setAutoDefault(false);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(24, 0, 24, 20);
-  buttons->addStretch(1);
+  obstacle_->setObjectName(QStringLiteral("obstacle"));
+  obstacle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  obstacle_->setWordWrap(false);
+  buttons->addWidget(obstacle_, 1);
   buttons->addWidget(close);
   buttons->addWidget(go_);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(go_, &QPushButton::clicked, this, [this] { work(); });
   return buttons;
+}
+
+void WorkDialog::setObstacle(const QString& obstacle) {
+  go_->setEnabled(obstacle.isEmpty());
+  obstacle_->setText(obstacle);
 }
 
 void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString& more) {

@@ -27,6 +27,10 @@ class WorkDialog : public QDialog {
   FieldForm& form() noexcept { return *form_; }
   QPushButton& go() noexcept { return *go_; }
 
+  /// Enables the button, or says beside it what has to be done before.
+  /// @param obstacle  "Give a reason."; empty: none
+  void setObstacle(const QString& obstacle);
+
   /// Shows the result in one line, and details below.
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
   /// The same for something that was written, which can be opened from here. The button that wrote
@@ -55,6 +59,7 @@ class WorkDialog : public QDialog {
   QLabel* line_;
   class WrittenFile* written_;
   QTextBrowser* more_;
+  QLabel* obstacle_;
   QPushButton* go_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <QDateTime>
 #include <QFormLayout>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -21,12 +20,6 @@ namespace study::gui {
 namespace {
 
 enum SessionColumn { kCode, kSite, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
-
-/// A UTC time as local time: "2026-03-09 08:15".
-QString localTime(const std::string& utc) {
-  const auto when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
-  return when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-}
 
 QLabel* sectionHeading(const QString& words, QWidget* parent) {
   auto* heading = bodyLabel(words, parent);

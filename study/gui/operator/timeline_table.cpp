@@ -12,19 +12,6 @@
 namespace study::gui {
 namespace {
 
-/// Describes a step by its alternative, without its condition.
-QString describe(const Step& step, const protocols::Labels& labels) {
-  const QString phase = QString::fromStdString(step.phase);
-  const auto alternative =
-      QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage()));
-  if (step.isOffered) return TimelineTable::tr("%1: %2 again?").arg(phase, alternative);
-  if (step.kind == StepKind::Trial) return TimelineTable::tr("%1: %2").arg(phase, alternative);
-  if (step.kind == StepKind::Questionnaire) {
-    return TimelineTable::tr("%1: questions on %2").arg(phase, alternative);
-  }
-  return phase;
-}
-
 /// The status of a step other than the current one.
 QString stateOf(const SessionController& controller, int step) {
   if (controller.attempts(step) == 0) return {};

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QEvent>
 #include <QLocale>
 #include <QRegularExpression>
@@ -110,21 +111,42 @@ QString capitalised(const QString& words) {
   return words.left(1).toUpper() + words.mid(1);
 }
 
+QString localTime(const std::string& utc) {
+  const auto when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  return when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
+QString phaseTitle(const std::string& id) {
+  auto words = capitalised(QString::fromStdString(id));
+  return words.replace(u'-', u' ').replace(u'_', u' ');
+}
+
+QString describe(const Step& step, const protocols::Labels& labels) {
+  const QString phase = phaseTitle(step.phase);
+  const auto alternative =
+      QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage()));
+  const auto filled = [&](const char* words) { return deskText(words).arg(phase, alternative); };
+  if (step.isOffered) return filled("%1: %2 again?");
+  if (step.kind == StepKind::Trial) return filled("%1: %2");
+  if (step.kind == StepKind::Questionnaire) return filled("%1: questions on %2");
+  return phase;
+}
+
 QString statusInWords(SessionState state) {
+  if (state == SessionState::AbortedHardware) return deskText("device failed");
   return deskText(asText(statusOf(state)).replace(u'_', u' ').toStdString());
 }
 
 QString describeUnfinished(const UnfinishedSession& session) {
-  const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
   return QString::fromStdString(
       said(
-          "{} ({}), begun {} UTC, is in step {} of {} ({}).",
+          "{} ({}), begun {}, is in step {} of {}: {}.",
           session.participant,
           said(nameOf(session.runMode)),
-          begun,
+          localTime(session.startedUtc).toStdString(),
           session.step + 1,
           session.steps,
-          session.place) +
+          describe(session.at, session.labels).toStdString()) +
       " " + said(whatHappened(session)));
 }
 

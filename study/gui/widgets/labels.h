@@ -17,8 +17,14 @@ namespace study::gui {
 QString asText(std::string_view words);
 /// Makes the first letter a capital: "cuts" → "Cuts".
 QString capitalised(const QString& words);
-/// A session's status in the language of the desk: "in progress", "aborted hardware".
+/// A session's status in the language of the desk: "in progress", "device failed".
 QString statusInWords(SessionState state);
+/// A UTC time as local time: "2026-03-09 08:15".
+QString localTime(const std::string& utc);
+/// A phase's id as its title: "round-1" → "Round 1".
+QString phaseTitle(const std::string& id);
+/// A step by its alternative, without its condition: "Round 1: questions on Tissue 2".
+QString describe(const Step& step, const protocols::Labels& labels);
 /// The step of an unfinished session and what happened to the session, in the language of the desk.
 QString describeUnfinished(const UnfinishedSession& session);
 /// The name of a language in that language.

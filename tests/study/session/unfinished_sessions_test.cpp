@@ -49,7 +49,7 @@ TEST_F(UnfinishedSessionsTest, DoNotOfferToSkipConsent) {
   { const auto session = Session::enrol(*study_, {.cohort = "surgeons"}); }
   const auto found = look();
   EXPECT_TRUE(offers(found, "Go on in this step"));
-  EXPECT_TRUE(offers(found, "withdrawn"));
+  EXPECT_TRUE(offers(found, "the participant wants to"));
   EXPECT_FALSE(offers(found, "Skip"));
   EXPECT_FALSE(offers(found, "repeat"));
 }
@@ -76,9 +76,9 @@ TEST_F(UnfinishedSessionsTest, OfferExactlyTheAllowedEvents) {
     session.reset();
     const auto found = look();
     session.emplace(Session::resume(*study_, id));
-    EXPECT_EQ(offers(found, "Skip"), session->allows(SessionEvent::SkippedStep)) << found.place;
+    EXPECT_EQ(offers(found, "Skip"), session->allows(SessionEvent::SkippedStep)) << describe(found);
     EXPECT_EQ(offers(found, "repeat it"), session->allows(SessionEvent::RepeatedStep))
-        << found.place;
+        << describe(found);
     tests::passStep(*session);
   }
 }

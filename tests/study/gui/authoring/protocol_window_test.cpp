@@ -94,7 +94,7 @@ TEST_F(ProtocolWindowTest, FillsOfTheBarWhatTheSentenceNamesAsTimeOnTheDevice) {
 TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
   ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
   window.show();
-  window.findChild<QTabWidget*>()->setCurrentIndex(1);
+  window.findChild<QTabWidget*>()->setCurrentIndex(2);
   const auto& protocol = window.checked().loaded->protocol;
   QTableWidget* orders = nullptr;
   for (auto* table : window.findChildren<QTableWidget*>()) {
@@ -109,7 +109,9 @@ TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
   ASSERT_EQ(shown.size(), static_cast<int>(trials.size()));
   for (int i = 0; i < shown.size(); ++i) {
     const auto& trial = trials[static_cast<std::size_t>(i)];
-    EXPECT_EQ(shown[i].toStdString(), std::to_string(trial.label) + " " + trial.condition);
+    EXPECT_EQ(
+        shown[i].toStdString(),
+        std::to_string(trial.label) + " " + protocol.condition(trial.condition)->title);
   }
   tests::photographInAllThemes(window, QStringLiteral("orders"));
 }
@@ -129,6 +131,33 @@ TEST_F(ProtocolWindowTest, GoesToTheLineOfAClickedProblem) {
       << text->textCursor().block().text().toStdString();
   EXPECT_EQ(text->extraSelections().size(), 1);
   tests::photographInAllThemes(window, QStringLiteral("protocol-broken"));
+}
+
+TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
+  ProtocolWindow window(QStringLiteral("punch-face-validity"));
+  window.show();
+  const auto words = window.findChild<QLabel*>(QStringLiteral("summary"))->text();
+  for (const auto* part : {"Orthopaedic surgeons: 6 planned", "Interpolation", "Round 1"}) {
+    EXPECT_TRUE(words.contains(QLatin1String(part))) << part << " in " << words.toStdString();
+  }
+  auto* text = window.findChild<QPlainTextEdit*>();
+  EXPECT_FALSE(text->isVisible());
+  window.findChild<QPushButton*>(QStringLiteral("show-source"))->click();
+  EXPECT_TRUE(text->isVisible());
+}
+
+TEST_F(ProtocolWindowTest, NamesPlacesWithoutSignsOfTheFileFormat) {
+  EXPECT_EQ(
+      placeInWords("consent-punch $.phases[4].data_kept"),
+      QStringLiteral("consent-punch › phases 5 › data kept"));
+  ProtocolWindow window(QStringLiteral("punch-face-validity"));
+  auto* problems = problemsOf(window);
+  ASSERT_GE(problems->rowCount(), 1);
+  EXPECT_EQ(problems->item(0, 2)->text(), QStringLiteral("10 blanks in texts for participants"));
+  for (int row = 0; row < problems->rowCount(); ++row) {
+    EXPECT_FALSE(problems->item(row, 1)->text().contains(u'$'));
+    EXPECT_TRUE(problems->item(row, 1)->toolTip().contains(u'$')) << "for the author of a file";
+  }
 }
 
 TEST_F(ProtocolWindowTest, ReloadsAChangedFile) {

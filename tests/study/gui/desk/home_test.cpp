@@ -23,6 +23,7 @@
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/session/arrivals.h"
+#include "study/session/erasure.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
@@ -188,11 +189,12 @@ TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
   dialog->findChild<PathField*>(QStringLiteral("folder"))->setPath(folder);
   auto* go = dialog->findChild<QPushButton*>(QStringLiteral("go"));
   EXPECT_FALSE(go->isEnabled());
-  questionnaires::Problems problems;
-  protocols::loadProtocolFile(file, problems);
   EXPECT_EQ(
-      dialog->findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText().toStdString(),
-      questionnaires::describe(problems.all()));
+      dialog->findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText(),
+      checkProtocol(file).problemsInWords());
+  EXPECT_EQ(
+      dialog->findChild<QLabel*>(QStringLiteral("obstacle"))->text(),
+      QStringLiteral("The protocol has errors."));
   tests::photographInAllThemes(*dialog, QStringLiteral("new-study-broken"));
 
   folder_.write("mine.json", corrected);
@@ -288,9 +290,35 @@ TEST_F(HomeTest, CountsLiveParticipantsOnlyForTheNumberPlanned) {
   ASSERT_EQ(summary.cohorts.size(), 2U);
   for (const auto& cohort : summary.cohorts) EXPECT_EQ(cohort.completed, 0) << cohort.title;
   const auto words = sessionsInWords(summary);
-  EXPECT_NE(words.find("0 of 1 pilot"), std::string::npos) << words;
-  EXPECT_NE(words.find("2 of 2 simulated"), std::string::npos) << words;
+  EXPECT_NE(words.find("Pilot: 0 of 1 completed"), std::string::npos) << words;
+  EXPECT_NE(words.find("Simulated: 2 of 2 completed"), std::string::npos) << words;
   EXPECT_EQ(defaultRunMode(summary), RunMode::Pilot) << "people come before simulated participants";
+}
+
+TEST_F(HomeTest, DoesNotCountAnErasedParticipant) {
+  const QString folder = makeStudy("one");
+  {
+    auto study = Study::open(folder.toStdString(), clock_);
+    Session::enrol(study, {.cohort = "professional", .runMode = RunMode::Pilot});
+    erase(
+        study,
+        {.participant = "PILOT-001", .level = storage::ErasureLevel::All, .reason = "asked"});
+  }
+  EXPECT_EQ(sessionsInWords(summaryOf(folder.toStdString())), "no sessions yet");
+}
+
+TEST_F(HomeTest, OffersWhatIsStillToBeDoneBesideASentence) {
+  StudyPanel panel;
+  int asked = 0;
+  QObject::connect(&panel, &StudyPanel::textsRequested, &panel, [&] { ++asked; });
+  panel.show(StudySummary{.blanks = 10});
+  EXPECT_EQ(
+      panel.findChild<QLabel*>(QStringLiteral("texts-remark"))->text(),
+      QStringLiteral("10 texts are still blank."));
+  panel.findChild<QPushButton*>(QStringLiteral("texts-remark-button"))->click();
+  EXPECT_EQ(asked, 1);
+  panel.show(StudySummary{});
+  EXPECT_TRUE(panel.findChild<QLabel*>(QStringLiteral("texts-remark"))->parentWidget()->isHidden());
 }
 
 TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
@@ -364,7 +392,7 @@ TEST_F(HomeTest, OffersToResumeAfterACrash) {
   EXPECT_TRUE(words.contains(QStringLiteral("End it because the device failed")))
       << words.toStdString();
   tests::photographInAllThemes(home, QStringLiteral("home-crashed"));
-  QTest::mouseClick(buttonSaying(card, QStringLiteral("Open with P001")), Qt::LeftButton);
+  QTest::mouseClick(buttonSaying(card, QStringLiteral("Continue with P001")), Qt::LeftButton);
   ASSERT_NE(home.operatorWindow(), nullptr);
   ASSERT_NE(home.operatorWindow()->controller(), nullptr);
   EXPECT_EQ(home.operatorWindow()->controller()->session().state(), SessionState::Interrupted);

@@ -43,7 +43,8 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   StudyPanel panel;
   const auto* remark = panel.findChild<QLabel*>(QStringLiteral("key-remark"));
   panel.show(summary());
-  EXPECT_FALSE(remark->isHidden()) << "what is lost without a copy, and how to make one";
+  EXPECT_FALSE(remark->parentWidget()->isHidden())
+      << "what is lost without a copy, and how to make one";
   KeyDialog dialog(summary());
   EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("only key")));
   auto& go = the<QPushButton>(dialog, "go");
@@ -55,7 +56,7 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   EXPECT_TRUE(std::filesystem::exists(file_));
   EXPECT_FALSE(summary().lacksKeyBackup);
   panel.show(summary());
-  EXPECT_TRUE(remark->isHidden());
+  EXPECT_TRUE(remark->parentWidget()->isHidden());
   EXPECT_EQ(dialog.findChild<WrittenFile*>()->path().toStdString(), file_);
 }
 
