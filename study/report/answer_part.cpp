@@ -1,43 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "study/report/family_captions.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
-#include "study/results/vote_tables.h"
 
 namespace study::report {
 namespace {
 
-constexpr std::size_t kMostInASentence = 3;  // comparisons; the table has all of them
-
-/// A declared comparison, with the numbers that its family's test gives.
-struct Declared {
-  std::string group1;
-  std::string group2;
-  const analysis::TestRow* difference;  ///< has estimate, interval and effect
-  const analysis::TestRow* test;        ///< has p
-
-  bool isDefined() const { return difference->estimate.value && test->p; }
-  double effect() const { return std::abs(difference->effect.value.value_or(0.0)); }
-};
-
-std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
-  std::vector<Declared> all;
-  if (family.isNamed("welch")) {
-    for (const auto& row : cohort.comparisons.rows) {
-      all.push_back({row.group1, row.group2, &row, &row});
-    }
-    return all;
-  }
-  for (const auto& row : cohort.within.rows) {
-    const auto& test = row.test(idOf(family.family.test));
-    all.push_back({row.group1, row.group2, &row.test("paired_t"), &test});
-  }
-  return all;
-}
+constexpr std::size_t kMostInASentence = 2;  // comparisons; the table has all of them
 
 bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
   return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
@@ -56,16 +28,14 @@ class AnswerWriter : HtmlWriter {
     } else {
       sentences();
       pooledAnswers();
-      preferences();
-      asRendered();
+      html_ += caveatsOfRenderingAsHtml(s_);
       references(*family);
     }
     if (family != nullptr) {
       mainFigure(*family);
       tableOfAnswers();
     }
-    weaknesses();
-    return std::move(html_);
+    return std::move(html_) + weaknessesAsHtml(s_);
   }
 
  private:
@@ -125,9 +95,6 @@ class AnswerWriter : HtmlWriter {
     for (std::size_t i = 0; i < std::min(rows.size(), kMostInASentence); ++i) {
       text += (i > 0 ? "; " : "") + inWords(family, rows[i]);
     }
-    if (rows.size() > kMostInASentence) {
-      text += "; " + say("all comparisons:") + " " + reference("answer");
-    }
     return text + ".";
   }
 
@@ -166,18 +133,6 @@ class AnswerWriter : HtmlWriter {
     const bool isAdjusted = test.adjusted && !correction.empty();
     return isAdjusted ? formatPWithSymbol(test.adjusted, correction, s_.wording)
                       : formatPWithSymbol(test.p, {}, s_.wording);
-  }
-
-  void preferences() {
-    for (const auto& votes : voteTables(s_.results)) {
-      if (votes.total.total() == 0) continue;
-      std::string list;
-      for (const auto& share : votes.total.shares()) {
-        list += (list.empty() ? "" : ", ") + s_.conditionTitle(share.option) + " " +
-                std::to_string(share.votes);
-      }
-      put("<p>{}</p>", say("Preferences, all rounds and cohorts together: {}.", list));
-    }
   }
 
   // --- Figure and table ---
@@ -230,66 +185,43 @@ class AnswerWriter : HtmlWriter {
   }
 
   void comparisons() {
-    std::vector<std::string> headings{
-        say("Comparison"),
-        say("Difference"),
-        headingOfIntervals(),
-        say("Effect size"),
-        s_.wording == Wording::Vancouver ? "P" : "p"};
-    const bool hasEffects = isAnyEffectKnown();
-    if (!hasEffects) headings.erase(headings.end() - 2);
-    const auto columns = headings.size();
     table(
         say("The declared comparisons, with the mean of each method, and p after the declared "
             "correction"),
-        headings,
+        {say("Comparison"),
+         say("Difference"),
+         headingOfIntervals(),
+         say("Effect size"),
+         s_.wording == Wording::Vancouver ? "<i>P</i>" : kP},
         "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
-        rowOver(cohortLabelOf(family, part) + ": " + say("not tested"), columns);
+        rowOver(cohortLabelOf(family, part) + ": " + say("not tested"));
         return;
       }
-      rowOver(cohortLabelOf(family, part), columns);
+      rowOver(cohortLabelOf(family, part));
       for (const auto& comparison : declaredIn(family, part)) {
-        if (comparison.isDefined()) comparisonRow(family, part, comparison, hasEffects);
+        if (comparison.isDefined()) comparisonRow(family, part, comparison);
       }
     });
     endTable();
   }
 
-  /// Whether a declared comparison has an effect size; Welch's test of pooled answers has none.
-  bool isAnyEffectKnown() const {
-    bool isKnown = false;
-    forEachAnswered([&](const auto& family, const auto& part) {
-      isKnown = isKnown || std::ranges::any_of(declaredIn(family, part), [](const auto& row) {
-                  return row.difference->effect.value.has_value();
-                });
-    });
-    return isKnown;
-  }
-
   void comparisonRow(
-      const FamilyResult& family,
-      const CohortResult& part,
-      const Declared& comparison,
-      bool hasEffects) {
+      const FamilyResult& family, const CohortResult& part, const Declared& comparison) {
     const auto& [group1, group2, difference, test] = comparison;
     const auto& effect = difference->effect;
     const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
     const auto p = cellOfP(
         test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
-    std::vector<std::string> cells{
-        withMean(part, group1) + " vs. " + withMean(part, group2),
-        rounded(difference->estimate.value, 2),
-        cellOf(difference->interval)};
-    if (hasEffects) {
-      cells.push_back(
-          effect.value
-              ? withSubscripts(fmt::format("{} = {}", effect.name, rounded(effect.value, 2)))
-              : std::string());
-    }
-    cells.push_back(isBold ? "<strong>" + p + "</strong>" : p);
-    row(cells);
+    row(
+        {withMean(part, group1) + " vs. " + withMean(part, group2),
+         rounded(difference->estimate.value, 2),
+         cellOf(difference->interval),
+         effect.value
+             ? withSubscripts(fmt::format("{} = {}", effect.name, rounded(effect.value, 2)))
+             : std::string(),
+         isBold ? "<strong>" + p + "</strong>" : p});
   }
 
   /// "Interpolation (4.25)".
@@ -301,9 +233,9 @@ class AnswerWriter : HtmlWriter {
   }
 
   void means() {
-    table(say("The mean of each method"), {say("Method"), say("Mean"), say("Answers")}, "answer");
+    table(say("The mean of each method"), {say("Method"), kM, say("Answers")}, "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
-      rowOver(cohortLabelOf(family, part), 3);
+      rowOver(cohortLabelOf(family, part));
       for (const auto& one : part.conditions) {
         if (one.answers.total() == 0) continue;
         row(
@@ -313,73 +245,6 @@ class AnswerWriter : HtmlWriter {
       }
     });
     endTable();
-  }
-
-  // --- Limitations ---
-
-  /// What of the answer is about something else than the methods, before anything that weakens it.
-  void asRendered() {
-    for (const auto& sentence : weaknessesOf(true)) put("<p><strong>{}</strong></p>", sentence);
-  }
-
-  /// All that is said of the families, with what several of them share only once.
-  std::vector<std::string> weaknessesOf(bool isOfRendering) const {
-    std::vector<std::string> all;
-    for (const auto& family : s_.results.families) {
-      const bool isOfPooled = isPooled(Profile::Declared, family.family);
-      for (const auto& [flag, found] : flagsByKind(family, isOfPooled)) {
-        if (flag->isOfRendering != isOfRendering) continue;
-        for (auto& sentence : weakness(found)) {
-          if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
-        }
-      }
-    }
-    return all;
-  }
-
-  void weaknesses() {
-    std::string items;
-    for (const auto& sentence : weaknessesOf(false)) items += "<li>" + sentence + "</li>";
-    if (!s_.warnings.empty()) {
-      items += "<li>" +
-               count(
-                   s_.warnings.size(),
-                   "The protocol’s check has {} warning about the design; see “What to know about "
-                   "the design”.",
-                   "The protocol’s check has {} warnings about the design; see “What to know about "
-                   "the design”.") +
-               "</li>";
-    }
-    if (items.empty()) return;
-    heading("What weakens the answer");
-    put("<ul>{}</ul>", items);
-  }
-
-  /// A sentence that several cohorts share is said once.
-  std::vector<std::string> weakness(
-      const std::vector<std::pair<std::string, const analysis::Flag*>>& found) const {
-    std::vector<std::pair<std::string, std::string>> said;  // sentence, cohorts
-    for (const auto& [cohort, flag] : found) {
-      std::string what;
-      for (const auto& part : flag->what) what += s_.words(part);
-      const auto& title = s_.cohortTitle(cohort);
-      const auto same = std::ranges::find(said, what, &std::pair<std::string, std::string>::first);
-      if (same == said.end()) {
-        said.emplace_back(what, title);
-      } else {
-        same->second += ", " + title;
-      }
-    }
-    std::vector<std::string> sentences;
-    for (const auto& [what, who] : said) {
-      const bool isOfAll = said.size() == 1 && found.size() == s_.results.flow.size();
-      const bool isOnlyCohort = s_.results.flow.size() == 1;
-      const auto label = isOnlyCohort ? std::string()
-                         : isOfAll    ? say("In each cohort") + ": "
-                                      : escaped(who) + ": ";
-      sentences.push_back(label + escaped(what));
-    }
-    return sentences;
   }
 };
 
@@ -414,6 +279,21 @@ const FamilyResult* mainFamily(const ReportSection& section) {
   const auto found = std::ranges::find_if(
       all, [](const auto& family) { return std::ranges::any_of(family.cohorts, hasAnswers); });
   return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
+  std::vector<Declared> all;
+  if (family.isNamed("welch")) {
+    for (const auto& row : cohort.comparisons.rows) {
+      all.push_back({row.group1, row.group2, &row, &row});
+    }
+    return all;
+  }
+  for (const auto& row : cohort.within.rows) {
+    const auto& test = row.test(idOf(family.family.test));
+    all.push_back({row.group1, row.group2, &row.test("paired_t"), &test});
+  }
+  return all;
 }
 
 std::string answerAsHtml(const ReportSection& section) {

@@ -14,13 +14,13 @@ inline constexpr std::string_view kAnswersCaption =
     "is good; the middle of the scale is centred. Numbers are counts.";
 
 inline constexpr std::string_view kPeopleCaption =
-    "What every participant thought: a dot is the mean of all that one person answered about a "
-    "method. Above, their density; the box holds the middle half, with the median; the diamond is "
-    "the mean.";
+    "What participants thought, by the mean of all that each answered about a method: the density; "
+    "the box holds the middle half, with the median; the diamond is the mean. Dots are single "
+    "people, where there are fewer than ten.";
 
 inline constexpr std::string_view kFewPeopleCaption =
-    "What every participant thought: a dot is the mean of all that one person answered about a "
-    "method; the box holds the middle half, with the median; the diamond is the mean.";
+    "What participants thought: a dot is the mean of all that one person answered about a method; "
+    "the box holds the middle half, with the median; the diamond is the mean.";
 
 /// Whether the figure of participants shows densities. With fewer than five participants a density
 /// would suggest more data than there are.

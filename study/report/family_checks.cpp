@@ -29,7 +29,6 @@ class ChecksWriter : HtmlWriter {
       put("<h4>{}</h4>", say("The scale"));
       scale();
     }
-    flags();
     return std::move(html_);
   }
 
@@ -51,7 +50,7 @@ class ChecksWriter : HtmlWriter {
       if (!slope.p) {
         put("<li>{}: {}</li>",
             cohort(part.cohort),
-            say("no slope over positions: {}.", s_.words(slope.reason)));
+            say("no slope over positions: {}.", s_.inWords(slope.reason)));
         continue;
       }
       put("<li>{}: {}</li>",
@@ -75,7 +74,7 @@ class ChecksWriter : HtmlWriter {
          say("95 % CI"),
          say("McDonald’s ω"),
          say("Shapiro–Wilk W"),
-         "p"});
+         kP});
     for (const auto& part : f_.cohorts) {
       if (!hasChecks(part)) continue;
       const auto& spread = part.checks.spread;
@@ -85,8 +84,7 @@ class ChecksWriter : HtmlWriter {
                                                 *spread.degreesOfFreedom2,
                                                 rounded(spread.f, 2),
                                                 equalsOfP(spread.p))
-                                          : std::string()),
-          7);
+                                          : std::string()));
       for (const auto& method : part.checks.methods) {
         if (!isChecked(method)) continue;
         row(
@@ -101,31 +99,10 @@ class ChecksWriter : HtmlWriter {
     }
     endTable();
     note(
-        "Information, not a switch between tests: means of points of a scale are never exactly "
-        "normal, and Brown and Forsythe’s test takes the methods’ means for those of different "
-        "people. α and ω tell whether the statements about a method pull together; † marks an ω "
-        "whose factor "
-        "explains a statement completely, a hint at most.");
-  }
-
-  void flags() {
-    const auto raised = flagsByKind(f_, true);
-    if (raised.empty()) return;
-    put("<h4>{}</h4><dl class=\"flags\">", say("What a reader has to know"));
-    for (const auto& [flag, found] : raised) {
-      put("<dt>{}</dt><dd>", escaped(s_.words(flag->title())));
-      for (const auto& [name, own] : found) {
-        std::string what;
-        for (const auto& part : own->what) what += s_.words(part);
-        put("<p><em>{}</em>: {}</p>", cohort(name), escaped(what));
-      }
-      put("<p>{} <strong>{}</strong> {} <span class=\"source\">({})</span></p></dd>",
-          escaped(s_.words(flag->why)),
-          say("What to do:"),
-          escaped(s_.words(flag->remedy)),
-          escaped(s_.words(flag->source)));
-    }
-    put("</dl>");
+        "α and ω: whether the statements about a method agree; † marks an ω whose factor explains "
+        "a "
+        "statement completely. W: whether participants’ means are normal, and Brown and Forsythe’s "
+        "F whether methods vary alike; no test above depends on either.");
   }
 
   const FamilyResult& f_;

@@ -32,7 +32,6 @@ class FamilyWriter : HtmlWriter {
     figureOrReference(MainFigure::People, figures_.people, peopleCaption(f_));
     if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
-    if (!f_.isNamed("welch")) pooled();
     html_ += sitesAsHtml(s_, f_, figures_.sites);
     html_ += checksAsHtml(s_, f_, figures_.positions);
     return std::move(html_);
@@ -52,33 +51,36 @@ class FamilyWriter : HtmlWriter {
   void means() {
     const auto& conditions = f_.cohorts.front().conditions;
     put("<table><caption>{}</caption><thead><tr><th></th>",
-        say("Mean μ and variance σ² of the answers (n answers)"));
+        say("Mean M and variance s² of the n answers"));
     for (const auto& c : conditions) put("<th colspan=\"3\">{}</th>", condition(c.name));
     put("</tr><tr><th></th>");
-    for (std::size_t i = 0; i < conditions.size(); ++i) put("<th>μ</th><th>σ²</th><th>n</th>");
+    for (std::size_t i = 0; i < conditions.size(); ++i)
+      put("<th>{}</th><th><i>s</i>²</th><th>{}</th>", kM, kN);
     put("</tr></thead><tbody>");
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
-      std::vector<std::string> cells{cohort(part.cohort)};
+      std::string cells = "<td>" + cohort(part.cohort) + "</td>";
       for (const auto& c : part.conditions) addMoments(cells, c.answers);
-      row(cells);
+      put("<tr>{}</tr>", cells);
       if (part.sites) meansOfSites(part);
     }
-    endTable();
+    put("</tbody></table>");
   }
 
   void meansOfSites(const CohortResult& part) {
     for (const auto& site : part.sites->answers) {
-      std::vector<std::string> cells{cohort(part.cohort) + ", " + escaped(site.site)};
+      std::string cells = "<td>" + cohort(part.cohort) + ", " + escaped(site.site) + "</td>";
       for (const auto& answers : site.methods) addMoments(cells, answers);
-      row(cells);
+      put("<tr>{}</tr>", cells);
     }
   }
 
-  static void addMoments(std::vector<std::string>& cells, const analysis::AnswerSample& answers) {
-    cells.push_back(cellOf(answers.mean(), 2));
-    cells.push_back(cellOf(answers.variance(), 2));
-    cells.push_back(std::to_string(answers.total()));
+  static void addMoments(std::string& cells, const analysis::AnswerSample& answers) {
+    cells += fmt::format(
+        "<td>{}</td><td>{}</td><td>{}</td>",
+        cellOf(answers.mean(), 2),
+        cellOf(answers.variance(), 2),
+        answers.total());
   }
 
   /// Welch's tests of pooled answers, in the form of the punch paper's table.
@@ -88,9 +90,7 @@ class FamilyWriter : HtmlWriter {
           part.comparisons.rows, [](const auto& test) { return test.p.has_value(); });
     };
     if (std::ranges::none_of(f_.cohorts, isTested)) return;
-    const bool isNamed = f_.isNamed("welch");
-    const auto correction =
-        nameOf(isNamed ? f_.family.correction : protocols::CorrectionType::Bonferroni);
+    const auto correction = nameOf(f_.family.correction);
     table(
         correction.empty() ? say("Welch’s t-tests, α = {}", exactly(f_.family.alpha))
                            : say("Welch’s t-tests with {} correction, α = {}",
@@ -99,54 +99,43 @@ class FamilyWriter : HtmlWriter {
         {say("Comparison"),
          say("Difference"),
          say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
-         "t",
-         "df",
-         "p",
+         kT,
+         kDf,
+         kP,
          say("adjusted p")});
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
-      if (!isTested(part)) {
-        rowOver(
-            cohort(part.cohort) + ": " +
-                say("not defined: {}", s_.words(part.comparisons.rows.front().reason)),
-            7);
-        continue;
-      }
       const auto& perTest = part.comparisons.alphaPerTest;
       rowOver(
-          cohort(part.cohort) + (perTest ? say(", α per test {:.4f}", *perTest) : std::string()),
-          7);
+          cohort(part.cohort) + (!isTested(part)
+                                     ? ": " + notDefined(part.comparisons.rows.front().reason)
+                                 : perTest ? say(", α per test {:.4f}", *perTest)
+                                           : std::string()));
+      if (!isTested(part)) continue;
       for (const auto& test : part.comparisons.rows) pooled(test);
     }
     endTable();
     note(
-        "Profile as-published ({}): answers of all statements and rounds are pooled per "
-        "participant "
-        "and method and treated as independent, as in the punch paper. "
-        "Several answers of one person are not independent, so these p values may be too small or "
-        "too large.",
-        s_.words(
-            f_.isConfirmatory("welch") ? "declared in the protocol: confirmatory" : "exploratory"));
-    if (f_.isConfirmatory("welch")) note("Bold: adjusted p ≤ α.");
+        f_.isConfirmatory("welch")
+            ? "All answers are pooled and taken as independent, as in the punch paper and as the "
+              "protocol declares. Bold: adjusted p ≤ α."
+            : "All answers are pooled and taken as independent, as in the punch paper "
+              "(exploratory).");
   }
 
   void pooled(const analysis::TestRow& test) {
-    put("<tr{}><td>{} vs. {}</td>",
-        f_.isConfirmatory("welch") && test.isSignificant.value_or(false) ? " class=\"yes\"" : "",
-        condition(test.group1),
-        condition(test.group2));
-    if (!test.p) {
-      put("<td class=\"words\" colspan=\"6\">{}</td></tr>",
-          say("not defined: {}", s_.words(test.reason)));
-      return;
-    }
-    put("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-        rounded(test.estimate.value, 2),
-        cellOf(test.interval),
-        rounded(test.statistic.value, 2),
-        rounded(test.df, 2),
-        cellOfP(test.p),
-        cellOfP(test.adjusted));
+    const auto pair = condition(test.group1) + " vs. " + condition(test.group2);
+    if (!test.p) return row({pair}, notDefined(test.reason));
+    const bool isBold = f_.isConfirmatory("welch") && test.isSignificant.value_or(false);
+    const auto adjusted = cellOfP(test.adjusted);
+    row(
+        {pair,
+         rounded(test.estimate.value, 2),
+         cellOf(test.interval),
+         rounded(test.statistic.value, 2),
+         rounded(test.df, 2),
+         cellOfP(test.p),
+         isBold ? "<strong>" + adjusted + "</strong>" : adjusted});
   }
 
   const FamilyResult& f_;

@@ -25,10 +25,10 @@ class SitesWriter : HtmlWriter {
     table(
         say("Differences of participants’ means by site"),
         {say("Site"),
-         "n",
+         kN,
          say("Difference"),
          say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
-         "p",
+         kP,
          say("Weight")});
     forEachComparison([&](const auto& sites, const auto& row) { comparison(sites, row); });
     endTable();
@@ -48,8 +48,7 @@ class SitesWriter : HtmlWriter {
       if (!part.sites || !hasAnswers(part)) continue;
       for (const auto& row : part.sites->rows) {
         rowOver(
-            cohort(part.cohort) + ": " + condition(row.group1) + " vs. " + condition(row.group2),
-            6);
+            cohort(part.cohort) + ": " + condition(row.group1) + " vs. " + condition(row.group2));
         write(*part.sites, row);
       }
     }
@@ -68,24 +67,18 @@ class SitesWriter : HtmlWriter {
     if (comparison.pooled) {
       pooled(say("All sites, one effect"), comparison.pooled->common);
       pooled(
-          say("All sites, random effects (DerSimonian–Laird)"),
-          comparison.pooled->derSimonianLaird);
-      pooled(say("All sites, random effects (REML)"), comparison.pooled->reml);
-      pooled(
           say("All sites, random effects (REML, Knapp–Hartung)"), comparison.pooled->knappHartung);
       heterogeneity(*comparison.pooled);
     } else {
-      rowOver(say("not pooled: {}", s_.words(comparison.reason)), 6);
+      rowOver(say("not pooled: {}", s_.inWords(comparison.reason)));
     }
-    model(say("Mixed model, sites as fixed effects"), comparison.fixedSites);
     model(say("Mixed model, sites as random effects"), comparison.randomSites);
     if (const auto& fit = sites.randomSites.fit) {
       const auto& components = fit->components;
       rowOver(
           say("variance between sites {}, of the difference between sites {}",
               rounded(components[components.size() - 2].variance, 3),
-              rounded(components.back().variance, 3)),
-          6);
+              rounded(components.back().variance, 3)));
     }
   }
 
@@ -95,23 +88,17 @@ class SitesWriter : HtmlWriter {
 
   void heterogeneity(const analysis::MetaAnalysis& pooled) {
     rowOver(
-        say("Heterogeneity: Q({}) = {}, p {}; I² = {} %; τ² = {} by REML, {} by DerSimonian and "
-            "Laird",
+        say("Heterogeneity: Q({}) = {}, p {}; I² = {} %; τ² = {}",
             pooled.sites - 1,
             rounded(pooled.q, 2),
             equalsOfP(pooled.qP),
             rounded(100.0 * pooled.reml.iSquared, 0),
-            rounded(pooled.reml.tauSquared, 3),
-            rounded(pooled.derSimonianLaird.tauSquared, 3)),
-        6);
+            rounded(pooled.reml.tauSquared, 3)));
   }
 
   void model(const std::string& which, const analysis::TestRow& test) {
     if (!test.p) {
-      put("<tr><td>{}</td><td class=\"words\" colspan=\"5\">{}</td></tr>",
-          which,
-          say("not defined: {}", s_.words(test.reason)));
-      return;
+      return row({which}, notDefined(test.reason));
     }
     row({which, "", rounded(test.estimate.value, 2), cellOf(test.interval), cellOfP(test.p), ""});
   }
@@ -129,7 +116,7 @@ class SitesWriter : HtmlWriter {
         {say("Site"),
          say("Difference"),
          say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
-         "p",
+         kP,
          "I²",
          "τ²"});
     forEachComparison([&](const auto&, const auto& comparison) {

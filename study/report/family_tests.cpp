@@ -48,14 +48,11 @@ class TestsWriter : HtmlWriter {
       nothingTested();
       return std::move(html_);
     }
-    comparisons();
-    if (mainFigureOf(s_, f_) == MainFigure::Differences && !effects.empty()) {
-      put("<p>{} {}</p>", say("The differences within people:"), reference("answer-figure"));
-    } else {
-      figure(effects, differencesCaption(f_));
-    }
+    overall();
+    differences();
+    tests();
+    if (mainFigureOf(s_, f_) != MainFigure::Differences) figure(effects, differencesCaption(f_));
     probabilities();
-    sentences();
     between();
     return std::move(html_);
   }
@@ -72,7 +69,7 @@ class TestsWriter : HtmlWriter {
 
   std::string whyNotTested(const CohortResult& part) const {
     return say(
-        "nothing can be tested: {}.", s_.words(part.within.rows.front().test("paired_t").reason));
+        "nothing can be tested: {}.", s_.inWords(part.within.rows.front().test("paired_t").reason));
   }
 
   /// The reasons why no cohort has a test.
@@ -88,7 +85,8 @@ class TestsWriter : HtmlWriter {
   std::string pCell(const analysis::TestRow& test) const {
     auto text = cellOfP(test.p);
     if (!test.p) return text;
-    if (test.adjusted && *test.adjusted != *test.p) text += " (" + cellOfP(test.adjusted) + ")";
+    const bool isCorrected = !nameOf(f_.family.correction).empty();
+    if (test.adjusted && isCorrected) text += " (" + cellOfP(test.adjusted) + ")";
     const bool isBold = f_.isConfirmatory(test.id) && test.isSignificant.value_or(false);
     return isBold ? "<strong>" + text + "</strong>" : text;
   }
@@ -97,29 +95,56 @@ class TestsWriter : HtmlWriter {
     return condition(row.group1) + " vs. " + condition(row.group2);
   }
 
-  void comparisons() {
+  /// The tests of all methods together, above the tables of pairs.
+  void overall() {
+    for (const auto& part : f_.cohorts) {
+      if (!isTested(part)) continue;
+      auto lines = apaLines(part.within, f_.family, s_.words, s_.wording);
+      lines.resize(part.within.overall.size());  // the models' variances follow
+      std::string sentences;
+      for (const auto& line : lines) {
+        sentences += " " + escaped(line) + ".";
+      }
+      put("<p><em>{}</em>:{}</p>", cohort(part.cohort), sentences);
+    }
+  }
+
+  /// What the table beside the answer has not: it has the differences, unless pooled tests are
+  /// declared.
+  void differences() {
+    const bool areShown = !f_.isNamed("welch");
+    const auto ci = say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha));
     table(
         say("Differences of participants’ means"),
         {say("Comparison"),
          say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
-         "t",
-         "df",
-         "g<sub>z</sub>",
-         "BF<sub>10</sub>"});
+         ci,
+         kT,
+         kDf,
+         "<i>g</i><sub>z</sub>",
+         ci,
+         "BF<sub>10</sub>",
+         say("Odds ratio"),
+         ci});
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
       if (!isTested(part)) {
-        rowOver(cohort(part.cohort) + ": " + whyNotTested(part), 7);
+        rowOver(cohort(part.cohort) + ": " + whyNotTested(part));
         continue;
       }
       rowOver(
           cohort(part.cohort) + ", " +
-              count(part.within.participants, "{} participant", "{} participants"),
-          7);
-      for (const auto& comparison : part.within.rows) difference(comparison);
+          count(part.within.participants, "{} participant", "{} participants"));
+      for (const auto& comparison : part.within.rows) difference(comparison, areShown);
     }
     endTable();
+    put("<p class=\"note\">{}{}</p>",
+        areShown ? withReferences("The differences are in {}.", {"answer"}) + " " : std::string(),
+        say("BF: Bayes factor of a difference against none. Odds ratio: of higher answers, by the "
+            "ordinal mixed model."));
+  }
+
+  void tests() {
     const auto correction = nameOf(f_.family.correction);
     std::vector<std::string> headings{say("Comparison")};
     const auto& pairs = f_.cohorts.front().within.rows;
@@ -128,6 +153,7 @@ class TestsWriter : HtmlWriter {
       if (!test.isInFamily) continue;
       headings.push_back(say(headingOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
     }
+    headings.push_back(say("Equivalence"));
     table(
         correction.empty()
             ? say("The same, tested: p without correction")
@@ -135,16 +161,21 @@ class TestsWriter : HtmlWriter {
         headings);
     for (const auto& part : f_.cohorts) {
       if (!isTested(part)) continue;
-      rowOver(cohort(part.cohort), headings.size());
+      rowOver(cohort(part.cohort));
       for (const auto& comparison : part.within.rows) {
         std::vector<std::string> cells{pairOf(comparison)};
         for (const auto& test : comparison.tests) {
           if (test.isInFamily) cells.push_back(pCell(test));
         }
+        const auto* tost = analysis::findTest(comparison.tests, "tost");
+        cells.push_back(tost == nullptr ? std::string() : cellOfP(tost->p));
         row(cells);
       }
     }
     endTable();
+    if (f_.family.equivalenceBound) {
+      note("Equivalence: two one-sided tests within ±{:g}.", *f_.family.equivalenceBound);
+    }
     if (f_.isNamed("welch")) return;
     note(
         f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
@@ -164,7 +195,7 @@ class TestsWriter : HtmlWriter {
          say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha))});
     for (const auto& part : f_.cohorts) {
       if (!isTested(part)) continue;
-      rowOver(cohort(part.cohort), 5);
+      rowOver(cohort(part.cohort));
       for (const auto& test : part.within.probabilities) probability(test);
     }
     endTable();
@@ -174,12 +205,7 @@ class TestsWriter : HtmlWriter {
   }
 
   void probability(const analysis::TestRow& test) {
-    if (!test.effect.value) {
-      put("<tr><td>{}</td><td class=\"words\" colspan=\"4\">{}</td></tr>",
-          condition(test.group1),
-          say("not defined: {}", s_.words(test.reason)));
-      return;
-    }
+    if (!test.effect.value) return row({condition(test.group1)}, notDefined(test.reason));
     row(
         {condition(test.group1),
          std::to_string(test.n1.value_or(0)),
@@ -188,55 +214,30 @@ class TestsWriter : HtmlWriter {
          cellOf(test.effectInterval)});
   }
 
-  void difference(const analysis::WithinComparison& c) {
+  void difference(const analysis::WithinComparison& c, bool areShown) {
     const auto& test = c.test("paired_t");
-    if (!test.p) {
-      put("<tr><td>{}</td><td>{}</td><td class=\"words\" colspan=\"5\">{}</td></tr>",
-          pairOf(c),
-          cellOf(test.estimate.value, 2),
-          say("not defined: {}", s_.words(test.reason)));
-      return;
-    }
-    const auto& bf10 = c.test("bayes_factor").effect.value;
+    if (!test.p) return row({pairOf(c)}, notDefined(test.reason));
+    const auto* ordinal = analysis::findTest(c.tests, "ordinal_model");
+    const bool hasOdds = ordinal != nullptr && ordinal->p;
     row(
         {pairOf(c),
-         rounded(test.estimate.value, 2),
-         cellOf(test.interval),
+         areShown ? std::string() : rounded(test.estimate.value, 2),
+         areShown ? std::string() : cellOf(test.interval),
          cellOf(test.statistic.value, 2),
          test.df ? fmt::format("{:g}", *test.df) : std::string(),
-         effectOf(test),
-         bf10 ? escaped(formatBayesFactor(*bf10)) : std::string()});
+         cellOf(test.effect.value, 2),
+         cellOf(test.effectInterval),
+         bayesFactorOf(c),
+         hasOdds ? cellOf(ordinal->effect.value, 2) : std::string(),
+         hasOdds ? cellOf(ordinal->effectInterval) : std::string()});
   }
 
-  /// The effect, with its interval if it has one.
-  std::string effectOf(const analysis::TestRow& test) const {
-    return cellOf(test.effect.value, 2) +
-           (test.effectInterval ? " " + inBrackets(test.effectInterval) : "");
-  }
-
-  /// The interval in brackets. In APA style its text has them already.
-  std::string inBrackets(const std::optional<analysis::Interval>& interval) const {
-    const auto words = cellOf(interval);
-    return s_.wording == Wording::Vancouver ? "(" + words + ")" : words;
-  }
-
-  void sentences() {
-    put("<h4>{}</h4>", say("In sentences"));
-    for (const auto& part : f_.cohorts) {
-      if (!isTested(part)) continue;
-      put("<p><em>{}</em>: ", cohort(part.cohort));
-      for (const auto& line : apaLines(part.within, f_.family, s_.words, s_.wording))
-        put("{}. ", escaped(line));
-      put("</p><ul>");
-      for (const auto& comparison : part.within.rows) {
-        std::string sentence;
-        for (const auto& line : apaLines(comparison, f_.family, s_.words, s_.wording)) {
-          sentence += (sentence.empty() ? "" : "; ") + line;
-        }
-        put("<li>{}: {}.</li>", pairOf(comparison), withSubscripts(escaped(sentence)));
-      }
-      put("</ul>");
-    }
+  /// With two decimals, so that points are below each other.
+  std::string bayesFactorOf(const analysis::WithinComparison& c) const {
+    const auto& bf10 = c.test("bayes_factor").effect.value;
+    if (!bf10) return {};
+    const bool isWithin = *bf10 >= 0.005 && *bf10 <= 1000.0;
+    return isWithin ? rounded(bf10, 2) : escaped(*bf10 < 1.0 ? "< 0.01" : "> 1000");
   }
 
   void between() {
@@ -245,7 +246,12 @@ class TestsWriter : HtmlWriter {
     };
     if (std::ranges::none_of(f_.between, isTestedPair)) return;
     std::vector<std::string> headings{
-        say("Method"), "U", say("exact p"), say("Brunner–Munzel p"), say("Cliff’s δ")};
+        say("Method"),
+        "<i>U</i>",
+        say("exact p"),
+        say("Brunner–Munzel p"),
+        say("Cliff’s δ"),
+        say("95 % CI")};
     for (const auto* test : othersOf(f_.between.front())) {
       headings.push_back(say(analysis::statisticalTest(test->id).title) + ", p");
     }
@@ -257,16 +263,17 @@ class TestsWriter : HtmlWriter {
     for (const auto& b : f_.between) {
       if (!isTestedPair(b)) continue;
       const std::string pair = cohort(b.cohort1) + " vs. " + cohort(b.cohort2);
-      if (pair != last) rowOver(pair, headings.size());
+      if (pair != last) rowOver(pair);
       last = pair;
       const auto& ranks = b.test("mann_whitney");
       const auto& u = ranks.statistic.value;
       std::vector<std::string> cells{
           condition(b.condition),
-          u ? fmt::format("{:g}", *u) : std::string(),
+          cellOf(u, 1),
           cellOfP(ranks.p),
           cellOfP(b.test("brunner_munzel").p),
-          effectOf(ranks)};
+          cellOf(ranks.effect.value, 2),
+          cellOf(ranks.effectInterval)};
       for (const auto* test : othersOf(b)) cells.push_back(cellOfP(test->p));
       row(cells);
     }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,14 @@
 #include "study/results/apa_text.h"
 
 namespace study::report {
+
+/// Symbols of statistics, in italics as the APA asks.
+inline constexpr const char* kM = "<i>M</i>";
+inline constexpr const char* kSd = "<i>SD</i>";
+inline constexpr const char* kN = "<i>n</i>";
+inline constexpr const char* kP = "<i>p</i>";
+inline constexpr const char* kT = "<i>t</i>";
+inline constexpr const char* kDf = "<i>df</i>";
 
 /// Writes one part of a study's page. say() and count() translate with the section's words and
 /// escape the text; put() takes markup.
@@ -51,27 +61,69 @@ class HtmlWriter {
     put("<p class=\"note\">{}</p>", say(english, std::forward<Args>(args)...));
   }
 
-  /// Opens a table with a caption and a head; the first column holds names.
+  /// Begins a table; the first column holds names. It is written by endTable().
+  /// @param columns  their headings; numbers are aligned right, and what is below ofWords() left
   /// @param key  for references, see reference(); empty: none
   void table(
       const std::string& caption,
       const std::vector<std::string>& columns,
       const std::string& key = {}) {
-    std::string heads;
-    for (const auto& column : columns) heads += "<th>" + column + "</th>";
-    put("<table><caption{}>{}</caption><thead><tr>{}</tr></thead><tbody>",
-        idOf(key),
-        caption,
-        heads);
+    caption_ = "<table><caption" + idOf(key) + ">" + caption;
+    columns_ = columns;
+    rows_.clear();
+    group_.clear();
   }
-  void row(const std::vector<std::string>& cells) {
-    std::string all;
-    for (const auto& cell : cells) all += "<td>" + cell + "</td>";
-    put("<tr>{}</tr>", all);
+  /// The heading of a column of words.
+  static std::string ofWords(const std::string& heading) { return std::string(kOfWords) + heading; }
+  /// @param words  over all columns that have no cell, such as why there are no numbers
+  void row(std::vector<std::string> cells, std::string words = {}) {
+    if (!group_.empty()) rows_.push_back({{}, std::exchange(group_, {})});
+    rows_.push_back({std::move(cells), std::move(words)});
+  }
+  void rowOver(const std::string& text) { row({}, "<em>" + text + "</em>"); }
+  /// A line above the next rows, if any follow.
+  void group(const std::string& text) { group_ = "<em>" + text + "</em>"; }
+  /// Writes the table without the columns in which no row has a cell; nothing if no row has any.
+  void endTable() {
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const auto hasCell = [&](const auto& row) {
+        return i < row.first.size() && !row.first[i].empty();
+      };
+      if (i == 0 || std::ranges::any_of(rows_, hasCell)) used.push_back(i);
+    }
+    if (std::ranges::all_of(rows_, [](const auto& row) { return row.first.empty(); })) return;
+    std::string heads;
+    for (const auto i : used) {
+      const bool isOfWords = columns_[i].starts_with(kOfWords);
+      heads += (isOfWords ? "" : "<th>") + columns_[i] + "</th>";
+    }
+    put("{}</caption><thead><tr>{}</tr></thead><tbody>", caption_, heads);
+    for (const auto& [cells, words] : rows_) {
+      std::string all;
+      std::size_t written = 0;
+      for (const auto i : used) {
+        if (i >= cells.size()) break;
+        const bool isOfWords = columns_[i].starts_with(kOfWords);
+        all += (isOfWords ? "<td class=\"words\">" : "<td>") + cells[i] + "</td>";
+        ++written;
+      }
+      if (!words.empty()) {
+        all +=
+            fmt::format("<td class=\"words\" colspan=\"{}\">{}</td>", used.size() - written, words);
+      }
+      put("<tr>{}</tr>", all);
+    }
+    put("</tbody></table>");
   }
   /// The text of a table cell; empty for an undefined value.
   static std::string cellOf(const std::optional<double>& value, int digits) {
     return value ? rounded(value, digits) : std::string();
+  }
+  /// "3.41 (1.09)"; the deviation of one value is not defined.
+  static std::string withDeviation(
+      const std::optional<double>& mean, const std::optional<double>& deviation) {
+    return cellOf(mean, 2) + (deviation ? " (" + rounded(deviation, 2) + ")" : std::string());
   }
   std::string cellOf(const std::optional<analysis::Interval>& interval) const {
     return interval ? escaped(formatInterval(interval, s_.wording, s_.words)) : std::string();
@@ -83,11 +135,6 @@ class HtmlWriter {
   std::string equalsOfP(const std::optional<double>& p) const {
     return withRelationSign(formatP(p, s_.wording));
   }
-  void rowOver(const std::string& text, std::size_t columns) {
-    put("<tr><td colspan=\"{}\"><em>{}</em></td></tr>", columns, text);
-  }
-  void endTable() { put("</tbody></table>"); }
-
   /// @param caption  in English: the text below the figure, or in its place.
   /// @param key  for references; empty: none
   void figure(const std::string& svg, std::string_view caption, const std::string& key = {}) {
@@ -117,6 +164,11 @@ class HtmlWriter {
     return text;
   }
 
+  /// A message, with titles in place of the ids in it.
+  std::string inWords(const base::Message& message) const { return escaped(s_.inWords(message)); }
+  std::string notDefined(const base::Message& reason) const {
+    return escaped(s_.words.say("not defined: {}", s_.inWords(reason)));
+  }
   std::string condition(const std::string& id) const { return escaped(s_.conditionTitle(id)); }
   std::string cohort(const std::string& id) const { return escaped(s_.cohortTitle(id)); }
 
@@ -124,9 +176,16 @@ class HtmlWriter {
   std::string html_;
 
  private:
+  static constexpr std::string_view kOfWords = "<th class=\"words\">";
+
   static std::string idOf(const std::string& key) {
     return key.empty() ? std::string() : " id=\"" + key + "\"";
   }
+
+  std::string caption_;  ///< of the table that was begun, with its tag
+  std::string group_;    ///< to be written above the next row; empty: none
+  std::vector<std::string> columns_;
+  std::vector<std::pair<std::vector<std::string>, std::string>> rows_;
 };
 
 }  // namespace study::report

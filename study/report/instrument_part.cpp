@@ -13,21 +13,41 @@ class InstrumentWriter : HtmlWriter {
 
   std::string all() {
     if (s_.results.instruments.empty()) return {};
-    for (const auto& summary : s_.results.instruments) instrument(summary);
+    table(
+        say("Scores of participants"),
+        {say("Score"),
+         ofWords(say("Cohort")),
+         ofWords(say("About")),
+         kN,
+         kM,
+         kSd,
+         say("95 % CI"),
+         say("No score")});
+    forEach([&](const auto&... of) { scores(of...); });
+    endTable();
+    forEach([&](const auto&... of) { acceptability(of...); });
+    forEach([&](const auto&... of) { contradictions(of...); });
     return std::move(html_);
   }
 
  private:
-  void instrument(const InstrumentSummary& summary) {
-    const auto& all = s_.instruments;
-    const auto found = std::find_if(
-        all.begin(), all.end(), [&](const auto& i) { return i.id == summary.instrument; });
-    if (found == all.end()) return;
-    const std::string title = escaped(found->title.in(s_.words.language()));
-    if (!summary.scores.empty()) scores(*found, title, summary);
-    if (!summary.acceptable.empty()) acceptability(*found, title, summary);
-    if (!found->consistency) return;
-    put("<p>{}</p>",
+  template <typename Do>
+  void forEach(Do&& write) const {
+    for (const auto& summary : s_.results.instruments) {
+      const auto found =
+          std::ranges::find(s_.instruments, summary.instrument, &questionnaires::Instrument::id);
+      if (found == s_.instruments.end()) continue;
+      write(*found, escaped(found->title.in(s_.words.language())), summary);
+    }
+  }
+
+  void contradictions(
+      const questionnaires::Instrument& instrument,
+      const std::string& title,
+      const InstrumentSummary& summary) {
+    if (!instrument.consistency) return;
+    put("<p>{}: {}</p>",
+        title,
         count(
             summary.contradictory,
             "{} of {} forms contradicts itself by the instrument’s own rule; none was left out.",
@@ -39,24 +59,23 @@ class InstrumentWriter : HtmlWriter {
       const questionnaires::Instrument& instrument,
       const std::string& title,
       const InstrumentSummary& summary) {
-    table(
-        title + say(": scores of participants"),
-        {say("Score"), say("About"), "n", say("Mean"), say("SD"), say("95 % CI"), say("No score")});
-    std::string last;
+    group(title);
     for (const auto& score : summary.scores) {
       if (score.values.empty() && score.missing == 0) continue;
-      if (score.cohort != last) rowOver(cohort(score.cohort), 7);
-      last = score.cohort;
+      const auto& about = score.condition;
+      const auto& occasion = score.occasion;
       row(
           {escaped(instrument.score(score.score)->title.in(s_.words.language())),
-           score.condition.empty() ? say(score.occasion) : condition(score.condition),
+           cohort(score.cohort),
+           !about.empty()     ? condition(about)
+           : occasion.empty() ? occasion
+                              : say(occasion),
            std::to_string(score.values.size()),
            cellOf(score.mean, 2),
            cellOf(score.standardDeviation, 2),
            cellOf(score.interval),
            score.missing > 0 ? std::to_string(score.missing) : ""});
     }
-    endTable();
   }
 
   void acceptability(
@@ -66,10 +85,10 @@ class InstrumentWriter : HtmlWriter {
     table(
         title + say(": participants at or above the threshold of acceptability"),
         {say("Statement"),
-         say("Cohort"),
-         say("About"),
+         ofWords(say("Cohort")),
+         ofWords(say("About")),
          say("From"),
-         "n",
+         kN,
          say("Acceptable"),
          say("95 % CI")});
     for (const auto& item : summary.acceptable) {

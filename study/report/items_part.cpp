@@ -1,12 +1,15 @@
 #include <algorithm>
 
 #include "questionnaires/model/answer.h"
+#include "study/export/k_anonymity.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {
+
+constexpr std::size_t kFewestPeople = 2;  // a number of one person is that person's answer
 
 /// Writes the part of a report that shows the answers to each item, and what participants wrote.
 class ItemsWriter : HtmlWriter {
@@ -16,6 +19,7 @@ class ItemsWriter : HtmlWriter {
   std::string all() {
     for (const auto& instrument : s_.instruments) {
       numbers(instrument);
+      numbersByAlternative(instrument);
       choices(instrument);
       figures(instrument);
     }
@@ -23,11 +27,16 @@ class ItemsWriter : HtmlWriter {
     note(
         "Answers as they were given, not reversed. Numbers are of participants’ means; choices are "
         "counted by form. Choices between alternatives are among the preferences.");
+    if (isAnythingHidden_) {
+      note(
+          "To protect anonymity, no mean is of one person alone, and options that one person chose "
+          "are counted together as “other answers”.");
+    }
     return std::move(html_);
   }
 
   std::string quotes() {
-    if (!s_.hasQuotes) return {};
+    if (!s_.hasQuotes || s_.results.runMode == RunMode::Simulated) return {};
     for (const auto& instrument : s_.instruments) quotesOf(instrument);
     return std::move(html_);
   }
@@ -47,65 +56,94 @@ class ItemsWriter : HtmlWriter {
     return escaped(instrument.title.in(s_.words.language()));
   }
 
-  /// The question; for an item with two opposite words, both words.
   std::string questionOf(
       const questionnaires::Instrument& instrument, const std::string& id) const {
     const auto* item = instrument.item(id);
-    if (item == nullptr) return escaped(id);
-    const auto& language = s_.words.language();
-    const auto& text = item->text.in(language);
-    if (!text.empty() && text.find("[[") == std::string::npos) return escaped(text);
-    const auto& left = item->leftText.in(language);
-    return left.empty() ? escaped(id) : escaped(left + " – " + item->rightText.in(language));
+    return escaped(item == nullptr ? id : report::questionOf(*item, s_.words.language()));
   }
 
-  std::string aboutOf(const std::string& id) const {
-    return id.empty() ? std::string() : condition(id);
-  }
-
+  /// Numbers that are not about an alternative: a row for each question, a column for each cohort.
   void numbers(const questionnaires::Instrument& instrument) {
-    const auto rows = summariesOf(instrument, [](const auto& one) { return one.mean.has_value(); });
-    if (rows.empty()) return;
-    table(
-        titleOf(instrument) + say(": every item by itself"),
-        {say("Cohort"), say("About"), "n", say("Mean"), say("SD"), say("Median"), say("Range")});
-    constexpr std::size_t kColumns = 7;
+    std::vector<std::string> columns{say("Question")};
+    for (const auto& one : s_.results.flow) columns.push_back(cohort(one.cohort));
+    table(captionOfNumbers(instrument), columns);
     const std::string* item = nullptr;
+    std::vector<std::string> cells;
+    const auto rows =
+        summariesOf(instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
+    const auto write = [&] {
+      if (std::ranges::count(cells, "") + 1 < std::ssize(cells)) row(cells);
+    };
     for (const auto* one : rows) {
       if (item == nullptr || *item != one->item) {
-        rowOver(questionOf(instrument, one->item), kColumns);
+        write();
+        cells.assign(columns.size(), {});
+        cells.front() = questionOf(instrument, one->item);
+        item = &one->item;
       }
-      item = &one->item;
-      row(
-          {cohort(one->cohort),
-           aboutOf(one->condition),
-           std::to_string(one->values.size()),
-           rounded(one->mean, 2),
-           cellOf(one->standardDeviation, 2),
-           rounded(one->median, 2),
-           fmt::format("{:.4g} … {:.4g}", *one->least, *one->most)});
+      const auto place = std::ranges::find(s_.results.flow, one->cohort, &CohortFlow::cohort) -
+                         s_.results.flow.begin() + 1;
+      const auto mean = meanOf(*one);
+      if (mean.empty()) continue;
+      cells[static_cast<std::size_t>(place)] =
+          mean + fmt::format(", {} = {}", kN, one->values.size());
+    }
+    write();
+    endTable();
+  }
+
+  /// A row for each question and cohort, a column for each alternative.
+  void numbersByAlternative(const questionnaires::Instrument& instrument) {
+    std::vector<std::string> columns{say("Cohort"), kN};
+    for (const auto& one : s_.protocol.conditions) columns.push_back(escaped(one.title));
+    table(captionOfNumbers(instrument), columns);
+    const auto rows =
+        summariesOf(instrument, [](const auto& one) { return one.mean && !one.condition.empty(); });
+    const std::string* item = nullptr;
+    for (auto at = rows.begin(); at != rows.end();) {
+      const auto& first = **at;
+      if (item == nullptr || *item != first.item) group(questionOf(instrument, first.item));
+      item = &first.item;
+      std::size_t people = 0;
+      std::vector<std::string> cells(columns.size());
+      for (; at != rows.end() && (*at)->item == first.item && (*at)->cohort == first.cohort; ++at) {
+        people = std::max(people, (*at)->values.size());
+        cells[static_cast<std::size_t>(s_.conditionPlace((*at)->condition)) + 2] = meanOf(**at);
+      }
+      cells[0] = cohort(first.cohort);
+      cells[1] = std::to_string(people);
+      if (people >= kFewestPeople) row(cells);
     }
     endTable();
   }
 
+  std::string captionOfNumbers(const questionnaires::Instrument& instrument) const {
+    return titleOf(instrument) + say(": every item by itself, M with SD in brackets");
+  }
+
+  /// The mean of several people with its deviation; empty for one person.
+  std::string meanOf(const ItemSummary& summary) {
+    const bool isHidden = summary.values.size() < kFewestPeople;
+    isAnythingHidden_ = isAnythingHidden_ || isHidden;
+    return isHidden ? std::string() : withDeviation(summary.mean, summary.standardDeviation);
+  }
+
   void choices(const questionnaires::Instrument& instrument) {
     const auto rows = summariesOf(instrument, [](const auto& one) { return !one.options.empty(); });
-    if (rows.empty()) return;
     table(
         titleOf(instrument) + say(": how often each option was chosen"),
-        {say("Cohort"), say("About"), "n", say("Chosen")});
-    constexpr std::size_t kColumns = 4;
+        {say("Cohort"), ofWords(say("About")), kN, ofWords(say("Chosen"))});
     const std::string* item = nullptr;
     for (const auto* one : rows) {
-      if (item == nullptr || *item != one->item) {
-        rowOver(questionOf(instrument, one->item), kColumns);
-      }
+      if (item == nullptr || *item != one->item) group(questionOf(instrument, one->item));
       item = &one->item;
-      put("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
-          cohort(one->cohort),
-          aboutOf(one->condition),
-          one->answers,
-          chosenIn(instrument, *one));
+      const auto chosen = chosenIn(instrument, *one);
+      if (chosen.empty()) continue;
+      row(
+          {cohort(one->cohort),
+           one->condition.empty() ? std::string() : condition(one->condition),
+           std::to_string(one->answers),
+           chosen});
     }
     endTable();
   }
@@ -123,9 +161,10 @@ class ItemsWriter : HtmlWriter {
       if (one.instrument != instrument.id) continue;
       const bool isChoice = !instrument.item(one.item)->options.empty();
       const auto* caption =
-          isChoice ? "“{}”: how often each answer was given, by cohort and alternative."
-                   : "“{}”: a dot is the mean of one participant’s answers; the box holds "
-                     "the middle half, with the median; the diamond is the mean.";
+          isChoice
+              ? "“{}”: how often each answer was given, by cohort and alternative."
+              : "“{}”, by participants’ means: the box holds the middle half, with the median; the "
+                "diamond is the mean. Dots are single people, where there are fewer than ten.";
       captioned(
           one.svg,
           fmt::format(fmt::runtime(escaped(s_.words(caption))), questionOf(instrument, one.item)),
@@ -137,18 +176,26 @@ class ItemsWriter : HtmlWriter {
     return "item-" + figure.instrument + "-" + figure.item;
   }
 
-  /// "left 3, right 12", without the options that nobody chose.
-  std::string chosenIn(
-      const questionnaires::Instrument& instrument, const ItemSummary& summary) const {
+  /// "left 3, right 12", without the options that nobody chose; empty if all are rare. Of what
+  /// people say of themselves, rare options are hidden as in a public release.
+  std::string chosenIn(const questionnaires::Instrument& instrument, const ItemSummary& summary) {
     const auto* item = instrument.item(summary.item);
+    Values chosen;
+    for (const auto& [id, times] : summary.options) chosen.insert(chosen.end(), times, id);
+    if (summary.condition.empty()) chosen = suppressRareValues(chosen, kFewestPeople);
     std::string text;
+    const auto add = [&](const std::string& label, std::ptrdiff_t times) {
+      if (times > 0) text += (text.empty() ? "" : ", ") + label + " " + std::to_string(times);
+    };
     for (const auto& [id, times] : summary.options) {
-      if (times == 0) continue;
       const auto label =
           item == nullptr ? id : questionnaires::labelOf(*item, id, s_.words.language());
-      text +=
-          (text.empty() ? "" : ", ") + (label.empty() ? id : label) + " " + std::to_string(times);
+      add(label.empty() ? id : label, std::ranges::count(chosen, id));
     }
+    const auto others = std::ranges::count(chosen, "");
+    isAnythingHidden_ = isAnythingHidden_ || others > 0;
+    if (text.empty()) return text;  // all are hidden
+    add(s_.words("other answers"), others);
     return escaped(text);
   }
 
@@ -165,7 +212,7 @@ class ItemsWriter : HtmlWriter {
       const bool isNewItem = item == nullptr || *item != quote.item;
       const bool isNew = isNewItem || *about != quote.condition;
       if (isNew && item != nullptr) put("</ul>");
-      if (isNewItem) put("<h4>{}</h4>", questionOf(instrument, quote.item));
+      if (isNewItem) put("<p><b>{}</b></p>", questionOf(instrument, quote.item));
       if (isNew && !quote.condition.empty()) put("<p><em>{}</em></p>", condition(quote.condition));
       if (isNew) put("<ul>");
       put("<li>“{}”{}</li>", escaped(quote.text), times > 1 ? fmt::format(" × {}", times) : "");
@@ -174,6 +221,8 @@ class ItemsWriter : HtmlWriter {
     }
     if (item != nullptr) put("</ul>");
   }
+
+  bool isAnythingHidden_ = false;
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "study/model/data_table.h"
@@ -25,12 +26,9 @@ class MethodsWriter : HtmlWriter {
     put("<p>{}</p>", plan());
     put("<p>{}</p>", computation());
     put("<h4>{}</h4>", say("How this was made"));
-    put("<p>palpate {}; {} <em>{}</em>, {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} "
-        "{}.</p>",
+    put("<p>palpate {}; {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} {}.</p>",
         appVersion(),
-        say("protocol"),
-        escaped(s_.protocol.study.id),
-        say("version"),
+        say("version of the protocol"),
         escaped(s_.protocol.study.version),
         s_.protocolHash,
         say("study"),
@@ -48,7 +46,7 @@ class MethodsWriter : HtmlWriter {
     if (s_.trail.hash.empty()) return;
     put("<p>{}</p>",
         say("The study's audit trail had {} events when this was written, the last one with the "
-            "hash {}. 'palpate study verify --expect' finds whether the study goes on from there.",
+            "hash {}: whether a study goes on from there can be verified.",
             s_.trail.events,
             storage::inGroupsOfFour(s_.trail.hash)));
     if (s_.commitment.empty()) return;
@@ -58,20 +56,19 @@ class MethodsWriter : HtmlWriter {
             storage::inGroupsOfFour(s_.commitment)));
   }
 
-  std::string titleOf(const std::string& instrument) const {
-    for (const auto& i : s_.instruments) {
-      if (i.id == instrument) return i.title.in(s_.words.language());
-    }
-    return instrument;
-  }
-
   /// The procedure for a participant, part by part.
   std::string procedure() const {
     std::string text;
+    std::string last;  // what was done in the last block
     for (const auto& phase : s_.protocol.phases) {
       if (phase.type == PhaseType::Benchmark) text += benchmark(phase) + " ";
-      if (phase.type == PhaseType::Block) text += block(phase) + " ";
       if (phase.type == PhaseType::Preference) text += preference(phase) + " ";
+      if (phase.type != PhaseType::Block) continue;
+      const auto done = block(phase);
+      const auto title = s_.blockTitle(phase.id);
+      const auto likewise = say("So they did in {}.", title);
+      text += (done == last ? likewise : say("In {}, {}", title, done)) + " ";
+      last = done;
     }
     return text;
   }
@@ -81,10 +78,9 @@ class MethodsWriter : HtmlWriter {
     std::string text = count(
         phase.minimumCuts,
         "To have something to compare with, every participant made at least {} cut with the real "
-        "tool ({}).",
+        "tool.",
         "To have something to compare with, every participant made at least {} cuts with the real "
-        "tool ({}).",
-        phase.id);
+        "tool.");
     const auto& read = phase.text.in(s_.words.language());
     const bool hasBlanks = read.find("[[") != std::string::npos;
     if (!read.empty() && !hasBlanks) text += " " + say("They read: “{}”", read);
@@ -103,25 +99,25 @@ class MethodsWriter : HtmlWriter {
     for (const auto& id : phase.trials.conditions) {
       conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
     }
-    std::string text = say(
-        "In {}, every participant felt {} ({}) {}, under anonymous labels, with {} each.",
-        phase.id,
+    std::string text = s_.words.say(
+        "every participant felt {} ({}) {}, under anonymous labels, with {} each.",
         s_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
         conditions,
         s_.words(kOrders[static_cast<std::size_t>(phase.trials.order.type)]),
         s_.words.count(
             phase.trials.minimumCuts, "at least {} cut or stroke", "at least {} cuts or strokes"));
     for (const auto& asked : phase.trials.questionnaires) {
-      text += " " + say("After each of them they answered: {}.", titleOf(asked.instrument));
+      text += " " +
+              s_.words.say("After each of them they answered “{}”.", s_.titleOf(asked.instrument));
     }
     return text;
   }
 
   std::string preference(const protocols::Phase& phase) const {
     std::string text =
-        say("After {}, participants said which alternative they preferred ({}).",
-            phase.block,
-            titleOf(phase.instrument));
+        say("After {}, participants chose among the alternatives (“{}”).",
+            s_.blockTitle(phase.block),
+            s_.titleOf(phase.instrument));
     if (!phase.mayFeelAgain) return text;
     return text + " " +
            say("Before, they could feel each of them once more, or go on without; nothing is "
@@ -251,13 +247,24 @@ class MethodsWriter : HtmlWriter {
     return origin.empty() ? text : text + ", " + escaped(origin);
   }
 
+  /// The instruments by their sources, each of which is written once.
   void instruments() {
-    put("<p>{}</p><ul>", say("Instruments:"));
+    std::vector<std::pair<std::string, std::string>> titles;  // source, titles
     for (const auto& i : s_.instruments) {
-      put("<li>{} ({}){}</li>",
-          escaped(i.title.in(s_.words.language())),
-          escaped(i.id),
-          i.source.citation.empty() ? "" : ": " + escaped(i.source.citation));
+      const auto& title = i.title.in(s_.words.language());
+      const auto same =
+          std::ranges::find(titles, i.source.citation, &std::pair<std::string, std::string>::first);
+      if (same == titles.end()) {
+        titles.emplace_back(i.source.citation, title);
+      } else {
+        same->second += ", " + title;
+      }
+    }
+    put("<p>{}</p><ul>", say("Instruments:"));
+    const auto own = s_.words("Palpate’s own wording.");
+    for (const auto& [source, named] : titles) {
+      const auto said = source == "Palpate's own wording." ? own : source;
+      put("<li>{}{}</li>", escaped(named), said.empty() ? said : ": " + escaped(said));
     }
     put("</ul>");
   }

@@ -36,15 +36,17 @@ class PreferenceWriter : HtmlWriter {
 
   /// As Table 4 of the punch paper: by cohort and round, with sums and the total.
   void tableOf(const VoteTable& votes) {
-    std::vector<std::string> columns{say("Cohort"), say("After")};
+    std::vector<std::string> columns{say("Cohort"), ofWords(say("After"))};
     for (const auto& option : votes.options) columns.push_back(condition(option));
     columns.push_back(say("exact p"));
     table(say("How many participants named each method, with Wilson’s 95 % interval"), columns);
     for (const auto& one : votes.cohorts) {
+      if (one.sum.total() == 0) continue;
       for (const auto* vote : one.rounds) rowOf(*vote);
       if (one.rounds.size() > 1) rowOf(cohort(one.cohort), say("Sum"), one.sum);
     }
-    if (votes.cohorts.size() > 1) rowOf(say("Total"), {}, votes.total);
+    const auto areCast = [](const auto& one) { return one.sum.total() > 0; };
+    if (std::ranges::count_if(votes.cohorts, areCast) > 1) rowOf(say("Total"), {}, votes.total);
     endTable();
   }
 
@@ -56,7 +58,7 @@ class PreferenceWriter : HtmlWriter {
   }
 
   void rowOf(const VoteResult& vote) {
-    std::vector<std::string> cells{cohort(vote.cohort), escaped(vote.block)};
+    std::vector<std::string> cells{cohort(vote.cohort), escaped(s_.blockTitle(vote.block))};
     const auto shares = vote.votes.shares();
     for (std::size_t i = 0; i < shares.size(); ++i) {
       std::string cell = std::to_string(shares[i].votes);

@@ -14,6 +14,7 @@ h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size:
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.figcaption { margin-bottom: 12px; }
+p.verdict { font-size: 10pt; font-weight: bold; margin-top: 6px; margin-bottom: 8px; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
@@ -136,6 +137,7 @@ void cells(std::string& html) {
     replaceAll(html, "<tr class=\"yes\">" + open, "<tr style=\"font-weight: bold\">" + first);
     replaceAll(html, open, "<" + std::string(cell) + " align=\"right\">");
   }
+  replaceAll(html, "<th class=\"words\">", "<th align=\"left\">");
 }
 
 /// Keeps both ends of an interval on one line: "[0.41, 2.42]".
@@ -176,8 +178,13 @@ void breaks(std::string& html) {
 
 PrintHtml forPrint(std::string_view html, double scale) {
   PrintHtml page{.html = std::string(html), .figures = {}};
-  extractFigures(page);
   auto& text = page.html;
+  constexpr std::string_view kLanguage = "<html lang=\"";
+  if (const auto at = spanOf(text, kLanguage, "\"", 0); at.begin != std::string::npos) {
+    const auto begin = at.begin + kLanguage.size();
+    page.language = text.substr(begin, text.find('"', begin) - begin);
+  }
+  extractFigures(page);
   if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {
     text.replace(
         style.begin, style.end - style.begin, "<style>" + styleOnPaper(scale) + "</style>");

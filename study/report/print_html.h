@@ -9,6 +9,7 @@ namespace study::report {
 /// A page in the HTML that Qt's rich-text engine understands.
 struct PrintHtml {
   std::string html;
+  std::string language = "en";
   std::vector<std::string> figures;  ///< SVG; the text has <img src="figure:0">, … for them
 };
 

@@ -44,7 +44,7 @@ class RenderingWriter : HtmlWriter {
       manipulation();
       againstMaterial();
     } else {
-      put("<p>{}</p>", escaped(say("What was felt is not known: {}", s_.words(s_.curvesReason))));
+      put("<p>{}</p>", escaped(say("What was felt is not known: {}", s_.inWords(s_.curvesReason))));
     }
     landmarks();
     quality();
@@ -55,7 +55,7 @@ class RenderingWriter : HtmlWriter {
   void manipulation() {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
-        {say("Pair"), say("All strokes [N]"), "n", say("By participant [N]"), say("95 % CI")});
+        {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
     for (const auto& d : feltDifferences(s_.curves)) {
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),
@@ -77,30 +77,36 @@ class RenderingWriter : HtmlWriter {
     });
   }
 
+  /// A row for each landmark, a column for each condition with cuts.
   void landmarks() {
-    if (s_.landmarks.empty()) return;
-    constexpr std::size_t kColumns = 6;
-    table(
-        say("Landmarks of the cuts, over all participants"),
-        {say("Landmark"), "n", say("Travel: mean"), say("SD"), say("Force [N]: mean"), say("SD")});
-    std::string condition;
+    std::vector<std::string> conditions;
+    std::vector<std::string_view> names;
+    std::vector<std::string> columns{say("Landmark")};
     for (const auto& one : s_.landmarks) {
-      if (one.condition != condition) {
-        const auto& device = s_.protocol.condition(one.condition)->device;
-        const auto unit = s_.protocol.device(device)->kind->travel.unitName;
-        rowOver(this->condition(one.condition) + " (" + say(unit) + ")", kColumns);
+      if (std::ranges::find(names, one.landmark) == names.end()) names.push_back(one.landmark);
+      if (std::ranges::find(conditions, one.condition) != conditions.end()) continue;
+      conditions.push_back(one.condition);
+      const auto& device = s_.protocol.condition(one.condition)->device;
+      const auto unit = s_.protocol.device(device)->kind->travel.unitName;
+      columns.push_back(condition(one.condition) + " [" + say(unit) + "; N]");
+    }
+    table(
+        say("Landmarks of the cuts, over all participants: travel; force, M with SD in brackets"),
+        columns);
+    for (const auto name : names) {
+      std::vector<std::string> cells(columns.size());
+      cells.front() = say(name);
+      for (const auto& one : s_.landmarks) {
+        if (one.landmark != name) continue;
+        const auto place = std::ranges::find(conditions, one.condition) - conditions.begin() + 1;
+        const auto travel = withDeviation(one.travel.mean, one.travel.standardDeviation);
+        cells[static_cast<std::size_t>(place)] =
+            travel + (travel.empty() ? "" : "; ") +
+            withDeviation(one.force.mean, one.force.standardDeviation);
       }
-      condition = one.condition;
-      row(
-          {say(one.landmark),
-           std::to_string(one.force.n),
-           cellOf(one.travel.mean, 2),
-           cellOf(one.travel.standardDeviation, 2),
-           cellOf(one.force.mean, 2),
-           cellOf(one.force.standardDeviation, 2)});
+      row(cells);
     }
     endTable();
-    note("Each cut counts once; n is the number of cuts in which the landmark was found.");
   }
 
   void againstMaterial() {
@@ -117,17 +123,22 @@ class RenderingWriter : HtmlWriter {
 
   std::string counts() const {
     const auto& q = s_.quality;
-    std::string text =
-        say("{}, {}: {} PASS, {} WARN, {} FAIL.",
-            s_.words.count(q.trials, "{} trial", "{} trials"),
-            s_.words.count(q.cuts, "{} cut or stroke", "{} cuts or strokes"),
+    const auto trials = s_.words.count(q.trials, "{} trial", "{} trials");
+    const auto cuts = s_.words.count(q.cuts, "{} cut or stroke", "{} cuts or strokes");
+    const auto all = say("{}, {}: all passed every check.", trials, cuts);
+    const auto some =
+        say("{}, {}: {} passed every check, {} did with a warning, {} failed.",
+            trials,
+            cuts,
             q.pass,
             q.warn,
             q.fail);
-    text += " " + say("The scene asked for more than the force limit for {:.1f} s of {:.1f} s of "
-                      "contact.",
-                      q.saturated,
-                      q.contact);
+    std::string text = q.pass == q.trials ? all : some;
+    const auto beyond =
+        say("The scene asked for more than the force limit for {:.1f} s of {:.1f} s of contact.",
+            q.saturated,
+            q.contact);
+    if (q.saturated > 0.0) text += " " + beyond;
     if (q.optionalTrials > 0) {
       text += " " + count(
                         q.optionalTrials,

@@ -179,6 +179,78 @@ const std::string& ReportSection::cohortTitle(const std::string& cohort) const {
   return protocol.cohort(cohort)->title.in(words.language());
 }
 
+std::string ReportSection::introducedTitle(const std::string& condition) const {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kModels{
+      {{"finite-elements", "finite elements"}, {"kalman", "Kalman filter"}}};
+  const auto& title = conditionTitle(condition);
+  const auto& model = protocol.condition(condition)->model;
+  const bool isAbbreviation =
+      std::ranges::none_of(title, [](char letter) { return letter >= 'a' && letter <= 'z'; });
+  for (const auto& [name, english] : kModels) {
+    const auto inFull = words(english);  // of all models: tests find missing translations
+    if (isAbbreviation && model && haptics::engine::factsOf(*model).name == name) {
+      return title + " (" + inFull + ")";
+    }
+  }
+  return title;
+}
+
+std::string ReportSection::blockTitle(const std::string& block) const {
+  int number = 0;
+  std::optional<bool> isSeen;
+  std::set<std::optional<bool>> kinds;
+  int found = 0;
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != protocols::PhaseType::Block) continue;
+    ++number;
+    kinds.insert(phase.trials.isVisualised);
+    if (phase.id != block) continue;
+    found = number;
+    isSeen = phase.trials.isVisualised;
+  }
+  if (found == 0) return block;
+  const bool doDiffer = kinds.size() == 2 && !kinds.contains(std::nullopt);
+  const auto seen = words.say("round {} (also seen)", found);
+  const auto felt = words.say("round {} (felt only)", found);
+  const auto plain = words.say("round {}", found);
+  return !doDiffer ? plain : *isSeen ? seen : felt;
+}
+
+std::string ReportSection::titleOf(const std::string& id) const {
+  const auto& language = words.language();
+  if (const auto* one = protocol.condition(id)) return one->title;
+  if (const auto* one = protocol.cohort(id)) return one->title.in(language);
+  for (const auto& instrument : instruments) {
+    if (instrument.id == id) return instrument.title.in(language);
+    if (const auto* item = instrument.item(id)) return questionOf(*item, language);
+  }
+  return blockTitle(id);
+}
+
+std::string ReportSection::inWords(const base::Message& message) const {
+  auto arguments = message.arguments();
+  for (auto& argument : arguments) {
+    auto* text = std::get_if<std::string>(&argument);
+    if (text == nullptr) continue;
+    std::string titles;  // of a list, too: "1.1, 1.2"
+    for (std::size_t at = 0; at <= text->size();) {
+      const auto end = std::min(text->find(", ", at), text->size());
+      titles += (at > 0 ? ", " : "") + titleOf(text->substr(at, end - at));
+      at = end + 2;
+    }
+    *text = titles;
+  }
+  const base::MessageKind kind{message.key(), message.english()};
+  return message.key().empty() ? words(message) : words(base::Message(kind, arguments));
+}
+
+std::string questionOf(const questionnaires::Item& item, const std::string& language) {
+  const auto& text = item.text.in(language);
+  if (!text.empty() && text.find("[[") == std::string::npos) return text;
+  const auto& left = item.leftText.in(language);
+  return left.empty() ? item.id : left + " – " + item.rightText.in(language);
+}
+
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section) {
   std::vector<std::pair<std::string, std::string>> named;
   const auto add = [&](const std::string& name, const std::string& svg) {

@@ -116,7 +116,21 @@ struct ReportSection {
   /// figure.
   int conditionPlace(const std::string& condition) const;
   const std::string& cohortTitle(const std::string& cohort) const;
+  /// "FEM (finite elements)": the title of a condition; behind an abbreviation the name of its
+  /// force model, if it is known.
+  std::string introducedTitle(const std::string& condition) const;
+  /// "round 2 (also seen)": a block in words, by its number; what was seen where blocks differ in
+  /// that.
+  std::string blockTitle(const std::string& block) const;
+  /// A message in the report's language, with titles in place of the ids of conditions, cohorts,
+  /// blocks, instruments and items in its arguments.
+  std::string inWords(const base::Message& message) const;
+  /// The title of what has this id; the id if nothing has it.
+  std::string titleOf(const std::string& id) const;
 };
+
+/// The question; for an item with two opposite words both of them.
+std::string questionOf(const questionnaires::Item& item, const std::string& language);
 
 /// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);

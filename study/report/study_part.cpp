@@ -31,6 +31,8 @@ class HeadWriter : HtmlWriter {
     if (s_.results.runMode == RunMode::Pilot) {
       put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
     }
+    const auto verdict = verdictOf(s_);
+    if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
     synthetic();
     if (!s_.results.families.empty()) heading("The question");
     for (const auto& family : s_.results.families) declared(family);
@@ -105,19 +107,28 @@ class ParticipantWriter : HtmlWriter {
          {"Device failed", &CohortFlow::abortedHardware},
          {"Erased", &CohortFlow::erased}}};
     heading("Participants");
-    if (!s_.figures.flow.empty()) {
-      int enrolled = 0;
-      for (const auto& flow : s_.results.flow) enrolled += flow.enrolled;
-      put("<p>{} ({}).</p>",
-          say("{} of {} enrolled participants completed their sessions",
-              s_.results.completed(),
-              enrolled),
-          reference("participants"));
+    int enrolled = 0;
+    std::string cohorts;
+    for (const auto& flow : s_.results.flow) {
+      enrolled += flow.enrolled;
+      if (flow.completed == 0) continue;
+      cohorts += (cohorts.empty() ? "" : ", ") + cohort(flow.cohort) + " " +
+                 std::to_string(flow.completed);
+    }
+    const bool haveAllCompleted = s_.results.completed() == enrolled;
+    const bool isDrawn = !haveAllCompleted && !s_.figures.flow.empty();
+    const auto where = isDrawn ? reference("participants") : cohorts;
+    put("<p>{}{}.</p>",
+        say("{} of {} enrolled participants completed their sessions",
+            s_.results.completed(),
+            enrolled),
+        where.empty() ? where : " (" + where + ")");
+    if (isDrawn) {
       figure(s_.figures.flow, "Participants from enrolment to the comparison", "participants");
-    } else {
+    } else if (!haveAllCompleted) {
       counts(kColumns);
     }
-    notes(isShown(kColumns.back()));
+    if (!haveAllCompleted) notes(isShown(kColumns.back()));
   }
 
   /// The figure's numbers as a table, for builds without figures.
@@ -160,43 +171,6 @@ class ParticipantWriter : HtmlWriter {
   }
 };
 
-class WarningWriter : HtmlWriter {
- public:
-  using HtmlWriter::HtmlWriter;
-
-  std::string all() {
-    warnings();
-    return std::move(html_);
-  }
-
- private:
-  /// Whether the warning is about a blank in a text. These concern the laboratory only, and their
-  /// names would look like results.
-  static bool isBlank(const questionnaires::Problem& warning) {
-    return warning.what.key() == "blank_left" || warning.what.key() == "blank_left_in";
-  }
-
-  void warnings() {
-    if (s_.warnings.empty()) return;
-    put("<ul>");
-    for (const auto& warning : s_.warnings) {
-      if (isBlank(warning)) continue;
-      put("<li>{}{} <span class=\"note\">({})</span></li>",
-          escaped(s_.words(warning.what)),
-          warning.fix.empty() ? "." : "; " + escaped(s_.words(warning.fix)) + ".",
-          escaped(warning.path));
-    }
-    if (const auto blanks = std::ranges::count_if(s_.warnings, isBlank); blanks > 0) {
-      put("<li>{}</li>",
-          count(
-              blanks,
-              "{} text still has blanks to fill in; palpate protocol check names it.",
-              "{} texts still have blanks to fill in; palpate protocol check names them."));
-    }
-    put("</ul>");
-  }
-};
-
 }  // namespace
 
 std::string headAsHtml(const ReportSection& section) {
@@ -207,10 +181,6 @@ std::string participantsAsHtml(const ReportSection& section) {
   return ParticipantWriter(section).all();
 }
 
-std::string warningsAsHtml(const ReportSection& section) {
-  return WarningWriter(section).all();
-}
-
 std::span<const CommonPart> commonParts() noexcept {
   static constexpr std::array kParts{
       CommonPart{"Preferences", preferencesAsHtml},
@@ -218,7 +188,7 @@ std::span<const CommonPart> commonParts() noexcept {
       CommonPart{"Every item by itself", itemsAsHtml},
       CommonPart{"In participants’ own words", quotesAsHtml},
       CommonPart{"What each alternative felt like", renderingAsHtml},
-      CommonPart{"What to know about the design", warningsAsHtml},
+      CommonPart{"Limitations", limitationsAsHtml},
       CommonPart{"Validity evidence", validityAsHtml},
       CommonPart{"Methods", methodsAsHtml}};
   return kParts;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,12 +17,27 @@ std::string headAsHtml(const ReportSection& section);
 /// The number of participants, by cohort.
 std::string participantsAsHtml(const ReportSection& section);
 
-/// The answer: one figure, one table, a sentence for each cohort, and its limitations.
+/// What was found, in one or two plain sentences without statistics; empty without answers.
+std::string verdictOf(const ReportSection& section);
+
+/// The answer: one figure, one table, a sentence for each cohort, and what weakens it.
 std::string answerAsHtml(const ReportSection& section);
 
 /// The family whose figure is shown beside the answer: the first one with answers; nullptr if there
 /// is none.
 const FamilyResult* mainFamily(const ReportSection& section);
+
+/// A declared comparison, with the numbers that its family's test gives.
+struct Declared {
+  std::string group1;
+  std::string group2;
+  const analysis::TestRow* difference;  ///< has estimate, interval and effect
+  const analysis::TestRow* test;        ///< has p
+
+  bool isDefined() const { return difference->estimate.value && test->p; }
+  double effect() const { return std::abs(difference->effect.value.value_or(0.0)); }
+};
+std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort);
 
 /// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);
@@ -41,8 +57,14 @@ std::string quotesAsHtml(const ReportSection& section);
 /// The force of each alternative, and the quality of its rendering.
 std::string renderingAsHtml(const ReportSection& section);
 
-/// The warnings of the protocol's validation about the design.
-std::string warningsAsHtml(const ReportSection& section);
+/// What of the answer is about something else than the methods; empty if nothing is.
+std::string caveatsOfRenderingAsHtml(const ReportSection& section);
+
+/// What weakens the answer, in at most three points; empty if nothing does.
+std::string weaknessesAsHtml(const ReportSection& section);
+
+/// All of that, explained: remarks on the data, and the design by the protocol's validation.
+std::string limitationsAsHtml(const ReportSection& section);
 
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);

@@ -28,26 +28,26 @@ class ValidityWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    paragraph(
-        "Face validity is the weakest argument for a simulator. Messick’s five sources of validity "
-        "evidence (Messick 1995; Cook & Hatala 2016) show what this study adds, and what it does "
-        "not.");
-    table(say("Validity evidence by Messick’s five sources"), {say("Source"), say("Evidence")});
+    table(
+        say("Validity evidence by Messick’s five sources"),
+        {say("Source"), ofWords(say("Evidence"))});
     source("Content", content());
     source("Response process", responseProcess());
     source("Internal structure", internalStructure());
     source("Relations to other variables", relations());
     source("Consequences", consequences());
     endTable();
+    note(
+        "Face validity is the weakest argument for a simulator. Messick’s five sources of validity "
+        "evidence (Messick 1995; Cook & Hatala 2016) show what this study adds, and what it does "
+        "not.");
     return std::move(html_);
   }
 
  private:
   void source(std::string_view name, const std::string& evidence) {
     const auto nothing = say("Nothing in this study.");
-    put("<tr><td>{}</td><td class=\"words\">{}</td></tr>",
-        say(name),
-        evidence.empty() ? nothing : evidence);
+    row({say(name), evidence.empty() ? nothing : evidence});
   }
 
   std::string content() const {

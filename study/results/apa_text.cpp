@@ -201,7 +201,7 @@ std::string formatP(const std::optional<double>& p, Wording wording) {
   const std::string_view zero = wording == Wording::Apa ? "" : "0";
   if (!p) return "–";
   if (*p < 0.001) return fmt::format("< {}.001", zero);
-  if (*p >= 0.9995) return "1.000";
+  if (*p > 0.999) return fmt::format("> {}.999", zero);
   return fmt::format("{}{}", zero, fmt::format("{:.3f}", *p).substr(1));
 }
 

@@ -28,7 +28,7 @@ std::string formatInterval(const std::optional<analysis::Interval>& interval);
 /// = 0.021, 0.41 to 2.42" (most medical journals that use Vancouver references).
 enum class Wording { Apa, Vancouver };
 
-/// A p value: ".021", "< .001"; "0.021", "< 0.001"; "–" if there is none.
+/// A p value: ".021", "< .001", "> .999"; "0.021", "< 0.001", "> 0.999"; "–" if there is none.
 std::string formatP(const std::optional<double>& p, Wording wording = Wording::Apa);
 
 /// The style that is named "apa" or "vancouver".

@@ -7,8 +7,8 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 26.0};
-constexpr double kVoteBar = 18.0;
+constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 20.0};
+constexpr double kVoteBar = 14.0;
 constexpr double kVoteGap = 10.0;
 
 /// One bar.
@@ -31,9 +31,9 @@ std::vector<Shares> sharesOf(const ReportSection& section) {
   std::vector<Shares> all;
   for (const auto& cohort : section.results.flow) {
     for (const auto& vote : section.results.votes) {
-      if (vote.cohort != cohort.cohort) continue;
+      if (vote.cohort != cohort.cohort || vote.votes.total() == 0) continue;
       auto& group = all.emplace_back(Shares{
-          .heading = section.cohortTitle(vote.cohort) + ", " + vote.block,
+          .heading = section.cohortTitle(vote.cohort) + ", " + section.blockTitle(vote.block),
           .total = vote.votes.total(),
           .isOfEqualChance = true});
       const auto shares = vote.votes.shares();

@@ -273,15 +273,14 @@ TEST(ItemSummaries, AreShownInTheReport) {
   study.add(2, "kalman", "hand", std::string("right"));
   study.add(2, "kalman", "why", std::string("a <bit> soft"));
   auto section = tests::madeUpSection();
+  section.results.runMode = RunMode::Live;
   section.instruments.push_back(mine());
   section.results.answers = study.described();
   for (auto& summary : section.results.answers.items) summary.cohort = "professional";
   const auto items = report::itemsAsHtml(section);
   EXPECT_NE(
       items.find("<em>Question &lt;vas&gt;</em></td></tr>\n"
-                 "<tr><td>Orthopaedic "
-                 "surgeons</td><td>KF</td><td>2</td><td>56.25</td><td>8.84</td><td>56.25</"
-                 "td><td>50 … 62.5</td>"),
+                 "<tr><td>Orthopaedic surgeons</td><td>2</td><td>56.25 (8.84)</td></tr>"),
       std::string::npos)
       << items;
   EXPECT_NE(items.find("<td class=\"words\">The right 1</td>"), std::string::npos) << items;
@@ -303,6 +302,43 @@ TEST(ItemSummaries, AreShownInTheReport) {
   EXPECT_NE(quotes.find("<li>“a &lt;bit&gt; soft”</li>"), std::string::npos) << quotes;
   section.hasQuotes = false;
   EXPECT_EQ(report::quotesAsHtml(section), "");
+}
+
+TEST(ItemSummaries, OfOnePersonAreNotShownInTheReport) {
+  auto section = tests::madeUpSection();
+  section.instruments.push_back(mine());
+  auto& items = section.results.answers.items;
+  items = {
+      {.instrument = "mine",
+       .item = "vas",
+       .cohort = "professional",
+       .condition = "kalman",
+       .values = {61.0},
+       .mean = 61.0},
+      {.instrument = "mine",
+       .item = "vas",
+       .cohort = "professional",
+       .values = {62.0},
+       .mean = 62.0},
+      {.instrument = "mine",
+       .item = "hand",
+       .cohort = "professional",
+       .answers = 6,
+       .options = {{"left", 1}, {"right", 4}, {"other", 1}}},
+      {.instrument = "mine",
+       .item = "hand",
+       .cohort = "non-professional",
+       .answers = 1,
+       .options = {{"left", 1}, {"right", 0}}}};
+  const auto page = report::itemsAsHtml(section);
+  EXPECT_EQ(page.find("61"), std::string::npos) << page;
+  EXPECT_EQ(page.find("62"), std::string::npos) << page;
+  EXPECT_EQ(page.find("The left"), std::string::npos) << page;
+  EXPECT_EQ(page.find("Non-professionals"), std::string::npos) << "all that it had is hidden";
+  EXPECT_NE(page.find("To protect anonymity"), std::string::npos) << page;
+  items[2].options = {{"left", 2}, {"right", 3}};
+  const auto shown = report::itemsAsHtml(section);
+  EXPECT_NE(shown.find("The left 2, The right 3"), std::string::npos) << shown;
 }
 
 }  // namespace items_test

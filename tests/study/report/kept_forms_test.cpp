@@ -82,6 +82,7 @@ TEST_F(KeptForms, AreInTheCodebookOfAnExport) {
 }
 
 TEST_F(KeptForms, AreInTheReport) {
+  simulateOne();  // a second one: no mean of one person is shown
   EXPECT_TRUE(has(asHtml({gather(*study_, RunMode::Live)}), "Statement of then: "));
 }
 

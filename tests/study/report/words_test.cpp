@@ -59,7 +59,7 @@ report::ReportSection withEveryPart() {
        .item = "1.1",
        .cohort = "professional",
        .condition = "kalman",
-       .values = {3.0},
+       .values = {3.0, 3.0},
        .mean = 3.0,
        .median = 3.0,
        .least = 3.0,
@@ -67,8 +67,9 @@ report::ReportSection withEveryPart() {
       {.instrument = form,
        .item = "handedness",
        .cohort = "professional",
-       .answers = 1,
-       .options = {{"left", 1}}}};
+       .answers = 4,
+       .options = {{"left", 2}, {"right", 1}, {"both", 1}}}};
+  section.results.runMode = RunMode::Live;  // nobody has written anything in simulated sessions
   section.results.answers.quotes = {{"preference", "why", "kalman", "It was softer."}};
   section.figures.items = {{asked, "1.1", "<svg/>"}, {form, "handedness", "<svg/>"}};
   return section;
