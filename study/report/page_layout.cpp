@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <QAbstractTextDocumentLayout>
 #include <QTextBlock>
 #include <QTextCursor>
+#include <QTextDocumentFragment>
 #include <QTextLayout>
+#include <QTextList>
 #include <QTextTable>
 
 namespace study::report {
@@ -24,9 +27,10 @@ struct Item {
   QTextBlock block;             ///< of a table: the empty one after it, if there is one
   QTextTable* table = nullptr;  ///< nullptr for a paragraph
   double top = 0.0;
-  double bottom = 0.0;        ///< its end
-  double figureHeight = 0.0;  ///< of a paragraph with a figure
-  double firstPart = 0.0;     ///< the end of what has to be on the same page as its top
+  double bottom = 0.0;          ///< its end
+  double figureHeight = 0.0;    ///< of a paragraph with a figure
+  double firstPart = 0.0;       ///< the end of what has to be on the same page as its top
+  std::optional<int> division;  ///< of a table: the row to continue with, see divisionOf()
   bool isHeading = false;
   bool isFigure = false;
 
@@ -59,21 +63,56 @@ bool spansColumns(const QTextTable& table, int row) {
   return table.columns() > 1 && table.cellAt(row, 0).columnSpan() == table.columns();
 }
 
-/// Whether the page breaks of the current layout leave enough rows of a table on each side.
-bool isWellDivided(const QTextDocument& document, const QTextTable& table) {
+/// The row with which a table that crosses the end of its page is best continued on the next one:
+/// the first of a group of rows, or, without groups, one that leaves several rows on each page;
+/// std::nullopt if there is none, or if the table is on one page.
+std::optional<int> divisionOf(const QTextDocument& document, const QTextTable& table) {
   const auto pageOf = [&](int row) {
     const auto block = table.cellAt(row, 0).firstCursorPosition().block();
     const double middle = document.documentLayout()->blockBoundingRect(block).center().y();
     return static_cast<int>(middle / document.pageSize().height());
   };
-  int since = 0;  // the first row on the page
-  for (int row = 1; row < table.rows(); ++row) {
-    if (pageOf(row) == pageOf(row - 1)) continue;
-    const bool isTooEarly = since == 0 && row < kFirstRows;
-    if (isTooEarly || table.rows() - row < kLastRows || spansColumns(table, row - 1)) return false;
-    since = row;
+  int first = 1;  // of the next page
+  while (first < table.rows() && pageOf(first) == pageOf(0)) ++first;
+  if (first == table.rows()) return std::nullopt;
+  int group = first;
+  while (group > kFirstRows - 2 && !spansColumns(table, group)) --group;
+  if (group >= kFirstRows - 1 && table.rows() - group >= kLastRows - 1) return group;
+  const bool hasGroups = spansColumns(table, first - 1) || spansColumns(table, group);
+  if (first < kFirstRows || table.rows() - first < kLastRows || hasGroups) return std::nullopt;
+  return first;
+}
+
+/// Copies a cell with its format and text.
+void copyCell(const QTextTableCell& from, QTextTableCell to) {
+  to.setFormat(from.format());
+  auto cursor = to.firstCursorPosition();
+  cursor.setBlockFormat(from.firstCursorPosition().blockFormat());
+  auto content = from.firstCursorPosition();
+  content.setPosition(from.lastPosition(), QTextCursor::KeepAnchor);
+  cursor.insertFragment(content.selection());
+}
+
+/// Moves the rows of a table from @p row on to a table of their own on the next page.
+void divide(QTextTable& table, int row, const QString& continued) {
+  const int heads = table.format().headerRowCount();
+  const int moved = table.rows() - row;
+  QTextCursor cursor(table.document());
+  cursor.setPosition(table.lastPosition() + 1);
+  auto format = table.format();
+  format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+  auto* next = cursor.insertTable(heads + moved, table.columns(), format);
+  for (int i = 0; i < heads + moved; ++i) {
+    const int source = i < heads ? i : row + i - heads;
+    for (int column = 0; column < table.columns(); ++column) {
+      const auto cell = table.cellAt(source, column);
+      if (cell.column() != column) continue;  // covered by one that spans columns
+      if (cell.columnSpan() > 1) next->mergeCells(i, column, 1, cell.columnSpan());
+      copyCell(cell, next->cellAt(i, column));
+    }
   }
-  return true;
+  next->cellAt(0, 0).lastCursorPosition().insertText(QStringLiteral(" (%1)").arg(continued));
+  table.removeRows(row, moved);
 }
 
 Item itemOf(const QTextDocument& document, QTextTable* table) {
@@ -91,8 +130,9 @@ Item itemOf(const QTextDocument& document, QTextTable* table) {
   Item item{.table = table, .top = where.top(), .bottom = where.bottom()};
   if (isEmpty) item.block = after;
   item.firstPart = item.bottom;
-  if (table->rows() < kFirstRows + kLastRows || !isWellDivided(document, *table)) return item;
-  const auto block = table->cellAt(kFirstRows - 1, 0).firstCursorPosition().block();
+  item.division = divisionOf(document, *table);
+  if (!item.division) return item;
+  const auto block = table->cellAt(*item.division - 1, 0).firstCursorPosition().block();
   item.firstPart = layout->blockBoundingRect(block).bottom();
   return item;
 }
@@ -209,11 +249,20 @@ bool isShrunk(const Item& item) {
   return false;
 }
 
+double headHeightOf(const QTextTable& table) {
+  const auto topOf = [&](int row) {
+    const auto block = table.cellAt(row, 0).firstCursorPosition().block();
+    return table.document()->documentLayout()->blockBoundingRect(block).top();
+  };
+  return topOf(table.format().headerRowCount() - 1) - topOf(0);
+}
+
 /// Shrinks the figure before a table, if the table then fits on the same page.
 bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom) {
   if (table < 2 || items[table].table == nullptr || !items[table - 2].isFigure) return false;
   const auto& figure = items[table - 2];
-  const double tooMuch = items[table].bottom - bottom;
+  // on one page its head is there only once
+  const double tooMuch = items[table].bottom - bottom - headHeightOf(*items[table].table);
   const double factor = 1.0 - tooMuch / figure.figureHeight;
   const bool isHelpful = tooMuch < items[table].bottom - items[table].top && factor >= kLeastScale;
   if (!isHelpful || isShrunk(figure)) return false;
@@ -297,7 +346,7 @@ void layOutAgain(QTextDocument& document) {
   document.setPageSize(size);
 }
 
-void breakPages(QTextDocument& document) {
+void breakPages(QTextDocument& document, const QString& continued) {
   const double page = document.pageSize().height();
   // A change does not move the items before it, so each item is changed at most three times.
   for (std::size_t begin = 0, looked = 0;;) {
@@ -318,9 +367,55 @@ void breakPages(QTextDocument& document) {
       layOutAgain(document);
       continue;
     }
-    if (beginPageAfterTable(items, begin, page)) layOutAgain(document);
+    if (items[begin].division) {
+      const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
+      if (shrinkFor(items, begin, bottom)) {
+        layOutAgain(document);
+        continue;
+      }
+      divide(*items[begin].table, *items[begin].division, continued);
+      layOutAgain(document);
+    }
+    if (beginPageAfterTable(itemsOf(document), begin, page)) layOutAgain(document);
     ++begin;  // the rest of a chain is checked again: its heading may have filled a page
   }
+}
+
+void numberContents(QTextDocument& document) {
+  const double page = document.pageSize().height();
+  std::vector<QTextBlock> entries;
+  bool isInContents = false;
+  std::size_t next = 0;  // the entry whose heading comes next
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    const auto format = block.blockFormat();
+    if (format.headingLevel() == 2) {
+      entries.clear();
+      next = 0;
+      isInContents = true;
+    } else if (isInContents && block.textList() != nullptr) {
+      entries.push_back(block);
+    } else if (format.headingLevel() == 3) {
+      isInContents = false;
+      if (next == entries.size()) continue;
+      const double top = document.documentLayout()->blockBoundingRect(block).center().y();
+      QTextCursor entry(entries[next++]);
+      entry.movePosition(QTextCursor::EndOfBlock);
+      auto own = entry.blockFormat();
+      const double scale = document.documentLayout()->paintDevice()->logicalDpiX() / 96.0;
+      const double indent = document.indentWidth() * (entry.currentList()->format().indent() + 1);
+      if (own.tabPositions().isEmpty()) {
+        own.setTabPositions({QTextOption::Tab(
+            document.pageSize().width() / scale - indent, QTextOption::RightTab)});
+        entry.setBlockFormat(own);
+      } else {
+        const auto tab = entry.block().text().lastIndexOf(u'\t');
+        entry.setPosition(
+            entry.block().position() + static_cast<int>(tab), QTextCursor::KeepAnchor);
+      }
+      entry.insertText(QStringLiteral("\t%1").arg(static_cast<int>(top / page) + 1));
+    }
+  }
+  layOutAgain(document);
 }
 
 }  // namespace study::report

@@ -19,9 +19,14 @@ void fitColumns(QTextDocument& document);
 
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
-/// table is divided only if several rows are on each page and the last row of a page is not a
-/// heading of the rows below it.
-void breakPages(QTextDocument& document);
+/// table is divided between its groups of rows, or where several rows are on each page; what is on
+/// the next page has the same head and is marked as @p continued, in brackets.
+void breakPages(QTextDocument& document, const QString& continued);
+
+/// Gives the entries of each list of contents, which follows a heading of the second level that
+/// begins a page, the number of the page of their heading of the third level. Has to be called
+/// before breakPages() with room for the numbers, and again after it.
+void numberContents(QTextDocument& document);
 
 /// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks
 /// undrawn (Qt 6.4).

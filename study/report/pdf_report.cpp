@@ -24,6 +24,7 @@
 #include "study/report/page_layout.h"
 #include "study/report/print_html.h"
 #include "study/session/study.h"
+#include "study/words/words.h"
 
 namespace study::report {
 namespace {
@@ -218,8 +219,10 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   constexpr double kFooter = 12.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);
-  breakPages(document);
+  numberContents(document);  // makes room for the numbers
+  breakPages(document, QString::fromStdString(words::wordsIn(page.language)("continued")));
   splitAtPages(document);
+  numberContents(document);
   paintPages(document, writer, font);
   return buffer.data().toStdString();
 }
