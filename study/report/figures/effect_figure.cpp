@@ -9,7 +9,7 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 34.0};
+constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 25.0};
 
 /// A scale that covers all intervals, the equivalence bounds, and zero.
 AxisScale effectScale(const FamilyResult& family) {

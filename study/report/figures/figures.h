@@ -56,9 +56,9 @@ void paintPositionFigure(
 /// Whether a raincloud has densities; a small figure has none.
 enum class Clouds { Shown, Hidden };
 
-/// The rating of every method by every participant: a dot for each, equal ones above one another;
-/// above them their density, between them the interquartile range and the median; a diamond is the
-/// mean. After Allen et al. 2021 (raincloud plots).
+/// The ratings of every method: density of the participants' means, interquartile range and median;
+/// a diamond is the mean. Fewer than ten participants have a dot each, equal ones below one
+/// another. After Allen et al. 2021 (raincloud plots).
 QSizeF raincloudFigureSize(
     const FamilyResult& family, const FigureFormat& format, Clouds clouds = Clouds::Shown);
 void paintRaincloudFigure(

@@ -117,7 +117,7 @@ class LikertPainter {
         isNarrow_ ? QRectF(0, nameAt, width_, kNameLine)
                   : QRectF(width_ - kRight + 10, y, kRight - 10, kBar),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-        QString::fromStdString("μ " + rounded(condition.answers.mean(), 1)));
+        QString::fromStdString("M = " + rounded(condition.answers.mean(), 1)));
   }
 
   void segment(const QRectF& where, int index, int points, std::uint64_t count) {

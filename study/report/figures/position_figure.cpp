@@ -8,7 +8,7 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kPositionRows{.names = 190.0, .texts = 180.0, .height = 26.0};
+constexpr RowMeasures kPositionRows{.names = 190.0, .texts = 180.0, .height = 20.0};
 
 }  // namespace
 

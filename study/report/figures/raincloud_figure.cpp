@@ -14,10 +14,12 @@ namespace {
 
 constexpr RowMeasures kCloudRows{.names = 190.0, .texts = 110.0, .height = 84.0};
 constexpr double kCloud = 34.0;  // of a row, from its top
+constexpr RowMeasures kDryRows{.names = 190.0, .texts = 110.0, .height = 52.0};
 constexpr RowMeasures kRainRows{.names = 190.0, .texts = 110.0, .height = 54.0};
 constexpr double kNoCloud = 4.0;
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
+constexpr std::size_t kMostDots = 9;  // of more people a box says enough, and names nobody
 constexpr double kMargin = 0.075;     // beside the scale, as a share of its width
 constexpr double kLeastWidth = 0.02;  // of a density, as a share of the scale's width
 
@@ -57,8 +59,14 @@ double bandwidthOf(const std::vector<double>& sorted, double least) {
   return std::max(0.9 * spread * std::pow(n, -0.2), least);
 }
 
-const RowMeasures& rowsOf(Clouds clouds) {
-  return clouds == Clouds::Shown ? kCloudRows : kRainRows;
+const RowMeasures& rowsOf(const FamilyResult& family, Clouds clouds) {
+  if (clouds == Clouds::Hidden) return kRainRows;
+  for (const auto& cohort : family.cohorts) {
+    for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
+      if (valuesOf(cohort.table, method).size() <= kMostDots) return kCloudRows;
+    }
+  }
+  return kDryRows;
 }
 
 class RaincloudPainter {
@@ -74,7 +82,7 @@ class RaincloudPainter {
         family_(family),
         format_(format),
         clouds_(clouds),
-        rows_(rowsOf(clouds)),
+        rows_(rowsOf(family, clouds)),
         cloud_(clouds == Clouds::Shown ? kCloud : kNoCloud),
         lowest_(family.cohorts.front().table.lowest),
         highest_(family.cohorts.front().table.highest),
@@ -111,7 +119,7 @@ class RaincloudPainter {
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
     if (values.empty()) return canvas_.words(number, y, rows_.height / 2);
-    const std::string mean = "μ = " + rounded(meanOf(values), 2);
+    const std::string mean = "M = " + rounded(meanOf(values), 2);
     if (canvas_.isNarrow()) {
       canvas_.words(mean + ", " + number, y, rows_.height / 2);
     } else {
@@ -122,7 +130,7 @@ class RaincloudPainter {
     const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
     if (values.size() > 2 && clouds_ == Clouds::Shown) cloud(values, y + cloud_, colour);
     box(values, y + cloud_ + 4 + kBox / 2, colour);
-    rain(values, y + cloud_ + kBox + 10, colour);
+    if (values.size() <= kMostDots) rain(values, y + cloud_ + kBox + 10, colour);
   }
 
   /// The density within the scale's ends, scaled to the height of its row.
@@ -203,8 +211,9 @@ class RaincloudPainter {
 QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format, Clouds clouds) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
-                                         RowsCanvas::rowHeight(format, rowsOf(clouds).height);
+    height +=
+        RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
+                                   RowsCanvas::rowHeight(format, rowsOf(family, clouds).height);
   }
   return {format.layoutWidth(), height};
 }

@@ -161,7 +161,7 @@ TEST(PdfReport, AnswersOnAtMostThreePagesAndOnOneOfASingleParticipant) {
     const auto answering = pageOfAppendix(*pages);
     ASSERT_LT(answering, pages->size()) << protocol;
     EXPECT_LE(answering, most) << protocol << ", " << participants;
-    EXPECT_LE(pageWith(*pages, "Figure 2."), figure) << protocol << ", " << participants;
+    EXPECT_LE(pageWith(*pages, "Figure 1."), figure) << protocol << ", " << participants;
   }
 }
 
