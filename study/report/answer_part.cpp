@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/report/family_captions.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -157,7 +156,7 @@ class AnswerWriter : HtmlWriter {
     const auto kind = *mainFigureOf(s_, family);
     const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
                          : kind == MainFigure::Answers   ? kAnswersCaption
-                                                         : peopleCaption(family);
+                                                         : kPeopleCaption;
     figure(mainSvg(family), caption, "answer-figure");
   }
 

@@ -1,13 +1,9 @@
-#include "study/report/family_section.h"
-
 #include <algorithm>
 
 #include "study/model/data_table.h"
-#include "study/report/family_captions.h"
-#include "study/report/family_checks.h"
-#include "study/report/family_tests.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
 #include "study/results/results_text.h"
 
 namespace study::report {
@@ -29,11 +25,11 @@ class FamilyWriter : HtmlWriter {
     if (isShownByPoint(f_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
     }
-    figureOrReference(MainFigure::People, figures_.people, peopleCaption(f_));
+    figureOrReference(MainFigure::People, figures_.people, kPeopleCaption);
     if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
     html_ += sitesAsHtml(s_, f_, figures_.sites);
-    html_ += checksAsHtml(s_, f_, figures_.positions);
+    checks();
     return std::move(html_);
   }
 
@@ -136,6 +132,90 @@ class FamilyWriter : HtmlWriter {
          rounded(test.df, 2),
          cellOfP(test.p),
          isBold ? "<strong>" + adjusted + "</strong>" : adjusted});
+  }
+
+  /// The effect of order, and the reliability of the scale.
+  void checks() {
+    if (std::ranges::any_of(f_.cohorts, hasSlope)) {
+      put("<h4>{}</h4>", say("The order"));
+      order();
+    }
+    if (std::ranges::any_of(f_.cohorts, hasChecks)) {
+      put("<h4>{}</h4>", say("The scale"));
+      scale();
+    }
+  }
+
+  static bool hasSlope(const CohortResult& part) { return part.position.slope.p.has_value(); }
+
+  static bool isChecked(const analysis::MethodChecks& method) {
+    return method.alpha.value || method.omega.value || method.normality.w;
+  }
+  static bool hasChecks(const CohortResult& part) {
+    return std::ranges::any_of(part.checks.methods, isChecked);
+  }
+
+  void order() {
+    put("<ul>");
+    for (const auto& part : f_.cohorts) {
+      if (!hasAnswers(part)) continue;
+      const auto& slope = part.position.slope;
+      if (!slope.p) {
+        put("<li>{}: {}</li>",
+            cohort(part.cohort),
+            say("no slope over positions: {}.", s_.inWords(slope.reason)));
+        continue;
+      }
+      put("<li>{}: {}</li>",
+          cohort(part.cohort),
+          say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
+              rounded(slope.meanDifference, 2),
+              formatInterval(part.position.slopeInterval, s_.wording, s_.words),
+              slope.degreesOfFreedom.value_or(0.0),
+              rounded(slope.t, 2),
+              equalsOfP(slope.p)));
+    }
+    put("</ul>");
+  }
+
+  void scale() {
+    table(
+        say("Reliability of the statements and distribution of participants’ means"),
+        {say("Method"),
+         say("Statements"),
+         say("Cronbach’s α"),
+         say("95 % CI"),
+         say("McDonald’s ω"),
+         say("Shapiro–Wilk W"),
+         kP});
+    for (const auto& part : f_.cohorts) {
+      if (!hasChecks(part)) continue;
+      const auto& spread = part.checks.spread;
+      rowOver(
+          cohort(part.cohort) + (spread.p ? say(": Brown–Forsythe F({:g}, {:g}) = {}, p {}",
+                                                *spread.degreesOfFreedom1,
+                                                *spread.degreesOfFreedom2,
+                                                rounded(spread.f, 2),
+                                                equalsOfP(spread.p))
+                                          : std::string()));
+      for (const auto& method : part.checks.methods) {
+        if (!isChecked(method)) continue;
+        row(
+            {condition(method.method),
+             std::to_string(method.alpha.items),
+             cellOf(method.alpha.value, 2),
+             cellOf(method.alpha.interval),
+             cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
+             cellOf(method.normality.w, 3),
+             cellOfP(method.normality.p)});
+      }
+    }
+    endTable();
+    note(
+        "α and ω: whether the statements about a method agree; † marks an ω whose factor explains "
+        "a "
+        "statement completely. W: whether participants’ means are normal, and Brown and Forsythe’s "
+        "F whether methods vary alike; no test above depends on either.");
   }
 
   const FamilyResult& f_;

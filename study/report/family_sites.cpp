@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "study/report/family_tests.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -32,7 +31,6 @@ class SitesWriter : HtmlWriter {
          say("Weight")});
     forEachComparison([&](const auto& sites, const auto& row) { comparison(sites, row); });
     endTable();
-    leaveOneOut();
     note(
         "Exploratory. One effect: sites differ by chance alone. Random effects: the difference "
         "itself varies between sites, with the variance τ². Of few sites τ² and I² are known "
@@ -101,36 +99,6 @@ class SitesWriter : HtmlWriter {
       return row({which}, notDefined(test.reason));
     }
     row({which, "", rounded(test.estimate.value, 2), cellOf(test.interval), cellOfP(test.p), ""});
-  }
-
-  void leaveOneOut() {
-    const auto hasSome = [](const auto& part) {
-      return part.sites && std::ranges::any_of(part.sites->rows, [](const auto& row) {
-               return !row.leaveOneOut.empty();
-             });
-    };
-    const auto caption = say("Without one site (REML, Knapp–Hartung)");
-    if (std::ranges::none_of(f_.cohorts, hasSome)) return;
-    table(
-        caption,
-        {say("Site"),
-         say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
-         kP,
-         "I²",
-         "τ²"});
-    forEachComparison([&](const auto&, const auto& comparison) {
-      for (const auto& [site, left] : comparison.leaveOneOut) {
-        row(
-            {say("All sites but {}", site),
-             rounded(left.estimate, 2),
-             cellOf(left.interval),
-             cellOfP(left.p),
-             rounded(100.0 * left.iSquared, 0) + " %",
-             rounded(left.tauSquared, 3)});
-      }
-    });
-    endTable();
   }
 
   const FamilyResult& f_;

@@ -1,11 +1,8 @@
-#include "study/report/family_tests.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "analysis/registry/registry.h"
-#include "study/report/family_captions.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -52,7 +49,6 @@ class TestsWriter : HtmlWriter {
     differences();
     tests();
     if (mainFigureOf(s_, f_) != MainFigure::Differences) figure(effects, differencesCaption(f_));
-    probabilities();
     between();
     return std::move(html_);
   }
@@ -180,38 +176,6 @@ class TestsWriter : HtmlWriter {
     note(
         f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
                       : "* the test that the protocol names; exploratory");
-  }
-
-  void probabilities() {
-    const auto& first = f_.cohorts.front().within.probabilities;
-    if (first.empty()) return;
-    table(
-        say("How likely answers of {:g} or more are, by the ordinal mixed model",
-            first.front().additional("from").value_or(0.0)),
-        {say("Method"),
-         say("Answers"),
-         say("Observed share"),
-         say("Probability"),
-         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha))});
-    for (const auto& part : f_.cohorts) {
-      if (!isTested(part)) continue;
-      rowOver(cohort(part.cohort));
-      for (const auto& test : part.within.probabilities) probability(test);
-    }
-    endTable();
-    note(
-        "The probability is that of all people for whom the participants stand, with the leniency "
-        "and the taste that the model gives them; rounds count equally (exploratory).");
-  }
-
-  void probability(const analysis::TestRow& test) {
-    if (!test.effect.value) return row({condition(test.group1)}, notDefined(test.reason));
-    row(
-        {condition(test.group1),
-         std::to_string(test.n1.value_or(0)),
-         cellOf(test.statistic.value, 2),
-         rounded(test.effect.value, 2),
-         cellOf(test.effectInterval)});
   }
 
   void difference(const analysis::WithinComparison& c, bool areShown) {

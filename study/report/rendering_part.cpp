@@ -157,9 +157,6 @@ class RenderingWriter : HtmlWriter {
     if (q.worstLateness) {
       paragraph(
           "In the worst trial 99 % of the ticks were at most {:.0f} µs late.", *q.worstLateness);
-      figure(
-          s_.figures.timing,
-          "How late the ticks of every trial were: 99 % of them at most, and the latest.");
     } else {
       paragraph("The trials ran in virtual time, so there is no lateness to report.");
     }

@@ -58,10 +58,6 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     quality.contact += trial.contact;
     if (trial.latenessP99) {
       quality.worstLateness = std::max(quality.worstLateness.value_or(0.0), *trial.latenessP99);
-      quality.timings.push_back(
-          {.device = trial.device,
-           .p99 = *trial.latenessP99,
-           .largest = trial.latenessLargest.value_or(*trial.latenessP99)});
     }
     addReasons(quality.reasons, trial.reasons);
     auto& ofCondition = cutOff[trial.step.condition];
@@ -257,13 +253,11 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
     if (!svg.empty()) named.emplace_back(name, svg);
   };
   const auto& all = section.figures;
-  add("participants", all.flow);
   for (std::size_t i = 0; i < all.families.size(); ++i) {
     const auto& id = section.results.families[i].family.id;
     add(id + "-answers", all.families[i].answers);
     add(id + "-people", all.families[i].people);
     add(id + "-effects", all.families[i].effects);
-    add(id + "-order", all.families[i].positions);
     add(id + "-sites", all.families[i].sites);
   }
   add("preferences", all.votes);
@@ -271,7 +265,6 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   for (std::size_t i = 0; i < all.felt.size(); ++i) {
     add("felt" + (all.felt.size() > 1 ? "-" + std::to_string(i + 1) : std::string()), all.felt[i]);
   }
-  add("timing", all.timing);
   return named;
 }
 

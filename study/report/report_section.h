@@ -18,11 +18,10 @@ namespace study::report {
 
 /// Figures as SVG elements; empty if they were not painted.
 struct FamilyFigures {
-  std::string answers;    ///< how often each point was chosen
-  std::string people;     ///< the rating of every participant
-  std::string effects;    ///< differences between methods
-  std::string positions;  ///< the effect of order
-  std::string sites;      ///< differences by site, pooled; empty if there are not several
+  std::string answers;  ///< how often each point was chosen
+  std::string people;   ///< the rating of every participant
+  std::string effects;  ///< differences between methods
+  std::string sites;    ///< differences by site, pooled; empty if there are not several
 };
 
 /// The answers to one item, by alternative.
@@ -33,19 +32,10 @@ struct ItemFigure {
 };
 
 struct Figures {
-  std::string flow;  ///< of participants
   std::vector<FamilyFigures> families;
   std::vector<ItemFigure> items;
   std::string votes;
   std::vector<std::string> felt;  ///< one for each device
-  std::string timing;
-};
-
-/// The lateness of one trial's ticks.
-struct TrialTiming {
-  std::string device;
-  double p99 = 0.0;      ///< [µs]
-  double largest = 0.0;  ///< [µs]
 };
 
 /// The trials of a condition whose scene asked for more force than the device may give.
@@ -76,7 +66,6 @@ struct TrialQuality {
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
   std::vector<CutOffTrials> cutOff;   ///< by condition, in the protocol's order
   std::vector<TrialReasons> reasons;  ///< of all trials that did not pass, the force apart
-  std::vector<TrialTiming> timings;   ///< in the order of the trials; empty in simulated time
 };
 
 /// Where the cuts of a condition have a landmark, over all that count; each cut counts once.

@@ -2,7 +2,6 @@
 #include <array>
 
 #include "study/model/data_table.h"
-#include "study/report/family_section.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/answer_tables.h"
@@ -84,80 +83,53 @@ class ParticipantWriter : HtmlWriter {
   }
 
  private:
-  struct Column {
-    std::string_view heading;
-    int CohortFlow::*count;
-    bool isAlways = false;  ///< shown also where all counts are 0
-  };
-
-  bool isShown(const Column& column) const {
-    return column.isAlways || std::ranges::any_of(s_.results.flow, [&](const auto& flow) {
-             return flow.*column.count != 0;
-           });
-  }
+  using Count = std::pair<std::string_view, int CohortFlow::*>;
+  static constexpr std::array<Count, 8> kColumns{
+      {{"Enrolled", &CohortFlow::enrolled},
+       {"Completed", &CohortFlow::completed},
+       {"In progress", &CohortFlow::inProgress},
+       {"Declined", &CohortFlow::declined},
+       {"Withdrawn", &CohortFlow::withdrawn},
+       {"Rejected", &CohortFlow::rejected},
+       {"Device failed", &CohortFlow::abortedHardware},
+       {"Erased", &CohortFlow::erased}}};
 
   void flow() {
-    constexpr std::array<Column, 8> kColumns{
-        {{"Enrolled", &CohortFlow::enrolled, true},
-         {"Completed", &CohortFlow::completed, true},
-         {"In progress", &CohortFlow::inProgress},
-         {"Declined", &CohortFlow::declined},
-         {"Withdrawn", &CohortFlow::withdrawn},
-         {"Rejected", &CohortFlow::rejected},
-         {"Device failed", &CohortFlow::abortedHardware},
-         {"Erased", &CohortFlow::erased}}};
     heading("Participants");
     int enrolled = 0;
+    bool isAnyErased = false;
     std::string cohorts;
     for (const auto& flow : s_.results.flow) {
       enrolled += flow.enrolled;
+      isAnyErased = isAnyErased || flow.erased > 0;
       if (flow.completed == 0) continue;
       cohorts += (cohorts.empty() ? "" : ", ") + cohort(flow.cohort) + " " +
                  std::to_string(flow.completed);
     }
-    const bool haveAllCompleted = s_.results.completed() == enrolled;
-    const bool isDrawn = !haveAllCompleted && !s_.figures.flow.empty();
-    const auto where = isDrawn ? reference("participants") : cohorts;
     put("<p>{}{}.</p>",
         say("{} of {} enrolled participants completed their sessions",
             s_.results.completed(),
             enrolled),
-        where.empty() ? where : " (" + where + ")");
-    if (isDrawn) {
-      figure(s_.figures.flow, "Participants from enrolment to the comparison", "participants");
-    } else if (!haveAllCompleted) {
-      counts(kColumns);
-    }
-    if (!haveAllCompleted) notes(isShown(kColumns.back()));
-  }
-
-  /// The figure's numbers as a table, for builds without figures.
-  void counts(const std::array<Column, 8>& columns) {
-    std::vector<std::string> headings;
-    for (const auto& column : columns) {
-      const auto title = say(column.heading);  // of all columns: tests find missing translations
-      if (isShown(column)) headings.push_back(title);
-    }
-    const auto begin = [&](std::string_view caption, std::string_view first) {
-      auto all = headings;
-      all.insert(all.begin(), say(first));
-      table(say(caption), all);
-    };
-    const auto add = [&](const std::string& who, const CohortFlow& flow) {
-      std::vector<std::string> cells{who};
-      for (const auto& column : columns) {
-        if (isShown(column)) cells.push_back(std::to_string(flow.*column.count));
-      }
-      row(cells);
-    };
-    begin("Who took part", "Cohort");
+        cohorts.empty() ? cohorts : " (" + cohorts + ")");
+    std::vector<std::string> headings{say("Cohort")};
+    for (const auto& [column, count] : kColumns) headings.push_back(say(column));
+    if (s_.results.completed() == enrolled) return;
+    table(say("Who took part"), headings);
     for (const auto& flow : s_.results.flow) add(cohort(flow.cohort), flow);
     endTable();
-    if (!s_.results.siteFlow.empty()) {
-      begin("Who took part, by site", "Site");
-      for (const auto& [site, flow] : s_.results.siteFlow) add(escaped(site), flow);
-      endTable();
+    headings.front() = say("Site");
+    table(say("Who took part, by site"), headings);
+    for (const auto& [site, flow] : s_.results.siteFlow) add(escaped(site), flow);
+    endTable();
+    notes(isAnyErased);
+  }
+
+  void add(const std::string& who, const CohortFlow& flow) {
+    std::vector<std::string> cells{who};
+    for (const auto& [column, count] : kColumns) {
+      cells.push_back(flow.*count == 0 ? std::string() : std::to_string(flow.*count));
     }
+    row(cells);
   }
 
   void notes(bool isAnyErased) {

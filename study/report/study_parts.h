@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,23 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
 
 /// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);
+
+/// One family of questions: the answers, the tests within people, between cohorts and, where they
+/// are declared, of pooled answers, the effect of order, and the reliability of the scale. The
+/// declared test is confirmatory, all others are exploratory.
+/// @param figures  of the family; empty if none were painted.
+std::string familyAsHtml(
+    const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures);
+
+/// Its comparisons within people and between cohorts.
+/// @param figure  of the effects.
+std::string withinAsHtml(
+    const ReportSection& section, const FamilyResult& family, const std::string& figure);
+
+/// Its differences at each site and pooled over sites; empty if there is only one site.
+/// @param figure  the forest plot.
+std::string sitesAsHtml(
+    const ReportSection& section, const FamilyResult& family, const std::string& figure);
 
 /// The preferences, with their figure.
 std::string preferencesAsHtml(const ReportSection& section);
@@ -88,5 +106,57 @@ std::span<const CommonPart> commonParts() noexcept;
 
 /// All parts that are not empty, in the order of the page.
 std::vector<AppendixPart> appendixOf(const ReportSection& section);
+
+// The figures of a family that may be shown beside the answer, with their captions in English.
+
+inline constexpr std::string_view kAnswersCaption =
+    "How often each point was chosen. Answers to negative statements are reversed, so that right "
+    "is good; the middle of the scale is centred. Numbers are counts.";
+
+inline constexpr std::string_view kPeopleCaption =
+    "What participants thought, by the mean of all that each answered about a method: the box "
+    "holds "
+    "the middle half, with the median; the diamond is the mean. Dots are single people, where "
+    "there "
+    "are fewer than ten.";
+
+inline constexpr std::string_view kDifferencesCaption =
+    "Mean differences within people with their intervals at 1 − α.";
+
+inline constexpr std::string_view kShadedDifferencesCaption =
+    "Mean differences within people with their intervals at 1 − α. Shaded are differences that "
+    "count as none.";
+
+inline constexpr std::string_view kCorrectedDifferencesCaption =
+    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
+    "α/m, as wide as Bonferroni’s correction asks of m comparisons.";
+
+inline constexpr std::string_view kShadedCorrectedDifferencesCaption =
+    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
+    "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded are differences that "
+    "count as none.";
+
+/// The largest number of points of a scale whose answers are counted point by point.
+inline constexpr int kMostBars = 11;
+
+/// Whether the answers to a family are counted point by point.
+inline bool isShownByPoint(const FamilyResult& family) {
+  const auto& table = family.cohorts.front().table;
+  return table.isOfPoints && table.highest - table.lowest < kMostBars;
+}
+
+/// The figure beside the answer.
+enum class MainFigure {
+  Differences,  ///< of the declared test within people
+  Answers,      ///< counts per point; for the pooled test, or if nothing is tested
+  People,       ///< means of participants; in place of Answers if the scale has many points
+};
+
+/// The caption of the figure of differences.
+std::string_view differencesCaption(const FamilyResult& family);
+
+/// The figure to show beside the answer for @p family; std::nullopt if another family is the main
+/// one.
+std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family);
 
 }  // namespace study::report

@@ -30,7 +30,7 @@ class VerdictWriter {
   }
 
  private:
-  /// Which alternative was named most often.
+  /// Which alternative was named most often; empty if several were.
   std::string votes() {
     for (const auto& table : voteTables(s_.results)) {
       const auto total = table.total.total();
@@ -45,20 +45,16 @@ class VerdictWriter {
       for (const auto& cohort : table.cohorts) {
         for (const auto* vote : cohort.rounds) rounds.insert(vote->phase);
       }
-      if (named.size() == 1) best_ = named.front();
-      for (auto& name : named) name = s_.introducedTitle(name);
-      return said(*rounds.begin(), named, most, total, rounds.size());
+      if (named.size() > 1) continue;
+      best_ = named.front();
+      return said(*rounds.begin(), most, total, rounds.size());
     }
     return {};
   }
 
   /// @param phase  one that asked
   std::string said(
-      const std::string& phase,
-      const Names& named,
-      std::uint64_t most,
-      std::uint64_t total,
-      std::size_t rounds) const {
+      const std::string& phase, std::uint64_t most, std::uint64_t total, std::size_t rounds) const {
     const auto people = s_.results.completed();
     const auto origin =
         total != static_cast<std::uint64_t>(people) * rounds ? words_.say("in {} rounds", rounds)
@@ -66,23 +62,11 @@ class VerdictWriter {
             ? words_("one vote each")
             : words_.count(people, "{} person × {} rounds", "{} people × {} rounds", rounds);
     const auto asked = questionIn(phase);
-    if (named.size() > 1) {
-      return words_.count(
-          people,
-          "{} participant named {} equally often, and more often than others: {} of {} votes each "
-          "({}).",
-          "{} participants named {} equally often, and more often than others: {} of {} votes each "
-          "({}).",
-          joined(named),
-          most,
-          total,
-          origin);
-    }
     const auto resembled = words_.count(
         people,
         "To {} participant, {} resembled the real tool most: {} of {} votes ({}).",
         "To {} participants, {} resembled the real tool most: {} of {} votes ({}).",
-        named.front(),
+        s_.introducedTitle(best_),
         most,
         total,
         origin);
@@ -91,7 +75,7 @@ class VerdictWriter {
         "Asked “{1}”, {0} participant named {2}: {3} of {4} votes ({5}).",
         "Asked “{1}”, {0} participants named {2} most often: {3} of {4} votes ({5}).",
         asked == nullptr ? std::string() : questionOf(*asked, words_.language()),
-        named.front(),
+        s_.introducedTitle(best_),
         most,
         total,
         origin);

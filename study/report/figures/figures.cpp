@@ -1,10 +1,7 @@
 #include "study/report/figures/figures.h"
 
 #include <algorithm>
-#include <map>
 
-#include "study/report/family_captions.h"
-#include "study/report/figures/chart_painter.h"
 #include "study/report/figures/svg_canvas.h"
 #include "study/report/study_parts.h"
 
@@ -27,18 +24,13 @@ FamilyFigures figuresOf(
         [&](QPainter& painter) { paintLikertFigure(painter, section, family, format); },
         format);
   }
-  const auto clouds = hasDensities(family) ? Clouds::Shown : Clouds::Hidden;
   figures.people = asSvg(
-      raincloudFigureSize(family, format, clouds),
-      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format, clouds); },
+      peopleFigureSize(family, format),
+      [&](QPainter& painter) { paintPeopleFigure(painter, section, family, format); },
       format);
   figures.effects = asSvg(
       effectFigureSize(family, format),
       [&](QPainter& painter) { paintEffectFigure(painter, section, family, format); },
-      format);
-  figures.positions = asSvg(
-      positionFigureSize(family, format),
-      [&](QPainter& painter) { paintPositionFigure(painter, section, family, format); },
       format);
   if (const auto size = siteFigureSize(family, format); !size.isEmpty()) {
     figures.sites = asSvg(
@@ -99,47 +91,15 @@ std::string itemFigure(
   if (answerKindOf(item.type) != questionnaires::AnswerKind::Number) return {};
   const auto family = asFamily(item, summaries);
   return asSvg(
-      raincloudFigureSize(family, format, Clouds::Hidden),
-      [&](QPainter& painter) {
-        paintRaincloudFigure(painter, section, family, format, Clouds::Hidden);
-      },
+      peopleFigureSize(family, format),
+      [&](QPainter& painter) { paintPeopleFigure(painter, section, family, format); },
       format);
-}
-
-/// The 99th percentile and the largest lateness of each trial.
-std::string timingFigure(const ReportSection& section, const FigureFormat& format) {
-  std::map<std::string, std::pair<ChartSeries, ChartSeries>> byDevice;
-  int number = 0;
-  for (const auto& timing : section.quality.timings) {
-    ++number;
-    auto& [p99, largest] = byDevice[timing.device];
-    p99.points.push_back({.x = static_cast<double>(number), .y = std::max(timing.p99, 0.1)});
-    largest.points.push_back(
-        {.x = static_cast<double>(number), .y = std::max(timing.largest, 0.1)});
-  }
-  Chart chart{
-      .x = {.title = section.words("trial, in the order of the study")},
-      .y = {.title = section.words("lateness of its ticks [µs]"), .isLogarithmic = true},
-      .series = {}};
-  for (auto& [device, pair] : byDevice) {
-    for (auto* series : {&pair.first, &pair.second}) {
-      series->style = ChartSeries::Style::Markers;
-      series->title = section.words.say(
-          series == &pair.first ? "{}: 99 % of all ticks" : "{}: the latest tick", device);
-      chart.series.push_back(std::move(*series));
-    }
-  }
-  return chartAsSvg(chart, format);
 }
 
 }  // namespace
 
 void paintFigures(ReportSection& section, const FigureFormat& format) {
   section.figures = {};
-  if (const auto size = flowFigureSize(section, format); !size.isEmpty()) {
-    section.figures.flow = asSvg(
-        size, [&](QPainter& painter) { paintFlowFigure(painter, section, format); }, format);
-  }
   for (const auto& family : section.results.families) {
     section.figures.families.push_back(figuresOf(section, withAnswers(family), format));
   }
@@ -166,7 +126,6 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
         [&](QPainter& painter) { paintFeltFigure(painter, section, device.id, format); },
         format));
   }
-  if (!section.quality.timings.empty()) section.figures.timing = timingFigure(section, format);
 }
 
 }  // namespace study::report

@@ -11,11 +11,6 @@ namespace study::report {
 /// Paints all figures of a section into it. Needs a QGuiApplication.
 void paintFigures(ReportSection& section, const FigureFormat& format = {});
 
-/// Participants of each cohort, and of each site, from enrolment to the comparison, and how they
-/// left. Its size is empty without cohorts.
-QSizeF flowFigureSize(const ReportSection& section, const FigureFormat& format);
-void paintFlowFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format);
-
 /// Differences between methods within people: mean differences with intervals, thick at 1 − α, thin
 /// at 1 − α/m. The shaded range holds the differences that the protocol declares negligible.
 QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format);
@@ -44,29 +39,14 @@ void paintLikertFigure(
     const FamilyResult& family,
     const FigureFormat& format);
 
-/// Ratings by position (first, second …): means over participants with their 95 % intervals, all
-/// methods taken together.
-QSizeF positionFigureSize(const FamilyResult& family, const FigureFormat& format);
-void paintPositionFigure(
+/// The ratings of every method by the participants' means: interquartile range and median; a
+/// diamond is the mean. Fewer than ten participants have a dot each, equal ones below one another.
+QSizeF peopleFigureSize(const FamilyResult& family, const FigureFormat& format);
+void paintPeopleFigure(
     QPainter& painter,
     const ReportSection& section,
     const FamilyResult& family,
     const FigureFormat& format);
-
-/// Whether a raincloud has densities; a small figure has none.
-enum class Clouds { Shown, Hidden };
-
-/// The ratings of every method: density of the participants' means, interquartile range and median;
-/// a diamond is the mean. Fewer than ten participants have a dot each, equal ones below one
-/// another. After Allen et al. 2021 (raincloud plots).
-QSizeF raincloudFigureSize(
-    const FamilyResult& family, const FigureFormat& format, Clouds clouds = Clouds::Shown);
-void paintRaincloudFigure(
-    QPainter& painter,
-    const ReportSection& section,
-    const FamilyResult& family,
-    const FigureFormat& format,
-    Clouds clouds = Clouds::Shown);
 
 /// Forest plot: the difference of two methods at each site with its interval at 1 − α, a square
 /// whose area is the site's weight, and a diamond for the pooled difference. Its size is empty for

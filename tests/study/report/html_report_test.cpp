@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "protocols/model/messages.h"
-#include "study/report/family_captions.h"
 #include "study/report/numbering.h"
 #include "study/report/print_html.h"
 #include "study/report/study_parts.h"
@@ -163,10 +162,7 @@ TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesTies) {
   section.results.votes.pop_back();
   EXPECT_TRUE(has(asHtml({section}), "6 of 11 votes (one vote each)."));
   section.results.votes.front().votes.add("finite-elements", 1);
-  EXPECT_TRUE(has(
-      asHtml({section}),
-      "11 participants named Interpolation, FEM (finite elements) equally often, and more often "
-      "than others: 6 of 12 votes each (in 1 rounds)."));
+  EXPECT_FALSE(has(asHtml({section}), "votes (")) << "two were named equally often";
 }
 
 TEST(HtmlReport, HasPooledTestsAndTheirFlagsOnlyWhereTheyAreDeclared) {

@@ -256,16 +256,6 @@ TEST_F(ReportTables, OfAcceptabilityHasThresholdShareAndInterval) {
   EXPECT_EQ(row("Scored: participants at or above the threshold of acceptability"), expected);
 }
 
-TEST_F(ReportTables, OfProbabilitiesHaveShareProbabilityAndInterval) {
-  const Row expected{
-      {"Method", "Interpolation"},
-      {"Answers", "415"},
-      {"Observed share", "0.41"},
-      {"Probability", "0.42"},
-      {"99 % CI", "[0.43, 0.44]"}};
-  EXPECT_EQ(row("How likely answers of 4 or more are"), expected);
-}
-
 TEST_F(ReportTables, OfPreferencesHasVotesAndIntervalsOfEachCondition) {
   const Row expected{
       {"Cohort", "Orthopaedic surgeons"},
@@ -303,11 +293,6 @@ TEST_F(ReportTables, OfSitesHaveEachEstimateInItsRow) {
       {"Heterogeneity: Q(83) = 8.11, p = .812; I² = 28 %; τ² = 8.270"},
       {"Mixed model, sites as random effects", "", "8.49", "[8.51, 8.52]", ".853", ""}};
   EXPECT_EQ(table.rows, expected);
-  const auto left = tableOf(page, "Without one site");
-  EXPECT_EQ(left.headings, (Cells{"Site", "Difference", "99 % CI", "p", "I²", "τ²"}));
-  EXPECT_EQ(
-      left.rows.back(),
-      (Cells{"All sites but Graz", "8.38", "[8.39, 8.41]", ".842", "44 %", "8.430"}));
 }
 
 TEST_F(ReportTables, OfTheAnswerHasMeansWhereNothingIsTested) {

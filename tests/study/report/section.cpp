@@ -181,7 +181,6 @@ study::report::ReportSection madeUpSection() {
   section.quality = {
       .trials = 36, .optionalTrials = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;
-  for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
   section.quality.reasons = {{{study::message("trial.late", 3, 4000)}, 2}};
   section.quality.cutOff = {{"interpolation", 12, {0.1, 0.125, 0.25}}};
   section.landmarks = {

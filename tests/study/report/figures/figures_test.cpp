@@ -43,7 +43,6 @@ TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
   EXPECT_FALSE(figures.families.front().people.empty());
   EXPECT_EQ(figures.felt.size(), 1U);
   EXPECT_FALSE(figures.votes.empty());
-  EXPECT_FALSE(figures.timing.empty());
 }
 
 /// The smallest difference between two of @p colours, for every kind of colour vision.
@@ -116,24 +115,6 @@ TEST(Figures, ShowEffectsWithTheirNumbers) {
       << texts;
   EXPECT_NE(texts.find("Interpolation − FEM"), std::string::npos);
   EXPECT_NE(texts.find("difference of participants’ means [points]"), std::string::npos);
-}
-
-TEST(Figures, ShowHowManyEnrolledCompletedAndAreAnalysed) {
-  const auto section = painted();
-  const auto& flow = section.results.flow.front();
-  const auto texts = textsIn(section.figures.flow);
-  const auto& table = section.results.families.front().cohorts.front().table;
-  for (const auto& words :
-       {section.cohortTitle(flow.cohort),
-        "Enrolled: " + std::to_string(flow.enrolled),
-        "Completed: " + std::to_string(flow.completed),
-        "Withdrawn: " + std::to_string(flow.withdrawn),
-        "Analysed: " + std::to_string(table.participants.size())}) {
-    EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
-  }
-  auto ofSites = tests::madeUpSectionOfSites();
-  paintFigures(ofSites);
-  EXPECT_NE(textsIn(ofSites.figures.flow).find("Site oslo"), std::string::npos);
 }
 
 TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
@@ -230,13 +211,9 @@ TEST(Figures, AreTheSameBytesEveryTime) {
   const auto first = painted().figures;
   const auto second = painted().figures;
   for (const auto part :
-       {&FamilyFigures::answers,
-        &FamilyFigures::people,
-        &FamilyFigures::effects,
-        &FamilyFigures::positions}) {
+       {&FamilyFigures::answers, &FamilyFigures::people, &FamilyFigures::effects}) {
     EXPECT_EQ(first.families.front().*part, second.families.front().*part);
   }
-  EXPECT_EQ(first.timing, second.timing);
   EXPECT_EQ(first.votes, second.votes);
   EXPECT_EQ(first.felt, second.felt);
 }
@@ -248,14 +225,12 @@ TEST(Figures, ArePaintedForAStudyWithoutAnswers) {
     cohort.table.answers.clear();
     cohort.within = analysis::compareWithin(
         cohort.table, std::vector<analysis::DeclaredPair>{{"interpolation", "kalman"}}, {});
-    cohort.position = analysis::positionEffect(cohort.table);
   }
   section.results.votes.front().votes = analysis::VoteCounts({"interpolation", "kalman"});
   section.curves.clear();
   paintFigures(section);
   const auto& family = section.figures.families.front();
-  for (const auto& svg :
-       {family.answers, family.people, family.effects, family.positions, section.figures.votes}) {
+  for (const auto& svg : {family.answers, family.people, family.effects, section.figures.votes}) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_FALSE(textsIn(svg).empty());
   }
