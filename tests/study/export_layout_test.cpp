@@ -9,6 +9,7 @@
 #include <fstream>
 #include <locale>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -100,9 +101,10 @@ class ExportLayoutTest : public testing::Test {
   fs::path exported(const std::string& name, ExportOptions options, const std::string& why = {}) {
     const fs::path folder = folder_ / name;
     options.runMode = RunMode::Simulated;
-    exportStudy(*study_, folder.string(), options, why);
+    exportStudy(exportedStudy(), folder.string(), options, why);
     return folder;
   }
+  virtual Study& exportedStudy() { return *study_; }
 
   tests::ScratchFolder folder_;
   tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
@@ -508,13 +510,19 @@ TEST_F(ExportLayoutTest, IsReadByItsScriptInPython) {
 /// Eleven participants, as in the published study, and an equivalence bound.
 class ComputedAgainTest : public ExportLayoutTest {
  protected:
-  void SetUp() override {
-    auto json = study_->protocol().text;
+  static void SetUpTestSuite() {
+    auto json = tests::libraryProtocol("punch-face-validity.json").text;
     const std::string alpha = R"("alpha": 0.05)";
     json.insert(json.find(alpha), R"("equivalence_bound": 0.5, )");
-    study_->amend(tests::protocolFrom(json), "");
-    simulateCohorts(*study_, study_.clock, 11, 3, [](const auto&) {});
+    made = std::make_unique<tests::MadeStudy>(tests::protocolFrom(json));
+    simulateCohorts(**made, made->clock, 11, 3, [](const auto&) {});
   }
+  static void TearDownTestSuite() { made.reset(); }
+  void SetUp() override {}
+
+  Study& exportedStudy() override { return **made; }
+
+  inline static std::unique_ptr<tests::MadeStudy> made;
 };
 
 TEST_F(ComputedAgainTest, InR) {
