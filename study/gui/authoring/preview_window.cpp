@@ -117,8 +117,8 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   if (const auto blanks = protocols::placeholdersIn(loaded_).size(); blanks > 0) {
     blanks_ =
         QStringLiteral(" ") +
-        tr("%1 texts are still to be filled in; they are marked on the pages. Choose “Fill in "
-           "the texts…” before a live session.")
+        tr("The texts still have blanks (%1); they are marked on the pages. Choose “Fill in the "
+           "texts…” before a live session.")
             .arg(blanks);
     setRole(*said_, "warn");
   }

@@ -34,9 +34,9 @@ class RingButton final : public QPushButton {
   void paintEvent(QPaintEvent* event) override {
     QPushButton::paintEvent(event);
     constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
-    constexpr int kAtBottom = 15;
+    constexpr int kAtBottom = 13;
     constexpr int kRadius = 9;
-    constexpr int kSmallRadius = 7;
+    constexpr int kSmallRadius = 6;
     const bool isOption = property("role").toString() == QStringLiteral("option");
     const int r = scaled(*this, isOption ? kRadius : kSmallRadius);
     const bool isMirrored = layoutDirection() == Qt::RightToLeft;

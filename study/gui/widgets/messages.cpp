@@ -176,7 +176,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
     {.matter = LiveSessionHasBlanks,
      .kind = Kind::Warning,
      .title = "Texts with blanks",
-     .headline = "A live session cannot begin: %1 texts are still to be filled in.",
+     .headline = "A live session cannot begin: the texts still have blanks (%1).",
      .data = "No participant was enrolled. The participant would read the brackets:",
      .advice =
          "Close this study, and choose “Fill in the texts…” on the home page. To try the study "
@@ -210,7 +210,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
     {.matter = PilotSessionHasBlanks,
      .kind = Kind::Question,
      .title = "Texts with blanks",
-     .headline = "Begin the pilot although %1 texts are still to be filled in?",
+     .headline = "Begin the pilot although the texts still have blanks (%1)?",
      .data = "A pilot does not count. The blanks are marked on the pages:",
      .advice = "For live sessions, choose “Fill in the texts…” on the home page first.",
      .safe = "Do not begin",

@@ -54,8 +54,8 @@ QPushButton[role="main"] { color: @accent.text; background: @accent; border-colo
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
-QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 44px; padding: 4px 4px 26px 4px; }
-QPushButton[role="point"]:checked:focus { padding: 0px 0px 22px 0px; }
+QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 34px; padding: 4px 4px 22px 4px; }
+QPushButton[role="point"]:checked:focus { padding: 0px 0px 18px 0px; }
 QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px 6px 42px; }
 QPushButton[role="option"]:checked:focus { padding: 2px 10px 2px 38px; }
 QPushButton[role="option"][isMirrored="true"] { text-align: right; padding: 6px 42px 6px 14px; }
