@@ -147,7 +147,9 @@ void HomeWindow::arrange() {
   const auto margins = columns_->contentsMargins();
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
   const int room = width() - margins.left() - margins.right() - bar;
-  panel_->fitInto(isWide ? (room - columns_->spacing()) / 2 : room);
+  const int both = room - columns_->spacing();
+  const int list = columns_->itemAt(0)->minimumSize().width();
+  panel_->fitInto(isWide ? std::min(both / 2, both - list) : room);
 }
 
 void HomeWindow::resizeEvent(QResizeEvent* event) {

@@ -31,7 +31,7 @@ int countOf(const StudySummary& study, RunMode mode) {
 
 /// Shows the details in a fixed-width font, with space for tables.
 void showAsTables(WorkDialog& dialog, QTextEdit::LineWrapMode wrapping) {
-  constexpr int kHeight = 420;  // [px]
+  constexpr int kHeight = 340;  // [px]
   constexpr int kWidth = 1240;
   auto* tables = dialog.findChild<QTextBrowser*>(QStringLiteral("more"));
   tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

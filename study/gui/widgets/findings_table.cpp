@@ -7,18 +7,11 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
-#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
 
 using haptics::devices::Finding;
-
-const Fill& rowFill(const Theme& colours, Finding finding) {
-  return finding == Finding::Pass   ? colours.paleGood
-         : finding == Finding::Warn ? colours.paleWarn
-                                    : colours.paleBad;
-}
 
 QString describe(const FindingLine& line) {
   if (!line.isTested) return FindingsTable::tr("– not tested");
@@ -70,12 +63,9 @@ void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
     for (int column = 0; column < columnCount(); ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
-      if (column == 1 && line.isTested) {
-        const auto& fill = rowFill(themeOf(*this), found.finding);
-        cell->setBackground(fill.background);
-        cell->setForeground(fill.text);
+      if (column == 1 && found.finding != Finding::Pass) {
         auto font = cell->font();
-        font.setBold(found.finding != Finding::Pass);
+        font.setBold(true);
         cell->setFont(font);
       }
       setItem(row, column, cell);
