@@ -36,7 +36,7 @@ class ItemsWriter : HtmlWriter {
   }
 
   std::string quotes() {
-    if (!s_.hasQuotes || s_.results.runMode == RunMode::Simulated) return {};
+    if (!s_.hasQuotes) return {};
     for (const auto& instrument : s_.instruments) quotesOf(instrument);
     return std::move(html_);
   }
@@ -199,27 +199,29 @@ class ItemsWriter : HtmlWriter {
     return escaped(text);
   }
 
+  /// A paragraph for each question and alternative.
   void quotesOf(const questionnaires::Instrument& instrument) {
-    const std::string* item = nullptr;
-    const std::string* about = nullptr;
     const auto& quotes = s_.results.answers.quotes;
     for (auto at = quotes.begin(); at != quotes.end();) {
-      const auto& quote = *at;
-      const auto next = std::find_if(at, quotes.end(), [&](const auto& q) { return q != quote; });
-      const auto times = next - at;
-      at = next;
-      if (quote.instrument != instrument.id) continue;
-      const bool isNewItem = item == nullptr || *item != quote.item;
-      const bool isNew = isNewItem || *about != quote.condition;
-      if (isNew && item != nullptr) put("</ul>");
-      if (isNewItem) put("<p><b>{}</b></p>", questionOf(instrument, quote.item));
-      if (isNew && !quote.condition.empty()) put("<p><em>{}</em></p>", condition(quote.condition));
-      if (isNew) put("<ul>");
-      put("<li>“{}”{}</li>", escaped(quote.text), times > 1 ? fmt::format(" × {}", times) : "");
-      item = &quote.item;
-      about = &quote.condition;
+      const auto& first = *at;
+      const auto end = std::find_if(at, quotes.end(), [&](const auto& q) {
+        return q.instrument != first.instrument || q.item != first.item ||
+               q.condition != first.condition;
+      });
+      std::string said;
+      while (at != end) {
+        const auto next = std::find_if(at, end, [&](const auto& q) { return q != *at; });
+        said += (said.empty() ? "“" : " · “") + escaped(at->text) + "”";
+        if (next - at > 1) said += fmt::format(" × {}", next - at);
+        at = next;
+      }
+      if (first.instrument != instrument.id) continue;
+      const auto& about = first.condition;
+      put("<p><b>{}</b> {}{}</p>",
+          questionOf(instrument, first.item),
+          about.empty() ? about : "<em>" + condition(about) + "</em>: ",
+          said);
     }
-    if (item != nullptr) put("</ul>");
   }
 
   bool isAnythingHidden_ = false;

@@ -150,7 +150,7 @@ TEST(HtmlReport, BeginsWithAPlainSentence) {
   EXPECT_TRUE(has(asHtml({section}), "highest. All comparisons are exploratory.</p>"));
 }
 
-TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesTies) {
+TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesNoneOfSeveral) {
   auto section = tests::madeUpSection();
   analysis::VoteCounts votes({"interpolation", "finite-elements"});
   votes.add("interpolation", 6);

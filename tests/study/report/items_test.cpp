@@ -273,7 +273,6 @@ TEST(ItemSummaries, AreShownInTheReport) {
   study.add(2, "kalman", "hand", std::string("right"));
   study.add(2, "kalman", "why", std::string("a <bit> soft"));
   auto section = tests::madeUpSection();
-  section.results.runMode = RunMode::Live;
   section.instruments.push_back(mine());
   section.results.answers = study.described();
   for (auto& summary : section.results.answers.items) summary.cohort = "professional";
@@ -298,8 +297,10 @@ TEST(ItemSummaries, AreShownInTheReport) {
       std::string::npos)
       << illustrated;
   const auto quotes = report::quotesAsHtml(section);
-  EXPECT_NE(quotes.find("<em>KF</em>"), std::string::npos);
-  EXPECT_NE(quotes.find("<li>“a &lt;bit&gt; soft”</li>"), std::string::npos) << quotes;
+  EXPECT_NE(
+      quotes.find("<p><b>Question &lt;why&gt;</b> <em>KF</em>: “a &lt;bit&gt; soft”</p>"),
+      std::string::npos)
+      << quotes;
   section.hasQuotes = false;
   EXPECT_EQ(report::quotesAsHtml(section), "");
 }

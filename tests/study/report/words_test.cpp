@@ -69,7 +69,6 @@ report::ReportSection withEveryPart() {
        .cohort = "professional",
        .answers = 4,
        .options = {{"left", 2}, {"right", 1}, {"both", 1}}}};
-  section.results.runMode = RunMode::Live;  // nobody has written anything in simulated sessions
   section.results.answers.quotes = {{"preference", "why", "kalman", "It was softer."}};
   section.figures.items = {{asked, "1.1", "<svg/>"}, {form, "handedness", "<svg/>"}};
   return section;

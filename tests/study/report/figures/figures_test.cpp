@@ -89,8 +89,8 @@ TEST(Figures, SayHowOftenEachPointWasChosen) {
         "Orthopaedic surgeons",
         "17",
         "13",
-        "μ 4.1",
-        "μ 2.6",
+        "M = 4.1",
+        "M = 2.6",
         "strongly disagree",
         "strongly agree"}) {
     EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
