@@ -25,7 +25,7 @@ std::unique_ptr<storage::Database> trailOf(
     const std::string& study, std::span<const storage::StoredEvent> events) {
   auto database =
       std::make_unique<storage::Database>(storage::Database::inMemory(storage::studySchema()));
-  // Whether events are missing is found when the chain is computed.
+  // Events were compared with their numbers before.
   database->execute("PRAGMA foreign_keys = OFF; DROP TRIGGER an_event_is_added_at_the_end");
   storage::Transaction transaction(*database);
   Statement row(
@@ -93,6 +93,11 @@ StationTrail::StationTrail(
 
 void StationTrail::judge(
     const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo) {
+  // From here on, event n is the nth: what comes after a missing one cannot be checked.
+  std::int64_t whole = 0;
+  const auto isNext = [&](const storage::StoredEvent& event) { return event.seq == ++whole; };
+  events_.erase(std::find_if_not(events_.begin(), events_.end(), isNext), events_.end());
+  vouchedUpTo = std::min(vouchedUpTo, static_cast<std::int64_t>(events_.size()));
   database_ = trailOf(study.uuid, events_);
   const storage::EventLog log(*database_);
   const auto broken = log.firstBreak();

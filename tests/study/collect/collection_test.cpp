@@ -341,6 +341,25 @@ TEST_F(Collection, ATrailThatWasRewrittenOnTheServerIsNotPulled) {
   EXPECT_FALSE(problemsOfStation("oslo").empty());
 }
 
+TEST_F(Collection, ATrailWithAHoleIsPulledUpToTheLastSignatureBeforeIt) {
+  addStation("oslo");
+  addStation("bergen");
+  const auto first = runSession("oslo");
+  runSession("oslo");
+  runSession("bergen");
+  push("oslo");
+  push("bergen");
+  admin().execute(
+      "ALTER TABLE palpate.event DISABLE TRIGGER an_event_is_never_changed;"
+      "DELETE FROM palpate.event WHERE seq = (SELECT have - 5 FROM palpate.station WHERE label = "
+      "'oslo') AND station = (SELECT id FROM palpate.station WHERE label = 'oslo')");
+  const auto content = contentOf({pulled()});
+  EXPECT_EQ(result_.sessions(), 2U);
+  EXPECT_EQ(content.count(first + "/1"), 1U);
+  EXPECT_TRUE(problemsOfStation("bergen").empty());
+  EXPECT_FALSE(problemsOfStation("oslo").empty());
+}
+
 TEST_F(Collection, WhatCameBeforeARewrittenEventIsPulled) {
   addStation("oslo");
   const auto first = runSession("oslo");
