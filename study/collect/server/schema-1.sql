@@ -86,11 +86,6 @@ CREATE TABLE session (
   started_utc text NOT NULL,
   ended_utc   text,
   received    timestamptz NOT NULL DEFAULT now(),
-  -- The codes of a session's conditions are here, not in its answers: they are many, and all of them are in steps of
-  -- it. Of each step, from step 0, the place of its code among them; 0: it has no condition. Numbers of one width are
-  -- found without looking at those before.
-  codes       text[] NOT NULL DEFAULT '{}',
-  coded       smallint[] NOT NULL DEFAULT '{}',
   PRIMARY KEY (station, number)
 );
 -- Most of what is stored. LZ4, where the server was built with it, is several times as fast as PostgreSQL's own method.
@@ -120,7 +115,8 @@ CREATE TABLE progress (
   PRIMARY KEY (station, number)
 );
 
--- The answers of these facts, for those who count. No column tells a condition.
+-- The answers of these facts, for those who count. They are what counts read as a whole: what is there more often than
+-- once for each answer is in the row of the session. No column tells a condition, but its code.
 CREATE TABLE answer (
   station     integer NOT NULL,
   number      bigint NOT NULL,
@@ -135,6 +131,7 @@ CREATE TABLE answer (
   point       integer,
   value       double precision,
   words       text,
+  code        text,              -- of the condition; NULL: it is about none
   PRIMARY KEY (station, number, step, attempt, item)
 );
 

@@ -29,17 +29,17 @@ BEGIN
   END IF;
   IF coalesce(many, 0) = 0 THEN RETURN me.have; END IF;
 
-  INSERT INTO event (station, seq, session, step, attempt, utc, monotonic_ns, actor, kind, detail, sealed,
-                     content_hash, hash)
-  SELECT me.id, n.seq, n.session, n.step, n.attempt, n.utc, n.monotonic_ns, n.actor, n.kind, n.detail,
-         decode(n.sealed, 'hex'), decode(n.content_hash, 'hex'), decode(n.hash, 'hex')
-  FROM jsonb_to_recordset(said->'events')
-    AS n (seq bigint, session bigint, step integer, attempt integer, utc text, monotonic_ns bigint, actor text,
-          kind text, detail text, sealed text, content_hash text, hash text)
-  WHERE n.seq > me.have;
+  WITH taken AS (
+    INSERT INTO event (station, seq, session, step, attempt, utc, monotonic_ns, actor, kind, detail, sealed,
+                       content_hash, hash)
+    SELECT me.id, n.seq, n.session, n.step, n.attempt, n.utc, n.monotonic_ns, n.actor, n.kind, n.detail,
+           decode(n.sealed, 'hex'), decode(n.content_hash, 'hex'), decode(n.hash, 'hex')
+    FROM jsonb_to_recordset(said->'events')
+      AS n (seq bigint, session bigint, step integer, attempt integer, utc text, monotonic_ns bigint, actor text,
+            kind text, detail text, sealed text, content_hash text, hash text)
+    WHERE n.seq > me.have RETURNING session, seq)
   INSERT INTO progress (station, number, last)
-  SELECT me.id, n.session, max(n.seq) FROM jsonb_to_recordset(said->'events') AS n (seq bigint, session bigint)
-  WHERE n.session IS NOT NULL GROUP BY n.session
+  SELECT me.id, t.session, max(t.seq) FROM taken AS t WHERE t.session IS NOT NULL GROUP BY t.session
   ON CONFLICT (station, number) DO UPDATE SET last = greatest(progress.last, excluded.last);
   RETURN most;
 END $$;
@@ -99,10 +99,8 @@ BEGIN
   DELETE FROM chunk WHERE session = which AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
   DELETE FROM content_key WHERE participant = code
     AND station IN (SELECT id FROM station WHERE id = me.id OR was = me.uuid);
-  WITH gone AS (
-    DELETE FROM session WHERE (number = which OR participant = code)
-      AND station IN (SELECT id FROM station WHERE was = me.uuid) RETURNING station, number)
-  DELETE FROM answer AS a USING gone WHERE a.station = gone.station AND a.number = gone.number;
+  DELETE FROM session WHERE (number = which OR participant = code)
+    AND station IN (SELECT id FROM station WHERE was = me.uuid);
   INSERT INTO tombstone (station, number, participant, as_of)
   VALUES (me.id, which, code, said_of) ON CONFLICT DO NOTHING;
 END $$;
@@ -140,92 +138,82 @@ BEGIN
 END $$;
 CREATE TRIGGER conditions_have_codes AFTER INSERT ON protocol FOR EACH ROW EXECUTE FUNCTION protocol_has_codes();
 
-CREATE FUNCTION codes_of(of_study text, mode text, allocation jsonb, OUT codes text[], OUT coded smallint[])
-LANGUAGE sql STABLE SET search_path = palpate, pg_temp AS $$
-  WITH allotted AS (
-    SELECT a.step, k.code, dense_rank() OVER (ORDER BY k.code) AS place
-    FROM jsonb_to_recordset(allocation) AS a (step integer, condition text)
-    JOIN condition_code AS k ON k.study = of_study AND k.run_mode = mode AND k.condition = a.condition)
-  SELECT (SELECT coalesce(array_agg(DISTINCT a.code ORDER BY a.code), '{}') FROM allotted AS a),
-         (SELECT coalesce(array_agg(coalesce(a.place, 0)::smallint ORDER BY n.step), '{}')
-          FROM generate_series(0, (SELECT max(step) FROM allotted)) AS n (step)
-          LEFT JOIN allotted AS a ON a.step = n.step);
-$$;
-
--- A session as it was sent, and as it was read.
-CREATE TYPE sent_session AS (number bigint, as_of bigint, facts text, sha256 bytea, rows jsonb);
-
 -- The sessions of a batch, each as it stood after its event as_of. The rows of all of them are taken by one statement a
--- table: statements cost more than rows.
+-- table: statements cost more than rows. Arrays for each part, because a statement copies the arrays that it reads.
 CREATE FUNCTION take_sessions(me station, said jsonb) RETURNS void
 LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
 DECLARE
-  which bigint; about text; newer sent_session[]; gone sent_session;
+  which bigint; about text;
+  numbers bigint[]; marks bigint[]; hashes bytea[]; texts text[]; read jsonb[]; heads jsonb[]; people text[];
 BEGIN
-  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, sha256 text, facts text)
-    WHERE sha256(convert_to(s.facts, 'UTF8')) IS DISTINCT FROM decode(s.sha256, 'hex') LIMIT 1;
+  SELECT array_agg(s.session), array_agg(s.as_of), array_agg(decode(s.sha256, 'hex')), array_agg(s.facts)
+    INTO numbers, marks, hashes, texts
+    FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint, sha256 text, facts text);
+  IF numbers IS NULL THEN RETURN; END IF;
+  SELECT s.number INTO which FROM unnest(numbers, hashes, texts) AS s (number, sha256, facts)
+    WHERE sha256(convert_to(s.facts, 'UTF8')) IS DISTINCT FROM s.sha256 LIMIT 1;
   IF FOUND THEN PERFORM refuse('damaged', format('session %s', which)); END IF;
-  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint, sha256 text)
-    JOIN fact AS f ON f.station = me.id AND f.number = s.session AND f.as_of = s.as_of
-    WHERE f.sha256 <> decode(s.sha256, 'hex') LIMIT 1;
+  SELECT s.number INTO which FROM unnest(numbers, marks, hashes) AS s (number, as_of, sha256)
+    JOIN fact AS f ON f.station = me.id AND f.number = s.number AND f.as_of = s.as_of
+    WHERE f.sha256 <> s.sha256 LIMIT 1;
   IF FOUND THEN PERFORM refuse('fork', format('session %s is here with other rows', which)); END IF;
-  SELECT s.session INTO which FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint)
-    LEFT JOIN progress AS p ON p.station = me.id AND p.number = s.session
+  SELECT s.number INTO which FROM unnest(numbers, marks) AS s (number, as_of)
+    LEFT JOIN progress AS p ON p.station = me.id AND p.number = s.number
     WHERE p.last IS NULL OR s.as_of IS NULL OR s.as_of > p.last LIMIT 1;
   IF FOUND THEN PERFORM refuse('gap', format('session %s came before its events', which)); END IF;
 
-  SELECT array_agg(ROW(s.session, s.as_of, s.facts, decode(s.sha256, 'hex'), s.facts::jsonb)::sent_session)
-    INTO newer
-    FROM jsonb_to_recordset(said->'sessions') AS s (session bigint, as_of bigint, sha256 text, facts text)
-    LEFT JOIN session AS here ON here.station = me.id AND here.number = s.session
+  SELECT array_agg(s.number), array_agg(s.as_of), array_agg(s.sha256), array_agg(s.facts), array_agg(s.facts::jsonb)
+    INTO numbers, marks, hashes, texts, read
+    FROM unnest(numbers, marks, hashes, texts) AS s (number, as_of, sha256, facts)
+    LEFT JOIN session AS here ON here.station = me.id AND here.number = s.number
     WHERE here.as_of IS NULL OR here.as_of < s.as_of;
-  IF newer IS NULL THEN RETURN; END IF;
+  IF numbers IS NULL THEN RETURN; END IF;
+  SELECT array_agg(n.rows->'session' ORDER BY n.place), array_agg(n.rows->'participant'->>'code' ORDER BY n.place)
+    INTO heads, people FROM unnest(read) WITH ORDINALITY AS n (rows, place);
 
-  SELECT coalesce(n.rows->'session'->>'protocol', '') INTO about FROM unnest(newer) AS n
-    WHERE NOT EXISTS (SELECT 1 FROM protocol AS p
-                      WHERE p.study = me.study AND p.sha256 = n.rows->'session'->>'protocol') LIMIT 1;
+  SELECT coalesce(n.head->>'protocol', '') INTO about FROM unnest(heads) AS n (head)
+    WHERE NOT EXISTS (SELECT 1 FROM protocol AS p WHERE p.study = me.study AND p.sha256 = n.head->>'protocol') LIMIT 1;
   IF FOUND THEN PERFORM refuse('protocol', about); END IF;
-  SELECT coalesce(n.rows->'participant'->>'code', '') INTO about FROM unnest(newer) AS n
-    WHERE starts_with(n.rows->'participant'->>'code', me.label || '_') IS NOT TRUE LIMIT 1;
+  SELECT coalesce(n.code, '') INTO about FROM unnest(people) AS n (code)
+    WHERE starts_with(n.code, me.label || '_') IS NOT TRUE LIMIT 1;
   IF FOUND THEN PERFORM refuse('code', about); END IF;
-  SELECT format('session %s: %s, %s', n.number, n.rows->'session'->>'site', n.rows->'session'->>'station') INTO about
-    FROM unnest(newer) AS n
-    WHERE n.rows->'session'->>'site' IS DISTINCT FROM me.site
-       OR n.rows->'session'->>'station' IS DISTINCT FROM me.label LIMIT 1;
+  SELECT format('session %s: %s, %s', n.number, n.head->>'site', n.head->>'station') INTO about
+    FROM unnest(numbers, heads) AS n (number, head)
+    WHERE n.head->>'site' IS DISTINCT FROM me.site OR n.head->>'station' IS DISTINCT FROM me.label LIMIT 1;
   IF FOUND THEN PERFORM refuse('place', about); END IF;
   SELECT format('session %s, step %s', n.number, t.step) INTO about
-    FROM unnest(newer) AS n,
+    FROM unnest(numbers, read) AS n (number, rows),
          jsonb_to_recordset(n.rows->'trial') AS t (step integer, attempt integer, trace_samples bigint)
     WHERE t.trace_samples <> coalesce((SELECT sum(c.samples) FROM chunk AS c WHERE c.station = me.id
       AND c.session = n.number AND c.step = t.step AND c.attempt = t.attempt), 0) LIMIT 1;
   IF FOUND THEN PERFORM refuse('traces', about); END IF;
 
   INSERT INTO fact (station, number, as_of, sha256)
-  SELECT me.id, n.number, n.as_of, n.sha256 FROM unnest(newer) AS n;
-  DELETE FROM answer AS a USING unnest(newer) AS n WHERE a.station = me.id AND a.number = n.number;
-  DELETE FROM session AS s USING unnest(newer) AS n WHERE s.station = me.id AND s.number = n.number;
+  SELECT me.id, n.number, n.as_of, n.sha256 FROM unnest(numbers, marks, hashes) AS n (number, as_of, sha256);
+  DELETE FROM answer AS a WHERE a.station = me.id AND a.number = ANY (numbers);
+  DELETE FROM session AS s WHERE s.station = me.id AND s.number = ANY (numbers);
   INSERT INTO session (station, number, as_of, facts, sha256, participant, cohort, run_mode, protocol, language, state,
-                       started_utc, ended_utc, codes, coded)
-  SELECT me.id, n.number, n.as_of, n.facts, n.sha256, n.rows->'participant'->>'code', n.head->>'cohort',
-         n.head->>'run_mode', n.head->>'protocol', n.head->>'language', n.head->>'state', n.head->>'started_utc',
-         n.head->>'ended_utc', c.codes, c.coded
-  FROM (SELECT *, u.rows->'session' AS head FROM unnest(newer) AS u) AS n,
-       codes_of(me.study, n.head->>'run_mode', n.rows->'allocation') AS c;
+                       started_utc, ended_utc)
+  SELECT me.id, n.number, n.as_of, n.facts, n.sha256, n.code, n.head->>'cohort', n.head->>'run_mode',
+         n.head->>'protocol', n.head->>'language', n.head->>'state', n.head->>'started_utc', n.head->>'ended_utc'
+  FROM unnest(numbers, marks, texts, hashes, people, heads) AS n (number, as_of, facts, sha256, code, head);
   INSERT INTO answer (station, number, step, attempt, item, phase, instrument, alternative, counts, kind, point, value,
-                      words)
+                      words, code)
   SELECT me.id, n.number, a.step, a.attempt, a.item, a.phase, a.instrument, a.label, a.status = 'finished', a.kind,
-         a.point, a.number, a.text
-  FROM unnest(newer) AS n
+         a.point, a.number, a.text, k.code
+  FROM unnest(numbers, heads, read) AS n (number, head, rows)
   CROSS JOIN LATERAL (
-    SELECT a.*, s.phase, s.instrument, s.label, v.status FROM jsonb_to_recordset(n.rows->'answer')
+    SELECT a.*, s.phase, s.instrument, s.label, v.status, c.condition FROM jsonb_to_recordset(n.rows->'answer')
       AS a (step integer, attempt integer, item text, kind text, point integer, number double precision, text text)
     JOIN jsonb_to_recordset(n.rows->'step') AS s (step integer, phase text, instrument text, label integer)
       ON s.step = a.step
     JOIN jsonb_to_recordset(n.rows->'visit') AS v (step integer, attempt integer, status text)
-      ON v.step = a.step AND v.attempt = a.attempt) AS a;
-  FOR gone IN SELECT n.* FROM unnest(newer) AS n WHERE n.rows->'session'->>'state' = 'erased' LOOP
-    PERFORM forget(me, gone.number, gone.rows->'participant'->>'code', gone.as_of);
-  END LOOP;
+      ON v.step = a.step AND v.attempt = a.attempt
+    LEFT JOIN jsonb_to_recordset(n.rows->'allocation') AS c (step integer, condition text) ON c.step = a.step) AS a
+  LEFT JOIN condition_code AS k
+    ON k.study = me.study AND k.run_mode = n.head->>'run_mode' AND k.condition = a.condition;
+  PERFORM forget(me, n.number, n.code, n.as_of) FROM unnest(numbers, marks, people, heads) AS n (number, as_of, code, head)
+  WHERE n.head->>'state' = 'erased';
 END $$;
 
 -- The only way in. Takes a batch of one station in one transaction, and answers {"have": n}: all events up to n are
@@ -274,7 +262,7 @@ BEGIN
 END $$;
 
 -- What is here of a station is not what it recorded: all of it stays under another name and is pulled no more, and the
--- station sends everything again. For the owner alone.
+-- station sends everything again. Its answers go: they are counted no more, and the facts have them. For the owner alone.
 CREATE FUNCTION set_aside(of_study text, of_label text, because text) RETURNS boolean
 LANGUAGE plpgsql SET search_path = palpate, pg_temp AS $$
 DECLARE
@@ -284,6 +272,7 @@ BEGIN
   IF NOT FOUND THEN RETURN false; END IF;
   UPDATE station SET uuid = replace(gen_random_uuid()::text, '-', ''), label = me.label || '/' || me.id, was = me.uuid,
                      set_aside = now() WHERE id = me.id;
+  DELETE FROM answer WHERE station = me.id;
   INSERT INTO station (study, uuid, site, label, role, key, enrolled, enrolled_by, expires, first_contact)
   VALUES (me.study, me.uuid, me.site, me.label, me.role, me.key, me.enrolled, me.enrolled_by, me.expires,
           coalesce(me.first_contact, now()));

@@ -75,14 +75,15 @@ $$;
 -- ---------------------------------------------------------------------------------------------------------------------
 -- What others may see. A view is read with the rights of its owner.
 
--- Points alone: numbers and words may identify a person.
+-- Points alone: numbers and words may identify a person. Stations that were set aside have no answers, so that nothing
+-- has to be looked up of a station where nobody asks for it: PostgreSQL leaves out a LEFT JOIN whose columns are not used.
 CREATE VIEW answers AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, a.phase, a.instrument,
-       a.alternative, a.item, a.point, s.codes[s.coded[a.step + 1]] AS code
+       a.alternative, a.item, a.point, a.code
 FROM answer AS a
 JOIN session AS s ON s.station = a.station AND s.number = a.number
-JOIN station AS st ON st.id = a.station
-WHERE a.counts AND a.point IS NOT NULL AND st.set_aside IS NULL;
+LEFT JOIN station AS st ON st.id = a.station
+WHERE a.counts AND a.point IS NOT NULL;
 
 CREATE VIEW sessions AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, s.language,
@@ -131,7 +132,7 @@ FROM answer AS a
 JOIN session AS s ON s.station = a.station AND s.number = a.number
 JOIN station AS st ON st.id = a.station
 JOIN background_item AS b ON b.study = st.study AND b.phase = a.phase AND b.item = a.item
-WHERE a.counts AND st.set_aside IS NULL;
+WHERE a.counts;
 
 REVOKE ALL ON ALL TABLES IN SCHEMA palpate FROM PUBLIC;
 REVOKE ALL ON ALL FUNCTIONS IN SCHEMA palpate FROM PUBLIC;

@@ -80,7 +80,7 @@ TEST_F(Analysts, CountConditionsByCodesThatTheyCannotRead) {
   EXPECT_EQ(counts.begin()->first.front(), 'C');
   EXPECT_EQ(named(owner, counts), countsAt("oslo"));
   EXPECT_THROW(ada.query("SELECT * FROM palpate.condition_code"), ServerError);
-  EXPECT_THROW(ada.query("SELECT codes FROM palpate.session"), ServerError);
+  EXPECT_THROW(ada.query("SELECT code FROM palpate.answer"), ServerError);
 }
 
 TEST_F(Analysts, CodesAreDrawnForEachStudyAndRunMode) {

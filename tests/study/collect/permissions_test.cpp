@@ -201,6 +201,10 @@ TEST_F(Thief, IsSetAsideAndTheTrueStationGoesOn) {
   // What was forged is kept, and analysts do not see it.
   EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.session").number(0, 0), 6);
   EXPECT_EQ(owner.query("SELECT count(*) FROM palpate.sessions").number(0, 0), 4);
+  EXPECT_EQ(
+      owner.query("SELECT string_agg(DISTINCT station, ' ' ORDER BY station) FROM palpate.answers")
+          .text(0, 0),
+      "bergen oslo");
   auto olav = as(person("olav", "operator_oslo"));
   EXPECT_EQ(olav.query("SELECT participant FROM palpate.session").count(), 3);
 }
