@@ -41,11 +41,28 @@ DataTable ingestTable(const CollectMeasurement& measured) {
   const auto sum = sumOf(measured.parts);
   const auto answers = static_cast<double>(sum.sent.answers);
   const double megabytes = static_cast<double>(measured.recorded.traceBytes) / 1e6;
-  const double copyingTraces = median(measured.copyingTraces);
-  const auto row = [](const char* what, const char* unit, double amount, double ours, double peer) {
+  WorkTime copyingTraces;
+  for (const auto& each : measured.copyingTraces) copyingTraces += each;
+  const double megabytesCopied = megabytes * static_cast<double>(measured.copyingTraces.size());
+  const auto row = [](const char* what,
+                      const char* unit,
+                      double amount,
+                      const WorkTime& ours,
+                      double amountOfPeer,
+                      const WorkTime& peer) {
+    const double share = amount / amountOfPeer;
     return std::vector<Cell>{
-        std::string(what), std::string(unit), amount / ours, amount / peer, ours / peer};
+        std::string(what),
+        std::string(unit),
+        amount / ours.wall,
+        amountOfPeer / peer.wall,
+        ours.wall / (peer.wall * share),
+        amount / ours.processor,
+        amountOfPeer / peer.processor,
+        ours.processor / (peer.processor * share)};
   };
+  auto withReading = sum.sent.taking;
+  withReading += sum.sent.reading;
   return {
       .name = "ingest",
       .description = "Into the server, beside plain COPY of the same rows",
@@ -54,20 +71,30 @@ DataTable ingestTable(const CollectMeasurement& measured) {
            {"unit", "Unit"},
            {"ingest", "ingest()"},
            {"copy", "COPY"},
-           {"times", "Times as long"}},
+           {"times", "Times as long"},
+           {"ingest_processor", "ingest(), of a processor"},
+           {"copy_processor", "COPY"},
+           {"times_processor", "Times as much"}},
       .rows = {
           row("answers, with all that travels; COPY of the answers",
               "answers/s",
               answers,
               sum.sent.taking,
+              answers,
               sum.copying),
-          row("… COPY of all rows", "answers/s", answers, sum.sent.taking, sum.copyingAll),
+          row("… COPY of all rows", "answers/s", answers, sum.sent.taking, answers, sum.copyingAll),
           row("… ingest() and what the station does before",
               "answers/s",
               answers,
-              sum.sent.taking + sum.sent.reading,
+              withReading,
+              answers,
               sum.copyingAll),
-          row("samples", "MB/s", megabytes, measured.recorded.traces, copyingTraces)}};
+          row("samples",
+              "MB/s",
+              megabytes,
+              measured.recorded.traces,
+              megabytesCopied,
+              copyingTraces)}};
 }
 
 DataTable growthTable(const CollectMeasurement& measured) {
@@ -80,7 +107,8 @@ DataTable growthTable(const CollectMeasurement& measured) {
           {"copy_answers_per_s", "COPY of all rows [answers/s]"}}};
   for (const auto& part : measured.parts) {
     const auto answers = static_cast<double>(part.sent.answers);
-    table.rows.push_back({part.before, answers / part.sent.taking, answers / part.copyingAll});
+    table.rows.push_back(
+        {part.before, answers / part.sent.taking.wall, answers / part.copyingAll.wall});
   }
   return table;
 }
@@ -93,8 +121,8 @@ report::Chart growthChart(const CollectMeasurement& measured) {
   for (const auto& part : measured.parts) {
     const auto before = static_cast<double>(part.before);
     const auto answers = static_cast<double>(part.sent.answers);
-    chart.series[0].points.push_back({.x = before, .y = answers / part.sent.taking});
-    chart.series[1].points.push_back({.x = before, .y = answers / part.copyingAll});
+    chart.series[0].points.push_back({.x = before, .y = answers / part.sent.taking.wall});
+    chart.series[1].points.push_back({.x = before, .y = answers / part.copyingAll.wall});
   }
   return chart;
 }
@@ -129,6 +157,7 @@ DataTable pullTable(const CollectMeasurement& measured) {
           {{"sessions", "Sessions"},
            {"events", "Events"},
            {"seconds", "Time [s]"},
+           {"processor_s", "… of a processor [s]"},
            {"answers_per_s", "Answers/s"},
            {"folder_mb", "Folder [MB]"},
            {"memory_before_mb", "Memory before [MB]"},
@@ -136,8 +165,9 @@ DataTable pullTable(const CollectMeasurement& measured) {
       .rows = {
           {measured.sessions,
            measured.events,
-           measured.pulling,
-           static_cast<double>(measured.answers) / measured.pulling,
+           measured.pulling.wall,
+           measured.pulling.processor,
+           static_cast<double>(measured.answers) / measured.pulling.wall,
            measured.pulledMegabytes,
            measured.memoryBefore,
            measured.memory}}};

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <tuple>
 
 #include <fmt/format.h>
 
-#include "haptics/timing/stopwatch.h"
 #include "study/bench/memory.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/pull.h"
@@ -28,14 +26,7 @@ constexpr std::array kTables{"event", "session", "fact", "progress", "answer"};
 /// Numbers of answers by cohort, code or condition, and point of the scale.
 using Counts = std::map<std::tuple<std::string, std::string, std::int64_t>, std::int64_t>;
 
-template <typename Action>
-double timeOf(const Action& action) {
-  const auto start = std::chrono::steady_clock::now();
-  action();
-  return haptics::timing::secondsSince(start);
-}
-
-/// The query for the counts from which pairwise comparisons are computed.
+/// The query of the counts from which the pairwise comparisons are computed.
 std::string countsOf(const std::string& table, const std::string& instrument) {
   return "SELECT cohort, code, point, count(*) FROM " + table +
          " WHERE run_mode = 'simulated' AND state = 'completed' AND instrument = '" + instrument +
@@ -57,20 +48,20 @@ class PlainCopy {
   /// Measures the COPY of a station's answers, and of all its rows.
   void copy(const std::string& label, IngestSpeed& part) {
     for (const std::string table : kTables) write(table, label, "");
-    part.copyingAll += timeOf([&] {
+    part.copyingAll += timeOf(owner_, [&] {
       owner_.execute("BEGIN");
       for (const std::string table : kTables) read(table, "");
       owner_.execute("COMMIT");
     });
-    owner_.execute("TRUNCATE bare.answer");  // the rows of the last station are copied again
-    part.copying += timeOf([&] { read("answer", ""); });
+    owner_.execute("TRUNCATE bare.answer");  // those of the last station are copied again
+    part.copying += timeOf(owner_, [&] { read("answer", ""); });
   }
 
-  /// The time of the COPY of a station's samples [s].
-  double copyTraces(const std::string& label) {
+  /// The time of the COPY of a station's samples.
+  WorkTime copyTraces(const std::string& label) {
     write("chunk", label, " (FORMAT binary)");
     owner_.execute("TRUNCATE bare.chunk");
-    return timeOf([&] { read("chunk", " (FORMAT binary)"); });
+    return timeOf(owner_, [&] { read("chunk", " (FORMAT binary)"); });
   }
 
  private:
@@ -187,8 +178,8 @@ void count(
     measured.problems.emplace_back("the analyst's view counts other answers than its own rows");
   }
   for (int i = 0; i < repetitions; ++i) {
-    measured.counts.ours.push_back(timeOf([&] { analyst.query(ours); }));
-    measured.counts.bare.push_back(timeOf([&] { analyst.query(bare); }));
+    measured.counts.ours.push_back(timeOf(analyst, [&] { analyst.query(ours); }).wall);
+    measured.counts.bare.push_back(timeOf(analyst, [&] { analyst.query(bare); }).wall);
   }
   const auto plan = owner.query("EXPLAIN (ANALYZE, BUFFERS) " + ours);
   for (int i = 0; i < plan.count(); ++i) measured.plan.push_back(plan.text(i, 0));
@@ -213,7 +204,7 @@ void pullAll(
   Connection server(postgres.server());
   resetPeakMemory();
   measured.memoryBefore = peakMemory();
-  measured.pulling = timeOf([&] {
+  measured.pulling = timeOf(server, [&] {
     const auto pulled =
         collect::pull(server, {.folder = own / "study", .reason = "benchmark"}, clock);
     measured.sessions = static_cast<std::int64_t>(pulled.sessions());

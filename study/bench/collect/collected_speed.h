@@ -22,10 +22,10 @@ struct CollectSize {
 
 /// Times of ingesting the data of some of the stations, and of a plain COPY of the same rows.
 struct IngestSpeed {
-  std::int64_t before = 0;  ///< number of answers in the database before
-  StationPush sent;         ///< sum over these stations
-  double copying = 0.0;     ///< time of a COPY of their answers into a table without keys [s]
-  double copyingAll = 0.0;  ///< time of a COPY of all their rows, events and sessions included [s]
+  std::int64_t before = 0;  ///< answers in the database before this part
+  StationPush sent;         ///< of all stations of the part
+  WorkTime copying;         ///< COPY of their answers into a table without keys
+  WorkTime copyingAll;      ///< … of all their rows, events and sessions included
 };
 
 /// Times of two ways to compute equal counts [s], measured alternately.
@@ -48,15 +48,15 @@ struct CollectMeasurement {
   int sites = 0;
   std::int64_t sessions = 0;
   std::int64_t events = 0;
-  std::vector<IngestSpeed> parts;     ///< consecutive, with a growing table
-  StationPush recorded;               ///< the station that sends samples
-  std::vector<double> copyingTraces;  ///< COPY of its samples [s]
-  AlternatedTimes counts;             ///< times of computing the counts
-  std::size_t groups = 0;             ///< number of counts: cohort, code, point
-  double pulling = 0.0;               ///< time of pulling the study [s]
-  double memoryBefore = 0.0;          ///< peak before pulling [MB]
-  double memory = 0.0;                ///< peak while pulling [MB]
-  double pulledMegabytes = 0;         ///< size of the pulled folder [MB]
+  std::vector<IngestSpeed> parts;  ///< one after another, with a growing table
+  StationPush recorded;            ///< the station with samples
+  std::vector<WorkTime> copyingTraces;
+  AlternatedTimes counts;  ///< from the analyst's view, and from a plain table of the same rows
+  std::size_t groups = 0;
+  WorkTime pulling;
+  double memoryBefore = 0.0;   ///< [MB]
+  double memory = 0.0;         ///< largest while pulling [MB]
+  double pulledMegabytes = 0;  ///< size of the pulled folder [MB]
   std::vector<TableSize> tables;
   std::vector<std::string> plan;      ///< EXPLAIN ANALYZE of the counts from the view
   std::vector<std::string> problems;  ///< differences from the sent data, on the server or in the

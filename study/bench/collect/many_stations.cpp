@@ -1,11 +1,9 @@
 #include "study/bench/collect/many_stations.h"
 
-#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "haptics/timing/stopwatch.h"
 #include "protocols/load_protocol.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/app/options.h"
@@ -20,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using collect::Connection;
-using haptics::timing::secondsSince;
-using Watch = std::chrono::steady_clock;
 
 constexpr const char* kProtocolOfSites = "punch-counterbalanced";
 constexpr const char* kStudy = "bench";
@@ -42,7 +38,7 @@ std::int64_t answersIn(const storage::SessionFacts& facts) {
 /// Sends all data of a folder as 'palpate collect push' does. Returns amounts and times.
 StationPush pushAll(collect::Outbox& outbox, Connection& server) {
   StationPush sent;
-  auto start = Watch::now();
+  WorkWatch watch(server);
   outbox.forEachBatch(0, [&](const collect::Batch& batch) {
     const auto text = collect::asText(batch);
     std::vector<std::vector<std::byte>> chunks;
@@ -50,16 +46,16 @@ StationPush pushAll(collect::Outbox& outbox, Connection& server) {
       sent.traceBytes += each.chunk.data.size();
       chunks.push_back(each.chunk.data);
     }
-    sent.reading += secondsSince(start);
-    const auto begin = Watch::now();
+    sent.reading += watch.elapsed();
+    watch.start();
     const auto answer = collect::ingest(server, text, chunks);
-    (chunks.empty() ? sent.taking : sent.traces) += secondsSince(begin);
+    (chunks.empty() ? sent.taking : sent.traces) += watch.elapsed();
     if (!answer.refused.empty()) throw UserError(collect::wordsFor(answer));
     sent.events += static_cast<std::int64_t>(batch.events.size());
     for (const auto& session : batch.sessions) {
       sent.answers += answersIn(collect::factsIn(session.facts));
     }
-    start = Watch::now();
+    watch.start();
     return true;
   });
   return sent;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocols/model/loaded_protocol.h"
+#include "study/bench/collect/work_time.h"
 #include "study/collect/server/private_server.h"
 #include "study/session/study.h"
 #include "study/storage/event_log.h"
@@ -18,10 +19,10 @@ namespace study::bench {
 struct StationPush {
   std::int64_t answers = 0;
   std::int64_t events = 0;
-  std::uint64_t traceBytes = 0;  ///< [B]
-  double reading = 0.0;          ///< time of reading the folder and writing batches [s]
-  double taking = 0.0;           ///< time of ingest() of events and sessions [s]
-  double traces = 0.0;           ///< time of ingest() of samples [s]
+  std::uint64_t traceBytes = 0;
+  WorkTime reading;  ///< reading its folder and writing batches
+  WorkTime taking;   ///< ingest() of events and sessions
+  WorkTime traces;   ///< ingest() of samples
 };
 
 /// A study on a private server, and stations that send sessions of simulated participants to it:
