@@ -148,19 +148,19 @@ TEST_F(ConnectedPunch, CanBeCheckedFromTheWindow) {
   for (int i = 0; i < 4 && sound.size() < 8; ++i) sound = readFindings(window);
   ASSERT_GE(sound.size(), 8U);
   for (const auto& row : sound) {
-    EXPECT_EQ(row[0], QStringLiteral("punch"));
-    EXPECT_FALSE(row[1].endsWith(QStringLiteral("FAIL"))) << row.join(u' ').toStdString();
+    EXPECT_EQ(row[0], QStringLiteral("Punch"));
+    EXPECT_FALSE(row[1].endsWith(QStringLiteral("fix it"))) << row.join(u' ').toStdString();
     EXPECT_FALSE(row[3].isEmpty()) << row[2].toStdString();
   }
   EXPECT_TRUE(std::any_of(sound.begin(), sound.end(), [](const auto& row) {
-    return row[1].endsWith(QStringLiteral("PASS"));
+    return row[1].endsWith(QStringLiteral("good"));
   }));
 
   punch_.order("unplug");
   QTest::qWait(300);
   const auto gone = readFindings(window);
   ASSERT_FALSE(gone.empty());
-  EXPECT_TRUE(gone.front()[1].endsWith(QStringLiteral("FAIL")));
+  EXPECT_TRUE(gone.front()[1].endsWith(QStringLiteral("fix it")));
   EXPECT_FALSE(gone.front()[4].isEmpty()) << "there is advice";
   auto* line = window.findChild<QLabel*>(QStringLiteral("device-punch"));
   EXPECT_TRUE(line->text().contains(QStringLiteral("unplugged"))) << line->text().toStdString();
