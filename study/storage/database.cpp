@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -18,7 +19,8 @@ namespace study::storage {
 namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
-constexpr int kMostPauses = 1500;  // about 3 s in total; then the caller gets an error
+constexpr int kMostPauses = 1500;       // about 3 s in all; then the caller gets an error
+constexpr std::size_t kMostIdle = 200;  // statements of a few kB; the program has fewer
 
 /// Whether no account can write the file (an archive, or a read-only disk) and the file has no
 /// write-ahead log. SQLite cannot read a file with a log without write access.
@@ -72,7 +74,8 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
   const int code = sqlite3_open_v2(
       (isImmutable ? sealedName(path_) : path_).c_str(),
       &handle_,
-      flags | SQLITE_OPEN_EXRESCODE | (isImmutable ? SQLITE_OPEN_URI : 0),
+      // A connection belongs to one thread: without a lock at each call of SQLite.
+      flags | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOMUTEX | (isImmutable ? SQLITE_OPEN_URI : 0),
       nullptr);
   if (code == SQLITE_OK) {
     sqlite3_busy_handler(handle_, waitForOthers, nullptr);
@@ -87,6 +90,7 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
 }
 
 Database::~Database() {
+  closeIdle();
   sqlite3_close(handle_);
 }
 
@@ -94,7 +98,8 @@ Database::Database(Database&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, nullptr)),
       isRollbackScheduled_(other.isRollbackScheduled_),
-      key_(other.key_) {}
+      key_(other.key_),
+      idle_(std::exchange(other.idle_, {})) {}
 
 Database Database::create(const std::string& path, const Schema& schema) {
   if (std::filesystem::exists(path)) {
@@ -255,6 +260,47 @@ std::string Database::integrityProblems() {
     problems += path_ + ": a row of '" + keys.text(0) + "' refers to nothing\n";
   }
   return problems;
+}
+
+sqlite3_stmt* Database::compiled(const std::string& sql) const {
+  if (const auto found = idle_.find(sql); found != idle_.end()) {
+    sqlite3_stmt* statement = found->second;
+    idle_.erase(found);
+    return statement;
+  }
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v3(
+      handle_,
+      sql.c_str(),
+      static_cast<int>(sql.size()),
+      SQLITE_PREPARE_PERSISTENT,
+      &statement,
+      nullptr);
+  if (code != SQLITE_OK) fail(code, "read");
+  return statement;
+}
+
+void Database::giveBack(sqlite3_stmt* statement) const noexcept {
+  if (statement == nullptr) return;  // of a text without a statement
+  // An idle statement has no lock and no values of rows.
+  sqlite3_reset(statement);
+  sqlite3_clear_bindings(statement);
+  // Some pragmas act when they are compiled.
+  const std::string_view sql = sqlite3_sql(statement);
+  if (!sql.starts_with("PRAGMA")) {
+    if (idle_.size() >= kMostIdle) closeIdle();
+    try {
+      if (idle_.emplace(sql, statement).second) return;
+    } catch (const std::bad_alloc&) {
+      // It is not kept.
+    }
+  }
+  sqlite3_finalize(statement);
+}
+
+void Database::closeIdle() const noexcept {
+  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
+  idle_.clear();
 }
 
 std::int64_t Database::lastInsertedId() const noexcept {

@@ -6,14 +6,11 @@
 
 namespace study::storage {
 
-Statement::Statement(const Database& database, const std::string& sql) : database_(database) {
-  const int code = sqlite3_prepare_v2(
-      database.handle(), sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr);
-  if (code != SQLITE_OK) database.fail(code, "read");
-}
+Statement::Statement(const Database& database, const std::string& sql)
+    : database_(database), statement_(database.compiled(sql)) {}
 
 Statement::~Statement() {
-  sqlite3_finalize(statement_);
+  database_.giveBack(statement_);
 }
 
 Statement& Statement::bind(int index, std::int64_t value) {

@@ -44,6 +44,46 @@ TEST(Database, HasDurableSettings) {
   }
 }
 
+TEST(Database, CompilesAStatementOnce) {
+  const auto database = Database::inMemory(studySchema());
+  auto* first = database.compiled("SELECT ?");
+  database.giveBack(first);
+  auto* second = database.compiled("SELECT ?");
+  EXPECT_EQ(second, first);
+  database.giveBack(second);
+}
+
+TEST(Database, GivesAStatementWithoutTheValuesOfTheLastUse) {
+  const auto database = Database::inMemory(studySchema());
+  {
+    Statement first(database, "SELECT ?");
+    first.bind(1, std::int64_t{5});
+    ASSERT_TRUE(first.step());
+  }
+  Statement second(database, "SELECT ?");
+  Statement third(database, "SELECT ?");  // of the same text, and at the same time
+  third.bind(1, std::int64_t{6});
+  ASSERT_TRUE(second.step());
+  ASSERT_TRUE(third.step());
+  EXPECT_TRUE(second.isNull(0));
+  EXPECT_EQ(third.number(0), 6);
+  EXPECT_FALSE(second.step());
+}
+
+TEST(Database, CanBeChangedAndVacuumedAfterAStatementThatDidNotReadToTheEnd) {
+  auto database = Database::inMemory(studySchema());
+  database.execute("CREATE TABLE note (words TEXT); INSERT INTO note VALUES ('a'), ('b')");
+  const auto columns = [&] {
+    Statement select(database, "SELECT * FROM note ORDER BY rowid");
+    return select.step() ? select.columnCount() : 0;
+  };
+  EXPECT_EQ(columns(), 1);
+  database.execute("ALTER TABLE note ADD COLUMN author TEXT; VACUUM");
+  EXPECT_EQ(columns(), 2);
+  database.execute("DROP TABLE note");
+  EXPECT_THROW(columns(), StorageError);
+}
+
 TEST(Database, NeverOverwritesAFile) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("study.db", "a diary");

@@ -90,7 +90,7 @@ constexpr auto kMemory = [](const char* name, Arm when, bool isPersistent) {
       when,
       isPersistent,
       0,
-      2003,
+      1009,
       140};
 };
 
