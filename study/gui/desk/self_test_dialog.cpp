@@ -54,9 +54,10 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
 
 void SelfTestDialog::test() {
   std::vector<FindingLine> lines;
-  const bool isDone = BackgroundTask::run(this, tr("Testing"), [&](const Progress& progress) {
-    lines = testComputer(order_, progress);
-  });
+  const bool isDone = BackgroundTask::run(
+      this, tr("Testing"), Matter::SystemNotChecked, [&](const Progress& progress) {
+        lines = testComputer(order_, progress);
+      });
   if (!isDone) return;
   for (auto& line : testScreens()) lines.push_back(std::move(line));
   lines_ = std::move(lines);

@@ -9,6 +9,7 @@
 
 #include "study/gui/widgets/findings_table.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
 
@@ -16,13 +17,10 @@ using haptics::devices::Finding;
 
 FindingsDialog::FindingsDialog(
     const std::vector<Found>& found, Question asks, const CheckAgain& checkAgain, QWidget* parent)
-    : QDialog(parent),
-      verdict_(bodyLabel({}, this)),
-      table_(new FindingsTable(this)),
-      start_(new QPushButton(this)) {
-  setWindowTitle(asks == Question::StartDespiteFailures ? tr("Before the session") : tr("Devices"));
-  auto* layout = new QVBoxLayout(this);
+    : QDialog(parent), table_(new FindingsTable(this)), start_(new QPushButton(this)) {
   const bool isQuestion = asks == Question::StartDespiteFailures;
+  setWindowTitle(isQuestion ? tr("Before the session") : tr("Devices"));
+  auto* layout = new QVBoxLayout(this);
   auto* words = addBoxWords(
       *layout,
       isQuestion ? MessageRow::Kind::Question : MessageRow::Kind::Information,
@@ -34,13 +32,12 @@ FindingsDialog::FindingsDialog(
   verdict_ = qobject_cast<QLabel*>(words->itemAt(0)->widget());
   verdict_->setObjectName(QStringLiteral("verdict"));
   table_->setFocusPolicy(Qt::NoFocus);
-  auto* close = new QPushButton(tr("Close"), this);
+  auto* close = new QPushButton(isQuestion ? tr("Do not start") : tr("Close"), this);
   close->setDefault(true);
-  close->setFocus();
   auto* again = new QPushButton(tr("Check again"), this);
   again->setObjectName(QStringLiteral("check-again"));
   again->setVisible(static_cast<bool>(checkAgain));
-  start_->setVisible(asks == Question::StartDespiteFailures);
+  start_->setVisible(isQuestion);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(start_);
   buttons->addStretch(1);
@@ -50,13 +47,6 @@ FindingsDialog::FindingsDialog(
   connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
   connect(start_, &QPushButton::clicked, this, &QDialog::accept);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  auto* heading = bodyLabel(windowTitle(), this);
-  heading->setProperty("role", QStringLiteral("heading"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(12);
-  layout->addWidget(heading);
-  layout->addWidget(verdict_);
   layout->addWidget(table_, 1);
   layout->addLayout(buttons);
   resize(1000, 520);
@@ -81,8 +71,7 @@ void FindingsDialog::show(const std::vector<Found>& found) {
       : !isBad ? tr("✓  All checks passed.")
       : start_->isHidden()
           ? tr("✕  Some checks failed. Fix the lines that are marked \"✕\", then check again.")
-          : tr("✕  Some checks failed. Fix the lines that are marked \"✕\". If you start anyway, "
-               "trials on a device that failed may break off, and are marked."));
+          : tr("Start the session although some checks failed?"));
   start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 
