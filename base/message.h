@@ -93,7 +93,7 @@ std::string filled(std::string_view pattern, const NamedArguments& arguments);
 /// as data fails.
 std::string shown(std::string_view pattern);
 
-constexpr std::size_t placesIn(std::string_view pattern) {
+constexpr std::size_t placeholderCount(std::string_view pattern) {
   std::size_t places = 0;
   for (const char c : pattern) places += c == '{' ? 1 : 0;
   return places;
@@ -107,7 +107,7 @@ class CheckedKey {
   consteval CheckedKey(const char* key) {  // NOLINT(google-explicit-constructor)
     while (index_ < kKinds.size() && kKinds[index_].key != key) ++index_;
     if (index_ == kKinds.size()) throw "there is no message of this key";
-    if (placesIn(kKinds[index_].english) != kArguments) throw "wrong number of arguments";
+    if (placeholderCount(kKinds[index_].english) != kArguments) throw "wrong number of arguments";
   }
 
   const MessageKind& kind() const noexcept { return kKinds[index_]; }

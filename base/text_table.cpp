@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text, std::string_view blanks) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 is 0: nothing remains
 }
 
-std::vector<std::string_view> piecesOf(std::string_view text, std::string_view blanks) {
+std::vector<std::string_view> splitText(std::string_view text, std::string_view blanks) {
   std::vector<std::string_view> pieces;
   for (auto begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
     const auto end = std::min(text.find_first_of(blanks, begin), text.size());
@@ -76,7 +76,7 @@ char separatorOf(std::string_view line) {
 std::vector<std::string> cellsOf(std::string_view line, char separator) {
   std::vector<std::string> cells;
   if (separator == ' ') {
-    for (const auto piece : piecesOf(line, " \t\r")) {
+    for (const auto piece : splitText(line, " \t\r")) {
       cells.emplace_back(trimmed(piece, kTrimmedFromCells));
     }
     return cells;

@@ -17,7 +17,7 @@ std::string_view withoutByteOrderMark(std::string_view text);
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 
 /// The pieces of @p text between runs of characters of @p blanks.
-std::vector<std::string_view> piecesOf(std::string_view text, std::string_view blanks);
+std::vector<std::string_view> splitText(std::string_view text, std::string_view blanks);
 
 /// ASCII letters in lower case; all other bytes as they are.
 std::string lowerCase(std::string_view text);

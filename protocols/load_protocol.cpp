@@ -25,8 +25,8 @@ void append(const Problems& found, Problems& problems) {
 
 /// The largest size of a file with this name [bytes].
 std::size_t largestOf(const std::string& name) {
-  if (name.ends_with(kPackingEnding)) return kLargestPacking;
-  return name.ends_with(kAnatomyEnding) ? kLargestAnatomy : questionnaires::kLargestFile;
+  if (name.ends_with(kPackingExtension)) return kMaxPackingBytes;
+  return name.ends_with(kAnatomyExtension) ? kMaxAnatomyBytes : questionnaires::kLargestFile;
 }
 
 std::optional<LoadedProtocol> load(
@@ -35,7 +35,7 @@ std::optional<LoadedProtocol> load(
     Problems& problems,
     Defaults defaults,
     const FileFinder& copies = {}) {
-  auto draft = readDraft(json, find, problems, defaults, copies);
+  auto draft = readUnvalidatedProtocol(json, find, problems, defaults, copies);
   if (!draft) return std::nullopt;
   validate(*draft, problems);
   if (defaults == Defaults::Current) validateBenchmarks(*draft, problems);

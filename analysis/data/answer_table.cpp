@@ -18,7 +18,7 @@ AnswerSample AnswerTable::sampleOf(std::size_t method) const {
 }
 
 AnswerSample AnswerTable::sampleOf(std::span<const double> scores) const {
-  if (!isOfPoints) return AnswerSample(scores);
+  if (!isPointScale) return AnswerSample(scores);
   LikertCounts counts(static_cast<int>(lowest), static_cast<int>(highest));
   for (const double score : scores) counts.add(static_cast<int>(score));
   return counts;
@@ -38,20 +38,21 @@ std::vector<std::vector<std::optional<double>>> AnswerTable::participantMeans() 
   return means;
 }
 
-std::vector<double> CompleteMeans::of(std::size_t method) const {
+std::vector<double> CompleteCaseMeans::of(std::size_t method) const {
   std::vector<double> column;
   column.reserve(means.size());
   for (const auto& row : means) column.push_back(row[method]);
   return column;
 }
 
-CompleteMeans completeMeans(const AnswerTable& table, const std::vector<std::size_t>& methods) {
-  CompleteMeans complete;
+CompleteCaseMeans completeCaseMeans(
+    const AnswerTable& table, const std::vector<std::size_t>& methods) {
+  CompleteCaseMeans complete;
   const auto all = table.participantMeans();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto has = [&](std::size_t method) { return all[i][method].has_value(); };
     if (!std::all_of(methods.begin(), methods.end(), has)) {
-      complete.leftOut.push_back(i);
+      complete.excludedParticipants.push_back(i);
       continue;
     }
     complete.participants.push_back(i);

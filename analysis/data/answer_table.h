@@ -27,7 +27,7 @@ struct AnswerTable {
   double highest = 5.0;
   /// Whether the answers are points: whole numbers on a scale of at most LikertCounts::kMostPoints.
   /// Otherwise no counts, ordinal model or test for two peaks are computed.
-  bool isOfPoints = true;
+  bool isPointScale = true;
   std::vector<std::string> participants;
   std::vector<std::string> methods;
   std::vector<std::string> rounds;
@@ -35,13 +35,13 @@ struct AnswerTable {
   std::vector<ScoredAnswer> answers;
 
   /// The lowest point above the middle of the scale: 4 of 1 … 5.
-  /// @pre isOfPoints
+  /// @pre isPointScale
   int aboveMiddle() const;
 
   /// All answers about a method, of all participants.
   AnswerSample sampleOf(std::size_t method) const;
 
-  /// A sample of @p scores, counted by point if isOfPoints.
+  /// A sample of @p scores, counted by point if isPointScale.
   AnswerSample sampleOf(std::span<const double> scores) const;
 
   /// Mean score by participant and method, [participant][method], each correctly rounded;
@@ -50,14 +50,16 @@ struct AnswerTable {
 };
 
 /// The mean scores of those participants who answered about all requested methods, one row each.
-struct CompleteMeans {
+struct CompleteCaseMeans {
   std::vector<std::size_t> participants;   ///< indices into the table's participants
   std::vector<std::vector<double>> means;  ///< [row][index into the requested methods]
-  std::vector<std::size_t> leftOut;  ///< participants who lack an answer about a requested method
+  std::vector<std::size_t>
+      excludedParticipants;  ///< participants who lack an answer about a requested method
   std::vector<double> of(std::size_t method) const;  ///< the means of one method
 };
 
 /// @param methods  indices into the methods of the table.
-CompleteMeans completeMeans(const AnswerTable& table, const std::vector<std::size_t>& methods);
+CompleteCaseMeans completeCaseMeans(
+    const AnswerTable& table, const std::vector<std::size_t>& methods);
 
 }  // namespace analysis

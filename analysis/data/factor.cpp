@@ -39,7 +39,7 @@ Factor factorOf(
   return factor;
 }
 
-Factor crossing(const Factor& a, const Factor& b) {
+Factor interactionOf(const Factor& a, const Factor& b) {
   if (a.levelOfAnswer.size() != b.levelOfAnswer.size()) {
     throw std::invalid_argument("factors to be crossed need the same answers");
   }

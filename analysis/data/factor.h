@@ -29,6 +29,6 @@ Factor factorOf(
 /// "participant:method".
 ///
 /// @throws std::invalid_argument  if the factors have different numbers of answers.
-Factor crossing(const Factor& a, const Factor& b);
+Factor interactionOf(const Factor& a, const Factor& b);
 
 }  // namespace analysis

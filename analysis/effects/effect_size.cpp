@@ -77,7 +77,7 @@ void addAverage(
   effects.glassDelta2 = ratio(contrast, contrast.variance2);
   if (!sum.isZero()) {
     const double z = tOf(contrast, squareRoot(sum));
-    effects.commonLanguage = normalUpperP(-z);
+    effects.commonLanguageEffectSize = normalUpperP(-z);
   }
   if (!welch.degreesOfFreedom) return;
 
@@ -214,11 +214,11 @@ std::vector<double> walshAverages(std::span<const double> differences) {
 void addInterval(HodgesLehmannResult& result, const std::vector<double>& averages, double level) {
   std::vector<std::uint64_t> ranks(result.n);
   std::iota(ranks.begin(), ranks.end(), std::uint64_t{1});
-  if (!SubsetSums::isFeasible(ranks)) {
+  if (!WeightedBernoulliSum::isFeasible(ranks)) {
     result.reason = reason("too_many_for_interval");
     return;
   }
-  const SubsetSums law(ranks);
+  const WeightedBernoulliSum law(ranks);
   const double tail = 0.5 * (1.0 - level);
   if (law.atMost(0) > tail) {
     result.reason = reason("no_such_confidence");

@@ -29,9 +29,10 @@ struct MeanEffects {
   std::optional<double> hedgesJAv;  ///< hedgesCorrection(ν), with ν Welch's degrees of freedom
   EffectSize hedgesGAv;             ///< hedgesJAv · cohenDAv
 
-  std::optional<double> glassDelta1;     ///< difference / standard deviation of group 1
-  std::optional<double> glassDelta2;     ///< difference / standard deviation of group 2
-  std::optional<double> commonLanguage;  ///< P(X > Y) of two normal distributions, in 0 … 1
+  std::optional<double> glassDelta1;  ///< difference / standard deviation of group 1
+  std::optional<double> glassDelta2;  ///< difference / standard deviation of group 2
+  std::optional<double>
+      commonLanguageEffectSize;  ///< P(X > Y) of two normal distributions, in 0 … 1
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };

@@ -81,7 +81,8 @@ OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
   const DoubleDouble all = squares.between + squares.within;
   result.squaresBetween = toDouble(squares.between, 2 * squares.exponent);
   result.squaresWithin = toDouble(squares.within, 2 * squares.exponent);
-  result.residualDeviation = toDouble(squareRoot(squares.within / (n - k)), squares.exponent);
+  result.residualStandardDeviation =
+      toDouble(squareRoot(squares.within / (n - k)), squares.exponent);
   result.degreesOfFreedom1 = k - 1.0;
   result.degreesOfFreedom2 = n - k;
   if (!all.isZero()) result.rSquared = (squares.between / all).high;

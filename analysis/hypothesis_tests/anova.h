@@ -25,7 +25,7 @@ struct OneWayAnovaResult {
   std::optional<double> log10P;  ///< defined even if p is too small for a double
   /// Sum of squares between groups / total sum of squares, 0 … 1; η².
   std::optional<double> rSquared;
-  std::optional<double> residualDeviation;  ///< standard deviation within groups, pooled
+  std::optional<double> residualStandardDeviation;  ///< standard deviation within groups, pooled
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };

@@ -102,11 +102,11 @@ McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo)
     result.reason = reason("nobody_changed");
     return result;
   }
-  if (changedToYes > kMostTosses || changedToNo > kMostTosses - changedToYes) {
+  if (changedToYes > kMostBinomialTrials || changedToNo > kMostBinomialTrials - changedToYes) {
     result.reason = reason("too_many_changes");
     return result;
   }
-  const SmallProbability exact = fairCoinP(changedToYes, changedToYes + changedToNo);
+  const SmallProbability exact = symmetricBinomialP(changedToYes, changedToYes + changedToNo);
   result.p = exact.p;
   result.log10P = exact.log10P;
   if (!exact.p) result.reason = reason("p_too_small");

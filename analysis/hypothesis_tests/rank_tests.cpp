@@ -146,7 +146,7 @@ void addExact(MannWhitneyResult& result, const TiedGroups& groups, Int128 double
   result.pLess = law.atMost(u);
   result.pGreater = law.atLeast(u);
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
-  result.pAbs = law.twoSidedByDistance(u);
+  result.pByDistance = law.twoSidedByDistance(u);
 }
 
 void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {

@@ -48,8 +48,9 @@ struct MannWhitneyResult {
   std::optional<double> u;
   std::optional<double> variance;  ///< of U, ties taken into account; zero if all values are equal
 
-  std::optional<double> p;     ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
-  std::optional<double> pAbs;  ///< exact, two-sided: P(U at least as far from its mean as observed)
+  std::optional<double> p;  ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
+  std::optional<double>
+      pByDistance;  ///< exact, two-sided: P(U at least as far from its mean as observed)
   std::optional<double> pLess;     ///< exact, one-sided: P(≤ U); alternative: group 1 < group 2
   std::optional<double> pGreater;  ///< exact, one-sided: P(≥ U); alternative: group 1 > group 2
 
@@ -68,7 +69,7 @@ struct MannWhitneyResult {
 ///     σ² = n₁ n₂ / 12 · (N + 1 − Σ (t³ − t) / (N (N − 1))),   N = n₁ + n₂
 ///
 /// The exact p values (see RankSums) exist for two groups of up to about 50 values, or if one group
-/// is very small. p and pAbs differ if ties make the distribution skew.
+/// is very small. p and pByDistance differ if ties make the distribution skew.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);

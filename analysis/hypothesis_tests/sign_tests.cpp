@@ -32,16 +32,16 @@ SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uin
     result.reason = zeros == 0 ? reason("no_differences") : reason("no_sign_to_test");
     return result;
   }
-  if (positive > kMostTosses || negative > kMostTosses - positive) {
+  if (positive > kMostBinomialTrials || negative > kMostBinomialTrials - positive) {
     result.reason = reason("too_many_differences");
     return result;
   }
   const std::uint64_t tosses = positive + negative;
-  const SmallProbability both = fairCoinP(positive, tosses);
+  const SmallProbability both = symmetricBinomialP(positive, tosses);
   result.p = both.p;
   result.log10P = both.log10P;
-  result.pLess = headsAtMost(positive, tosses).p;
-  result.pGreater = headsAtMost(negative, tosses).p;
+  result.pLess = symmetricBinomialCdf(positive, tosses).p;
+  result.pGreater = symmetricBinomialCdf(negative, tosses).p;
   if (!result.p || !result.pLess || !result.pGreater) {
     result.reason = reason("a_p_too_small");
   }
@@ -81,11 +81,11 @@ SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
 }
 
 void addExact(SignedRankResult& result, const SignedRanks& ranks) {
-  if (!SubsetSums::isFeasible(ranks.doubled)) {
+  if (!WeightedBernoulliSum::isFeasible(ranks.doubled)) {
     result.reason = reason("too_many_differences_asymptotic");
     return;
   }
-  const SubsetSums law(ranks.doubled);
+  const WeightedBernoulliSum law(ranks.doubled);
   const auto sum = static_cast<std::uint64_t>(ranks.positiveSum);
   result.p = law.twoSided(sum);
   result.pLess = law.atMost(sum);
@@ -222,9 +222,9 @@ void addEnumerated(SignFlipResult& result, const SignFlips& flips) {
 bool addBySums(SignFlipResult& result, const SignFlips& flips) {
   std::vector<std::uint64_t> weights;
   for (const Int128 size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
-  if (!SubsetSums::isFeasible(weights)) return false;
+  if (!WeightedBernoulliSum::isFeasible(weights)) return false;
 
-  const SubsetSums law(weights);
+  const WeightedBernoulliSum law(weights);
   const auto positive = static_cast<std::uint64_t>(flips.positive);
   result.p = law.twoSided(positive);
   result.pLess = law.atMost(positive);

@@ -63,8 +63,8 @@ struct SignedRankResult {
 ///
 /// The exact distribution uses the midranks of the data, ties and zeros included, with all 2ⁿ
 /// choices of signs equally likely. It is computed by dynamic programming over doubled ranks
-/// (SubsetSums), for up to about 300 differences. The asymptotic distribution has mean Σr/2 and
-/// variance Σr²/4, over the ranks r of differences that are not zero.
+/// (WeightedBernoulliSum), for up to about 300 differences. The asymptotic distribution has mean
+/// Σr/2 and variance Σr²/4, over the ranks r of differences that are not zero.
 ///
 /// Ranks depend on the last digit: pass differences of means through withoutRoundingNoise() first,
 /// so that rounding errors do not break ties.

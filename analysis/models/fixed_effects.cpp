@@ -132,7 +132,7 @@ Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) 
     if (auto why = whyRandomIsNotDefined(random[k]); !why.empty()) return why;
     // Two random factors are confounded if no level of either occurs with two levels of the other.
     for (std::size_t l = 0; l < k; ++l) {
-      const std::size_t pairs = crossing(random[k], random[l]).levels.size();
+      const std::size_t pairs = interactionOf(random[k], random[l]).levels.size();
       if (pairs == random[k].levels.size() && pairs == random[l].levels.size()) {
         return reason("same_grouping", random[l].name, random[k].name);
       }

@@ -157,7 +157,7 @@ class Pooling {
         .derSimonianLaird = by(simple, simple),
         .reml = by(largest, largest),
         .knappHartung = knappHartung(largest)};
-    result.qP = chiSquaredP(result.q, equal_.df());
+    result.heterogeneityP = chiSquaredP(result.q, equal_.df());
     return result;
   }
 

@@ -43,7 +43,7 @@ struct PooledEstimate {
 struct MetaAnalysis {
   std::size_t sites = 0;
   double q = 0.0;
-  double qP = 1.0;
+  double heterogeneityP = 1.0;
   PooledEstimate common;  ///< τ² = 0: the same effect at all sites
   PooledEstimate derSimonianLaird;
   PooledEstimate reml;

@@ -62,7 +62,7 @@ void RestrictedDeviance::addFixed(
     x.col(j) = VectorXd::Map(column.data(), answers_);
   }
   const Eigen::HouseholderQR<MatrixXd> qr(x);
-  triangle_ = qr.matrixQR().topRows(columns_).triangularView<Eigen::Upper>();
+  triangularFactor_ = qr.matrixQR().topRows(columns_).triangularView<Eigen::Upper>();
   x = qr.householderQ() * MatrixXd::Identity(answers_, columns_);
 
   rest_ = VectorXd::Map(y.data(), answers_);
@@ -75,7 +75,7 @@ void RestrictedDeviance::addFixed(
   const VectorXd correction = x.transpose() * rest_;
   coefficients_ += correction;
   rest_ -= x * correction;
-  leastSquares_ = rest_.squaredNorm();
+  residualSumOfSquares_ = rest_.squaredNorm();
 }
 
 void RestrictedDeviance::addRandom(std::span<const Factor> random, const MatrixXd& x) {
@@ -119,15 +119,15 @@ std::optional<RestrictedDeviance::Profile> RestrictedDeviance::profileAt(
       MatrixXd::Identity(columns_, columns_) - at.reducedX.transpose() * at.reducedX);
   const VectorXd right = -at.reducedX.transpose() * at.reducedY;
   at.shift = at.information.solve(right);
-  at.residual = leastSquares_ - at.reducedY.squaredNorm() - right.dot(at.shift);
+  at.residual = residualSumOfSquares_ - at.reducedY.squaredNorm() - right.dot(at.shift);
   const bool isSolved =
       at.system.info() == Eigen::Success && at.information.info() == Eigen::Success;
-  if (!isSolved || !(at.residual > kNothing * leastSquares_)) return std::nullopt;
+  if (!isSolved || !(at.residual > kNothing * residualSumOfSquares_)) return std::nullopt;
 
   const double df = degreesOfFreedom();
   const double logDeterminants = at.system.matrixLLT().diagonal().array().log().sum() +
                                  at.information.matrixLLT().diagonal().array().log().sum() +
-                                 triangle_.diagonal().array().abs().log().sum();
+                                 triangularFactor_.diagonal().array().abs().log().sum();
   at.deviance =
       2.0 * logDeterminants + df * (1.0 + std::log(2.0 * std::numbers::pi * at.residual / df));
   if (!std::isfinite(at.deviance)) return std::nullopt;
@@ -190,7 +190,7 @@ MatrixXd RestrictedDeviance::varianceHessian(
 }
 
 bool RestrictedDeviance::isExplainedByFixedEffects() const {
-  return !(leastSquares_ > kNothing * sumOfSquares_);
+  return !(residualSumOfSquares_ > kNothing * sumOfSquares_);
 }
 
 bool RestrictedDeviance::isExplainedByFixedEffects(std::size_t intercept) const {
@@ -222,7 +222,7 @@ std::optional<RestrictedSolution> RestrictedDeviance::solution(
   const auto at = profileAt(relativeVariances);
   if (!at) return std::nullopt;
   const auto projection = projectionOf(*at);
-  const auto upper = triangle_.triangularView<Eigen::Upper>();
+  const auto upper = triangularFactor_.triangularView<Eigen::Upper>();
   const MatrixXd inverse = upper.solve(MatrixXd::Identity(columns_, columns_));
   const MatrixXd half = at->information.solve(inverse.transpose());
   MatrixXd ofResiduals = inverse * half;  // the covariance, relative to σ²

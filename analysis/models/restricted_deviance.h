@@ -73,12 +73,12 @@ class RestrictedDeviance {
   std::vector<Eigen::Index> levels_;  ///< number of levels of each random intercept
   /// For each random intercept, the index of its first random effect.
   std::vector<Eigen::Index> from_;
-  double offset_ = 0.0;           ///< y of the first answer, subtracted from all
-  double sumOfSquares_ = 0.0;     ///< of y around its mean
-  double leastSquares_ = 0.0;     ///< sum of squares of rest_
-  Eigen::VectorXd rest_;          ///< y without the fixed effects
-  Eigen::MatrixXd triangle_;      ///< R of X = QR, with Q orthonormal
-  Eigen::VectorXd coefficients_;  ///< least-squares coefficients of the orthonormalised X
+  double offset_ = 0.0;                ///< y of the first answer, subtracted from all
+  double sumOfSquares_ = 0.0;          ///< of y around its mean
+  double residualSumOfSquares_ = 0.0;  ///< sum of squares of rest_
+  Eigen::VectorXd rest_;               ///< y without the fixed effects
+  Eigen::MatrixXd triangularFactor_;   ///< R of X = QR, with Q orthonormal
+  Eigen::VectorXd coefficients_;       ///< least-squares coefficients of the orthonormalised X
   Eigen::MatrixXd ztz_;
   Eigen::MatrixXd ztx_;
   Eigen::VectorXd zty_;

@@ -58,7 +58,8 @@ Scaled lowerTail(std::uint64_t heads, std::uint64_t tosses) {
 
 void require(std::uint64_t heads, std::uint64_t tosses) {
   if (heads > tosses) throw std::invalid_argument("there are more heads than tosses");
-  if (tosses > kMostTosses) throw std::invalid_argument("there are too many tosses of a coin");
+  if (tosses > kMostBinomialTrials)
+    throw std::invalid_argument("there are too many tosses of a coin");
 }
 
 constexpr std::size_t kMostWeights = 500;  // the smallest probability, 2^−500, is still a double
@@ -76,7 +77,7 @@ DoubleDouble halfOf(const DoubleDouble& number) {
 
 }  // namespace
 
-SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses) {
+SmallProbability symmetricBinomialCdf(std::uint64_t heads, std::uint64_t tosses) {
   require(heads, tosses);
   if (2 * heads <= tosses) return probabilityOf(lowerTail(heads, tosses));
   if (heads == tosses) return {.p = 1.0, .log10P = 0.0};
@@ -84,7 +85,7 @@ SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses) {
   return {.p = 1.0 - above, .log10P = std::log1p(-above) / std::numbers::ln10};
 }
 
-SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses) {
+SmallProbability symmetricBinomialP(std::uint64_t heads, std::uint64_t tosses) {
   require(heads, tosses);
   if (2 * heads == tosses) return {.p = 1.0, .log10P = 0.0};
   Scaled tail = lowerTail(std::min(heads, tosses - heads), tosses);
@@ -93,7 +94,7 @@ SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses) {
   return both.log10P < 0.0 ? both : SmallProbability{.p = 1.0, .log10P = 0.0};
 }
 
-bool SubsetSums::isFeasible(std::span<const std::uint64_t> weights) {
+bool WeightedBernoulliSum::isFeasible(std::span<const std::uint64_t> weights) {
   if (weights.size() > kMostWeights) return false;
   const std::uint64_t unit = unitOf(weights);
   std::uint64_t reach = 0;
@@ -104,7 +105,8 @@ bool SubsetSums::isFeasible(std::span<const std::uint64_t> weights) {
   return reach * weights.size() <= kMostSteps;
 }
 
-SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(weights)) {
+WeightedBernoulliSum::WeightedBernoulliSum(std::span<const std::uint64_t> weights)
+    : unit_(unitOf(weights)) {
   if (!isFeasible(weights)) throw std::invalid_argument("too many sums to compute their law");
   std::size_t reach = 0;
   for (const auto weight : weights) reach += weight / unit_;
@@ -125,7 +127,7 @@ SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(we
   }
 }
 
-double SubsetSums::atMost(std::uint64_t sum) const {
+double WeightedBernoulliSum::atMost(std::uint64_t sum) const {
   const std::size_t last = std::min<std::size_t>(sum / unit_, probabilities_.size() - 1);
   DoubleDouble total;
   for (std::size_t i = 0; i <= last; ++i) total = total + probabilities_[i];
@@ -133,14 +135,14 @@ double SubsetSums::atMost(std::uint64_t sum) const {
 }
 
 /// Adds from the far end of the tail, so that small probabilities come first.
-double SubsetSums::atLeast(std::uint64_t sum) const {
+double WeightedBernoulliSum::atLeast(std::uint64_t sum) const {
   const std::uint64_t first = sum / unit_ + (sum % unit_ == 0 ? 0 : 1);
   DoubleDouble total;
   for (std::size_t i = probabilities_.size(); i > first; --i) total = total + probabilities_[i - 1];
   return total.high;
 }
 
-double SubsetSums::twoSided(std::uint64_t sum) const {
+double WeightedBernoulliSum::twoSided(std::uint64_t sum) const {
   return std::min(1.0, 2.0 * std::min(atMost(sum), atLeast(sum)));
 }
 

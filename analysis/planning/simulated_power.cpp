@@ -25,11 +25,11 @@ double uniform(std::mt19937_64& random) {
 
 }  // namespace
 
-double LikertModel::levelOfFirst() const {
-  return dz * deviationOfDifferences();
+double LikertModel::latentMeanOfFirst() const {
+  return dz * sdOfDifferences();
 }
 
-double LikertModel::deviationOfDifferences() const {
+double LikertModel::sdOfDifferences() const {
   return std::sqrt(2.0 * (participantByConditionShare + residualShare / answers));
 }
 
@@ -46,14 +46,16 @@ void LikertModel::check() const {
 }
 
 LikertCohort::LikertCohort(const LikertModel& model, std::uint64_t seed)
-    : model_((model.check(), model)), levelOfFirst_(model.levelOfFirst()), random_(seed) {}
+    : model_((model.check(), model)),
+      latentMeanOfFirst_(model.latentMeanOfFirst()),
+      random_(seed) {}
 
 double LikertCohort::normal() {
-  hasSpare_ = !hasSpare_;
-  if (!hasSpare_) return spare_;
+  hasCachedNormal_ = !hasCachedNormal_;
+  if (!hasCachedNormal_) return cachedNormal_;
   const double radius = std::sqrt(-2.0 * std::log(uniform(random_)));
   const double angle = 2.0 * std::numbers::pi * uniform(random_);
-  spare_ = radius * std::sin(angle);
+  cachedNormal_ = radius * std::sin(angle);
   return radius * std::cos(angle);
 }
 
@@ -63,9 +65,9 @@ int LikertCohort::pointAt(double x) const {
   return static_cast<int>(std::clamp(point, 1.0, static_cast<double>(model_.points)));
 }
 
-std::vector<double> LikertCohort::shiftsOfSite(double deviation) {
+std::vector<double> LikertCohort::drawSiteShifts(double deviation) {
   // The difference of two independent shifts has √2 times the deviation of each.
-  const double each = deviation * model_.deviationOfDifferences() / std::numbers::sqrt2;
+  const double each = deviation * model_.sdOfDifferences() / std::numbers::sqrt2;
   std::vector<double> shifts;
   for (int c = 0; c < model_.conditions; ++c) shifts.push_back(each * normal());
   return shifts;
@@ -76,7 +78,7 @@ LikertAnswers LikertCohort::next(std::span<const double> shifts) {
   LikertAnswers answers;
   for (int c = 0; c < model_.conditions; ++c) {
     const double shift = shifts.empty() ? 0.0 : shifts[static_cast<std::size_t>(c)];
-    const double level = (c == 0 ? levelOfFirst_ : 0.0) + ofPerson + shift +
+    const double level = (c == 0 ? latentMeanOfFirst_ : 0.0) + ofPerson + shift +
                          std::sqrt(model_.participantByConditionShare) * normal();
     auto& ofCondition = answers.emplace_back();
     for (int i = 0; i < model_.answers; ++i) {

@@ -30,11 +30,11 @@ struct LikertModel {
 
   /// m_c of the first condition (that of the others is 0), such that participants' mean differences
   /// have an effect size of d_z: d_z √(2 (σ_M² + σ_R² / answers)).
-  double levelOfFirst() const;
+  double latentMeanOfFirst() const;
 
   /// The standard deviation of the participants' latent mean differences of two conditions:
   /// √(2 (σ_M² + σ_R² / answers)).
-  double deviationOfDifferences() const;
+  double sdOfDifferences() const;
 
   /// @throws std::invalid_argument  for shares that are negative or do not add up to one, fewer
   ///     than two points or conditions, no answers, or an effect that is NaN.
@@ -57,17 +57,17 @@ class LikertCohort {
 
   /// Draws the shifts of all conditions at the next site. The difference of two conditions then
   /// has, between sites, a standard deviation of @p deviation times that between participants.
-  std::vector<double> shiftsOfSite(double deviation);
+  std::vector<double> drawSiteShifts(double deviation);
 
  private:
   double normal();
   int pointAt(double x) const;
 
   LikertModel model_;
-  double levelOfFirst_;
+  double latentMeanOfFirst_;
   std::mt19937_64 random_;
-  double spare_ = 0.0;  ///< the second number of the pair that Box & Muller's method gives
-  bool hasSpare_ = false;
+  double cachedNormal_ = 0.0;  ///< the second number of the pair that Box & Muller's method gives
+  bool hasCachedNormal_ = false;
 };
 
 /// The share of simulated studies in which a test was significant.

@@ -45,7 +45,7 @@ class SiteTrial {
 
   void draw(LikertCohort& cohort) {
     for (auto& site : sites_) {
-      const auto shifts = cohort.shiftsOfSite(deviation_);
+      const auto shifts = cohort.drawSiteShifts(deviation_);
       for (auto& sums : site) {
         sums.clear();
         for (const auto& of : cohort.next(shifts)) {

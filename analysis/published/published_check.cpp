@@ -207,7 +207,7 @@ bool ConventionCheck::allAttainable() const {
   return std::ranges::all_of(comparisons, &ComparisonCheck::isAttainable);
 }
 
-ConventionCheck checkAt(
+ConventionCheck checkConvention(
     const PublishedTable& table, const GroupSizes& sizes, const PublishedConvention& convention) {
   if (sizes.size() != table.groups.size()) {
     throw std::invalid_argument("every group has one size");

@@ -72,7 +72,7 @@ struct ConventionCheck {
 
 /// @param sizes  one for each group, at least 2.
 /// @throws std::invalid_argument  for another number of sizes than of groups.
-ConventionCheck checkAt(
+ConventionCheck checkConvention(
     const PublishedTable& table, const GroupSizes& sizes, const PublishedConvention& convention);
 
 }  // namespace analysis

@@ -47,7 +47,7 @@ void addEffects(
       uncorrected,
       {"glass_delta1", effects.glassDelta1},
       {"glass_delta2", effects.glassDelta2},
-      {"common_language", effects.commonLanguage}};
+      {"common_language", effects.commonLanguageEffectSize}};
   if (row.reason.empty()) row.reason = effects.reason;
 }
 
@@ -236,11 +236,11 @@ Rows omega(const TestData& data, const TestSettings&) {
 // Counts
 
 Rows fisher(const TestData& data, const TestSettings&) {
-  return {rowOf(fisherExactTest(crossTableOf(data, false).counts))};
+  return {rowOf(fisherExactTest(contingencyTableOf(data, false).counts))};
 }
 
 Rows mcNemar(const TestData& data, const TestSettings&) {
-  const auto table = crossTableOf(data, true);
+  const auto table = contingencyTableOf(data, true);
   if (table.rows.size() != 2) {
     throw base::UserError(
         "McNemar's test compares two options, and there are " + std::to_string(table.rows.size()) +
@@ -254,7 +254,7 @@ Rows mcNemar(const TestData& data, const TestSettings&) {
 }
 
 Rows stuartMaxwell(const TestData& data, const TestSettings&) {
-  return {rowOf(stuartMaxwellTest(crossTableOf(data, true).counts))};
+  return {rowOf(stuartMaxwellTest(contingencyTableOf(data, true).counts))};
 }
 
 Rows equalShares(const TestData& data, const TestSettings&) {
@@ -283,7 +283,7 @@ Design designOf(const TestData& data) {
   design.fixed.add(group);
   if (const auto round = data.factor("round"); round.levels.size() > 1) design.fixed.add(round);
   design.random.push_back(data.factor("cluster"));
-  auto taste = crossing(design.random.front(), group);
+  auto taste = interactionOf(design.random.front(), group);
   if (taste.levels.size() < first(data).size()) design.random.push_back(std::move(taste));
   return design;
 }
@@ -370,7 +370,7 @@ Rows answerProbabilities(const TestData& data, const TestSettings& settings) {
   const auto model = fitCumulativeLinkMixedModel(answers, design.fixed, design.random);
   Rows rows;
   for (const auto& group : data.factor(kGroup).levels) {
-    const HighAnswers asked{.factor = kGroup, .group = group, .from = settings.from.value()};
+    const HighAnswerEvent asked{.factor = kGroup, .group = group, .from = settings.from.value()};
     rows.push_back(answerProbabilityRow(model, design.fixed, answers, asked, settings.level));
   }
   return rows;

@@ -234,7 +234,7 @@ Factor TestData::factor(std::string_view role) const {
   return {.name = std::string(role), .levels = {}, .levelOfAnswer = {}};
 }
 
-CrossTable crossTableOf(const TestData& data, bool isSquare) {
+ContingencyTable contingencyTableOf(const TestData& data, bool isSquare) {
   auto first = data.names.at(0).values;
   auto second = data.names.at(1).values;
   const auto cases = first.size();
@@ -248,7 +248,7 @@ CrossTable crossTableOf(const TestData& data, bool isSquare) {
   const auto columnOf = [&](std::size_t i) {
     return isSquare ? rows.levelOfAnswer[cases + i] : columns.levelOfAnswer[i];
   };
-  CrossTable table{
+  ContingencyTable table{
       .rows = rows.levels,
       .columns = columns.levels,
       .counts = {rows.levels.size(), std::vector<std::uint64_t>(columns.levels.size())}};

@@ -67,7 +67,7 @@ struct TestData {
 };
 
 /// How often the levels of two columns of names occurred together.
-struct CrossTable {
+struct ContingencyTable {
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   std::vector<std::vector<std::uint64_t>> counts;  ///< [row][column]
@@ -77,7 +77,7 @@ struct CrossTable {
 /// numbers of cases (TestData::counts).
 /// @param isSquare  rows and columns both list the names of both columns, in the order of their
 ///     appearance.
-CrossTable crossTableOf(const TestData& data, bool isSquare);
+ContingencyTable contingencyTableOf(const TestData& data, bool isSquare);
 
 /// Reads a table of comma-separated values (see readCsv()) for a test. If semicolons separate the
 /// cells, decimal commas are accepted.

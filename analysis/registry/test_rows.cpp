@@ -305,7 +305,7 @@ TestRow answerProbabilityRow(
     const CumulativeLinkResult& model,
     const FixedEffects& fixed,
     std::span<const int> answers,
-    const HighAnswers& asked,
+    const HighAnswerEvent& asked,
     double level) {
   TestRow row;
   row.group1 = asked.group;

@@ -74,7 +74,7 @@ TestRow rowOf(const TEstimate& estimate, std::size_t answers);
 TestRow rowOf(const WaldEstimate& estimate, std::size_t answers, double level);
 
 /// An event whose probability is estimated: an answer of at least `from` to one level of a factor.
-struct HighAnswers {
+struct HighAnswerEvent {
   std::string_view factor;
   std::string_view group;  ///< a level of the factor
   int from = 0;
@@ -87,7 +87,7 @@ TestRow answerProbabilityRow(
     const CumulativeLinkResult& model,
     const FixedEffects& fixed,
     std::span<const int> answers,
-    const HighAnswers& asked,
+    const HighAnswerEvent& asked,
     double level);
 
 }  // namespace analysis

@@ -87,7 +87,7 @@ class FlagFinder {
     const auto methods = table_.methods.size();
     std::vector<std::size_t> every(methods);
     for (std::size_t i = 0; i < methods; ++i) every[i] = i;
-    if (methods > 1 && !completeMeans(table_, every).participants.empty()) {
+    if (methods > 1 && !completeCaseMeans(table_, every).participants.empty()) {
       flags_.push_back(
           {"paired_data_unpaired_test",
            {text("paired_data_unpaired_test")},
@@ -121,7 +121,7 @@ class FlagFinder {
            {text("source.published_analysis", 3)}});
     }
     std::vector<std::string> relative;
-    for (const std::size_t statement : facts_.relativeStatements) {
+    for (const std::size_t statement : facts_.comparativeStatements) {
       relative.push_back(table_.statements[statement]);
     }
     if (!relative.empty()) {
@@ -210,7 +210,7 @@ class FlagFinder {
     std::size_t most = 0;
     for (std::size_t second = 1; second < table_.methods.size(); ++second) {
       for (std::size_t first = 0; first < second; ++first) {
-        most = std::max(most, completeMeans(table_, {first, second}).participants.size());
+        most = std::max(most, completeCaseMeans(table_, {first, second}).participants.size());
       }
     }
     return most;

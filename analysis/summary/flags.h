@@ -127,9 +127,9 @@ struct Flag {
   base::Message why;                  ///< why it matters
   base::Message remedy;               ///< what to do
   std::vector<base::Message> source;  ///< where a paper or the manual explains it
-  bool isOfPooled = false;            ///< it concerns pooled tests only
+  bool concernsPooledTests = false;   ///< it concerns pooled tests only
   /// It concerns the rendering: the rendered forces differ from those of the methods.
-  bool isOfRendering = false;
+  bool concernsRendering = false;
 
   /// A short heading for display.
   base::Message title() const;
@@ -157,7 +157,7 @@ struct StudyFacts {
                                     ///< std::nullopt: alpha / tests
   std::size_t tests = 1;            ///< number of tests in the family
   /// Indices of the statements that compare with what was felt before.
-  std::vector<std::size_t> relativeStatements;
+  std::vector<std::size_t> comparativeStatements;
   std::vector<double> pValues;  ///< p values of the family's tests, unrounded
   /// Expected number of answers per participant, by method; empty: unknown.
   std::vector<std::size_t> expected;

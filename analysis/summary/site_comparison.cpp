@@ -52,7 +52,7 @@ class SiteComparer {
     design_ = mixedDesignOf(table_);
     auto random = design_->random;
     random.push_back(site);
-    random.push_back(crossing(site, design_->fixed.factor(kMethodFactor)));
+    random.push_back(interactionOf(site, design_->fixed.factor(kMethodFactorName)));
     random.back().name = "site:method";
     result_.randomSites = fitLinearMixedModel(design_->scores, design_->fixed, random);
     withSites_ = design_->fixed;
@@ -71,7 +71,7 @@ class SiteComparer {
   }
 
   std::vector<SiteDifference> differencesOf(const DeclaredPair& pair) const {
-    const auto complete = completeMeans(
+    const auto complete = completeCaseMeans(
         table_, {indexOfMethod(table_, pair.first), indexOfMethod(table_, pair.second)});
     std::vector<SiteDifference> differences;
     for (const auto& site : std::set<std::string>(sites_.begin(), sites_.end())) {
@@ -134,7 +134,7 @@ class SiteComparer {
       const auto estimate = contrast(
           *model.fit,
           pair.first + " - " + pair.second,
-          fixed->difference(kMethodFactor, pair.first, pair.second));
+          fixed->difference(kMethodFactorName, pair.first, pair.second));
       row = rowOf(estimate, table_.answers.size());
       row.interval = confidenceInterval(estimate, level_);
     }

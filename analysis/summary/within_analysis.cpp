@@ -63,10 +63,10 @@ class WithinComparer {
   void overall() {
     std::vector<std::size_t> every(table_.methods.size());
     for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-    const auto complete = completeMeans(table_, every);
+    const auto complete = completeCaseMeans(table_, every);
     result_.participants = complete.participants.size();
-    for (const std::size_t place : complete.leftOut) {
-      result_.leftOut.push_back(table_.participants[place]);
+    for (const std::size_t place : complete.excludedParticipants) {
+      result_.excludedParticipants.push_back(table_.participants[place]);
     }
     if (every.size() < 2) return;
     TestData data;
@@ -85,7 +85,7 @@ class WithinComparer {
     }
     design_ = mixedDesignOf(table_);
     result_.mixed = fitLinearMixedModel(design_->scores, design_->fixed, design_->random);
-    if (!table_.isOfPoints) {
+    if (!table_.isPointScale) {
       result_.ordinal.reason = base::messageOf<kWithinMessages>("no_points_to_order");
       return;
     }
@@ -98,8 +98,8 @@ class WithinComparer {
     for (const auto& answer : table_.answers) levels.push_back(static_cast<int>(answer.score));
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);
     for (const auto& method : table_.methods) {
-      const HighAnswers asked{
-          .factor = kMethodFactor, .group = method, .from = table_.aboveMiddle()};
+      const HighAnswerEvent asked{
+          .factor = kMethodFactorName, .group = method, .from = table_.aboveMiddle()};
       result_.probabilities.push_back(answerProbabilityRow(
           result_.ordinal, design_->fixed, levels, asked, 1.0 - options_.alpha));
       result_.probabilities.back().id = "answer_probability";
@@ -108,7 +108,7 @@ class WithinComparer {
 
   void row(const DeclaredPair& pair) {
     WithinComparison row{.group1 = pair.first, .group2 = pair.second};
-    const auto complete = completeMeans(
+    const auto complete = completeCaseMeans(
         table_, {indexOfMethod(table_, pair.first), indexOfMethod(table_, pair.second)});
     const TestData data{
         .values = {
@@ -165,7 +165,7 @@ class WithinComparer {
     return contrast(
         fit,
         pair.first + " - " + pair.second,
-        design_->fixed.difference(kMethodFactor, pair.first, pair.second));
+        design_->fixed.difference(kMethodFactorName, pair.first, pair.second));
   }
 
   TestRow mixedContrast(const DeclaredPair& pair) const {
@@ -199,7 +199,7 @@ MixedDesign mixedDesignOf(const AnswerTable& table) {
   MixedDesign design{.fixed = FixedEffects(table.answers.size()), .random = {}, .scores = {}};
   for (const auto& answer : table.answers) design.scores.push_back(answer.score);
   const auto method = factorBy(
-      kMethodFactor, table, table.methods, [](const auto& answer) { return answer.method; });
+      kMethodFactorName, table, table.methods, [](const auto& answer) { return answer.method; });
   design.fixed.add(method);
   const auto round =
       factorBy("round", table, table.rounds, [](const auto& answer) { return answer.round; });
@@ -209,14 +209,14 @@ MixedDesign mixedDesignOf(const AnswerTable& table) {
         return answer.participant;
       });
   design.random.push_back(participant);
-  auto taste = crossing(participant, method);
+  auto taste = interactionOf(participant, method);
   taste.name = "participant:method";
   if (taste.levels.size() < table.answers.size()) design.random.push_back(std::move(taste));
   return design;
 }
 
 bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair) {
-  const auto& levels = fixed.factor(kMethodFactor).levels;
+  const auto& levels = fixed.factor(kMethodFactorName).levels;
   const auto isThere = [&](const std::string& name) {
     return std::find(levels.begin(), levels.end(), name) != levels.end();
   };

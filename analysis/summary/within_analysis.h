@@ -39,9 +39,9 @@ struct WithinComparison {
 /// The analysis of one cohort's answers to a family of questions. The statistical unit is the
 /// participant: repeated answers are averaged first, or described by a mixed model.
 struct WithinAnalysis {
-  std::size_t participants = 0;      ///< number who judged every method
-  std::vector<std::string> leftOut;  ///< participants who did not judge every method
-  std::size_t tests = 0;             ///< number of declared comparisons
+  std::size_t participants = 0;                   ///< number who judged every method
+  std::vector<std::string> excludedParticipants;  ///< participants who did not judge every method
+  std::size_t tests = 0;                          ///< number of declared comparisons
   std::optional<double> alphaPerTest;
   std::vector<TestRow> overall;  ///< the registered tests of all methods at once
   LinearMixedResult mixed;       ///< score ~ method [+ round] + (1 | participant) + (1 | …)
@@ -61,7 +61,7 @@ struct WithinOptions {
 };
 
 /// Name of the factor of the models whose levels are the compared methods.
-inline constexpr const char* kMethodFactor = "method";
+inline constexpr const char* kMethodFactorName = "method";
 
 /// The model of the single answers:
 ///

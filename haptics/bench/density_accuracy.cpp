@@ -133,13 +133,13 @@ void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& ru
   timeFit("layers", kBounded, parameter, run, [&] {
     return reaming::fitNonNegative(few, problem.forces, prior, 1e-9);
   });
-  if (!run.isShort) timeSwarms("layers", few, problem.forces, 500, parameter, run);
+  if (!run.isShortRun) timeSwarms("layers", few, problem.forces, 500, parameter, run);
 }
 
 }  // namespace
 
 void measureDensity(const AccuracyRun& run) {
-  const Problem problem = problemOf(run.isShort ? 5000 : 201'532);
+  const Problem problem = problemOf(run.isShortRun ? 5000 : 201'532);
   const std::string all = "all spheres";
   for (const double weight : {1e-2, 1e-4, 1e-6}) {
     double gap = 0.0;
@@ -157,7 +157,7 @@ void measureDensity(const AccuracyRun& run) {
          .bound = 0.01});
   }
   for (const std::size_t layers : {12, 50}) fitLayers(problem, layers, run);
-  if (run.isShort) return;
+  if (run.isShortRun) return;
   for (const int iterations : {20, 100}) {
     timeFit(all, "multiplicative (MLEM)", iterations, run, [&, n = iterations] {
       return reaming::fitMultiplicative(problem.matrix, problem.forces, problem.uniform, n);

@@ -38,7 +38,7 @@ engine::SceneSpec sceneForLink(devices::Tissue tissue) {
 
 LinkLoop::LinkLoop(devices::Device& device)
     : device_(device),
-      forceThatMatters_(0.05 * device.capabilities().maxForce),
+      leastStallForce_(0.05 * device.capabilities().maxForce),
       scene_(sceneForLink(device.capabilities().kind->tissue)),
       engine_(device, limitsFor(device.capabilities())) {
   engine_.setScene(&scene_);
@@ -54,17 +54,17 @@ LinkLoop::~LinkLoop() {
   if (loop_) finish();
 }
 
-void LinkLoop::stallTick(std::int64_t duration) noexcept {
+void LinkLoop::orderStall(std::int64_t duration) noexcept {
   stalledAt_.store(0, std::memory_order_relaxed);
   orderedAt_.store(timing::now(), std::memory_order_relaxed);
-  ordered_.store(duration, std::memory_order_release);
+  stallDuration_.store(duration, std::memory_order_release);
 }
 
-bool LinkLoop::mustStall(double force) noexcept {
+bool LinkLoop::isStallDue(double force) noexcept {
   constexpr std::int64_t kPatience = 3 * timing::kSecond;
-  if (ordered_.load(std::memory_order_acquire) == 0) return false;
+  if (stallDuration_.load(std::memory_order_acquire) == 0) return false;
   const bool falls = std::abs(force) < std::abs(lastForce_);
-  return (falls && std::abs(force) >= forceThatMatters_) ||
+  return (falls && std::abs(force) >= leastStallForce_) ||
          timing::now() - orderedAt_.load(std::memory_order_relaxed) > kPatience;
 }
 
@@ -81,12 +81,12 @@ void LinkLoop::tick(double dt, double lateness) noexcept {
     isOver_.store(true, std::memory_order_release);
     return;
   }
-  const bool pauses = mustStall(sample.force);
+  const bool pauses = isStallDue(sample.force);
   lastForce_ = sample.force;
   if (!pauses) return;
   const std::int64_t now = timing::now();
   stalledAt_.store(now, std::memory_order_release);
-  timing::sleepUntil(now + ordered_.exchange(0, std::memory_order_relaxed));
+  timing::sleepUntil(now + stallDuration_.exchange(0, std::memory_order_relaxed));
 }
 
 LinkRun LinkLoop::finish() {

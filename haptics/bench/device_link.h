@@ -45,7 +45,7 @@ class LinkLoop {
   /// Orders a stall: one tick takes @p duration [ns] longer. It is the first tick in which a force
   /// above 5 % of the maximum begins to fall; after three seconds without such a tick, any tick.
   /// Any thread.
-  void stallTick(std::int64_t duration) noexcept;
+  void orderStall(std::int64_t duration) noexcept;
   /// When the last ordered stall began [ns on CLOCK_MONOTONIC]; 0: not yet. Any thread.
   std::int64_t stalledAt() const noexcept { return stalledAt_.load(std::memory_order_acquire); }
 
@@ -55,17 +55,17 @@ class LinkLoop {
  private:
   /// One period of the loop, of @p dt [s], that begins @p lateness [µs] after it was due.
   void tick(double dt, double lateness) noexcept;
-  bool mustStall(double force) noexcept;
+  bool isStallDue(double force) noexcept;
 
   devices::Device& device_;
-  double forceThatMatters_;  ///< least force at which a stall begins [N]
-  double lastForce_ = 0.0;   ///< [N]
+  double leastStallForce_;  ///< least force at which a stall begins [N]
+  double lastForce_ = 0.0;  ///< [N]
   engine::CompiledScene scene_;
   engine::ForceEngine engine_;
   std::atomic<bool> isOver_{false};
-  std::atomic<std::int64_t> orderedAt_{0};  ///< time at which the stall was ordered [ns]
-  std::atomic<std::int64_t> ordered_{0};    ///< duration of the ordered stall [ns]
-  std::atomic<std::int64_t> stalledAt_{0};  ///< [ns]
+  std::atomic<std::int64_t> orderedAt_{0};      ///< time at which the stall was ordered [ns]
+  std::atomic<std::int64_t> stallDuration_{0};  ///< duration of the ordered stall [ns]
+  std::atomic<std::int64_t> stalledAt_{0};      ///< [ns]
   LinkRun run_;
   std::int64_t begin_ = 0;  ///< time of arming [ns]
   double processorBefore_ = 0.0;

@@ -33,7 +33,7 @@ Scenes allScenes() {
     hysteresis.opening.push_back({node.travel, node.force});
   }
   auto plastic = engine::publishedElements(5);
-  plastic.parameters.yielding = models::Yielding::ReturnMap;
+  plastic.parameters.yielding = models::YieldLaw::ReturnMap;
   return {
       {"interpolation", {.model = engine::publishedInterpolation()}},
       {"interpolation, hysteresis", {.model = hysteresis}},
@@ -242,7 +242,7 @@ void sweepBadInput(double effort, StabilityResult& result) {
                                       : devices::DeviceStatus::Ok,
           .travel = any(5.0 + 5.0 * std::sin(0.01 * i)),
           .velocity = any(10.0),
-          .isHeld = random() % 50 != 0};
+          .isDeadManHeld = random() % 50 != 0};
       engine.tick(any(1e-3), static_cast<int>(random() % 4));
       if (random() % 20 == 0) engine.arm();
       const bool isSound =

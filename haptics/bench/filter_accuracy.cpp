@@ -148,8 +148,8 @@ void measureNodes(const AccuracyRun& run) {
                .time = Timing{time, time}});
         };
     const auto count = [&](const reaming::SampledCurve& curve, NodeRule rule) {
-      const reaming::NodeCriterion wish{.rule = rule, .error = wanted};
-      return static_cast<double>(reaming::chooseNodes(curve, wish).nodes.size());
+      const reaming::NodeCriterion nodeCriterion{.rule = rule, .error = wanted};
+      return static_cast<double>(reaming::chooseNodes(curve, nodeCriterion).nodes.size());
     };
     double greedy = 0.0;
     const double time = nanoseconds([&] { greedy = count(many, NodeRule::Greedy); });
@@ -164,7 +164,7 @@ void measureNodes(const AccuracyRun& run) {
 
 void measureFilter(const AccuracyRun& run) {
   measureCutoffs(run);
-  if (!run.isShort) measurePreparation(run);
+  if (!run.isShortRun) measurePreparation(run);
   measureNodes(run);
 }
 

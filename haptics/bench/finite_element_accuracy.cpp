@@ -143,11 +143,11 @@ void measureContrast(int elements, int decades, const AccuracyRun& run) {
 
 void measureFiniteElements(const AccuracyRun& run) {
   for (const int elements : {5, 10, 15, 100, 1000, 12'445}) {
-    if (run.isShort && elements > 100) break;
+    if (run.isShortRun && elements > 100) break;
     measureAlike(elements, run);
   }
   for (const int elements : {5, 15, 100}) {
-    if (run.isShort && elements > 15) break;
+    if (run.isShortRun && elements > 15) break;
     for (const int decades : {0, 1, 2, 3, 4, 6, 9, 12}) measureContrast(elements, decades, run);
   }
 }

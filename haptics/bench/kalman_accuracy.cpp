@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char* kKalmanFamily = "Kalman filter";
 using models::KalmanScheme;
-using peers::KalmanNumbers;
+using peers::KalmanNoiseValues;
 
 template <typename Scalar>
-models::KalmanNoise<Scalar> noiseOf(const KalmanNumbers& n) {
+models::KalmanNoise<Scalar> noiseOf(const KalmanNoiseValues& n) {
   return {
       .processForce = Scalar(n.q11),
       .processCovariance = Scalar(n.q12),
@@ -31,7 +31,7 @@ template <typename Scalar>
 struct OurFilter {
   models::KalmanFilter<Scalar> filter;
 
-  explicit OurFilter(const KalmanNumbers& n, KalmanScheme scheme = KalmanScheme::Sequential)
+  explicit OurFilter(const KalmanNoiseValues& n, KalmanScheme scheme = KalmanScheme::Sequential)
       : filter(noiseOf<Scalar>(n).factored(), scheme) {}
   Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
     return filter.step(d, elastic, recorded);
@@ -45,9 +45,9 @@ struct OurCovariance {
   models::FactoredCovariance<Scalar> p;
   models::FactoredVariances<Scalar> q;
   Scalar f{}, z{};
-  KalmanNumbers n;
+  KalmanNoiseValues n;
 
-  explicit OurCovariance(const KalmanNumbers& numbers)
+  explicit OurCovariance(const KalmanNoiseValues& numbers)
       : q(noiseOf<Scalar>(numbers).factored().process), n(numbers) {
     p.set(models::FactoredVariances<Scalar>::of(
         Scalar(numbers.start11), Scalar(0), Scalar(numbers.start22)));
@@ -85,7 +85,7 @@ Contestant contestant(std::string name, Filter filter) {
 }
 
 void timeSteps(const AccuracyRun& run) {
-  const KalmanNumbers n;
+  const KalmanNoiseValues n;
   std::vector<Contestant> contestants;
   contestants.push_back(
       contestant<OurFilter<double>, double>("palpate LDLᵀ", OurFilter<double>(n)));
@@ -130,7 +130,7 @@ struct Adversary {
   double magnitude() {
     return std::pow(10.0, std::uniform_real_distribution<double>(-decades, decades)(random));
   }
-  KalmanNumbers numbers() {
+  KalmanNoiseValues numbers() {
     // The forms differ without process noise.
     return {0.0, 0.0, 0.0, magnitude(), magnitude(), magnitude(), magnitude()};
   }
@@ -217,7 +217,7 @@ void attack(double decades, const AccuracyRun& run) {
 }  // namespace
 
 void measureKalmanFilter(const AccuracyRun& run) {
-  if (!run.isShort) timeSteps(run);
+  if (!run.isShortRun) timeSteps(run);
   for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0}) attack(decades, run);
 }
 

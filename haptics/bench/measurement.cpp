@@ -58,13 +58,13 @@ std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) 
 
 std::vector<std::optional<Timing>> AccuracyRun::times(
     const std::vector<Contestant>& contestants) const {
-  if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
+  if (isShortRun) return std::vector<std::optional<Timing>>(contestants.size());
   return optional(timing::compareTimes(contestants));
 }
 
 std::vector<std::optional<Timing>> AccuracyRun::coldTimes(
     const std::vector<Contestant>& contestants, int rounds) const {
-  if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
+  if (isShortRun) return std::vector<std::optional<Timing>>(contestants.size());
   return optional(timing::compareColdTimes(contestants, rounds));
 }
 

@@ -30,7 +30,7 @@ struct Measurement {
 /// Receives measurements, and selects how much is measured.
 struct AccuracyRun {
   std::function<void(const Measurement&)> report;
-  bool isShort = false;  ///< true: measures only errors, and only of small models; for ./check
+  bool isShortRun = false;  ///< true: measures only errors, and only of small models; for ./check
 
   /// Times of @p contestants by timing::compareTimes(); std::nullopt in a short run.
   std::vector<std::optional<Timing>> times(const std::vector<Contestant>& contestants) const;

@@ -155,7 +155,7 @@ StateTally attackAll(
   std::array<double, 200> travelled{};
   StateTally tally;
   for (int i = 0; i < filters; ++i) {
-    FilterAttack a{.rElastic = magnitude(), .rRecorded = magnitude(), .scheme = i % 4};
+    FilterStressTest a{.rElastic = magnitude(), .rRecorded = magnitude(), .scheme = i % 4};
     a.q11 = hasProcess ? magnitude() : 0.0;
     a.q22 = hasProcess ? magnitude() : 0.0;
     a.q12 = correlation(random) * std::sqrt(a.q11) * std::sqrt(a.q22);
@@ -163,7 +163,7 @@ StateTally attackAll(
     a.travelled = travelled.data();
     a.steps = static_cast<long>(travelled.size());
     const auto verdict = isFloat ? way.attackFloat(a) : way.attack(a);
-    if (verdict.isRefused) continue;
+    if (verdict.isNoiseRefused) continue;
     tally.steps += a.steps;
     tally.negative += verdict.negative;
     tally.notFinite += verdict.notFinite;
@@ -173,7 +173,7 @@ StateTally attackAll(
 
 /// Drift of the force with a resting hand over @p steps steps, e.g. an hour at 1 kHz [N].
 double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
-  FilterAttack a{
+  FilterStressTest a{
       .q11 = 6.1024,
       .q12 = 0.2772,
       .q22 = 7.0275,
@@ -229,18 +229,18 @@ void sweepFilter(double effort, StabilityResult& result) {
     }
     // Invalid noise must be refused: an indefinite Q, R < 0, Q = R = 0, values that are not finite.
     int accepted = 0;
-    const FilterAttack unsound[]{
+    const FilterStressTest unsound[]{
         {.q11 = 1.0, .q12 = 2.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = 1.0, .q22 = 1.0, .rElastic = -1e-9, .rRecorded = 1.0},
         {.q11 = 0.0, .q22 = 0.0, .rElastic = 0.0, .rRecorded = 0.0},
         {.q11 = -1.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = NAN, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
-    for (const auto& attack : unsound) accepted += way->attack(attack).isRefused ? 0 : 1;
+    for (const auto& attack : unsound) accepted += way->attack(attack).isNoiseRefused ? 0 : 1;
     checks.add("noise that is none, accepted", 0.0, accepted, 0.0, way->name);
     // 1e155 squared overflows: the filter may fail, but must not return a finite, plausible force.
     const double leap = 1e155;
-    FilterAttack far{
+    FilterStressTest far{
         .q11 = 1.0,
         .q22 = 1.0,
         .rElastic = 1.0,

@@ -161,7 +161,7 @@ void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
 }  // namespace
 
 void measurePacking(const AccuracyRun& run) {
-  if (run.isShort) return compareContacts(boneOf(5000), run);
+  if (run.isShortRun) return compareContacts(boneOf(5000), run);
   compareContacts(boneOf(50'000), run);
   const Packing published = boneOf(201'532);  // number of spheres in the reaming paper
   compareContacts(published, run);

@@ -47,7 +47,7 @@ class Felt {
 }  // namespace
 
 void measureRefresh(const AccuracyRun& run) {
-  if (run.isShort) return;
+  if (run.isShortRun) return;
   for (const int elements : {5, 10, 15, 100, 1000}) {
     Felt interpolation("interpolation", {.model = engine::publishedInterpolation()}, elements);
     Felt finiteElements(

@@ -28,6 +28,6 @@ inline constexpr std::array kRefreshRates{
 };
 
 /// Clock rate of the paper's Arduino Due [Hz].
-inline constexpr double kDueClock = 84e6;
+inline constexpr double kArduinoDueClock = 84e6;
 
 }  // namespace haptics::bench

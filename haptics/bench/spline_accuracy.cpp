@@ -179,10 +179,10 @@ void compareSplines(
 void measureSplines(const AccuracyRun& run) {
   const auto random = randomQueries();
   for (const int nodes : {4, 8, 12, 32, 100, 316, 1000, 10'000}) {
-    if (run.isShort && nodes > 316) break;
+    if (run.isShortRun && nodes > 316) break;
     compareSplines("random", nodes, random, false, run);
   }
-  if (run.isShort) return;
+  if (run.isShortRun) return;
   const auto coherent = coherentQueries();
   for (const int nodes : {12, 10'000}) {
     compareSplines("coherent", nodes, coherent, false, run);

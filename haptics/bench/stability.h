@@ -28,9 +28,9 @@ struct VirtualWall {
   int delay = 0;           ///< delay of the force [ticks]
   bool isControlled = false;
   bool isStable = false;
-  bool isPredictedUnstable = false;  ///< eq. (25) of the punch paper does not guarantee passivity
-  bool isNoticed = false;            ///< the energy observer detected generated energy
-  double amplitude = 0.0;            ///< peak to peak over the last 0.4 s [travel units]
+  bool isPredictedUnstable = false;   ///< eq. (25) of the punch paper does not guarantee passivity
+  bool isDetectedByObserver = false;  ///< the energy observer detected generated energy
+  double amplitude = 0.0;             ///< peak to peak over the last 0.4 s [travel units]
 };
 
 struct StabilityResult {
@@ -74,7 +74,7 @@ void sweepBadInput(double effort, StabilityResult& result);
 void sweepReaming(double effort, StabilityResult& result);
 
 /// A stress test of a Kalman filter: its noise, scheme and steps.
-struct FilterAttack {
+struct FilterStressTest {
   double q11 = 0.0, q12 = 0.0, q22 = 0.0;
   double rElastic = 0.0, rRecorded = 0.0;
   int scheme = 0;  ///< models::KalmanScheme
@@ -83,11 +83,11 @@ struct FilterAttack {
   bool isResting = false;  ///< all steps are 0; travelled is not read
 };
 
-struct FilterVerdict {
-  bool isRefused = false;  ///< the noise was refused as not valid
-  long negative = 0;       ///< number of steps after which a variance was negative
-  long notFinite = 0;      ///< number of steps after which the force was not finite
-  double force = 0.0;      ///< last force [N]
+struct FilterStressResult {
+  bool isNoiseRefused = false;  ///< the noise was refused as not valid
+  long negative = 0;            ///< number of steps after which a variance was negative
+  long notFinite = 0;           ///< number of steps after which the force was not finite
+  double force = 0.0;           ///< last force [N]
 };
 
 /// Entry points to the models in one build: with separate multiplication and addition, or with
@@ -96,8 +96,8 @@ struct StabilityKernels {
   const char* name = "";
   double (*chainStiffness)(const double* elementStiffnesses, int elements, double tool) = nullptr;
   float (*chainStiffnessFloat)(const float* elementStiffnesses, int elements, float tool) = nullptr;
-  FilterVerdict (*attack)(const FilterAttack& attack) = nullptr;
-  FilterVerdict (*attackFloat)(const FilterAttack& attack) = nullptr;
+  FilterStressResult (*attack)(const FilterStressTest& attack) = nullptr;
+  FilterStressResult (*attackFloat)(const FilterStressTest& attack) = nullptr;
   /// Evaluates a cubic between two nodes at @p x; returns false if the nodes are refused.
   bool (*cubic)(const double nodeA[3], const double nodeB[3], double x, double& force) = nullptr;
 };

@@ -25,7 +25,7 @@ Scalar chainStiffness(const Scalar* elementStiffnesses, int elements, Scalar too
 }
 
 template <typename Scalar>
-FilterVerdict attack(const FilterAttack& a) {
+FilterStressResult attack(const FilterStressTest& a) {
   const models::KalmanNoise<Scalar> noise{
       .processForce = static_cast<Scalar>(a.q11),
       .processCovariance = static_cast<Scalar>(a.q12),
@@ -33,9 +33,9 @@ FilterVerdict attack(const FilterAttack& a) {
       .finiteElements = static_cast<Scalar>(a.rElastic),
       .interpolation = static_cast<Scalar>(a.rRecorded),
       .wandering = static_cast<Scalar>(a.q22)};
-  FilterVerdict verdict;
-  verdict.isRefused = noise.invalidReason() != nullptr;
-  if (verdict.isRefused) return verdict;
+  FilterStressResult verdict;
+  verdict.isNoiseRefused = noise.invalidReason() != nullptr;
+  if (verdict.isNoiseRefused) return verdict;
   models::KalmanFilter<Scalar> filter(
       noise.factored(), static_cast<models::KalmanScheme>(a.scheme));
   for (long i = 0; i < a.steps; ++i) {

@@ -69,7 +69,7 @@ class Wall {
         .stiffness = point_.stiffness, .period = period_, .filterDelay = point_.delay * period_};
     constexpr double kRounding = 1e-9;  // tolerance, because the inequality of eq. (25) is strict
     point_.isPredictedUnstable = passivity.requiredDamping() * (1.0 + kRounding) >= point_.damping;
-    point_.isNoticed = observer_.least() < -1e-3;
+    point_.isDetectedByObserver = observer_.least() < -1e-3;
   }
 
  private:
@@ -150,7 +150,7 @@ void sweepWalls(double effort, StabilityResult& result) {
     if (wall.isStable) continue;
     ++unstable;
     unexpected += wall.isPredictedUnstable ? 0 : 1;
-    unnoticed += wall.isNoticed || wall.quantum > 0.0 ? 0 : 1;
+    unnoticed += wall.isDetectedByObserver || wall.quantum > 0.0 ? 0 : 1;
   }
   SweepChecks checks(result, "wall");
   checks.add(

@@ -97,8 +97,8 @@ struct DeviceSample {
   /// Angle about the tool's axis since travel was 0 [rad], positive in the right-handed sense about
   /// the direction of advance; 0 for a device that does not measure it.
   double turn = 0.0;
-  bool isHeld = true;      ///< the dead-man switch is held, or the device has no such switch
-  bool isReamerOn = true;  ///< the reamer's switch or pedal is pressed, or the device has none
+  bool isDeadManHeld = true;  ///< the dead-man switch is held, or the device has no such switch
+  bool isReamerOn = true;     ///< the reamer's switch or pedal is pressed, or the device has none
   /// Time of measurement on the device's clock [ns]; 0: the device has no clock.
   std::int64_t deviceTime = 0;
   /// Time of arrival on CLOCK_MONOTONIC [ns]; 0: not transmitted (simulated)

@@ -56,9 +56,9 @@ struct Mechanism {
   double resolution = 0.0;      ///< of the encoder [travel unit]; 0: none
   /// Rotation about the tool's axis, of the tool and the wrist that holds it: I φ̈ = τ − b φ̇ − k
   /// φ.
-  double inertia = 0.0;        ///< I [kg·m²]; 0: the tool does not rotate
-  double turnStiffness = 0.0;  ///< k [N·m/rad], >= 0
-  double turnDamping = 0.0;    ///< b [N·m·s/rad], >= 0
+  double inertia = 0.0;              ///< I [kg·m²]; 0: the tool does not rotate
+  double rotationalStiffness = 0.0;  ///< k [N·m/rad], >= 0
+  double rotationalDamping = 0.0;    ///< b [N·m·s/rad], >= 0
 };
 
 /// A kind of instrument, with all facts that other code needs about it. docs/devices.md says how to
@@ -99,8 +99,8 @@ struct DeviceKind {
   models::CutDetector<double>::Parameters stroke;  ///< the thresholds that define a cut or stroke
 
   // The parameters of the simulated device.
-  double simulatedForce;         ///< largest force [N]
-  double simulatedTorque = 0.0;  ///< largest torque about the tool's axis [N·m]; 0: none
+  double simulatedMaxForce;         ///< largest force [N]
+  double simulatedMaxTorque = 0.0;  ///< largest torque about the tool's axis [N·m]; 0: none
   Mechanism mechanism;
 
   struct Range {
@@ -109,12 +109,12 @@ struct DeviceKind {
   };
   /// The ranges from which the hands of simulated participants are drawn at random.
   struct Hand {
-    Range reach;           ///< travel that the hand aims at; resistance stops it earlier [unit]
-    Range closeTime;       ///< [s]
-    Range openTime;        ///< [s]
-    Range stiffness;       ///< [N/unit]
-    Range damping;         ///< [N·s/unit]
-    double ordinaryReach;  ///< reach of a hand that the mouse or an emulator moves [unit]
+    Range reach;          ///< travel that the hand aims at; resistance stops it earlier [unit]
+    Range closeTime;      ///< [s]
+    Range openTime;       ///< [s]
+    Range stiffness;      ///< [N/unit]
+    Range damping;        ///< [N·s/unit]
+    double typicalReach;  ///< reach of a hand that the mouse or an emulator moves [unit]
   } hand;
   PointerHand::Grip grip;  ///< of a user who moves the tool with the mouse
 
@@ -122,13 +122,13 @@ struct DeviceKind {
   struct Serial {
     double travelPerCount = 0.00439;  ///< of the encoder [unit]
     /// Travel outside this range means that the zero is wrong [unit]
-    Range believable{-2.0, 14.0};
+    Range plausibleTravel{-2.0, 14.0};
 
     /// Whether the mechanism can reach @p travel with any error of its zero. An encoder that lost
     /// count, or a fault in its cable, gives a travel far outside.
-    bool canReach(double travel) const noexcept {
-      const double span = believable.most - believable.least;
-      return travel >= believable.least - span && travel <= believable.most + span;
+    bool isPlausibleTravel(double travel) const noexcept {
+      const double span = plausibleTravel.most - plausibleTravel.least;
+      return travel >= plausibleTravel.least - span && travel <= plausibleTravel.most + span;
     }
   } serial;
 

@@ -61,7 +61,7 @@ double SimulatedHand::push(double travel, double velocity, double dt) noexcept {
 }
 
 double PointerHand::push(double travel, double velocity, double dt) noexcept {
-  const double wanted = wanted_.load(std::memory_order_relaxed);
+  const double wanted = targetTravel_.load(std::memory_order_relaxed);
   const double step = std::clamp(wanted - position_, -grip_.speed * dt, grip_.speed * dt);
   position_ += step;
   const double push =

@@ -83,13 +83,13 @@ class PointerHand final : public Hand {
   explicit PointerHand(const Grip& grip) noexcept : grip_(grip) {}
 
   /// Sets the travel that the hand moves to [travel unit]. May be called from any thread.
-  void moveTo(double travel) noexcept { wanted_.store(travel, std::memory_order_relaxed); }
+  void moveTo(double travel) noexcept { targetTravel_.store(travel, std::memory_order_relaxed); }
 
   double push(double travel, double velocity, double dt) noexcept override;
 
  private:
   Grip grip_;
-  std::atomic<double> wanted_{0.0};
+  std::atomic<double> targetTravel_{0.0};
   double position_ = 0.0;
 };
 

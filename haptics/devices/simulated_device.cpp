@@ -11,7 +11,7 @@ SimulatedDevice::SimulatedDevice(Capabilities capabilities, const Mechanism& mec
   const bool isSound = mechanism.mass > 0.0 && mechanism.damping >= 0.0 &&
                        mechanism.stopStiffness > 0.0 && mechanism.stopDamping >= 0.0 &&
                        mechanism.resolution >= 0.0 && mechanism.inertia >= 0.0 &&
-                       mechanism.turnStiffness >= 0.0 && mechanism.turnDamping >= 0.0 &&
+                       mechanism.rotationalStiffness >= 0.0 && mechanism.rotationalDamping >= 0.0 &&
                        capabilities_.mostTravel > capabilities_.leastTravel;
   if (!isSound) throw std::invalid_argument("a simulated mechanism needs a mass and a range");
   travel_ = capabilities_.leastTravel;
@@ -31,13 +31,13 @@ double SimulatedDevice::stopForce() const noexcept {
 
 void SimulatedDevice::turn(double dt) noexcept {
   if (!(mechanism_.inertia > 0.0)) return;
-  const double net =
-      torque_ - mechanism_.turnDamping * turnRate_ - mechanism_.turnStiffness * turn_;
-  turnRate_ += dt * net / mechanism_.inertia;
-  turn_ += dt * turnRate_;
-  if (std::isfinite(turn_) && std::isfinite(turnRate_)) return;
+  const double net = torque_ - mechanism_.rotationalDamping * angularVelocity_ -
+                     mechanism_.rotationalStiffness * turn_;
+  angularVelocity_ += dt * net / mechanism_.inertia;
+  turn_ += dt * angularVelocity_;
+  if (std::isfinite(turn_) && std::isfinite(angularVelocity_)) return;
   turn_ = 0.0;
-  turnRate_ = 0.0;
+  angularVelocity_ = 0.0;
 }
 
 DeviceSample SimulatedDevice::read(double dt) noexcept {
@@ -60,7 +60,7 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
       .travel = seen,
       .velocity = velocity_,
       .turn = turn_,
-      .isHeld = isHeld_.load(std::memory_order_relaxed),
+      .isDeadManHeld = isDeadManHeld_.load(std::memory_order_relaxed),
       .isReamerOn = isReamerOn_.load(std::memory_order_relaxed)};
 }
 
@@ -70,8 +70,8 @@ Capabilities simulated(const DeviceKind& kind) {
       .name = "simulated " + std::string(kind.name),
       .leastTravel = kind.travel.least,
       .mostTravel = kind.travel.most,
-      .maxForce = kind.simulatedForce,
-      .maxTorque = kind.simulatedTorque,
+      .maxForce = kind.simulatedMaxForce,
+      .maxTorque = kind.simulatedMaxTorque,
       .damping = kind.mechanism.damping};
 }
 

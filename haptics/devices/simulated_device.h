@@ -38,7 +38,9 @@ class SimulatedDevice final : public Device {
   void plugIn() noexcept { isGone_.store(false, std::memory_order_relaxed); }
 
   /// Presses or releases the dead-man switch. Any thread.
-  void hold(bool isHeld) noexcept { isHeld_.store(isHeld, std::memory_order_relaxed); }
+  void hold(bool isDeadManHeld) noexcept {
+    isDeadManHeld_.store(isDeadManHeld, std::memory_order_relaxed);
+  }
 
   /// Presses or releases the reamer's switch. Any thread.
   void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
@@ -57,14 +59,14 @@ class SimulatedDevice final : public Device {
   Mechanism mechanism_;
   Hand& hand_;
   std::atomic<bool> isGone_{false};
-  std::atomic<bool> isHeld_{true};
+  std::atomic<bool> isDeadManHeld_{true};
   std::atomic<bool> isReamerOn_{true};
-  double travel_ = 0.0;    ///< [travel unit]
-  double velocity_ = 0.0;  ///< [travel unit / s]
-  double force_ = 0.0;     ///< last commanded [N]
-  double torque_ = 0.0;    ///< last commanded [N·m]
-  double turn_ = 0.0;      ///< [rad]
-  double turnRate_ = 0.0;  ///< [rad/s]
+  double travel_ = 0.0;           ///< [travel unit]
+  double velocity_ = 0.0;         ///< [travel unit / s]
+  double force_ = 0.0;            ///< last commanded [N]
+  double torque_ = 0.0;           ///< last commanded [N·m]
+  double turn_ = 0.0;             ///< [rad]
+  double angularVelocity_ = 0.0;  ///< [rad/s]
 };
 
 /// The capabilities of a simulated device of @p kind.

@@ -76,7 +76,7 @@ void WireDevice::disarm() noexcept {
   if (was != Lifecycle::Armed && was != Lifecycle::Running) return;
   stopKeeper();
   if (lifecycle() == Lifecycle::Faulted) return;
-  endForces();
+  stopForces();
   setLifecycle(Lifecycle::Open);
   resumeKeeper();
 }
@@ -113,7 +113,7 @@ void WireDevice::resetCounts() noexcept {
 
 LinkReport WireDevice::link() {
   // The keeper runs before the first tick, and updates the counts, too.
-  const bool wasKept = isKept();
+  const bool wasKept = isKeeperRunning();
   stopKeeper();
   LinkReport report = report_;
   report.drift = drift_.partsPerMillion();

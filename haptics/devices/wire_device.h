@@ -59,7 +59,7 @@ class WireDevice : public Device, private Pacer {
   /// Tells the device to accept forces; called after resetCounts().
   virtual void beginForces() noexcept = 0;
   /// Tells the device to accept no more forces.
-  virtual void endForces() noexcept {}
+  virtual void stopForces() noexcept {}
 
   bool wait(std::int64_t deadline) noexcept override;
 
@@ -68,7 +68,7 @@ class WireDevice : public Device, private Pacer {
   void startKeeper();
   void resumeKeeper() noexcept;
   void stopKeeper() noexcept;
-  bool isKept() const noexcept { return keeper_.joinable(); }
+  bool isKeeperRunning() const noexcept { return keeper_.joinable(); }
 
   void setLifecycle(Lifecycle state) noexcept { lifecycle_.store(state); }
   /// Changes the state from Open to Checked, unless the device has failed in the meantime.

@@ -38,7 +38,8 @@ bool FriCommandCheck::isMirror(
     const wire::fri::CommandData& command, const wire::fri::Joints& joints) const noexcept {
   if (missing(command) != FriEndReason::None) return false;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (!(std::abs((*command.jointPosition)[i] - joints[i]) <= limits_.mirrorReach)) return false;
+    if (!(std::abs((*command.jointPosition)[i] - joints[i]) <= limits_.mirrorTolerance))
+      return false;
   }
   return true;
 }
@@ -52,7 +53,7 @@ FriVerdict FriCommandCheck::judgePosition(
       return {.end = FriEndReason::PositionLimit, .joint = numberOf(i)};
     }
     if (!(std::abs(position[i] - before[i]) <= arm_.maxVelocity[i] * seconds + kTolerance)) {
-      return {.end = FriEndReason::PositionLeap, .joint = numberOf(i)};
+      return {.end = FriEndReason::PositionJump, .joint = numberOf(i)};
     }
   }
   return {};
@@ -75,26 +76,26 @@ FriVerdict FriCommandCheck::judgeWrench(const wire::fri::Vector6& wrench) const 
   return {.end = isWithin ? FriEndReason::None : FriEndReason::WrenchLimit};
 }
 
-void FriAnswers::sent(std::int64_t now, bool isAnswerable) noexcept {
-  sent_[next_ % kRemembered] = {.at = now, .isAnswerable = isAnswerable};
+void FriAnswerMatcher::sent(std::int64_t now, bool isAnswerable) noexcept {
+  sent_[next_ % kSentHistory] = {.at = now, .isAnswerable = isAnswerable};
   ++next_;
 }
 
-bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcept {
+bool FriAnswerMatcher::take(const wire::fri::Header& header, std::int64_t now) noexcept {
   // Age of the answered message [messages]; huge if it was never sent.
   const std::uint32_t age = next_ - 1U - header.reflected;
   if (header.reflected >= next_) {
     ++counts_.toUnknownMessage;
     return false;
   }
-  Sent* message = age < kRemembered ? &sent_[header.reflected % kRemembered] : nullptr;
+  Sent* message = age < kSentHistory ? &sent_[header.reflected % kSentHistory] : nullptr;
   if (message != nullptr && message->isAnswered) {
     ++counts_.doubled;
     return false;
   }
   if (message != nullptr) message->isAnswered = true;
   const bool isInTime = message != nullptr && age < multiplier_;
-  if (isInTime && hasHeard_ && header.sequence < heard_) {
+  if (isInTime && hasHeard_ && header.sequence < lastClientSequence_) {
     ++counts_.restarts;
     hasHeard_ = false;
   }
@@ -111,17 +112,17 @@ bool FriAnswers::take(const wire::fri::Header& header, std::int64_t now) noexcep
   return false;
 }
 
-void FriAnswers::noteReceived(std::uint32_t sequence) noexcept {
-  if (hasHeard_ && sequence <= heard_) {
+void FriAnswerMatcher::noteReceived(std::uint32_t sequence) noexcept {
+  if (hasHeard_ && sequence <= lastClientSequence_) {
     if (counts_.lost > 0) --counts_.lost;  // it was overtaken, not lost
     return;
   }
-  if (hasHeard_) counts_.lost += sequence - heard_ - 1U;
-  heard_ = sequence;
+  if (hasHeard_) counts_.lost += sequence - lastClientSequence_ - 1U;
+  lastClientSequence_ = sequence;
   hasHeard_ = true;
 }
 
-void FriAnswers::refuse(wire::fri::Refusal refusal) noexcept {
+void FriAnswerMatcher::refuse(wire::fri::Refusal refusal) noexcept {
   switch (refusal) {
     case wire::fri::Refusal::WrongIdentifier:
       ++counts_.wrongIdentifier;
@@ -134,10 +135,10 @@ void FriAnswers::refuse(wire::fri::Refusal refusal) noexcept {
   }
 }
 
-void FriAnswers::restart() noexcept {
+void FriAnswerMatcher::restart() noexcept {
   next_ = 0;
   sent_ = {};
-  heard_ = 0;
+  lastClientSequence_ = 0;
   hasHeard_ = false;
   latency_ = 0;
 }

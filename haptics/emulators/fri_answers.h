@@ -14,9 +14,9 @@ namespace haptics::emulators {
 /// Limits of commands in addition to the arm's data sheet, for the magnitudes of Cartesian force
 /// and moment. KUKA publishes no such limits.
 struct FriLimits {
-  double maxForce = 140.0;      ///< [N]
-  double maxMoment = 40.0;      ///< [N·m]
-  double mirrorReach = 0.0001;  ///< tolerance of a command that mirrors the joints [rad]
+  double maxForce = 140.0;          ///< [N]
+  double maxMoment = 40.0;          ///< [N·m]
+  double mirrorTolerance = 0.0001;  ///< tolerance of a command that mirrors the joints [rad]
 };
 
 /// The reason to refuse a command, and the joint concerned.
@@ -66,7 +66,7 @@ class FriCommandCheck {
 /// The reflected counter of an answer identifies the message. The answer is accepted if it is the
 /// first to that message, and if the message is not older than a receive period; other answers are
 /// counted and ignored. The client's own counter only serves to count lost answers.
-class FriAnswers {
+class FriAnswerMatcher {
  public:
   struct Counts {
     std::uint64_t taken = 0;    ///< accepted answers
@@ -85,7 +85,7 @@ class FriAnswers {
   };
 
   /// @param receiveMultiplier  n: the client answers every n-th message, 1 to 100.
-  explicit FriAnswers(int receiveMultiplier) noexcept
+  explicit FriAnswerMatcher(int receiveMultiplier) noexcept
       : multiplier_(static_cast<std::uint32_t>(receiveMultiplier)) {}
 
   /// Notes that the message with nextSequence() was sent. @p now [ns].
@@ -97,7 +97,7 @@ class FriAnswers {
   /// Counts a datagram that is no valid answer, by the reason of the decoder.
   void refuse(wire::fri::Refusal refusal) noexcept;
   /// Counts a datagram from another address than the client's.
-  void refuseSender() noexcept { ++counts_.unexpectedSender; }
+  void countUnexpectedSender() noexcept { ++counts_.unexpectedSender; }
   /// Counts an answer that was due and did not arrive.
   void miss() noexcept { ++counts_.missed; }
 
@@ -105,13 +105,15 @@ class FriAnswers {
   void restart() noexcept;
 
   std::uint32_t nextSequence() const noexcept { return next_; }
-  std::uint32_t reflected() const noexcept { return heard_; }  ///< the client's last counter
-  std::int64_t latency() const noexcept { return latency_; }   ///< of the last accepted answer [ns]
+  std::uint32_t reflected() const noexcept {
+    return lastClientSequence_;
+  }                                                           ///< the client's last counter
+  std::int64_t latency() const noexcept { return latency_; }  ///< of the last accepted answer [ns]
   const Counts& counts() const noexcept { return counts_; }
 
  private:
   /// Number of sent messages that are remembered; more than in a receive period.
-  static constexpr std::uint32_t kRemembered = 128;
+  static constexpr std::uint32_t kSentHistory = 128;
 
   struct Sent {
     std::int64_t at = 0;  ///< [ns]
@@ -123,9 +125,9 @@ class FriAnswers {
 
   std::uint32_t multiplier_;
   std::uint32_t next_ = 0;
-  std::array<Sent, kRemembered> sent_{};
-  std::uint32_t heard_ = 0;  ///< the client's last counter
-  bool hasHeard_ = false;    ///< false before the first answer
+  std::array<Sent, kSentHistory> sent_{};
+  std::uint32_t lastClientSequence_ = 0;  ///< the client's last counter
+  bool hasHeard_ = false;                 ///< false before the first answer
   std::int64_t latency_ = 0;
   Counts counts_;
 };

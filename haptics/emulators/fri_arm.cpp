@@ -112,7 +112,7 @@ SurgeonHand::Grip gripOf(
 FriArm::FriArm(const Options& options)
     : options_(validated(options)),
       arm_(kinematicsOf(options_), vectorOf(options_.start)),
-      stiff_(stiffest()),
+      holdingImpedance_(stiffest()),
       start_(arm_.tool()),
       hand_(options_.person),
       surgeon_(gripOf(options_.grip, start_.rotation * options_.reamingAxis, start_), hand_),
@@ -124,7 +124,7 @@ FriArm::FriArm(const Options& options)
 }
 
 void FriArm::hold() noexcept {
-  arm_.setControl(stiff_);
+  arm_.setControl(holdingImpedance_);
   held_ = jointsOf(arm_.position());
   apply({});
 }
@@ -188,7 +188,8 @@ double FriArm::overlayTorque() const noexcept {
 }
 
 double FriArm::turn() const noexcept {
-  return surgeon_.grip().axis.dot(devices::turnBetween(start_.rotation, arm_.tool().rotation));
+  return surgeon_.grip().axis.dot(
+      devices::rotationVectorBetween(start_.rotation, arm_.tool().rotation));
 }
 
 double FriArm::travel() const noexcept {

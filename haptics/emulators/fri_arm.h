@@ -82,7 +82,7 @@ class FriArm {
 
   Options options_;
   IiwaArm arm_;
-  JointImpedance stiff_;
+  JointImpedance holdingImpedance_;
   devices::Pose start_;
   devices::SimulatedHand hand_;
   SurgeonHand surgeon_;

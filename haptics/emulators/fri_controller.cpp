@@ -41,7 +41,7 @@ const FriController::Options& validated(const FriController::Options& options) {
         "the emulator talks to this machine only (127.0.0.0/8) unless other hosts are allowed");
   }
   if (options.client.port == 0) throw std::invalid_argument("a client has a port");
-  const FriSession::Stay& stay = options.stay;
+  const FriSession::DwellTimes& stay = options.stay;
   if (std::min(
           {stay.idle,
            stay.monitoringWait,
@@ -81,7 +81,7 @@ FriController::FriController(const Options& options)
       impairment_(options.impairment),
       orders_(impairment_, options.sendPeriod),
       arm_(options.arm),
-      judge_(options.arm.model, options.limits, options.arm.command),
+      commandCheck_(options.arm.model, options.limits, options.arm.command),
       session_(sessionOf(options)),
       answers_(options.receiveMultiplier) {
   publish();
@@ -91,8 +91,8 @@ void FriController::step() noexcept {
   ++report_.periods;
   closePeriod();
   executeEvents();
-  goOn();
-  if (orders_.take(FriOrders::OneTime::Stall)) {
+  advanceState();
+  if (orders_.take(FriOrders::OneTimeFault::Stall)) {
     ++report_.stalled;
   } else {
     sendMessage();
@@ -103,16 +103,16 @@ void FriController::step() noexcept {
 }
 
 void FriController::closePeriod() noexcept {
-  ++sinceAnswered_;
-  ++sinceCommand_;
+  ++periodsSinceAnswered_;
+  ++periodsSinceCommand_;
   if (session_.state() == State::Idle) {  // no answer was due
     periodsInReceivePeriod_ = 0;
     missed_ = 0;
-    sinceAnswered_ = 1;
+    periodsSinceAnswered_ = 1;
     return;
   }
   if (++periodsInReceivePeriod_ < options_.receiveMultiplier) return;
-  if (isBlockAnswered_) {
+  if (isReceivePeriodAnswered_) {
     missed_ = 0;
   } else {
     ++missed_;
@@ -120,7 +120,7 @@ void FriController::closePeriod() noexcept {
     connection_.missed();
   }
   periodsInReceivePeriod_ = 0;
-  isBlockAnswered_ = false;
+  isReceivePeriodAnswered_ = false;
 }
 
 void FriController::executeEvents() noexcept {
@@ -143,21 +143,21 @@ void FriController::restart() noexcept {
   answers_.restart();
   connection_.forget();
   arm_.detachHand();
-  isBlockAnswered_ = false;
+  isReceivePeriodAnswered_ = false;
   isWrongVersion_ = false;
 }
 
-void FriController::goOn() noexcept {
+void FriController::advanceState() noexcept {
   const State before = session_.state();
   const FriSession::Input input{
-      .quality = quality(), .missed = missed_, .sinceAnswered = sinceAnswered_};
+      .quality = quality(), .missed = missed_, .periodsSinceAnswered = periodsSinceAnswered_};
   if (session_.advance(input)) {
     report_.endJoint = 0;
     brake();
   }
   if (session_.state() == before || !session_.isCommanding()) return;
   lastPosition_ = arm_.heldPosition();
-  sinceCommand_ = 1;
+  periodsSinceCommand_ = 1;
   if (session_.isActive()) {
     arm_.attachHand();
   } else {
@@ -178,12 +178,12 @@ void FriController::brake() noexcept {
   connection_.forget();
   missed_ = 0;
   periodsInReceivePeriod_ = 0;
-  isBlockAnswered_ = false;
+  isReceivePeriodAnswered_ = false;
 }
 
 void FriController::noteOverlay() noexcept {
   const bool hasOverlay = arm_.hasOverlay();
-  if (hadOverlay_ && !hasOverlay) report_.zeroAt = options_.clock();
+  if (hadOverlay_ && !hasOverlay) report_.overlayZeroAt = options_.clock();
   hadOverlay_ = hasOverlay;
 }
 
@@ -204,7 +204,7 @@ void FriController::sendMessage() noexcept {
   answers_.sent(options_.clock(), session_.state() != State::Idle);
   ++report_.messages;
   hand(std::span(out_).first(size), framing);
-  if (orders_.take(FriOrders::OneTime::Impostor)) sendImpostor(message);
+  if (orders_.take(FriOrders::OneTimeFault::Impostor)) sendImpostor(message);
 }
 
 void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noexcept {
@@ -212,7 +212,7 @@ void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noex
     ++(socket_.send(bytes, options_.client) ? report_.datagrams : report_.unsent);
   };
   if (corrupt(datagram, framing)) {
-    impairment_.passUnimpaired(datagram, send);
+    impairment_.passWithoutFault(datagram, send);
   } else {
     impairment_.pass(datagram, send);
   }
@@ -224,12 +224,12 @@ bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) n
     ++report_.wrongVersion;
     return true;
   }
-  if (orders_.take(FriOrders::OneTime::SixJoints)) {
+  if (orders_.take(FriOrders::OneTimeFault::SixJoints)) {
     report_.sixJoints += leaveOutJoint(datagram, framing) ? 1 : 0;
     return true;
   }
-  if (orders_.take(FriOrders::OneTime::NotANumber)) {
-    report_.notANumber += makeNotANumber(datagram, framing) ? 1 : 0;
+  if (orders_.take(FriOrders::OneTimeFault::NotANumber)) {
+    report_.notANumber += setFirstJointToNaN(datagram, framing) ? 1 : 0;
     return true;
   }
   return false;
@@ -255,7 +255,7 @@ bool FriController::receive(std::int64_t deadline) noexcept {
   if (received->from == options_.client) {
     take(std::span(in_).first(received->size));
   } else {
-    answers_.refuseSender();
+    answers_.countUnexpectedSender();
   }
   publish();
   return true;
@@ -271,11 +271,11 @@ void FriController::take(std::span<const std::uint8_t> datagram) noexcept {
   if (!answers_.take(answer_.header, now)) return;
   const double period =
       static_cast<double>(kMillisecond * options_.sendPeriod * options_.receiveMultiplier);
-  if (!isBlockAnswered_) {
+  if (!isReceivePeriodAnswered_) {
     connection_.answered(static_cast<double>(answers_.latency()) / period);
   }
-  isBlockAnswered_ = true;
-  sinceAnswered_ = static_cast<int>(answers_.nextSequence() - 1U - answer_.header.reflected);
+  isReceivePeriodAnswered_ = true;
+  periodsSinceAnswered_ = static_cast<int>(answers_.nextSequence() - 1U - answer_.header.reflected);
   act(answer_);
 }
 
@@ -283,17 +283,17 @@ void FriController::act(const wire::fri::CommandMessage& answer) noexcept {
   if (!session_.isCommanding()) return;
   const auto command = answer.data.value_or(wire::fri::CommandData{});
   if (!session_.isActive()) {
-    session_.mirror(judge_.isMirror(command, arm_.heldPosition()));
+    session_.mirror(commandCheck_.isMirror(command, arm_.heldPosition()));
     return;
   }
-  const double seconds = std::max(sinceCommand_, 1) * options_.sendPeriod / 1000.0;
-  const FriVerdict verdict = judge_.judge(command, lastPosition_, seconds);
+  const double seconds = std::max(periodsSinceCommand_, 1) * options_.sendPeriod / 1000.0;
+  const FriVerdict verdict = commandCheck_.judge(command, lastPosition_, seconds);
   if (verdict.end != FriEndReason::None) {
     stopMotion(verdict.end, verdict.joint);
     return;
   }
   lastPosition_ = *command.jointPosition;
-  sinceCommand_ = 0;
+  periodsSinceCommand_ = 0;
   arm_.apply(command);
   noteOverlay();
 }

@@ -45,10 +45,10 @@ class FriController {
     int receiveMultiplier = 1;
     FriArm::Options arm;
     FriLimits limits;
-    FriSession::Stay stay;
+    FriSession::DwellTimes stay;
     bool restartsMotion = false;     ///< the robot's program restarts a motion that failed
     Impairment::Options impairment;  ///< random faults of messages
-    std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and zeroAt
+    std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and overlayZeroAt
   };
 
   /// @throws std::invalid_argument  if the options are not valid.
@@ -109,7 +109,7 @@ class FriController {
   void executeEvents() noexcept;
   void closePeriod() noexcept;
   /// Advances the session, and lets the arm follow its state.
-  void goOn() noexcept;
+  void advanceState() noexcept;
   void sendMessage() noexcept;
   void sendImpostor(const wire::fri::MonitoringMessage& message) noexcept;
   /// Passes a datagram to the client, with the faults that are due.
@@ -131,17 +131,17 @@ class FriController {
   Impairment impairment_;
   FriOrders orders_;
   FriArm arm_;
-  FriCommandCheck judge_;
+  FriCommandCheck commandCheck_;
   FriSession session_;
-  FriAnswers answers_;
+  FriAnswerMatcher answers_;
   ConnectionQuality connection_;
   wire::fri::CommandMessage answer_;
   wire::fri::Joints lastPosition_{};  ///< joint position of the last command [rad]
-  int sinceCommand_ = 1;              ///< periods since lastPosition_
-  int sinceAnswered_ = 0;             ///< periods since the last message that was answered
+  int periodsSinceCommand_ = 1;       ///< periods since lastPosition_
+  int periodsSinceAnswered_ = 0;      ///< periods since the last message that was answered
   int periodsInReceivePeriod_ = 0;    ///< number of periods in the present receive period so far
-  bool isBlockAnswered_ = false;      ///< an answer was accepted in the present receive period
-  int missed_ = 0;                    ///< number of consecutive missing answers
+  bool isReceivePeriodAnswered_ = false;  ///< an answer was accepted in the present receive period
+  int missed_ = 0;                        ///< number of consecutive missing answers
   bool isWrongVersion_ = false;
   bool hadOverlay_ = false;
   Buffer out_{};

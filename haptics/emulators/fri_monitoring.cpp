@@ -41,7 +41,7 @@ class Line {
   std::string text_;
 };
 
-void addAnswers(Line& line, const FriAnswers::Counts& counts) {
+void addAnswers(Line& line, const FriAnswerMatcher::Counts& counts) {
   line.add("answered", counts.taken);
   line.add("missed", counts.missed);
   line.add("answers_lost", counts.lost);
@@ -82,7 +82,7 @@ std::string statusOf(const FriReport& report) {
   line.add("torque_nm", report.torque);
   line.add("travel_m", report.travel);
   line.add("turn_rad", report.turn);
-  line.add("zero_at_ns", report.zeroAt);
+  line.add("zero_at_ns", report.overlayZeroAt);
   line.add("periods", report.periods);
   line.add("late_periods", report.latePeriods);
   line.add("sent", report.messages);
@@ -225,7 +225,7 @@ bool leaveOutJoint(std::span<std::uint8_t> datagram, Version version) noexcept {
   return true;
 }
 
-bool makeNotANumber(std::span<std::uint8_t> datagram, Version version) noexcept {
+bool setFirstJointToNaN(std::span<std::uint8_t> datagram, Version version) noexcept {
   const auto joints = measuredJoints(payloadOf(datagram, version));
   if (joints.empty()) return false;
   constexpr std::array<std::uint8_t, 8> kNotANumber{0, 0, 0, 0, 0, 0, 0xF8, 0x7F};

@@ -22,17 +22,18 @@ struct FriReport {
   int endJoint = 0;        ///< 1 to 7; 0: no particular joint
   std::int64_t endAt = 0;  ///< time at which the last motion ended [ns of the clock]; 0: never
   bool hasOverlay = false;
-  double force = 0.0;       ///< of the overlay along the reaming axis [N]
-  double torque = 0.0;      ///< of the overlay about the reaming axis, right-handed [N·m]
-  double travel = 0.0;      ///< along the reaming axis [m]
-  double turn = 0.0;        ///< about the reaming axis, right-handed [rad]
-  std::int64_t zeroAt = 0;  ///< time at which the overlay last became 0 [ns of the clock]; 0: never
+  double force = 0.0;   ///< of the overlay along the reaming axis [N]
+  double torque = 0.0;  ///< of the overlay about the reaming axis, right-handed [N·m]
+  double travel = 0.0;  ///< along the reaming axis [m]
+  double turn = 0.0;    ///< about the reaming axis, right-handed [rad]
+  std::int64_t overlayZeroAt =
+      0;  ///< time at which the overlay last became 0 [ns of the clock]; 0: never
   std::uint64_t periods = 0;
   std::uint64_t messages = 0;   ///< messages made, whether sent or not
   std::uint64_t datagrams = 0;  ///< sent, including garbage and duplicates, without the impostor's
   std::uint64_t unsent = 0;     ///< datagrams that the system did not accept
-  FriAnswers::Counts answers;
-  Injected injected;
+  FriAnswerMatcher::Counts answers;
+  InjectedCounts injected;
   std::uint64_t sixJoints = 0;     ///< messages with six joints
   std::uint64_t notANumber = 0;    ///< messages in which a joint is NaN
   std::uint64_t wrongVersion = 0;  ///< messages framed as another version
@@ -61,12 +62,12 @@ wire::fri::MonitoringMessage monitoringMessage(
     const FriLinkFields& standing, const FriSession& session, const FriArm& arm) noexcept;
 
 /// leaveOutJoint() turns the seventh measured joint position of an encoded message into an unknown
-/// field, so that six are left and the length does not change; makeNotANumber() sets the first to
-/// NaN. Both correct the CRC of 2.7, so that only a client that checks the number of joints and
+/// field, so that six are left and the length does not change; setFirstJointToNaN() sets the first
+/// to NaN. Both correct the CRC of 2.7, so that only a client that checks the number of joints and
 /// their values can notice.
 /// @param version  version whose frame the datagram has
 /// @return false, without a change, if the message has no such joints.
 bool leaveOutJoint(std::span<std::uint8_t> datagram, wire::fri::Version version) noexcept;
-bool makeNotANumber(std::span<std::uint8_t> datagram, wire::fri::Version version) noexcept;
+bool setFirstJointToNaN(std::span<std::uint8_t> datagram, wire::fri::Version version) noexcept;
 
 }  // namespace haptics::emulators

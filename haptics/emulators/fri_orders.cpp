@@ -65,10 +65,13 @@ const FriOrders::Word FriOrders::kWords[] = {
      }},
     {"garbage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Garbage, n); }},
     {"damage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Damage, n); }},
-    {"stall", "MS", 1, [](FriOrders& o, int ms, int) { o.add(OneTime::Stall, o.periodsOf(ms)); }},
-    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::SixJoints, n); }},
-    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::NotANumber, n); }},
-    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTime::Impostor, n); }},
+    {"stall",
+     "MS",
+     1,
+     [](FriOrders& o, int ms, int) { o.add(OneTimeFault::Stall, o.periodsOf(ms)); }},
+    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::SixJoints, n); }},
+    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::NotANumber, n); }},
+    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::Impostor, n); }},
     {"quality",
      kQualityLevels,
      1,
@@ -121,12 +124,12 @@ std::optional<std::string> FriOrders::execute(
   return std::nullopt;
 }
 
-void FriOrders::add(OneTime order, int howMany) noexcept {
-  once_[static_cast<std::size_t>(order)].fetch_add(howMany, std::memory_order_relaxed);
+void FriOrders::add(OneTimeFault order, int howMany) noexcept {
+  pendingOneTime_[static_cast<std::size_t>(order)].fetch_add(howMany, std::memory_order_relaxed);
 }
 
-bool FriOrders::take(OneTime order) noexcept {
-  auto& left = once_[static_cast<std::size_t>(order)];
+bool FriOrders::take(OneTimeFault order) noexcept {
+  auto& left = pendingOneTime_[static_cast<std::size_t>(order)];
   if (left.load(std::memory_order_relaxed) <= 0) return false;
   left.fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
   return true;

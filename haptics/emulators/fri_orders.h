@@ -18,13 +18,13 @@ namespace haptics::emulators {
 /// Any thread may give orders; the thread that steps the controller takes each once.
 class FriOrders {
  public:
-  enum class OneTime : std::uint8_t {
+  enum class OneTimeFault : std::uint8_t {
     SixJoints,   ///< messages with six joints
     NotANumber,  ///< messages in which a joint is NaN
     Impostor,    ///< messages from another sender
     Stall        ///< periods in which nothing is sent
   };
-  static constexpr std::size_t kOneTimeCount = 4;
+  static constexpr std::size_t kOneTimeFaultCount = 4;
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
@@ -41,7 +41,7 @@ class FriOrders {
   static std::string help();
 
   /// Takes one of the ordered faults; false if none is left.
-  bool take(OneTime order) noexcept;
+  bool take(OneTimeFault order) noexcept;
   bool take(Event event) noexcept;
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }
 
@@ -50,15 +50,15 @@ class FriOrders {
   static const Word kWords[];
   std::optional<std::string> execute(
       const Word& word, std::string_view line, std::span<const std::string_view> texts);
-  void add(OneTime order, int howMany) noexcept;
+  void add(OneTimeFault order, int howMany) noexcept;
   void raise(Event event) noexcept;
   /// The number of send periods in a time, rounded up.
   int periodsOf(int milliseconds) const noexcept;
 
   Impairment& impairment_;
   int period_;  ///< [ms]
-  /// How many of each OneTime are still pending.
-  std::array<std::atomic<int>, kOneTimeCount> once_{};
+  /// How many of each OneTimeFault are still pending.
+  std::array<std::atomic<int>, kOneTimeFaultCount> pendingOneTime_{};
   std::atomic<std::uint32_t> events_{0};  ///< pending events, one bit each
   std::atomic<bool> isQualityPoor_{false};
 };

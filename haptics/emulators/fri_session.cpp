@@ -80,7 +80,7 @@ bool FriSession::advance(const Input& input) noexcept {
   periods_ = std::min(periods_ + 1, 1'000'000'000);
   const FriEndReason reason = reasonToEnd(input);
   if (reason != FriEndReason::None) return end(reason);
-  goOn(input);
+  advanceState(input);
   return false;
 }
 
@@ -88,7 +88,7 @@ FriEndReason FriSession::reasonToEnd(const Input& input) const noexcept {
   if (!isCommanding()) return FriEndReason::None;
   const double period = options_.period;
   if (isStopped_) return FriEndReason::SafetyStop;
-  if (options_.isTorque && input.sinceAnswered * period > kCommandTimeout) {
+  if (options_.isTorque && input.periodsSinceAnswered * period > kCommandTimeout) {
     return FriEndReason::CommandsTooRare;
   }
   if (input.missed > kMostMissed) return FriEndReason::AnswersMissing;
@@ -99,9 +99,9 @@ FriEndReason FriSession::reasonToEnd(const Input& input) const noexcept {
   return time > 0 && periods_ >= time ? FriEndReason::Completed : FriEndReason::None;
 }
 
-void FriSession::goOn(const Input& input) noexcept {
+void FriSession::advanceState(const Input& input) noexcept {
   const bool isGood = input.quality >= ConnectionQuality::Level::Good;
-  const Stay& stay = options_.stay;
+  const DwellTimes& stay = options_.stay;
   switch (state_) {
     case State::Idle:
       if (!isClosed_ && periods_ >= stay.idle) enter(State::MonitoringWait);

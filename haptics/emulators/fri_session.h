@@ -90,7 +90,7 @@ enum class FriEndReason : std::uint8_t {
   WrenchMissing,
   TorqueMissing,
   PositionLimit,
-  PositionLeap,
+  PositionJump,
   WrenchLimit,
   TorqueLimit,
   SafetyStop,
@@ -105,8 +105,8 @@ std::string_view nameOf(FriEndReason end) noexcept;
 ///
 ///     Idle → MonitoringWait → MonitoringReady → CommandingWait → CommandingActive
 ///
-/// Idle ends after its time in Stay; MonitoringWait when the quality is Good; MonitoringReady when
-/// the program queues its motion; CommandingWait when kMirrored consecutive answers mirror the
+/// Idle ends after its time in DwellTimes; MonitoringWait when the quality is Good; MonitoringReady
+/// when the program queues its motion; CommandingWait when kMirrored consecutive answers mirror the
 /// joints and have the fields of the command mode. A motion that ends with a reason leads to
 /// MonitoringWait, and the connection counts as Poor until it is Good again; a completed motion
 /// leads to Idle.
@@ -121,7 +121,7 @@ class FriSession {
   static constexpr double kMirrorTime = 10'000;  ///< longest time in CommandingWait [ms]
 
   /// The least time in each state [periods of sending].
-  struct Stay {
+  struct DwellTimes {
     int idle = 10;
     int monitoringWait = 0;
     int monitoringReady = 100;
@@ -130,7 +130,7 @@ class FriSession {
   };
 
   struct Options {
-    Stay stay;
+    DwellTimes stay;
     int period = 1;               ///< send period [ms], 1 to 100
     bool isTorque = false;        ///< torque mode: a command must arrive every kCommandTimeout
     bool restartsMotion = false;  ///< the robot's program restarts a motion that failed
@@ -139,8 +139,8 @@ class FriSession {
   /// What happened since the last period.
   struct Input {
     wire::fri::ConnectionQuality quality = wire::fri::ConnectionQuality::Poor;
-    int missed = 0;         ///< consecutive answers that were due and did not arrive
-    int sinceAnswered = 0;  ///< periods since the last message that was answered
+    int missed = 0;                ///< consecutive answers that were due and did not arrive
+    int periodsSinceAnswered = 0;  ///< periods since the last message that was answered
   };
 
   explicit FriSession(const Options& options) noexcept : options_(options) {}
@@ -171,7 +171,7 @@ class FriSession {
  private:
   void enter(State state) noexcept;
   FriEndReason reasonToEnd(const Input& input) const noexcept;
-  void goOn(const Input& input) noexcept;
+  void advanceState(const Input& input) noexcept;
 
   Options options_;
   State state_ = State::Idle;

@@ -13,8 +13,8 @@ bool isSound(const SurgeonHand::Grip& grip) {
   const auto isWithin = [](double value, double most) { return value >= 0.0 && value <= most; };
   return grip.axis.allFinite() && grip.axis.norm() > 0.0 && grip.start.position.allFinite() &&
          grip.start.rotation.allFinite() && isWithin(grip.lateralStiffness, 1e5) &&
-         isWithin(grip.lateralDamping, 1000.0) && isWithin(grip.turnStiffness, 1000.0) &&
-         isWithin(grip.turnDamping, 20.0);
+         isWithin(grip.lateralDamping, 1000.0) && isWithin(grip.rotationalStiffness, 1000.0) &&
+         isWithin(grip.rotationalDamping, 20.0);
 }
 
 }  // namespace
@@ -36,9 +36,9 @@ devices::Wrench SurgeonHand::wrench(
   devices::Wrench wrench;
   wrench.head<3>() = push * axis - grip_.lateralStiffness * (away - travelled * axis) -
                      grip_.lateralDamping * (speed - advance * axis);
-  wrench.tail<3>() =
-      grip_.turnStiffness * devices::turnBetween(tool.rotation, grip_.start.rotation) -
-      grip_.turnDamping * twist.tail<3>();
+  wrench.tail<3>() = grip_.rotationalStiffness *
+                         devices::rotationVectorBetween(tool.rotation, grip_.start.rotation) -
+                     grip_.rotationalDamping * twist.tail<3>();
   return wrench;
 }
 
@@ -210,7 +210,7 @@ JointVector IiwaArm::jointTorque(const JointImpedance& law) const noexcept {
 Vector6 IiwaArm::deflection(const CartesianImpedance& law) const noexcept {
   Vector6 inBase;
   inBase.head<3>() = commandedTool_.position - state_.tool.position;
-  inBase.tail<3>() = devices::turnBetween(state_.tool.rotation, commandedTool_.rotation);
+  inBase.tail<3>() = devices::rotationVectorBetween(state_.tool.rotation, commandedTool_.rotation);
   return turned((commandedTool_.rotation * law.frame).transpose(), inBase);
 }
 

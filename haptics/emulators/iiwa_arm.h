@@ -18,11 +18,11 @@ class SurgeonHand {
  public:
   struct Grip {
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< a: direction of advance; any length > 0
-    devices::Pose start;              ///< p₀ and the orientation to keep; travel is 0 here
-    double lateralStiffness = 500.0;  ///< k [N/m], >= 0
-    double lateralDamping = 20.0;     ///< b [N·s/m], in [0, 1000]
-    double turnStiffness = 10.0;      ///< k_r [N·m/rad], >= 0
-    double turnDamping = 0.3;         ///< b_r [N·m·s/rad], in [0, 20]
+    devices::Pose start;                ///< p₀ and the orientation to keep; travel is 0 here
+    double lateralStiffness = 500.0;    ///< k [N/m], >= 0
+    double lateralDamping = 20.0;       ///< b [N·s/m], in [0, 1000]
+    double rotationalStiffness = 10.0;  ///< k_r [N·m/rad], >= 0
+    double rotationalDamping = 0.3;     ///< b_r [N·m·s/rad], in [0, 20]
   };
 
   /// @param hand  its travel is in metres; must outlive this object.

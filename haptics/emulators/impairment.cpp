@@ -41,8 +41,8 @@ void Impairment::setDelay(int frames) noexcept {
   delay_.store(std::max(frames, 1), std::memory_order_relaxed);
 }
 
-Injected Impairment::counts() const noexcept {
-  Injected injected{.passed = passed_.load(std::memory_order_relaxed)};
+InjectedCounts Impairment::counts() const noexcept {
+  InjectedCounts injected{.passed = passed_.load(std::memory_order_relaxed)};
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     injected.of[i] = counts_[i].load(std::memory_order_relaxed);
   }
@@ -128,7 +128,7 @@ Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fau
   return {.frame = frame};
 }
 
-void Impairment::spare() noexcept {
+void Impairment::countIntact() noexcept {
   passed_.fetch_add(1, std::memory_order_relaxed);
   age(false);
 }

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 6> kFaultNames{
     "drop", "double", "reorder", "delay", "garbage", "damage"};
 
 /// Numbers of frames and of injected faults.
-struct Injected {
+struct InjectedCounts {
   std::uint64_t passed = 0;  ///< frames that were given to pass()
   /// Number of frames with each fault, in the order of Fault.
   std::array<std::uint64_t, kFaultNames.size()> of{};
@@ -91,8 +91,8 @@ class Impairment {
   /// Passes on @p frame, which the caller has made invalid already, without a further fault. It
   /// does not count as overtaking held frames.
   template <typename Send>
-  void passUnimpaired(std::span<const std::uint8_t> frame, Send&& send) {
-    spare();
+  void passWithoutFault(std::span<const std::uint8_t> frame, Send&& send) {
+    countIntact();
     send(frame);
     sendDue(send);
   }
@@ -106,7 +106,7 @@ class Impairment {
   }
 
   /// The exact numbers of injected faults. Any thread.
-  Injected counts() const noexcept;
+  InjectedCounts counts() const noexcept;
   /// The number of ordered @p fault that are still pending. Any thread.
   int waiting(Fault fault) const noexcept;
   /// Number of frames held back at present. Only for the thread that calls pass().
@@ -131,7 +131,7 @@ class Impairment {
   Delivery decide(std::span<const std::uint8_t> frame) noexcept;
   Delivery impair(std::span<const std::uint8_t> frame, Fault fault) noexcept;
   /// Counts a frame that gets no fault; held frames come closer to being due.
-  void spare() noexcept;
+  void countIntact() noexcept;
   std::optional<Fault> nextFault() noexcept;
   std::optional<Fault> orderedFault() noexcept;
   std::optional<Fault> randomFault() noexcept;

@@ -46,7 +46,7 @@ void PseudoTerminal::plugIn() {
     tcsetattr(master_, TCSANOW, &settings);
   }
   if (link_.empty()) return;
-  requireFreeName();
+  requireUnusedLink();
   removeLink();
   if (symlink(name_.c_str(), link_.c_str()) != 0) {
     unplug();
@@ -63,7 +63,7 @@ void PseudoTerminal::unplug() noexcept {
 
 /// Refuses a link to a port that exists, because another program uses it. A link to a missing port,
 /// or to this one, is left over and may be replaced.
-void PseudoTerminal::requireFreeName() {
+void PseudoTerminal::requireUnusedLink() {
   std::array<char, 256> target{};
   const ssize_t size = readlink(link_.c_str(), target.data(), target.size() - 1);
   if (size <= 0 || name_ == target.data() || access(link_.c_str(), F_OK) != 0) return;

@@ -34,7 +34,7 @@ class PseudoTerminal {
   void write(std::span<const std::uint8_t> bytes) noexcept;
 
  private:
-  void requireFreeName();
+  void requireUnusedLink();
   void removeLink() noexcept;
 
   std::string link_;

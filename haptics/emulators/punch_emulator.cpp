@@ -107,7 +107,7 @@ std::uint32_t PunchEmulator::micros() const noexcept {
 }
 
 std::int32_t PunchEmulator::counts() const noexcept {
-  return static_cast<std::int32_t>(std::lround(travel_ / options_.travelPerCount)) + leap_;
+  return static_cast<std::int32_t>(std::lround(travel_ / options_.travelPerCount)) + encoderError_;
 }
 
 void PunchEmulator::drive(std::int16_t millivolts) noexcept {
@@ -116,11 +116,11 @@ void PunchEmulator::drive(std::int16_t millivolts) noexcept {
 }
 
 int PunchEmulator::read() noexcept {
-  if (inputAt_ == inputSize_) {
-    inputAt_ = 0;
+  if (inputPosition_ == inputSize_) {
+    inputPosition_ = 0;
     inputSize_ = line_.read(input_);
   }
-  return inputAt_ < inputSize_ ? input_[inputAt_++] : -1;
+  return inputPosition_ < inputSize_ ? input_[inputPosition_++] : -1;
 }
 
 void PunchEmulator::write(const std::uint8_t* bytes, std::size_t count) noexcept {
@@ -165,12 +165,12 @@ std::string PunchEmulator::command(std::string_view line) {
     stalledSince_ = timing::now();
     stalledUntil_ = time;
   } else if (order.word == "leap") {
-    leap_ += *order.number;
+    encoderError_ += *order.number;
   } else if (order.word == "driver-fault") {
     hasDriverFault_ = true;
   } else if (order.word == "mend") {
     hasDriverFault_ = false;
-    leap_ = 0;
+    encoderError_ = 0;
   } else if (order.word == "reset") {
     drive(0);
     restart();

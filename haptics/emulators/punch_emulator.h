@@ -50,7 +50,7 @@ class PunchEmulator {
   std::string status() const;
 
   /// The faults of frames injected so far.
-  Injected injected() const noexcept { return impairment_.counts(); }
+  InjectedCounts injected() const noexcept { return impairment_.counts(); }
   /// Time from the last command that caused a fault until the motor was without voltage [ms];
   /// std::nullopt without such a command, if the motor had no voltage then, or while it still has.
   std::optional<double> motorOffAfter() const noexcept;
@@ -76,8 +76,8 @@ class PunchEmulator {
   devices::SimulatedDevice handle_;
   std::int64_t start_;
   double travel_ = 0.0;
-  int voltage_ = 0;        // [mV]
-  std::int32_t leap_ = 0;  // error of the encoder [counts]
+  int voltage_ = 0;                // [mV]
+  std::int32_t encoderError_ = 0;  // error of the encoder [counts]
   bool hasDriverFault_ = false;
   // Times on CLOCK_MONOTONIC [ns]; 0: none.
   std::int64_t stalledUntil_ = 0;
@@ -89,7 +89,7 @@ class PunchEmulator {
   std::uint64_t steps_ = 0;
   std::array<std::uint8_t, 1024> input_{};
   std::size_t inputSize_ = 0;
-  std::size_t inputAt_ = 0;
+  std::size_t inputPosition_ = 0;
   std::optional<firmware::PunchProgram<PunchEmulator>> program_;
 };
 

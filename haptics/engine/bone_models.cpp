@@ -123,7 +123,7 @@ double depthOf(const reaming::SphereField& field, const reaming::PlungePath& plu
 reaming::BoneOptions optionsOf(const PackingSpec& spec, const Reamer& reamer) {
   auto options = spec.options;
   options.coverage = spec.bone->packing.coverage();
-  options.cuttingDamping = spec.forceScale * reamer.dampingOf(options.cuttingDamping);
+  options.cuttingDamping = spec.forceScale * reamer.cuttingDampingOf(options.cuttingDamping);
   options.mostFeed = reamer.mostFeed();
   options.isSpinning = reamer.speed > 0.0;
   options.isGuided = true;  // the device has one axis

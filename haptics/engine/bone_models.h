@@ -80,7 +80,7 @@ class JitterNoise {
       last_ = next_;
       next_ = random_.normal();
     }
-    const double share = std::clamp(force / (kFull * rms_), 0.0, 1.0);
+    const double share = std::clamp(force / (kFullNoiseRatio * rms_), 0.0, 1.0);
     const double noise = share * rms_ * (last_ + phase_ * (next_ - last_));
     return std::max(noise, -std::max(force, 0.0));
   }
@@ -93,8 +93,8 @@ class JitterNoise {
   }
 
  private:
-  /// Forces of at least kFull · RMS get the noise undiminished.
-  static constexpr double kFull = 5.0;
+  /// Forces of at least kFullNoiseRatio · RMS get the noise undiminished.
+  static constexpr double kFullNoiseRatio = 5.0;
 
   double rms_;   ///< [N]
   double rate_;  ///< [Hz]

@@ -100,7 +100,8 @@ std::shared_ptr<const reaming::PackedBone> parametricBone() {
     made->packing = *reaming::pack(reaming::Acetabulum(), {.count = kSpheres});
     // `packing fit` takes seconds to find this friction, and 400 depths improve the fit hardly:
     // with these values the error at any depth is 0.08 % of the force and 1.4 % of the torque.
-    reaming::fitTo(*made, parametricCurves(), parametricTorque(), {.depths = 150, .friction = 0.2});
+    reaming::fitBoneToMaterial(
+        *made, parametricCurves(), parametricTorque(), {.depths = 150, .friction = 0.2});
     return made;
   }();
   return bone;

@@ -30,7 +30,7 @@ std::string describe(const models::FiniteElements<double>::Parameters& p) {
   std::string words = "boundary ";
   words.append(nameIn(kBoundaryNames, p.boundary));
   words.append(", weights ").append(nameIn(kWeightsNames, p.weights));
-  return words.append(", yielding ").append(nameIn(kYieldingNames, p.yielding));
+  return words.append(", yielding ").append(nameIn(kYieldLawNames, p.yielding));
 }
 
 std::string inHundredths(double share) {
@@ -121,7 +121,7 @@ struct Builder {
 
   void operator()(const KalmanSpec& spec) {
     if (spec.isProcessAsPrinted) {
-      model = std::make_unique<PrintedKalmanModel>(spec, spec.noise.asPrinted());
+      model = std::make_unique<KalmanModelWithPrintedNoise>(spec, spec.noise.asPrinted());
     } else {
       model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
     }
@@ -239,9 +239,9 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   std::visit(builder, spec.model);
   const bool isMeniscus = factsOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {
-    mesh_.emplace(shownTissue(spec), spec.seenTissue);
+    mesh_.emplace(shownTissue(spec), spec.tissueDrawing);
     std::string why = "the tissue is shown and follows the ";
-    why.append(nameIn(kTissueDrawingNames, spec.seenTissue));
+    why.append(nameIn(kTissueDrawingNames, spec.tissueDrawing));
     builder.in(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);
   } else {
     builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");

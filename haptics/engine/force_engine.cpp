@@ -28,14 +28,14 @@ EnergyObserver::Settings energySettings(
 
 /// A driven reamer does work on a hand that yields to its torque: the energy is observed, but not
 /// damped. The tolerance covers rounding, over a rotation of one radian.
-EnergyObserver::Settings turnEnergySettings(const SafetyLimits& limits) {
+EnergyObserver::Settings rotationEnergySettings(const SafetyLimits& limits) {
   return {.tolerance = 1e-4 * limits.maxTorque};
 }
 
 std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
   std::uint8_t marks = TickSample::None;
   if ((reasons & ForceGate::TooFast) != 0) marks |= TickSample::TooFast;
-  if ((reasons & ForceGate::Released) != 0) marks |= TickSample::Released;
+  if ((reasons & ForceGate::DeadManReleased) != 0) marks |= TickSample::DeadManReleased;
   if ((reasons & ForceGate::MissedPeriods) != 0) marks |= TickSample::MissedPeriods;
   if ((reasons & ForceGate::SoftStart) != 0 && hasScene) marks |= TickSample::SoftStart;
   return marks;
@@ -49,7 +49,7 @@ ForceEngine::ForceEngine(devices::Device& device, const SafetyLimits& limits)
       torqueLimiter_(ForceLimiter::ofTorque(limits)),
       gate_(checked(limits)),
       energy_(energySettings(device.capabilities(), limits)),
-      turnEnergy_(turnEnergySettings(limits)),
+      rotationEnergy_(rotationEnergySettings(limits)),
       cuts_(device.capabilities().kind->stroke) {}
 
 void ForceEngine::setScene(CompiledScene* scene) noexcept {
@@ -64,8 +64,8 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const bool isNumber =
       std::isfinite(seen.travel) && std::isfinite(seen.velocity) && std::isfinite(seen.turn);
   const bool isMeasured = seen.status == devices::DeviceStatus::Ok && isNumber;
-  moved_ = isMeasured && hasTool_ ? seen.travel - tool_.travel : 0.0;
-  turned_ = isMeasured && hasTool_ ? seen.turn - turn_ : 0.0;
+  travelChange_ = isMeasured && hasMeasuredTool_ ? seen.travel - tool_.travel : 0.0;
+  turnChange_ = isMeasured && hasMeasuredTool_ ? seen.turn - turn_ : 0.0;
   if (isMeasured) {
     turn_ = seen.turn;
     tool_ = {
@@ -73,8 +73,8 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
         .velocity = seen.velocity,
         .dt = dt,
         .isReamerOn = seen.isReamerOn && isReamerOn_.load(std::memory_order_relaxed)};
-    hasTool_ = true;
-    isHeld_ = seen.isHeld;
+    hasMeasuredTool_ = true;
+    isDeadManHeld_ = seen.isDeadManHeld;
   } else {
     sample.marks |= TickSample::Invalid;
     const bool isFault =
@@ -88,12 +88,12 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
 
 void ForceEngine::takeScene() noexcept {
   CompiledScene* scene = scene_.load(std::memory_order_acquire);
-  if (scene == felt_) return;
-  felt_ = scene;
+  if (scene == lastScene_) return;
+  lastScene_ = scene;
   cuts_.reset();
   gate_.startSoftly();
   energy_.reset();
-  turnEnergy_.reset();
+  rotationEnergy_.reset();
   if (scene != nullptr) scene->reset();
 }
 
@@ -102,19 +102,19 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
   sample.tick = ticks_++;
   const bool isMeasured = read(sample, dt);
   takeScene();
-  if (felt_ == nullptr) sample.marks |= TickSample::Bare;
+  if (lastScene_ == nullptr) sample.marks |= TickSample::NoScene;
   if (isStopped()) {
     sample.marks |= TickSample::Stopped;
     gate_.shut();
     limiter_.release();
     torqueLimiter_.release();
     energy_.reset();
-    turnEnergy_.reset();
+    rotationEnergy_.reset();
   } else {
     render(
         sample,
         {.isMeasured = isMeasured,
-         .isHeld = isHeld_,
+         .isDeadManHeld = isDeadManHeld_,
          .velocity = tool_.velocity,
          .missedPeriods = missedPeriods},
         dt);
@@ -129,12 +129,12 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
 void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept {
   if (input.isMeasured) {
     // Work of the last step: the force commanded in the last tick times the motion since.
-    energy_.observe(commanded_, moved_, tool_.velocity, dt);
+    energy_.observe(commanded_, travelChange_, tool_.velocity, dt);
     // The torque does work on the hand; the scene takes up the negative of that work.
-    turnEnergy_.observe(-commandedTorque_, turned_, turned_ / dt, dt);
-    desired_ = felt_ != nullptr ? desiredForce(sample) : 0.0;
+    rotationEnergy_.observe(-commandedTorque_, turnChange_, turnChange_ / dt, dt);
+    desired_ = lastScene_ != nullptr ? desiredForce(sample) : 0.0;
     const bool isDefined = (sample.marks & TickSample::Undefined) == 0;
-    desiredTorque_ = felt_ != nullptr && isDefined ? felt_->torque() : 0.0;
+    desiredTorque_ = lastScene_ != nullptr && isDefined ? lastScene_->torque() : 0.0;
   }
   sample.desired = desired_;
   sample.energy = energy_.energy();
@@ -151,28 +151,28 @@ void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, doub
   if (energy_.isActive()) sample.interventions |= ForceLimiter::Active;
   if (passive != desired_) sample.interventions |= ForceLimiter::Damped;
   renderTorque(sample, gate.gain, dt);
-  sample.marks |= marksOf(gate.reasons, felt_ != nullptr);
-  if (gate.isPatienceOver) stop();
+  sample.marks |= marksOf(gate.reasons, lastScene_ != nullptr);
+  if (gate.isSilenceTooLong) stop();
 }
 
 void ForceEngine::renderTorque(TickSample& sample, double gain, double dt) noexcept {
   sample.desiredTorque = desiredTorque_;
-  sample.turnEnergy = turnEnergy_.energy();
+  sample.rotationEnergy = rotationEnergy_.energy();
   if (!device_.capabilities().rendersTorque()) return;
   const auto limited = torqueLimiter_.limit(desiredTorque_ * gain, dt);
   sample.torque = limited.force;
   sample.interventions |= limited.interventions;
-  if (turnEnergy_.isActive()) sample.interventions |= ForceLimiter::TorqueActive;
+  if (rotationEnergy_.isActive()) sample.interventions |= ForceLimiter::TorqueActive;
 }
 
 double ForceEngine::desiredForce(TickSample& sample) noexcept {
-  const auto response = felt_->respond(tool_);
+  const auto response = lastScene_->respond(tool_);
   if (!response.isDefined) sample.marks |= TickSample::Undefined;
   return response.isDefined ? response.force : 0.0;
 }
 
 void ForceEngine::detectLandmarks(TickSample& sample) noexcept {
-  if (felt_ != nullptr && (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0) {
+  if (lastScene_ != nullptr && (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0) {
     const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
     sample.landmark = cuts_.feed(sample.travel, sample.force, isSettling);
   }

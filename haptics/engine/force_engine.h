@@ -64,21 +64,21 @@ class ForceEngine {
   ForceLimiter torqueLimiter_;
   ForceGate gate_;
   EnergyObserver energy_;
-  EnergyObserver turnEnergy_;
+  EnergyObserver rotationEnergy_;
   CutDetector cuts_;
   std::atomic<CompiledScene*> scene_{nullptr};
-  CompiledScene* felt_ = nullptr;  ///< the scene of the last tick
+  CompiledScene* lastScene_ = nullptr;  ///< the scene of the last tick
   std::atomic<bool> isStopped_{false};
   std::atomic<bool> isReamerOn_{true};
   std::uint64_t ticks_ = 0;
   ToolState tool_;
-  bool hasTool_ = false;  ///< tool_ is measured: false before the first valid sample
-  bool isHeld_ = true;
-  double moved_ = 0.0;            ///< change of travel in the last tick [device's travel unit]
+  bool hasMeasuredTool_ = false;  ///< tool_ is measured: false before the first valid sample
+  bool isDeadManHeld_ = true;
+  double travelChange_ = 0.0;     ///< change of travel in the last tick [device's travel unit]
   double desired_ = 0.0;          ///< force of the scene's last response [N]
   double commanded_ = 0.0;        ///< [N]
   double turn_ = 0.0;             ///< about the tool's axis [rad]
-  double turned_ = 0.0;           ///< change of turn in the last tick [rad]
+  double turnChange_ = 0.0;       ///< change of turn in the last tick [rad]
   double desiredTorque_ = 0.0;    ///< torque of the scene's last response [N·m]
   double commandedTorque_ = 0.0;  ///< [N·m]
 };

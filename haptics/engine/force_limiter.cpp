@@ -7,7 +7,7 @@
 namespace haptics::engine {
 
 ForceLimiter::ForceLimiter(double most, double rate, std::uint8_t saturated, std::uint8_t slewed)
-    : most_(most), rate_(rate), saturated_(saturated), slewed_(slewed) {
+    : most_(most), rate_(rate), saturationFlag_(saturated), slewFlag_(slewed) {
   const auto isSound = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (!isSound(most) || !isSound(rate)) {
     throw std::invalid_argument("a limit of force or torque must be a positive number");
@@ -30,13 +30,13 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
     return result;
   }
   double force = std::clamp(desired, -most_, most_);
-  if (force != desired) result.interventions |= saturated_;
+  if (force != desired) result.interventions |= saturationFlag_;
 
   // Slew-limit after saturation, so that a force above the maximum rises no faster than one below
   // it.
   const double step = rate_ * dt;
   const double slewed = std::clamp(force, last_ - step, last_ + step);
-  if (slewed != force) result.interventions |= slewed_;
+  if (slewed != force) result.interventions |= slewFlag_;
 
   last_ = std::isfinite(slewed) ? slewed : 0.0;
   result.force = last_;
@@ -53,14 +53,14 @@ std::uint8_t ForceGate::closingReasons(const Input& input, double dt) noexcept {
   std::uint8_t reasons = None;
   silence_ = input.isMeasured ? 0.0 : silence_ + dt;
   if (!input.isMeasured) reasons |= NoSample;
-  if (!input.isHeld) reasons |= Released;
+  if (!input.isDeadManHeld) reasons |= DeadManReleased;
   if (!(std::abs(input.velocity) <= limits_.maxVelocity)) reasons |= TooFast;  // NaN is too fast
   return reasons;
 }
 
 ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
   Output output{.reasons = closingReasons(input, dt)};
-  output.isPatienceOver = silence_ > limits_.patience;
+  output.isSilenceTooLong = silence_ > limits_.patience;
   const double step = dt / limits_.rampTime;
   if (input.missedPeriods > 1) {
     output.reasons |= MissedPeriods;
@@ -71,7 +71,7 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
 
   // Bridge one missing sample; 1.5 ticks instead of 1 makes the comparison safe against rounding.
   const bool isBridged = output.reasons == NoSample && silence_ < 1.5 * dt;
-  constexpr std::uint8_t kClosing = TooFast | Released | NoSample;
+  constexpr std::uint8_t kClosing = TooFast | DeadManReleased | NoSample;
   if ((output.reasons & kClosing) != 0) {
     if (!isBridged) {
       gain_ = std::max(0.0, gain_ - step);

@@ -75,8 +75,8 @@ class ForceLimiter {
 
   double most_;
   double rate_;
-  std::uint8_t saturated_;  ///< the intervention that reports saturation
-  std::uint8_t slewed_;     ///< the intervention that reports the slew limit
+  std::uint8_t saturationFlag_;  ///< the intervention that reports saturation
+  std::uint8_t slewFlag_;        ///< the intervention that reports the slew limit
   double last_ = 0.0;
 };
 
@@ -93,25 +93,25 @@ class ForceGate {
   /// Why the gain is below 1, as bits.
   enum Reason : std::uint8_t {
     None = 0,
-    TooFast = 1,        ///< the tool exceeds the limit of velocity
-    Released = 2,       ///< the dead-man switch is not held
-    NoSample = 4,       ///< the device gave no new measurement
-    MissedPeriods = 8,  ///< the clock missed more than one period
-    SoftStart = 16      ///< waits for a small force, or the gain is rising
+    TooFast = 1,          ///< the tool exceeds the limit of velocity
+    DeadManReleased = 2,  ///< the dead-man switch is not held
+    NoSample = 4,         ///< the device gave no new measurement
+    MissedPeriods = 8,    ///< the clock missed more than one period
+    SoftStart = 16        ///< waits for a small force, or the gain is rising
   };
 
   struct Input {
-    bool isMeasured = true;  ///< there is a new sample
-    bool isHeld = true;      ///< the dead-man switch is held
-    double velocity = 0.0;   ///< [device's travel unit/s]
-    double desired = 0.0;    ///< desired by the scene [N]
-    int missedPeriods = 0;   ///< periods without a tick before this one
+    bool isMeasured = true;     ///< there is a new sample
+    bool isDeadManHeld = true;  ///< the dead-man switch is held
+    double velocity = 0.0;      ///< [device's travel unit/s]
+    double desired = 0.0;       ///< desired by the scene [N]
+    int missedPeriods = 0;      ///< periods without a tick before this one
   };
 
   struct Output {
     double gain = 0.0;  ///< [0, 1]
     std::uint8_t reasons = None;
-    bool isPatienceOver = false;  ///< no new sample for longer than SafetyLimits::patience
+    bool isSilenceTooLong = false;  ///< no new sample for longer than SafetyLimits::patience
   };
 
   explicit ForceGate(const SafetyLimits& limits) noexcept : limits_(limits) {}

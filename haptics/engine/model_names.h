@@ -11,7 +11,7 @@ namespace haptics::engine {
 
 template <typename... Spec>
 constexpr auto namesOf(std::type_identity<std::variant<Spec...>>) {
-  return std::array{Spec::kFacts.name...};
+  return std::array{Spec::kInfo.name...};
 }
 /// The names of all models, in the order of ModelSpec.
 inline constexpr auto kModelNames = namesOf(std::type_identity<ModelSpec>{});
@@ -35,17 +35,18 @@ inline constexpr std::array kBranchesNames{
     Named<Branches>{"hysteresis", Branches::Hysteresis},
 };
 inline constexpr std::array kBoundaryNames{
-    Named<models::Boundary>{"A", models::Boundary::A},
-    Named<models::Boundary>{"B", models::Boundary::B},
+    Named<models::BoundaryCondition>{"A", models::BoundaryCondition::A},
+    Named<models::BoundaryCondition>{"B", models::BoundaryCondition::B},
 };
 inline constexpr std::array kWeightsNames{
-    Named<models::ToolWeights>{"paper", models::ToolWeights::Paper},
-    Named<models::ToolWeights>{"authors-firmware", models::ToolWeights::AuthorsFirmware},
-    Named<models::ToolWeights>{"exact-kink", models::ToolWeights::ExactKink},
+    Named<models::ToolInterpolation>{"paper", models::ToolInterpolation::Paper},
+    Named<models::ToolInterpolation>{
+        "authors-firmware", models::ToolInterpolation::AuthorsFirmware},
+    Named<models::ToolInterpolation>{"exact-kink", models::ToolInterpolation::ExactKink},
 };
-inline constexpr std::array kYieldingNames{
-    Named<models::Yielding>{"clip", models::Yielding::Clip},
-    Named<models::Yielding>{"return-map", models::Yielding::ReturnMap},
+inline constexpr std::array kYieldLawNames{
+    Named<models::YieldLaw>{"clip", models::YieldLaw::Clip},
+    Named<models::YieldLaw>{"return-map", models::YieldLaw::ReturnMap},
 };
 inline constexpr std::array kSchemeNames{
     Named<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},

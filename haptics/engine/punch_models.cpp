@@ -22,7 +22,7 @@ double delayOf(models::Smoothing smoothing) {
 
 /// Largest slope added by the transition between the branches: their largest force difference over
 /// the width of the transition [N per travel unit].
-double steepestTurn(const InterpolationSpec& spec) {
+double steepestTransition(const InterpolationSpec& spec) {
   double widest = 0.0;
   const models::Interpolation<double> closing(spec.curve.data(), spec.curve.size(), spec.options);
   const models::Interpolation<double> opening(
@@ -35,7 +35,7 @@ double steepestTurn(const InterpolationSpec& spec) {
       widest = std::max(widest, std::abs(gap));
     }
   }
-  return widest / spec.turningWidth;
+  return widest / spec.transitionWidth;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ bool IndexedCurve::hasJumpAtEnd() const noexcept {
     case models::Extrapolation::Absent:
       return first != 0.0 || last != 0.0;
     case models::Extrapolation::AuthorsClamp:
-      constexpr double kLeast = models::Interpolation<double>::kAuthorsLeast;
+      constexpr double kLeast = models::Interpolation<double>::kAuthorsMinForce;
       return first > kLeast || last > kLeast;
   }
   return true;
@@ -87,8 +87,10 @@ InterpolationModel::InterpolationModel(const InterpolationSpec& spec)
     : closing_(spec.curve, spec.options) {
   if (spec.branches == Branches::ClosingOnly) return;
   IndexedCurve opening(spec.opening, spec.options);
-  const models::Hysteresis<double> hysteresis(closing_.curve(), opening.curve(), spec.turningWidth);
-  opening_ = std::make_unique<Opening>(Opening{std::move(opening), hysteresis, steepestTurn(spec)});
+  const models::Hysteresis<double> hysteresis(
+      closing_.curve(), opening.curve(), spec.transitionWidth);
+  opening_ =
+      std::make_unique<Opening>(Opening{std::move(opening), hysteresis, steepestTransition(spec)});
 }
 
 models::Response<double> InterpolationModel::respond(const ToolState& tool) noexcept {
@@ -104,7 +106,7 @@ void InterpolationModel::reset() noexcept {
 double InterpolationModel::largestStiffness() const noexcept {
   const double closing = closing_.largestSlope();
   if (opening_ == nullptr) return closing;
-  return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTurn;
+  return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTransition;
 }
 
 std::optional<double> InterpolationModel::slopeBound() const noexcept {

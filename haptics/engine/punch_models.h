@@ -56,7 +56,7 @@ class InterpolationModel final : public ForceModel {
   struct Opening {
     IndexedCurve curve;
     models::Hysteresis<double> hysteresis;
-    double steepestTurn = 0.0;  ///< [N per travel unit]
+    double steepestTransition = 0.0;  ///< [N per travel unit]
   };
 
   IndexedCurve closing_;
@@ -110,7 +110,8 @@ class KalmanModel final : public ForceModel {
 
 using FactoredKalmanModel = KalmanModel<models::KalmanFilter<double>>;
 /// With the process noise Q exactly as the punch paper prints it in eq. (22): not symmetric.
-using PrintedKalmanModel = KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
+using KalmanModelWithPrintedNoise =
+    KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 extern template class KalmanModel<models::KalmanFilter<double>>;
 extern template class KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 

@@ -48,7 +48,7 @@ void HoleDetector::restart() noexcept {
   before_ = waited();
 }
 
-std::int64_t HoleDetector::accountableLateness(std::int64_t late) noexcept {
+std::int64_t HoleDetector::latenessOfThisMachine(std::int64_t late) noexcept {
   const std::int64_t now = waited();
   const bool isCounted = now >= 0 && before_ >= 0;
   const std::int64_t ours = isCounted ? std::clamp<std::int64_t>(now - before_, 0, late) : late;
@@ -122,7 +122,7 @@ RealtimeLoop::RealtimeLoop(const Options& options, Tick tick)
   if (!(options.rate >= 1.0 && options.rate <= 10'000.0)) {
     throw std::invalid_argument("the loop's rate must lie between 1 and 10,000 Hz");
   }
-  if (!(options.spinning >= 0.0 && options.spinning <= kMostSpinning)) {
+  if (!(options.spinning >= 0.0 && options.spinning <= kMaxSpinFraction)) {
     throw std::invalid_argument("the loop may spin for at most a tenth of a period");
   }
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -176,7 +176,7 @@ void RealtimeLoop::run(const std::stop_token& stop) {
     const std::int64_t late = pace.wait();
     std::int64_t own = late;
     if (late > suspicious) {
-      own = std::min(late, std::max(holes.accountableLateness(late), overrun));
+      own = std::min(late, std::max(holes.latenessOfThisMachine(late), overrun));
     } else if (report_.ticks % kRestartEvery == 0) {
       holes.restart();
     }

@@ -34,7 +34,7 @@ class HoleDetector {
 
   /// Returns the part of @p late [ns] that this machine caused [ns]; the rest is a hole. Restarts
   /// the count.
-  std::int64_t accountableLateness(std::int64_t late) noexcept;
+  std::int64_t latenessOfThisMachine(std::int64_t late) noexcept;
 
  private:
   std::int64_t waited() const noexcept;
@@ -58,11 +58,11 @@ class RealtimeLoop {
 
   /// Largest fraction of a period to spin; more could exceed the kernel's limit for real-time
   /// threads (950 ms per second).
-  static constexpr double kMostSpinning = 0.1;
+  static constexpr double kMaxSpinFraction = 0.1;
 
   struct Options {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
-    double spinning = 0.05;  ///< fraction of a period to spin at its end, 0 to kMostSpinning
+    double spinning = 0.05;  ///< fraction of a period to spin at its end, 0 to kMaxSpinFraction
     bool requestsRealtime = true;
     devices::Pacer* pacer = nullptr;  ///< sets the pace if given; must outlive the loop
   };

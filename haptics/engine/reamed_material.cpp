@@ -18,7 +18,7 @@ ReamedMaterialModel::ReamedMaterialModel(const MaterialSpec& spec, const Reamer&
       jitter_(spec.jitter, spec.forceScale, spec.jitterSeed),
       surface_(material_.segments().front().begin),
       mostFeed_(reamer.mostFeed()),
-      damping_(spec.forceScale * reamer.dampingOf(kCuttingDamping)),
+      damping_(spec.forceScale * reamer.cuttingDampingOf(kCuttingDamping)),
       depth_(surface_) {}
 
 models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noexcept {

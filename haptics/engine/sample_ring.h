@@ -54,14 +54,14 @@ struct TickSample {
   /// Conditions of a tick other than the limiter's interventions, as bits.
   enum Mark : std::uint8_t {
     None = 0,
-    Invalid = 1,          ///< the device gave no measurement; travel and velocity are the last ones
-    Undefined = 2,        ///< the scene defines no force at this travel
-    Stopped = 4,          ///< stop was pressed
-    Bare = 8,             ///< there is no scene, hence no force
-    TooFast = 16,         ///< the tool exceeds the limit of velocity; the force fades
-    Released = 32,        ///< the dead-man switch is not held; the force fades
-    SoftStart = 64,       ///< waits for a small desired force, or the force is rising
-    MissedPeriods = 128,  ///< the clock missed more than one period; the force fades
+    Invalid = 1,    ///< the device gave no measurement; travel and velocity are the last ones
+    Undefined = 2,  ///< the scene defines no force at this travel
+    Stopped = 4,    ///< stop was pressed
+    NoScene = 8,    ///< there is no scene, hence no force
+    TooFast = 16,   ///< the tool exceeds the limit of velocity; the force fades
+    DeadManReleased = 32,  ///< the dead-man switch is not held; the force fades
+    SoftStart = 64,        ///< waits for a small desired force, or the force is rising
+    MissedPeriods = 128,   ///< the clock missed more than one period; the force fades
   };
 
   std::uint64_t tick = 0;
@@ -73,7 +73,7 @@ struct TickSample {
   double torque = 0.0;         ///< sent to the device [N·m]; 0 if it renders none
   double energy = 0.0;         ///< absorbed during this contact [N·device's travel unit]
   /// Absorbed by the rotation about the tool's axis during this contact [J]
-  double turnEnergy = 0.0;
+  double rotationEnergy = 0.0;
   float lateness = 0.0F;  ///< of this tick after its due time [µs]; 0 without a clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention

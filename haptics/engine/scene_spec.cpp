@@ -30,7 +30,7 @@ void check(const InterpolationSpec& spec, Words& problems) {
         "the opening branch needs two or more points with strictly increasing travel, finite "
         "forces and finite slopes");
   }
-  if (!(spec.turningWidth > 0.0) || !std::isfinite(spec.turningWidth)) {
+  if (!(spec.transitionWidth > 0.0) || !std::isfinite(spec.transitionWidth)) {
     problems.push_back("the width of travel between the branches must be a number above 0");
   }
 }
@@ -45,7 +45,7 @@ void check(const FiniteElementsSpec& spec, Words& problems) {
     return;
   }
   auto withPapersWeights = spec.asParameters();
-  withPapersWeights.weights = models::ToolWeights::Paper;
+  withPapersWeights.weights = models::ToolInterpolation::Paper;
   if (!Model::isSound(withPapersWeights)) {
     problems.push_back(
         "the finite elements need start < tool position < end, one or more elements, a stiffness "
@@ -136,9 +136,9 @@ models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() co
   return p;
 }
 
-const ModelFacts& factsOf(const ModelSpec& model) noexcept {
+const ModelInfo& factsOf(const ModelSpec& model) noexcept {
   return std::visit(
-      [](const auto& spec) -> const ModelFacts& { return std::decay_t<decltype(spec)>::kFacts; },
+      [](const auto& spec) -> const ModelInfo& { return std::decay_t<decltype(spec)>::kInfo; },
       model);
 }
 

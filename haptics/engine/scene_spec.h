@@ -58,13 +58,13 @@ struct Reamer {
   /// The cutting damping of this reamer [N·s/m]. The cutting force grows with the thickness of the
   /// chip, so the damping is inversely proportional to the number of teeth that pass per second.
   /// @param stated  damping of the default reamer, 20 teeth of which pass per second [N·s/m].
-  constexpr double dampingOf(double stated) const noexcept {
+  constexpr double cuttingDampingOf(double stated) const noexcept {
     constexpr double kPassesOfTheDefault = 20.0;  // [1/s]
     return speed > 0.0 ? stated * (kPassesOfTheDefault / (speed * teeth)) : stated;
   }
 
   /// The reamer of release 0.1, without a limit of the feed and without torque.
-  static constexpr Reamer withoutLimit() noexcept {
+  static constexpr Reamer withoutFeedLimit() noexcept {
     return {.feedPerTooth = std::numeric_limits<double>::infinity(), .hasTorque = false};
   }
 
@@ -74,7 +74,7 @@ struct Reamer {
 };
 
 /// Facts about a force model.
-struct ModelFacts {
+struct ModelInfo {
   std::string_view name;  ///< its name in protocols
   devices::Tissue tissue;
   std::string_view travelUnit;  ///< of the devices that can render it; empty: any device
@@ -88,7 +88,7 @@ enum class Branches {
 
 /// Force by interpolation of a recorded cut: eq. (2) of the punch paper.
 struct InterpolationSpec {
-  static constexpr ModelFacts kFacts{"interpolation", devices::Tissue::Meniscus, "travel_unit"};
+  static constexpr ModelInfo kInfo{"interpolation", devices::Tissue::Meniscus, "travel_unit"};
 
   std::vector<models::CurveNode<double>> curve;
   models::Interpolation<double>::Options options;
@@ -97,12 +97,12 @@ struct InterpolationSpec {
   /// Limit to which the slopes of the curves were reduced [N per travel unit].
   std::optional<double> slopeLimit;
   /// Travel over which the force changes between the branches [travel units], > 0.
-  double turningWidth = 0.5;
+  double transitionWidth = 0.5;
 };
 
 /// Force by one-dimensional finite elements: eq. (3)–(11) of the punch paper.
 struct FiniteElementsSpec {
-  static constexpr ModelFacts kFacts{"finite-elements", devices::Tissue::Meniscus, ""};
+  static constexpr ModelInfo kInfo{"finite-elements", devices::Tissue::Meniscus, ""};
 
   models::FiniteElements<double>::Parameters parameters;
   std::vector<double> elementStiffnesses;  ///< one per element; empty: all are equal
@@ -113,7 +113,7 @@ struct FiniteElementsSpec {
 
 /// Interpolation and finite elements fused by a Kalman filter: eq. (12)–(24) of the punch paper.
 struct KalmanSpec {
-  static constexpr ModelFacts kFacts{"kalman", devices::Tissue::Meniscus, "travel_unit"};
+  static constexpr ModelInfo kInfo{"kalman", devices::Tissue::Meniscus, "travel_unit"};
 
   InterpolationSpec interpolation;
   FiniteElementsSpec finiteElements;
@@ -137,7 +137,7 @@ struct MaterialNode {
 /// h · upper, both cubic Hermite splines with monotone-limited slopes; or between the three curves
 /// of a fitted material. The torque is blended likewise.
 struct MaterialSpec {
-  static constexpr ModelFacts kFacts{"material", devices::Tissue::Bone, "m"};
+  static constexpr ModelInfo kInfo{"material", devices::Tissue::Bone, "m"};
   /// Stiffness between device and tool if bone is removed [N/m].
   static constexpr double kCoupling = 50'000.0;
 
@@ -158,7 +158,7 @@ struct MaterialSpec {
 
 /// Force of a bone of spheres along the axis of the reamer, with or without removal of bone.
 struct PackingSpec {
-  static constexpr ModelFacts kFacts{"packing", devices::Tissue::Bone, "m"};
+  static constexpr ModelInfo kInfo{"packing", devices::Tissue::Bone, "m"};
 
   std::shared_ptr<const reaming::PackedBone> bone;
   double hardness = 0.5;    ///< h, from 0 (minimum curve) to 1 (maximum curve)
@@ -175,7 +175,7 @@ struct PackingSpec {
 using ModelSpec =
     std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec>;
 
-const ModelFacts& factsOf(const ModelSpec& model) noexcept;
+const ModelInfo& factsOf(const ModelSpec& model) noexcept;
 
 /// The parts of a model; nullptr for parts that it lacks. Valid as long as the model.
 struct ModelParts {
@@ -222,7 +222,7 @@ FiniteElementsSpec elementsMatching(const InterpolationSpec& cut);
 struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
-  TissueDrawing seenTissue = TissueDrawing::Penetration;
+  TissueDrawing tissueDrawing = TissueDrawing::Penetration;
   Reamer reamer;  ///< used if bone is removed, and for the torque
 };
 

@@ -10,7 +10,7 @@ namespace haptics::firmware {
 
 /// A scene that the punch renders itself: the engine's models in single precision, with parameters
 /// received from the host. It is ready when all parameters have arrived and are valid.
-class ChipScene {
+class OnDeviceScene {
  public:
   /// Begins a new scene with @p model, whose payload is @p bytes.
   wire::punch::ModelVerdict take(
@@ -39,7 +39,7 @@ class ChipScene {
 
   /// Resets the state of the models.
   void reset() noexcept {
-    elastic_ = {};
+    elementsState_ = {};
     hint_ = 0;
     hasTravel_ = false;
     filter_.reset();
@@ -74,7 +74,7 @@ class ChipScene {
       case ModelKind::Interpolation:
         return curve_.at(travel, hint_).force;
       case ModelKind::FiniteElements:
-        return elements_.at(travel, elastic_).force;
+        return elements_.at(travel, elementsState_).force;
       case ModelKind::Kalman:
         return fused(travel);
       case ModelKind::None:
@@ -90,7 +90,7 @@ class ChipScene {
 
   float fused(float travel) noexcept {
     const float recorded = curve_.at(travel, hint_).force;
-    const float elastic = elements_.at(travel, elastic_).force;
+    const float elastic = elements_.at(travel, elementsState_).force;
     const float travelled = hasTravel_ ? travel - last_ : 0.0F;
     last_ = travel;
     hasTravel_ = true;
@@ -109,9 +109,9 @@ class ChipScene {
     p.toolPosition = model_.toolPosition;
     p.contact = model_.contact;
     p.yieldForce = model_.yieldForce;
-    p.boundary = static_cast<models::Boundary>(model_.readings & 1U);
-    p.weights = static_cast<models::ToolWeights>((model_.readings >> 1U) & 3U);
-    p.yielding = static_cast<models::Yielding>((model_.readings >> 3U) & 1U);
+    p.boundary = static_cast<models::BoundaryCondition>(model_.readings & 1U);
+    p.weights = static_cast<models::ToolInterpolation>((model_.readings >> 1U) & 3U);
+    p.yielding = static_cast<models::YieldLaw>((model_.readings >> 3U) & 1U);
     return p;
   }
 
@@ -142,7 +142,7 @@ class ChipScene {
                          (!hasElements || (isWeighing && Elements::isSound(parameters))) &&
                          (model_.kind != ModelKind::Kalman || noise().invalidReason() == nullptr) &&
                          model_.largestForce >= 0.0F;
-    if (!isSound) return ModelVerdict::Unsound;
+    if (!isSound) return ModelVerdict::InvalidModel;
     if (hasCurve) curve_ = Curve(table_, count, options);
     if (hasElements) elements_ = Elements(parameters);
     if (model_.kind == ModelKind::Kalman) {
@@ -161,7 +161,7 @@ class ChipScene {
 
   Curve curve_{table_, 0, {}};
   Elements elements_{Elements::Parameters()};
-  Elements::State elastic_;
+  Elements::State elementsState_;
   Filter filter_{models::KalmanNoise<float>().factored(), models::KalmanScheme::AuthorsFirmware};
   size_t hint_ = 0;
   float last_ = 0.0F;

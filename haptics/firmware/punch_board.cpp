@@ -122,7 +122,7 @@ int main() {
   limits.build = PALPATE_FIRMWARE_BUILD;
   limits.serial = 1;
   limits.rate = kRate;
-  limits.mostCountsAStep *= kStep;
+  limits.maxCountsPerStep *= kStep;
   static PunchProgram<Board> program(board, limits);
   uint32_t last = milliseconds;
   for (;;) {

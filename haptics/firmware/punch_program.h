@@ -13,7 +13,7 @@ struct PunchLimits {
   uint16_t rate = 1000;            ///< rate of step() [Hz]
   int16_t largestVoltage = 12000;  ///< [mV]
   uint16_t largestSlew = 1200;     ///< [mV/ms]: the voltage can fall from its maximum to 0 in 10 ms
-  int32_t mostCountsAStep = 400;   ///< larger changes per step mean an encoder fault
+  int32_t maxCountsPerStep = 400;  ///< larger changes per step mean an encoder fault
   int32_t mostVelocity = 150'000;  ///< [counts/s]
   uint16_t silence = 40;  ///< time without a valid frame after which the device disarms [ms]
 };
@@ -36,7 +36,7 @@ class PunchProgram {
       : hardware_(hardware), limits_(limits) {
     hardware_.drive(0);
     lastCounts_ = hardware_.counts();
-    for (auto& sample : past_) sample = lastCounts_;
+    for (auto& sample : countHistory_) sample = lastCounts_;
     lastTime_ = hardware_.micros();
     report(wire::punch::EventCode::Reset, 0);
   }
@@ -45,7 +45,7 @@ class PunchProgram {
   void step() noexcept {
     now_ = hardware_.micros();
     const uint32_t passed = now_ - lastTime_;
-    noteTime(passed);
+    checkTiming(passed);
     receive();
     observe();
     drive(passed);
@@ -61,9 +61,9 @@ class PunchProgram {
   using EventCode = wire::punch::EventCode;
 
   static constexpr int kWindow = 8;  // number of steps over which the velocity is measured
-  static constexpr int kMostBytesAStep = 512;  // limits the time spent on a host that floods
+  static constexpr int kMaxBytesPerStep = 512;  // limits the time spent on a host that floods
 
-  void noteTime(uint32_t passed) noexcept {
+  void checkTiming(uint32_t passed) noexcept {
     const uint32_t period = 1'000'000U / limits_.rate;
     if (hasStepped_ && passed > period + period / 2 && lateLoops_ < 0xFFFF) ++lateLoops_;
     if (now_ < lastTime_) faults_ |= wire::punch::kClockWrapped;
@@ -73,7 +73,7 @@ class PunchProgram {
   void receive() noexcept {
     const uint32_t damagedBefore = decoder_.damaged();
     wire::punch::Frame frame;
-    for (int i = 0; i < kMostBytesAStep; ++i) {
+    for (int i = 0; i < kMaxBytesPerStep; ++i) {
       const int byte = hardware_.read();
       if (byte < 0) break;
       if (decoder_.take(static_cast<uint8_t>(byte), frame)) handle(frame);
@@ -90,13 +90,13 @@ class PunchProgram {
 
   /// Reads a frame. Only a valid frame counts as a sign of life of the host, and is echoed.
   template <typename Message>
-  bool readOr(const wire::punch::Frame& frame, Message& message) noexcept {
+  bool readValid(const wire::punch::Frame& frame, Message& message) noexcept {
     if (!wire::punch::read(frame, message)) {
       countDamaged(1);
       return false;
     }
     echo_ = frame.sequence;
-    heardAt_ = now_;
+    lastFrameAt_ = now_;
     return true;
   }
 
@@ -116,7 +116,7 @@ class PunchProgram {
       takeScene(frame);
     } else if (frame.type == Type::Stop) {
       wire::punch::Stop order;
-      readOr(frame, order);
+      readValid(frame, order);
       disarm();  // even if the frame is not valid
     } else {
       countDamaged(1);
@@ -125,7 +125,7 @@ class PunchProgram {
 
   void answerHello(const wire::punch::Frame& frame) noexcept {
     wire::punch::Hello host;
-    if (!readOr(frame, host)) return;
+    if (!readValid(frame, host)) return;
     disarm();
     hasHello_ = host.protocolVersion == wire::punch::kProtocolVersion;
     lateLoops_ = 0;
@@ -143,14 +143,14 @@ class PunchProgram {
 
   void arm(const wire::punch::Frame& frame) noexcept {
     wire::punch::Arm order;
-    if (!readOr(frame, order)) return;
+    if (!readValid(frame, order)) return;
     if (!order.isArmed) return disarm();
     faults_ = wire::punch::kNoFault;
     longestExpiry_ = order.expiry;
     isArmed_ = true;
     setExpiry(order.expiry);  // the first force has the same time limit
     isRendering_ = false;
-    wanted_ = 0;
+    commandedVoltage_ = 0;
     report(EventCode::Armed, order.expiry);
   }
 
@@ -158,31 +158,31 @@ class PunchProgram {
     if (isArmed_) report(EventCode::Disarmed, 0);
     isArmed_ = false;
     isRendering_ = false;
-    wanted_ = 0;
+    commandedVoltage_ = 0;
   }
 
   void setForce(const wire::punch::Frame& frame) noexcept {
     wire::punch::SetForce order;
-    if (!readOr(frame, order) || !isArmed_) return;
+    if (!readValid(frame, order) || !isArmed_) return;
     isRendering_ = false;
-    wanted_ = order.voltage;
+    commandedVoltage_ = order.voltage;
     setExpiry(order.expiry);
   }
 
   void render(const wire::punch::Frame& frame) noexcept {
     wire::punch::Render order;
-    if (!readOr(frame, order) || !isArmed_) return;
+    if (!readValid(frame, order) || !isArmed_) return;
     const bool isMeant = scene_.isReady() && scene_.hash() == order.hash;
     if (isMeant && !isRendering_) scene_.reset();
     isRendering_ = isMeant;
-    wanted_ = 0;
-    most_ = order.most;
+    commandedVoltage_ = 0;
+    renderingLimit_ = order.most;
     if (isMeant) setExpiry(order.expiry);
   }
 
   void setExpiry(uint8_t expiry) noexcept {
     expiry_ = expiry < longestExpiry_ ? expiry : longestExpiry_;
-    orderedAt_ = now_;
+    lastForceAt_ = now_;
     hasExpired_ = false;
     faults_ &= static_cast<uint8_t>(~wire::punch::kExpired);
   }
@@ -192,7 +192,7 @@ class PunchProgram {
     wire::punch::Model model;
     wire::punch::ModelTable table;
     const bool isModel = frame.type == Type::Model;
-    if (!(isModel ? readOr(frame, model) : readOr(frame, table))) return;
+    if (!(isModel ? readValid(frame, model) : readValid(frame, table))) return;
     if (isArmed_) {
       answer.verdict = wire::punch::ModelVerdict::Armed;
     } else if (isModel) {
@@ -209,12 +209,12 @@ class PunchProgram {
   void observe() noexcept {
     const int32_t counts = hardware_.counts();
     const int32_t leap = way(lastCounts_, counts);
-    if (leap > limits_.mostCountsAStep || leap < -limits_.mostCountsAStep) {
+    if (leap > limits_.maxCountsPerStep || leap < -limits_.maxCountsPerStep) {
       latch(wire::punch::kEncoderFault, EventCode::EncoderFault, static_cast<uint32_t>(leap));
     }
     lastCounts_ = counts;
-    velocity_ = perSecond(way(past_[oldest_], counts));
-    past_[oldest_] = counts;
+    velocity_ = perSecond(way(countHistory_[oldest_], counts));
+    countHistory_[oldest_] = counts;
     oldest_ = (oldest_ + 1) % kWindow;
     if (velocity_ > limits_.mostVelocity || velocity_ < -limits_.mostVelocity) {
       latch(wire::punch::kTooFast, EventCode::TooFast, static_cast<uint32_t>(velocity_));
@@ -243,18 +243,20 @@ class PunchProgram {
   }
 
   int32_t target() noexcept {
-    if (!isArmed_ || (faults_ & wire::punch::kLatched) != 0) return 0;
-    const uint32_t age = now_ - orderedAt_;
+    if (!isArmed_ || (faults_ & wire::punch::kLatchedFaults) != 0) return 0;
+    const uint32_t age = now_ - lastForceAt_;
     if (hasExpired_ || age > 1000U * expiry_) {  // latched, because the age wraps around
       if (!hasExpired_ && voltage_ != 0) report(EventCode::WatchdogFired, age);
       hasExpired_ = true;
       faults_ |= wire::punch::kExpired;
-      if (now_ - heardAt_ > 1000U * limits_.silence) disarm();
+      if (now_ - lastFrameAt_ > 1000U * limits_.silence) disarm();
       return 0;
     }
-    if (!isRendering_) return wanted_;
+    if (!isRendering_) return commandedVoltage_;
     const int32_t rendered = scene_.millivoltsAt(lastCounts_);
-    return rendered > most_ ? most_ : rendered < -most_ ? -most_ : rendered;
+    return rendered > renderingLimit_    ? renderingLimit_
+           : rendered < -renderingLimit_ ? -renderingLimit_
+                                         : rendered;
   }
 
   /// Moves the voltage towards the target, with limited slew rate and within the largest voltage.
@@ -303,7 +305,7 @@ class PunchProgram {
   Hardware& hardware_;
   PunchLimits limits_;
   wire::punch::FrameDecoder decoder_;
-  ChipScene scene_;
+  OnDeviceScene scene_;
 
   uint32_t now_ = 0;
   uint32_t lastTime_ = 0;
@@ -320,15 +322,15 @@ class PunchProgram {
   bool hasExpired_ = false;
   uint8_t longestExpiry_ = 20;
   uint8_t expiry_ = 0;
-  uint32_t orderedAt_ = 0;
-  uint32_t heardAt_ = 0;
-  int32_t wanted_ = 0;
-  int32_t most_ = 0;  ///< largest voltage while the device renders its scene itself [mV]
+  uint32_t lastForceAt_ = 0;
+  uint32_t lastFrameAt_ = 0;
+  int32_t commandedVoltage_ = 0;
+  int32_t renderingLimit_ = 0;  ///< largest voltage while the device renders its scene itself [mV]
   int32_t voltage_ = 0;
 
   int32_t lastCounts_ = 0;
   int32_t velocity_ = 0;
-  int32_t past_[kWindow] = {};
+  int32_t countHistory_[kWindow] = {};
   int oldest_ = 0;
 };
 

@@ -21,9 +21,9 @@ namespace haptics::models {
 /// a little later than its landmark; the landmark itself is the sample at which it occurred.
 ///
 /// - The interception is the sample from which the force rises by `contactForce`, faster than
-///   `creep` per unit of travel: of all samples since the hand last opened, the one with the
-///   smallest f − creep · x. Friction in the hinge rises more slowly and is ignored. A touch that
-///   is released is discarded when a larger one follows before the hand opens.
+///   `frictionSlope` per unit of travel: of all samples since the hand last opened, the one with
+///   the smallest f − frictionSlope · x. Friction in the hinge rises more slowly and is ignored. A
+///   touch that is released is discarded when a larger one follows before the hand opens.
 /// - The yield is the largest force since the interception, once the force has fallen below it by
 ///   the larger of `yieldDrop` and `yieldDropRatio` times the load, while the handle closed further
 ///   by `advance`: a hand that merely lets go cuts nothing. A larger force before the bottom-out
@@ -32,9 +32,9 @@ namespace haptics::models {
 ///   `leastLoadAfterYield` is set, a yield is revoked when less than that fraction of its load is
 ///   left while the handle closes further: that was a blow on the handle, not tissue.
 /// - The bottom-out is the smallest force after the yield at the end of the travel – beyond
-///   `bottomAbove`, at most `advance` from the largest travel – once the force has risen from it by
-///   `bottomRise`. Until the force has regained half of what it lost since the yield, a smaller
-///   force at a larger travel replaces the bottom-out without an event.
+///   `bottomOutAbove`, at most `advance` from the largest travel – once the force has risen from it
+///   by `bottomOutRise`. Until the force has regained half of what it lost since the yield, a
+///   smaller force at a larger travel replaces the bottom-out without an event.
 /// - The opening is the largest force since the bottom-out, once the handle has moved back by
 ///   `retreat`. Without a yield it is the largest force since the interception; with a yield but no
 ///   bottom-out there is no opening.
@@ -58,7 +58,8 @@ class CutDetector {
     Scalar closedAbove = Scalar(7);     ///< closed when the travel exceeds this [travel units]
     Scalar openBelow = Scalar(4);       ///< open again when the travel is below this [travel units]
     Scalar contactForce = Scalar(0.2);  ///< rise of the force that counts as contact [N]
-    Scalar creep = Scalar(0.5);       ///< a force that rises no faster is friction [N/travel unit]
+    Scalar frictionSlope =
+        Scalar(0.5);                  ///< a force that rises no faster is friction [N/travel unit]
     Scalar yieldDrop = Scalar(0.25);  ///< least fall of the force at a yield [N]
     /// Least fall of the force at a yield, relative to the load.
     Scalar yieldDropRatio = Scalar(0.08);
@@ -66,9 +67,9 @@ class CutDetector {
     Scalar yieldLoad = Scalar(0);
     Scalar leastLoadAfterYield = Scalar(0);  ///< least fraction of the load after a yield; 0: any
     Scalar advance = Scalar(0.3);  ///< closing further by this counts as a movement [travel units]
-    Scalar bottomAbove = Scalar(9);   ///< the end of the travel is beyond this [travel units]
-    Scalar bottomRise = Scalar(0.3);  ///< rise of the force that confirms a bottom-out [N]
-    Scalar retreat = Scalar(1);       ///< moving back by this counts as opening [travel units]
+    Scalar bottomOutAbove = Scalar(9);   ///< the end of the travel is beyond this [travel units]
+    Scalar bottomOutRise = Scalar(0.3);  ///< rise of the force that confirms a bottom-out [N]
+    Scalar retreat = Scalar(1);          ///< moving back by this counts as opening [travel units]
   };
 
   /// A landmark of a cut; valid if found.
@@ -94,11 +95,12 @@ class CutDetector {
 
   static bool isSound(const Parameters& p) noexcept {
     const bool isOrdered = p.openBelow < p.closedAbove && std::isfinite(p.closedAbove) &&
-                           std::isfinite(p.openBelow) && std::isfinite(p.bottomAbove);
-    return isOrdered && isPositive(p.contactForce) && isPositive(p.bottomRise) &&
-           isPositive(p.retreat) && isPositive(p.yieldDrop) && !isBad(p.creep) &&
-           !isBad(p.yieldDropRatio) && !isBad(p.yieldLoad) && !isBad(p.leastLoadAfterYield) &&
-           p.leastLoadAfterYield < Scalar(1) && !isBad(p.advance);
+                           std::isfinite(p.openBelow) && std::isfinite(p.bottomOutAbove);
+    return isOrdered && isPositive(p.contactForce) && isPositive(p.bottomOutRise) &&
+           isPositive(p.retreat) && isPositive(p.yieldDrop) &&
+           !isNegativeOrNotFinite(p.frictionSlope) && !isNegativeOrNotFinite(p.yieldDropRatio) &&
+           !isNegativeOrNotFinite(p.yieldLoad) && !isNegativeOrNotFinite(p.leastLoadAfterYield) &&
+           p.leastLoadAfterYield < Scalar(1) && !isNegativeOrNotFinite(p.advance);
   }
 
   /// Processes one tick's travel [travel units] and force [N], and returns what it confirmed.
@@ -108,7 +110,7 @@ class CutDetector {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
     const Landmark sample{travel, force, true};
     if (isClosed_ && travel < parameters_.openBelow) return complete(sample);
-    if (phase_ == Phase::Opened && travel > cut_.largestTravel) closeAgain();
+    if (phase_ == Phase::Opened && travel > cut_.largestTravel) resumeClosing();
     updateLargest(sample);
     if (travel < cut_.largestTravel - parameters_.retreat) return goBack(sample);
     switch (phase_) {
@@ -142,8 +144,12 @@ class CutDetector {
  private:
   enum class Phase : std::uint8_t { Searching, Loading, Falling, Bottomed, Opened };
 
-  static bool isBad(Scalar value) noexcept { return !std::isfinite(value) || value < Scalar{0}; }
-  static bool isPositive(Scalar value) noexcept { return !isBad(value) && value > Scalar{0}; }
+  static bool isNegativeOrNotFinite(Scalar value) noexcept {
+    return !std::isfinite(value) || value < Scalar{0};
+  }
+  static bool isPositive(Scalar value) noexcept {
+    return !isNegativeOrNotFinite(value) && value > Scalar{0};
+  }
 
   void updateLargest(const Landmark& sample) noexcept {
     const bool wasIdle = phase_ == Phase::Searching && !isClosed_;
@@ -159,23 +165,23 @@ class CutDetector {
       return Event::Nothing;
     }
     if (sample.force - start_.force < parameters_.contactForce) return Event::Nothing;
-    const bool isLess = cut_.interception.found && sample.force <= highest_.force;
+    const bool isLess = cut_.interception.found && sample.force <= highestForce_.force;
     if (isLess) return Event::Nothing;  // than an earlier touch in the same closure
     cut_.interception = start_;
-    highest_ = sample;
+    highestForce_ = sample;
     phase_ = Phase::Loading;
     return Event::Interception;
   }
 
   Event load(const Landmark& sample) noexcept {
-    if (sample.force >= highest_.force) {
-      highest_ = sample;
+    if (sample.force >= highestForce_.force) {
+      highestForce_ = sample;
       return Event::Nothing;
     }
-    const bool closesOn = sample.travel - highest_.travel >= parameters_.advance;
-    const bool isLoaded = highest_.force - cut_.interception.force >= parameters_.yieldLoad;
-    if (closesOn && isLoaded && highest_.force - sample.force >= yieldDrop()) {
-      cut_.yield = highest_;
+    const bool closesOn = sample.travel - highestForce_.travel >= parameters_.advance;
+    const bool isLoaded = highestForce_.force - cut_.interception.force >= parameters_.yieldLoad;
+    if (closesOn && isLoaded && highestForce_.force - sample.force >= yieldDrop()) {
+      cut_.yield = highestForce_;
       lowest_ = Landmark{};
       phase_ = Phase::Falling;
       return Event::Yield;
@@ -185,23 +191,23 @@ class CutDetector {
   }
 
   Event fall(const Landmark& sample) noexcept {
-    if (sample.travel >= cut_.largestTravel && hasLostTheLoad(sample)) {
+    if (sample.travel >= cut_.largestTravel && isBelowLeastLoad(sample)) {
       cut_.yield = Landmark{};
       restartSearch(sample);
       return Event::Nothing;
     }
-    const bool isAtTheEnd = sample.travel >= parameters_.bottomAbove &&
+    const bool isAtTheEnd = sample.travel >= parameters_.bottomOutAbove &&
                             sample.travel > cut_.largestTravel - parameters_.advance;
     if (isAtTheEnd && (!lowest_.found || sample.force < lowest_.force)) lowest_ = sample;
-    if (isAtTheEnd && sample.force - lowest_.force >= parameters_.bottomRise) {
+    if (isAtTheEnd && sample.force - lowest_.force >= parameters_.bottomOutRise) {
       cut_.bottomOut = lowest_;
-      highest_ = sample;
+      highestForce_ = sample;
       phase_ = Phase::Bottomed;
       return Event::BottomOut;
     }
     if (sample.force > cut_.yield.force) {
       cut_.yield = Landmark{};
-      highest_ = sample;
+      highestForce_ = sample;
       phase_ = Phase::Loading;
     }
     if (!isClosed_ && isLost(sample)) restartSearch(sample);
@@ -210,13 +216,13 @@ class CutDetector {
 
   Event press(const Landmark& sample) noexcept {
     const Scalar lost = cut_.yield.force - cut_.bottomOut.force;
-    const Scalar cameBack = highest_.force - cut_.bottomOut.force;
+    const Scalar cameBack = highestForce_.force - cut_.bottomOut.force;
     const bool reachesFurther = sample.travel >= cut_.largestTravel;
     if (reachesFurther && cameBack < lost / Scalar{2} && sample.force < cut_.bottomOut.force) {
       cut_.bottomOut = sample;
-      highest_ = sample;
+      highestForce_ = sample;
     }
-    if (sample.force > highest_.force) highest_ = sample;
+    if (sample.force > highestForce_.force) highestForce_ = sample;
     return Event::Nothing;
   }
 
@@ -227,13 +233,13 @@ class CutDetector {
       restartSearch(sample);
       return Event::Nothing;
     }
-    settleOpening();
+    recordOpening();
     phase_ = Phase::Opened;
     return cut_.opening.found ? Event::Opening : Event::Nothing;
   }
 
   Event complete(const Landmark& sample) noexcept {
-    if (phase_ != Phase::Opened) settleOpening();
+    if (phase_ != Phase::Opened) recordOpening();
     lastCut_ = cut_;
     ++completedCuts_;
     isClosed_ = false;
@@ -241,9 +247,9 @@ class CutDetector {
     return Event::CutCompleted;
   }
 
-  void settleOpening() noexcept {
+  void recordOpening() noexcept {
     if (cut_.interception.found && cut_.yield.found == cut_.bottomOut.found) {
-      cut_.opening = highest_;
+      cut_.opening = highestForce_;
     }
   }
 
@@ -259,7 +265,7 @@ class CutDetector {
   }
 
   /// The hand had only paused: it closes further than before, so the opening is revoked.
-  void closeAgain() noexcept {
+  void resumeClosing() noexcept {
     cut_.opening = Landmark{};
     phase_ = cut_.bottomOut.found ? Phase::Bottomed
                                   : (cut_.yield.found ? Phase::Falling : Phase::Loading);
@@ -272,18 +278,18 @@ class CutDetector {
   }
 
   /// Whether the force after the yield is less than tissue would keep: leastLoadAfterYield.
-  bool hasLostTheLoad(const Landmark& sample) const noexcept {
+  bool isBelowLeastLoad(const Landmark& sample) const noexcept {
     const Scalar load = cut_.yield.force - cut_.interception.force;
     return parameters_.leastLoadAfterYield > Scalar(0) &&
            sample.force - cut_.interception.force < parameters_.leastLoadAfterYield * load;
   }
 
   Scalar forceAboveFriction(const Landmark& sample) const noexcept {
-    return sample.force - parameters_.creep * sample.travel;
+    return sample.force - parameters_.frictionSlope * sample.travel;
   }
 
   Scalar yieldDrop() const noexcept {
-    const Scalar load = highest_.force - cut_.interception.force;
+    const Scalar load = highestForce_.force - cut_.interception.force;
     const Scalar relative = parameters_.yieldDropRatio * load;
     return relative > parameters_.yieldDrop ? relative : parameters_.yieldDrop;
   }
@@ -291,9 +297,9 @@ class CutDetector {
   Parameters parameters_;
   Phase phase_ = Phase::Searching;
   bool isClosed_ = false;
-  Landmark start_;    ///< candidate of the interception
-  Landmark highest_;  ///< the largest force since the interception, or since the bottom-out
-  Landmark lowest_;   ///< the smallest force since the yield, at the end of the travel
+  Landmark start_;         ///< candidate of the interception
+  Landmark highestForce_;  ///< the largest force since the interception, or since the bottom-out
+  Landmark lowest_;        ///< the smallest force since the yield, at the end of the travel
   Cut cut_;
   Cut lastCut_;
   std::uint32_t completedCuts_ = 0;

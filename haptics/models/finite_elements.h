@@ -24,13 +24,13 @@ class CompensatedSum {
 };
 
 /// How the ends of the string are fixed: docs/force-models.md.
-enum class Boundary {
+enum class BoundaryCondition {
   A,  ///< eq. (6) as printed: a spring 2k₃ (half an element) joins each end to its nearest midpoint
   B,  ///< springs k₃ also at the ends, as in the authors' firmware
 };
 
 /// How the tool's position is expressed by the displacements of nodes.
-enum class ToolWeights {
+enum class ToolInterpolation {
   Paper,            ///< eq. (7)–(8): interpolates between the two midpoints beside the tool
   AuthorsFirmware,  ///< eq. (7)–(8), but with the midpoints after the tool's element, so it
                     ///< extrapolates
@@ -38,7 +38,7 @@ enum class ToolWeights {
 };
 
 /// How the tissue behaves beyond the yield force.
-enum class Yielding {
+enum class YieldLaw {
   Clip,       ///< the force is constant: it depends on position only, so opening retraces closing
   ReturnMap,  ///< the tissue yields permanently, so the force is lower while opening
 };
@@ -67,9 +67,9 @@ class FiniteElements {
     Scalar toolPosition{1.5};      ///< x_tool, strictly between a and b
     Scalar contact{4.0};           ///< travel at which the tool meets the tissue [travel units]
     Scalar yieldForce{7.0};        ///< [N]
-    Boundary boundary = Boundary::A;
-    ToolWeights weights = ToolWeights::Paper;
-    Yielding yielding = Yielding::Clip;
+    BoundaryCondition boundary = BoundaryCondition::A;
+    ToolInterpolation weights = ToolInterpolation::Paper;
+    YieldLaw yielding = YieldLaw::Clip;
     /// If not nullptr, an array of N stiffnesses, one per element, which replaces elementStiffness
     /// and must outlive the model.
     const Scalar* elementStiffnesses = nullptr;
@@ -83,7 +83,7 @@ class FiniteElements {
 
   /// @param parameters  valid, see isSound().
   constexpr explicit FiniteElements(const Parameters& parameters) noexcept : p_(parameters) {
-    if (p_.weights == ToolWeights::ExactKink) {
+    if (p_.weights == ToolInterpolation::ExactKink) {
       const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
       compliance_ = parallel(beside.left, beside.right);
     } else {
@@ -106,7 +106,8 @@ class FiniteElements {
     // The published code writes beyond its array if the tool is in the last element.
     const Scalar length = (p.end - p.start) / Scalar(p.elements);
     const bool isInTheLast = p.toolPosition >= p.end - length;
-    return p.yieldForce >= Scalar{0} && !(p.weights == ToolWeights::AuthorsFirmware && isInTheLast);
+    return p.yieldForce >= Scalar{0} &&
+           !(p.weights == ToolInterpolation::AuthorsFirmware && isInTheLast);
   }
 
   /// Stiffness at the tool while the tissue is elastic [N per travel unit]: 1 / (cᵀ K⁻¹ c).
@@ -125,7 +126,7 @@ class FiniteElements {
     if (!(stretch > Scalar{0})) return {Scalar{0}, Scalar{0}, true};
     const Scalar elastic = stiffness_ * stretch;
     if (elastic < p_.yieldForce) return {elastic, stiffness_, true};
-    if (p_.yielding == Yielding::ReturnMap) {
+    if (p_.yielding == YieldLaw::ReturnMap) {
       state.offset = penetration - p_.yieldForce * compliance_;
     }
     return {p_.yieldForce, Scalar{0}, true};
@@ -134,16 +135,16 @@ class FiniteElements {
   /// Writes the N displacements of the midpoints per newton at the tool [travel units per N], K⁻¹ c
   /// of eq. (11). The caller multiplies them by the force.
   constexpr void writeMeshShape(Scalar* shape) const noexcept {
-    if (p_.weights == ToolWeights::ExactKink) {
+    if (p_.weights == ToolInterpolation::ExactKink) {
       const int before = nodesBefore(p_.toolPosition);
       const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
       writeLeft(shape, before, shareOf(beside.right, beside.left));
       writeRight(shape, before + 1, shareOf(beside.left, beside.right));
       return;
     }
-    const Scalar s = flexibilityTo(tool_.left);
-    const Scalar r = flexibilityFrom(tool_.left + 1);
-    const Scalar between = springAfter(tool_.left);
+    const Scalar s = flexibilityLeftOf(tool_.left);
+    const Scalar r = flexibilityRightOf(tool_.left + 1);
+    const Scalar between = springFlexibilityAfter(tool_.left);
     const Scalar wl = tool_.weightLeft;
     const Scalar wr = tool_.weightRight;
     writeLeft(shape, tool_.left, wl * shareOf(between + r, s) + wr * shareOf(r, s + between));
@@ -209,32 +210,32 @@ class FiniteElements {
   }
 
   constexpr Support supportOfTool() const noexcept {
-    const int left = p_.weights == ToolWeights::Paper ? nodesBefore(p_.toolPosition)
-                                                      : elementAt(p_.toolPosition) + 1;
+    const int left = p_.weights == ToolInterpolation::Paper ? nodesBefore(p_.toolPosition)
+                                                            : elementAt(p_.toolPosition) + 1;
     const Scalar right = (p_.toolPosition - position(left)) / (position(left + 1) - position(left));
     return {left, Scalar{1} - right, right};
   }
 
   /// Flexibility of the spring between node @p node and the next one.
-  constexpr Scalar springAfter(int node) const noexcept {
-    if (node == 0) return endSpring(0);
-    if (node == p_.elements) return endSpring(p_.elements - 1);
+  constexpr Scalar springFlexibilityAfter(int node) const noexcept {
+    if (node == 0) return endSpringFlexibility(0);
+    if (node == p_.elements) return endSpringFlexibility(p_.elements - 1);
     return half(node - 1) + half(node);
   }
-  constexpr Scalar endSpring(int e) const noexcept {
-    return p_.boundary == Boundary::A ? half(e) : Scalar{2} * half(e);
+  constexpr Scalar endSpringFlexibility(int e) const noexcept {
+    return p_.boundary == BoundaryCondition::A ? half(e) : Scalar{2} * half(e);
   }
 
-  /// Flexibility summed from the left end to node @p node; flexibilityFrom() sums from the node to
-  /// the right end.
-  constexpr Scalar flexibilityTo(int node) const noexcept {
+  /// Flexibility summed from the left end to node @p node; flexibilityRightOf() sums from the node
+  /// to the right end.
+  constexpr Scalar flexibilityLeftOf(int node) const noexcept {
     CompensatedSum<Scalar> sum;
-    for (int i = 0; i < node; ++i) sum.add(springAfter(i));
+    for (int i = 0; i < node; ++i) sum.add(springFlexibilityAfter(i));
     return sum.value();
   }
-  constexpr Scalar flexibilityFrom(int node) const noexcept {
+  constexpr Scalar flexibilityRightOf(int node) const noexcept {
     CompensatedSum<Scalar> sum;
-    for (int i = p_.elements; i >= node; --i) sum.add(springAfter(i));
+    for (int i = p_.elements; i >= node; --i) sum.add(springFlexibilityAfter(i));
     return sum.value();
   }
 
@@ -247,7 +248,7 @@ class FiniteElements {
     Flexibilities within;
     if (node == 0 || node == p_.elements) {
       const Scalar whole = before + after;  // the end spring spans half an element
-      const Scalar spring = springAfter(node);
+      const Scalar spring = springFlexibilityAfter(node);
       within = {spring * (before / whole), spring * (after / whole)};
     } else if (before <= after) {
       const Scalar here = Scalar{2} * half(node - 1);
@@ -256,13 +257,13 @@ class FiniteElements {
       const Scalar here = Scalar{2} * half(node);
       within = {half(node - 1) + here * (Scalar(0.5) - after), here * after};
     }
-    return {flexibilityTo(node) + within.left, within.right + flexibilityFrom(node + 1)};
+    return {flexibilityLeftOf(node) + within.left, within.right + flexibilityRightOf(node + 1)};
   }
 
   constexpr Scalar complianceBetweenNodes() const noexcept {
-    const Scalar s = flexibilityTo(tool_.left);
-    const Scalar r = flexibilityFrom(tool_.left + 1);
-    const Scalar between = springAfter(tool_.left);
+    const Scalar s = flexibilityLeftOf(tool_.left);
+    const Scalar r = flexibilityRightOf(tool_.left + 1);
+    const Scalar between = springFlexibilityAfter(tool_.left);
     const Scalar wl = tool_.weightLeft;
     const Scalar wr = tool_.weightRight;
     Scalar compliance{};
@@ -277,14 +278,14 @@ class FiniteElements {
   constexpr void writeLeft(Scalar* shape, int last, Scalar slope) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int node = 1; node <= last; ++node) {
-      sum.add(springAfter(node - 1));
+      sum.add(springFlexibilityAfter(node - 1));
       shape[node - 1] = slope == Scalar{0} ? Scalar{0} : slope * sum.value();
     }
   }
   constexpr void writeRight(Scalar* shape, int first, Scalar slope) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int node = p_.elements; node >= first && node >= 1; --node) {
-      sum.add(springAfter(node));
+      sum.add(springFlexibilityAfter(node));
       shape[node - 1] = slope == Scalar{0} ? Scalar{0} : slope * sum.value();
     }
   }

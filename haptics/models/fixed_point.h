@@ -14,12 +14,12 @@ namespace haptics::models {
 /// the hand.
 class Fixed {
  public:
-  static constexpr int kFraction = 16;
+  static constexpr int kFractionBits = 16;
   static constexpr int32_t kLargest = INT32_MAX;
   static constexpr int32_t kSmallest = INT32_MIN;
 
   constexpr Fixed() noexcept = default;
-  constexpr explicit Fixed(int value) noexcept : raw_(saturated(int64_t{value} << kFraction)) {}
+  constexpr explicit Fixed(int value) noexcept : raw_(saturated(int64_t{value} << kFractionBits)) {}
   /// Rounds to the nearest step; NaN becomes 0. Slow: for constants, not for the tick.
   constexpr explicit Fixed(double value) noexcept : raw_(nearest(value)) {}
   static constexpr Fixed fromRaw(int32_t raw) noexcept {
@@ -44,17 +44,17 @@ class Fixed {
   constexpr Fixed operator-() const noexcept { return fromRaw(saturated(-int64_t{raw_})); }
   /// Rounded to the nearest step.
   friend constexpr Fixed operator*(Fixed a, Fixed b) noexcept {
-    constexpr int64_t kHalf = int64_t{1} << (kFraction - 1);
+    constexpr int64_t kHalf = int64_t{1} << (kFractionBits - 1);
     const int64_t product = int64_t{a.raw_} * b.raw_ + kHalf;
     const auto high = static_cast<int32_t>(product >> 32);
     const bool fits = static_cast<uint32_t>(high) + 0x8000U <= 0xFFFFU;
-    return fromRaw(fits ? static_cast<int32_t>(product >> kFraction) : end(high));
+    return fromRaw(fits ? static_cast<int32_t>(product >> kFractionBits) : end(high));
   }
   /// Rounds towards zero. Division by zero gives the largest number of the sign of @p a. Slow on a
   /// microcontroller.
   friend constexpr Fixed operator/(Fixed a, Fixed b) noexcept {
     if (b.raw_ == 0) return fromRaw(a.raw_ < 0 ? kSmallest : kLargest);
-    return fromRaw(saturated((int64_t{a.raw_} * (int64_t{1} << kFraction)) / b.raw_));
+    return fromRaw(saturated((int64_t{a.raw_} * (int64_t{1} << kFractionBits)) / b.raw_));
   }
   constexpr Fixed& operator+=(Fixed other) noexcept { return *this = *this + other; }
   constexpr Fixed& operator-=(Fixed other) noexcept { return *this = *this - other; }
@@ -111,7 +111,7 @@ class UniformCurve {
     const auto within = static_cast<int32_t>(from & static_cast<uint32_t>(kStep.raw() - 1));
     const int32_t rise = forces_[i + 1] - forces_[i];
     const auto across = static_cast<int32_t>((int64_t{rise} * within) >> kShift);
-    const auto slope = static_cast<int32_t>((int64_t{rise} << Fixed::kFraction) >> kShift);
+    const auto slope = static_cast<int32_t>((int64_t{rise} << Fixed::kFractionBits) >> kShift);
     return {Fixed::fromRaw(forces_[i] + across), Fixed::fromRaw(slope), true};
   }
 

@@ -43,8 +43,8 @@ class Interpolation {
   };
 
   /// The range to which the authors' program clamps forces [N].
-  static constexpr Scalar kAuthorsLeast = Scalar(0.01);
-  static constexpr Scalar kAuthorsMost = Scalar(4.29);
+  static constexpr Scalar kAuthorsMinForce = Scalar(0.01);
+  static constexpr Scalar kAuthorsMaxForce = Scalar(4.29);
 
   /// @param nodes  at least two, finite, with strictly increasing travel, see isSound(). They and
   ///               the index's table must outlive this object.
@@ -103,8 +103,8 @@ class Interpolation {
   }
 
   static constexpr Response<Scalar> clamped(const Response<Scalar>& response) noexcept {
-    if (response.force < kAuthorsLeast) return {kAuthorsLeast, Scalar{0}, true};
-    if (response.force > kAuthorsMost) return {kAuthorsMost, Scalar{0}, true};
+    if (response.force < kAuthorsMinForce) return {kAuthorsMinForce, Scalar{0}, true};
+    if (response.force > kAuthorsMaxForce) return {kAuthorsMaxForce, Scalar{0}, true};
     return response;
   }
 
@@ -112,7 +112,7 @@ class Interpolation {
       Scalar force, Scalar distance, Scalar direction) const noexcept {
     if (!(distance > Scalar{0}) || options_.extrapolation == Extrapolation::Absent) return {};
     if (options_.extrapolation == Extrapolation::AuthorsClamp)
-      return {kAuthorsLeast, Scalar{0}, true};
+      return {kAuthorsMinForce, Scalar{0}, true};
     if (options_.extrapolation == Extrapolation::Hold) return {force, Scalar{0}, true};
     if (options_.extrapolation == Extrapolation::Zero || distance >= options_.rampLength) {
       return {Scalar{0}, Scalar{0}, true};

@@ -166,7 +166,7 @@ CutChoice typicalClosure(
   for (const std::size_t number : numbers) {
     curves.push_back(curveOf(trace, closures[number - 1].closing).curve);
   }
-  const std::optional<std::size_t> typical = mostTypical(curves);
+  const std::optional<std::size_t> typical = indexOfMostTypical(curves);
   if (!typical) {
     throw base::UserError(
         "The closures of " + named(source) +

@@ -179,7 +179,7 @@ std::optional<MeanCurve> meanCurve(std::span<const ForceCurve> curves) {
   return MeanCurve{ForceCurve(std::move(nodes)), std::move(deviation)};
 }
 
-std::optional<std::size_t> mostTypical(std::span<const ForceCurve> curves) {
+std::optional<std::size_t> indexOfMostTypical(std::span<const ForceCurve> curves) {
   const std::optional<MeanCurve> mean = meanCurve(curves);
   if (!mean) return std::nullopt;
   const auto distance = [&](const ForceCurve& c) { return squaredDistance(c, mean->curve); };

@@ -93,6 +93,6 @@ std::optional<MeanCurve> meanCurve(std::span<const ForceCurve> curves);
 
 /// Index (from 0) of the curve with the smallest root-mean-square difference from the mean over the
 /// mean's nodes; the first of equals. std::nullopt if there is no mean.
-std::optional<std::size_t> mostTypical(std::span<const ForceCurve> curves);
+std::optional<std::size_t> indexOfMostTypical(std::span<const ForceCurve> curves);
 
 }  // namespace haptics::recordings

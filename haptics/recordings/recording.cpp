@@ -208,14 +208,14 @@ class Reader {
  private:
   void readLineOf(std::string_view line, bool isWhole) {
     const Core core = coreOf(line);
-    const std::vector<std::string_view> fields = base::piecesOf(core.text, kBlanks);
+    const std::vector<std::string_view> fields = base::splitText(core.text, kBlanks);
     if (fields.empty()) return;
     const ReadLine read = readLine(fields);
     if (!read.row) {
       refuse(read.reason, fields.size() == kColumns - 1);
     } else if (keepsTime(*read.row, isWhole)) {
       recording_.rows.push_back(*read.row);
-      recording_.gluedBraces += core.hadBrace ? 1 : 0;
+      recording_.rowsWithBrace += core.hadBrace ? 1 : 0;
     }
   }
 

@@ -62,7 +62,7 @@ struct Recording {
   std::size_t refusedCount = 0;             ///< number of lines that were neither rows nor empty
   std::vector<RefusedLine> refusedLines{};  ///< the first kMaxRefusedLines of them
   LineEnds lineEnds{};
-  std::size_t gluedBraces = 0;  ///< number of rows that ended in '}'
+  std::size_t rowsWithBrace = 0;  ///< number of rows that ended in '}'
 
   static constexpr std::size_t kMaxRefusedLines = 20;
 };

@@ -14,13 +14,14 @@ int LatenessHistogram::binOf(double lateness) noexcept {
   int exponent = 0;
   // Octave and bin from the binary exponent, which avoids a logarithm in the tick.
   const double mantissa = std::frexp(lateness / kLeast, &exponent);  // in [0.5, 1)
-  const int bin = (exponent - 1) * kPerOctave + static_cast<int>((mantissa - 0.5) * 2 * kPerOctave);
-  return std::min(bin, kPerOctave * kOctaves - 1);
+  const int bin =
+      (exponent - 1) * kBinsPerOctave + static_cast<int>((mantissa - 0.5) * 2 * kBinsPerOctave);
+  return std::min(bin, kBinsPerOctave * kOctaves - 1);
 }
 
 double LatenessHistogram::upperEdgeOf(int bin) noexcept {
-  const int octave = bin / kPerOctave;
-  const double part = static_cast<double>(bin % kPerOctave + 1) / kPerOctave;
+  const int octave = bin / kBinsPerOctave;
+  const double part = static_cast<double>(bin % kBinsPerOctave + 1) / kBinsPerOctave;
   return std::ldexp(kLeast * (1.0 + part), octave);
 }
 
@@ -35,7 +36,7 @@ double LatenessHistogram::quantile(double q) const noexcept {
   if (count_ == 0) return 0.0;
   const auto rank = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_)));
   std::uint64_t seen = 0;
-  for (int bin = 0; bin < kPerOctave * kOctaves; ++bin) {
+  for (int bin = 0; bin < kBinsPerOctave * kOctaves; ++bin) {
     seen += bins_[static_cast<std::size_t>(bin)];
     if (seen >= std::max<std::uint64_t>(rank, 1)) return std::min(upperEdgeOf(bin), largest_);
   }

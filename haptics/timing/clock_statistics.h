@@ -20,12 +20,12 @@ class LatenessHistogram {
   double quantile(double q) const noexcept;
 
  private:
-  static constexpr int kPerOctave = 16;
+  static constexpr int kBinsPerOctave = 16;
   static constexpr int kOctaves = 34;  ///< from 1/16 µs to 1000 s
   static int binOf(double lateness) noexcept;
   static double upperEdgeOf(int bin) noexcept;
 
-  std::array<std::uint64_t, std::size_t{kPerOctave} * kOctaves> bins_{};
+  std::array<std::uint64_t, std::size_t{kBinsPerOctave} * kOctaves> bins_{};
   std::uint64_t count_ = 0;
   double largest_ = 0.0;
 };

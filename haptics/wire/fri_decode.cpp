@@ -354,7 +354,7 @@ Refusal validateFrame(std::span<const std::uint8_t> datagram) noexcept {
 template <typename T>
 Refusal decodeAny(std::span<const std::uint8_t> datagram, Version version, T& out) noexcept {
   if (datagram.size() > kLargestDatagram) return Refusal::TooLong;
-  if (!knows(version, kSince2_7)) return readMessage(datagram, version, out);
+  if (!isInVersions(version, kSince2_7)) return readMessage(datagram, version, out);
   const Refusal refusal = validateFrame(datagram);
   if (refusal != Refusal::None) return refusal;
   return readMessage(datagram.subspan(kLengthSize, datagram.size() - kFrameSize), version, out);

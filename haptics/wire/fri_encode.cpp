@@ -23,7 +23,7 @@ class Writer {
 
   template <typename T>
   void operator()(std::uint32_t number, const T& value, Versions versions) noexcept {
-    if (knows(version_, versions)) put(number, value);
+    if (isInVersions(version_, versions)) put(number, value);
   }
 
  private:
@@ -45,7 +45,7 @@ class Writer {
   void put(std::uint32_t number, Choice auto value) noexcept {
     if (!isKnown(value)) return fail();
     if constexpr (std::same_as<decltype(value), ClientCommandMode>) {
-      if (value == ClientCommandMode::CartesianPose && !knows(version_, kSince2_5)) return;
+      if (value == ClientCommandMode::CartesianPose && !isInVersions(version_, kSince2_5)) return;
     }
     put(number, static_cast<std::uint32_t>(value));
   }
@@ -142,7 +142,7 @@ void putWord(std::uint8_t* bytes, std::uint32_t word) noexcept {
 template <typename T>
 std::size_t encodeAny(const T& message, Version version, std::span<std::uint8_t> out) noexcept {
   out = out.first(std::min(out.size(), kLargestDatagram));
-  const bool isFramed = knows(version, kSince2_7);
+  const bool isFramed = isInVersions(version, kSince2_7);
   const std::size_t frame = isFramed ? kFrameSize : 0;
   if (out.size() < frame) return 0;
   const std::size_t begin = frame / 2;

@@ -22,19 +22,19 @@ struct Versions {
   Version since = Version::V1_11;
   Version until = Version::V2_7;
 };
-inline constexpr Versions kAlways{};
+inline constexpr Versions kAllVersions{};
 inline constexpr Versions kSince1_14{.since = Version::V1_14};
 inline constexpr Versions kUntil1_16{.until = Version::V1_16};
 inline constexpr Versions kSince2_5{.since = Version::V2_5};
 inline constexpr Versions kSince2_7{.since = Version::V2_7};
 inline constexpr Versions kUntil2_5{.until = Version::V2_5};
 
-constexpr bool knows(Version version, Versions versions) noexcept {
+constexpr bool isInVersions(Version version, Versions versions) noexcept {
   return version >= versions.since && version <= versions.until;
 }
 
 constexpr std::size_t mostElements(Version version) noexcept {
-  return knows(version, kSince2_5) ? 7 : 12;
+  return isInVersions(version, kSince2_5) ? 7 : 12;
 }
 
 template <typename T, typename Wanted>
@@ -44,104 +44,104 @@ concept Is = std::same_as<std::remove_const_t<T>, Wanted>;
 // nor a list is required.
 
 void visit(Is<Header> auto& m, auto& field) noexcept {
-  field(1, m.identifier, kAlways);
-  field(2, m.sequence, kAlways);
-  field(3, m.reflected, kAlways);
+  field(1, m.identifier, kAllVersions);
+  field(2, m.sequence, kAllVersions);
+  field(3, m.reflected, kAllVersions);
 }
 
 void visit(Is<TimeStamp> auto& m, auto& field) noexcept {
-  field(1, m.seconds, kAlways);
-  field(2, m.nanoseconds, kAlways);
+  field(1, m.seconds, kAllVersions);
+  field(2, m.nanoseconds, kAllVersions);
 }
 
 void visit(Is<Transformation> auto& m, auto& field) noexcept {
-  field(1, m.name, kAlways);
-  field(2, m.elements, kAlways);
-  field(3, m.timestamp, kAlways);
+  field(1, m.name, kAllVersions);
+  field(2, m.elements, kAllVersions);
+  field(3, m.timestamp, kAllVersions);
 }
 
 void visit(Is<IoValue> auto& m, auto& field) noexcept {
-  field(1, m.name, kAlways);
-  field(2, m.type, kAlways);
-  field(3, m.direction, kAlways);
-  field(4, m.digital, kAlways);
-  field(5, m.analog, kAlways);
+  field(1, m.name, kAllVersions);
+  field(2, m.type, kAllVersions);
+  field(3, m.direction, kAllVersions);
+  field(4, m.digital, kAllVersions);
+  field(5, m.analog, kAllVersions);
 }
 
 void visit(Is<Redundancy> auto& m, auto& field) noexcept {
-  field(1, m.strategy, kAlways);
-  field(2, m.value, kAlways);
+  field(1, m.strategy, kAllVersions);
+  field(2, m.value, kAllVersions);
 }
 
 void visit(Is<ConnectionInfo> auto& m, auto& field) noexcept {
-  field(1, m.state, kAlways);
-  field(2, m.quality, kAlways);
-  field(3, m.sendPeriod, kAlways);
-  field(4, m.receiveMultiplier, kAlways);
+  field(1, m.state, kAllVersions);
+  field(2, m.quality, kAllVersions);
+  field(3, m.sendPeriod, kAllVersions);
+  field(4, m.receiveMultiplier, kAllVersions);
 }
 
 void visit(Is<RobotInfo> auto& m, auto& field) noexcept {
-  field(1, m.jointCount, kAlways);
-  field(2, m.safetyState, kAlways);
-  field(5, m.driveStates, kAlways);
-  field(6, m.operationMode, kAlways);
-  field(7, m.controlMode, kAlways);
+  field(1, m.jointCount, kAllVersions);
+  field(2, m.safetyState, kAllVersions);
+  field(5, m.driveStates, kAllVersions);
+  field(6, m.operationMode, kAllVersions);
+  field(7, m.controlMode, kAllVersions);
 }
 
 void visit(Is<MonitorData> auto& m, auto& field) noexcept {
-  field(1, m.measuredPosition, kAlways);
-  field(2, m.measuredTorque, kAlways);
+  field(1, m.measuredPosition, kAllVersions);
+  field(2, m.measuredTorque, kAllVersions);
   field(3, m.commandedPosition, kUntil1_16);
-  field(4, m.commandedTorque, kAlways);
-  field(5, m.externalTorque, kAlways);
+  field(4, m.commandedTorque, kAllVersions);
+  field(5, m.externalTorque, kAllVersions);
   field(6, m.externalForce, kSince2_7);
   field(8, m.inputs, kSince1_14);
   field(9, m.pose, kSince2_5);
   field(10, m.redundancy, kSince2_5);
-  field(15, m.timestamp, kAlways);
+  field(15, m.timestamp, kAllVersions);
 }
 
 void visit(Is<IpoData> auto& m, auto& field) noexcept {
-  field(1, m.jointPosition, kAlways);
+  field(1, m.jointPosition, kAllVersions);
   field(2, m.pose, kSince2_5);
   field(3, m.redundancy, kSince2_5);
-  field(10, m.commandMode, kAlways);
-  field(11, m.overlay, kAlways);
-  field(12, m.trackingPerformance, kAlways);
+  field(10, m.commandMode, kAllVersions);
+  field(11, m.overlay, kAllVersions);
+  field(12, m.trackingPerformance, kAllVersions);
 }
 
 void visit(Is<CommandData> auto& m, auto& field) noexcept {
-  field(1, m.jointPosition, kAlways);
-  field(2, m.wrench, kAlways);
-  field(3, m.jointTorque, kAlways);
-  field(4, m.transformations, kAlways);
+  field(1, m.jointPosition, kAllVersions);
+  field(2, m.wrench, kAllVersions);
+  field(3, m.jointTorque, kAllVersions);
+  field(4, m.transformations, kAllVersions);
   field(5, m.outputs, kSince1_14);
   field(6, m.pose, kSince2_5);
   field(7, m.redundancy, kSince2_5);
 }
 
 void visit(Is<EndOfMessage::Checksum> auto& m, auto& field) noexcept {
-  field(1, m.crc32, kAlways);
+  field(1, m.crc32, kAllVersions);
 }
 
 void visit(Is<EndOfMessage> auto& m, auto& field) noexcept {
-  field(1, m.length, kAlways);
-  field(2, m.checksum, kAlways);
+  field(1, m.length, kAllVersions);
+  field(2, m.checksum, kAllVersions);
 }
 
 void visit(Is<MonitoringMessage> auto& m, auto& field) noexcept {
-  field(1, m.header, kAlways);
-  field(2, m.robotInfo, kAlways);
-  field(3, m.monitorData, kAlways);
-  field(4, m.connection, kAlways);
-  field(5, m.ipoData, kAlways);
-  field(6, m.requestedTransformations, kAlways);
+  field(1, m.header, kAllVersions);
+  field(2, m.robotInfo, kAllVersions);
+  field(3, m.monitorData, kAllVersions);
+  field(4, m.connection, kAllVersions);
+  field(5, m.ipoData, kAllVersions);
+  field(6, m.requestedTransformations, kAllVersions);
   field(15, m.endOfMessage, kUntil2_5);
 }
 
 void visit(Is<CommandMessage> auto& m, auto& field) noexcept {
-  field(1, m.header, kAlways);
-  field(2, m.data, kAlways);
+  field(1, m.header, kAllVersions);
+  field(2, m.data, kAllVersions);
   field(15, m.endOfMessage, kUntil2_5);
 }
 
@@ -159,40 +159,40 @@ constexpr bool isKnown(RedundancyStrategy value) noexcept {
 }
 
 // The last value of every enumeration that has no gaps.
-constexpr SessionState lastOf(SessionState) noexcept {
+constexpr SessionState lastEnumerator(SessionState) noexcept {
   return SessionState::CommandingActive;
 }
-constexpr ConnectionQuality lastOf(ConnectionQuality) noexcept {
+constexpr ConnectionQuality lastEnumerator(ConnectionQuality) noexcept {
   return ConnectionQuality::Excellent;
 }
-constexpr SafetyState lastOf(SafetyState) noexcept {
+constexpr SafetyState lastEnumerator(SafetyState) noexcept {
   return SafetyState::StopLevel2;
 }
-constexpr OperationMode lastOf(OperationMode) noexcept {
+constexpr OperationMode lastEnumerator(OperationMode) noexcept {
   return OperationMode::Automatic;
 }
-constexpr DriveState lastOf(DriveState) noexcept {
+constexpr DriveState lastEnumerator(DriveState) noexcept {
   return DriveState::Active;
 }
-constexpr ControlMode lastOf(ControlMode) noexcept {
+constexpr ControlMode lastEnumerator(ControlMode) noexcept {
   return ControlMode::NoControl;
 }
-constexpr ClientCommandMode lastOf(ClientCommandMode) noexcept {
+constexpr ClientCommandMode lastEnumerator(ClientCommandMode) noexcept {
   return ClientCommandMode::CartesianPose;
 }
-constexpr OverlayType lastOf(OverlayType) noexcept {
+constexpr OverlayType lastEnumerator(OverlayType) noexcept {
   return OverlayType::Cartesian;
 }
-constexpr IoType lastOf(IoType) noexcept {
+constexpr IoType lastEnumerator(IoType) noexcept {
   return IoType::Analog;
 }
-constexpr IoDirection lastOf(IoDirection) noexcept {
+constexpr IoDirection lastEnumerator(IoDirection) noexcept {
   return IoDirection::Output;
 }
 
 template <Choice T>
 constexpr bool isKnown(T value) noexcept {
-  return value <= lastOf(value);
+  return value <= lastEnumerator(value);
 }
 
 }  // namespace haptics::wire::fri

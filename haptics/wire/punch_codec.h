@@ -29,7 +29,7 @@ inline bool read(const Frame& frame, Hello& m) noexcept {
   m.rate = r.u16();
   m.largestVoltage = r.i16();
   m.largestSlew = r.u16();
-  return r.hasAll();
+  return r.isFullyRead();
 }
 
 inline constexpr uint8_t kLongestExpiry = 20;  ///< [ms]
@@ -48,7 +48,7 @@ inline bool read(const Frame& frame, Arm& m) noexcept {
   const uint8_t armed = r.u8();
   m.isArmed = armed == 1;
   m.expiry = r.u8();
-  return r.hasAll() && armed <= 1 && isValidExpiry(m.expiry);
+  return r.isFullyRead() && armed <= 1 && isValidExpiry(m.expiry);
 }
 
 inline void write(Writer& w, const SetForce& m) noexcept {
@@ -60,7 +60,7 @@ inline bool read(const Frame& frame, SetForce& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.voltage = r.i16();
   m.expiry = r.u8();
-  return r.hasAll() && isValidExpiry(m.expiry);
+  return r.isFullyRead() && isValidExpiry(m.expiry);
 }
 
 inline void write(Writer& w, const State& m) noexcept {
@@ -85,7 +85,7 @@ inline bool read(const Frame& frame, State& m) noexcept {
   m.badFrames = r.u16();
   const uint8_t rendering = r.u8();
   m.isRendering = rendering == 1;
-  return r.hasAll() && rendering <= 1;
+  return r.isFullyRead() && rendering <= 1;
 }
 
 inline void write(Writer& w, const Event& m) noexcept {
@@ -97,7 +97,7 @@ inline bool read(const Frame& frame, Event& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.code = static_cast<EventCode>(r.u8());
   m.value = r.u32();
-  return r.hasAll();
+  return r.isFullyRead();
 }
 
 inline void write(Writer& w, const Model& m) noexcept {
@@ -146,8 +146,8 @@ inline bool read(const Frame& frame, Model& m) noexcept {
   f32(m.rampLength);
   m.scheme = r.u8();
   for (float& v : m.noise) f32(v);
-  return r.hasAll() && isNumber && m.kind <= ModelKind::Kalman && m.tableSize <= kLargestTable &&
-         m.readings < 16 && m.extrapolation < 5 && m.scheme < 4;
+  return r.isFullyRead() && isNumber && m.kind <= ModelKind::Kalman &&
+         m.tableSize <= kLargestTable && m.readings < 16 && m.extrapolation < 5 && m.scheme < 4;
 }
 
 inline void write(Writer& w, const ModelTable& m) noexcept {
@@ -170,7 +170,7 @@ inline bool read(const Frame& frame, ModelTable& m) noexcept {
     m.force[i] = r.f32();
     isNumber = isNumber && isFinite(m.travel[i]) && isFinite(m.force[i]);
   }
-  return r.hasAll() && isNumber;
+  return r.isFullyRead() && isNumber;
 }
 
 inline void write(Writer& w, const ModelReply& m) noexcept {
@@ -182,7 +182,7 @@ inline bool read(const Frame& frame, ModelReply& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.verdict = static_cast<ModelVerdict>(r.u8());
   m.hash = r.u32();
-  return r.hasAll() && m.verdict <= ModelVerdict::Armed;
+  return r.isFullyRead() && m.verdict <= ModelVerdict::Armed;
 }
 
 inline void write(Writer& w, const Render& m) noexcept {
@@ -196,7 +196,7 @@ inline bool read(const Frame& frame, Render& m) noexcept {
   m.hash = r.u32();
   m.expiry = r.u8();
   m.most = r.i16();
-  return r.hasAll() && isValidExpiry(m.expiry) && m.most >= 0;
+  return r.isFullyRead() && isValidExpiry(m.expiry) && m.most >= 0;
 }
 
 inline void write(Writer& w, const Stop& m) noexcept {
@@ -206,7 +206,7 @@ inline void write(Writer& w, const Stop& m) noexcept {
 inline bool read(const Frame& frame, Stop& m) noexcept {
   Reader r(frame.payload, frame.size);
   m.reason = static_cast<StopReason>(r.u8());
-  return r.hasAll();
+  return r.isFullyRead();
 }
 
 constexpr Type typeOf(const Hello&) noexcept {

@@ -10,12 +10,12 @@ namespace haptics::wire {
 
 /// Largest size of @p count bytes after COBS (Cheshire and Baker 1999), without the zero that ends
 /// a frame.
-constexpr size_t largestCobs(size_t count) noexcept {
+constexpr size_t largestCobsSize(size_t count) noexcept {
   return count + count / 254 + 1;
 }
 
 /// Consistent overhead byte stuffing: encodes @p bytes without zeros into @p out, which has space
-/// for largestCobs(count) bytes. Returns the number of bytes written.
+/// for largestCobsSize(count) bytes. Returns the number of bytes written.
 constexpr size_t cobsEncode(const uint8_t* bytes, size_t count, uint8_t* out) noexcept {
   size_t written = 1;
   size_t code = 0;  // position for the length of the present run
@@ -59,12 +59,12 @@ namespace haptics::wire::punch {
 
 /// A decoded frame: type u8, sequence u16, sender's clock u32 [µs], payload, CRC-32 of all before;
 /// little-endian throughout.
-inline constexpr size_t kHead = 7;  ///< bytes before the payload
-inline constexpr size_t kTail = 4;  ///< bytes after it: the CRC
+inline constexpr size_t kHeaderSize = 7;   ///< bytes before the payload
+inline constexpr size_t kTrailerSize = 4;  ///< bytes after it: the CRC
 inline constexpr size_t kLargestPayload = 2 + kTableChunk * 8;
-inline constexpr size_t kLargestFrame = kHead + kLargestPayload + kTail;
+inline constexpr size_t kLargestFrame = kHeaderSize + kLargestPayload + kTrailerSize;
 /// Encoded, with the zero at its end.
-inline constexpr size_t kLargestOnWire = largestCobs(kLargestFrame) + 1;
+inline constexpr size_t kLargestOnWire = largestCobsSize(kLargestFrame) + 1;
 
 /// Writes values in sequence, little-endian.
 class Writer {
@@ -94,14 +94,15 @@ class Writer {
   size_t size_ = 0;
 };
 
-/// Reads values in sequence, little-endian. Beyond the end it reads zeros, and hasAll() is false.
+/// Reads values in sequence, little-endian. Beyond the end it reads zeros, and isFullyRead() is
+/// false.
 class Reader {
  public:
   Reader(const uint8_t* from, size_t count) noexcept : from_(from), count_(count) {}
 
   uint8_t u8() noexcept {
     if (at_ < count_) return from_[at_++];
-    isShort_ = true;
+    hasUnderrun_ = true;
     return 0;
   }
   uint16_t u16() noexcept { return static_cast<uint16_t>(whole(2)); }
@@ -116,7 +117,7 @@ class Reader {
     return value;
   }
   /// Whether exactly all bytes were read.
-  bool hasAll() const noexcept { return !isShort_ && at_ == count_; }
+  bool isFullyRead() const noexcept { return !hasUnderrun_ && at_ == count_; }
 
  private:
   uint64_t whole(int bytes) noexcept {
@@ -129,7 +130,7 @@ class Reader {
   const uint8_t* from_;
   size_t count_;
   size_t at_ = 0;
-  bool isShort_ = false;
+  bool hasUnderrun_ = false;
 };
 
 /// A frame with a correct CRC; the payload points into the decoder's buffer.
@@ -182,13 +183,13 @@ class FrameDecoder {
     count_ = 0;
     isTooLong_ = false;
     if (isEmpty) return false;
-    if (count >= kHead + kTail && isWhole(count)) {
-      Reader head(bytes_, kHead);
+    if (count >= kHeaderSize + kTrailerSize && hasValidCrc(count)) {
+      Reader head(bytes_, kHeaderSize);
       frame.type = static_cast<Type>(head.u8());
       frame.sequence = head.u16();
       frame.time = head.u32();
-      frame.payload = bytes_ + kHead;
-      frame.size = count - kHead - kTail;
+      frame.payload = bytes_ + kHeaderSize;
+      frame.size = count - kHeaderSize - kTrailerSize;
       return true;
     }
     ++damaged_;
@@ -205,9 +206,9 @@ class FrameDecoder {
   }
 
  private:
-  bool isWhole(size_t count) const noexcept {
-    Reader tail(bytes_ + count - kTail, kTail);
-    return tail.u32() == crc32(bytes_, count - kTail);
+  bool hasValidCrc(size_t count) const noexcept {
+    Reader tail(bytes_ + count - kTrailerSize, kTrailerSize);
+    return tail.u32() == crc32(bytes_, count - kTrailerSize);
   }
 
   uint8_t bytes_[kLargestOnWire] = {};

@@ -58,7 +58,7 @@ enum Fault : uint8_t {
   kClockWrapped = 128  ///< the device's clock has wrapped to 0
 };
 /// Faults that last until the device is armed again.
-inline constexpr uint8_t kLatched = kTooFast | kDriverFault | kEncoderFault;
+inline constexpr uint8_t kLatchedFaults = kTooFast | kDriverFault | kEncoderFault;
 
 struct State {
   int32_t counts = 0;    ///< of the encoder
@@ -125,7 +125,7 @@ struct ModelTable {
 };
 
 /// Whether the device accepts a model, or why not.
-enum class ModelVerdict : uint8_t { Accepted = 0, Incomplete = 1, Unsound = 2, Armed = 3 };
+enum class ModelVerdict : uint8_t { Accepted = 0, Incomplete = 1, InvalidModel = 2, Armed = 3 };
 
 struct ModelReply {
   ModelVerdict verdict = ModelVerdict::Accepted;
@@ -140,10 +140,15 @@ struct Render {
   int16_t most = 32767;
 };
 
-enum class StopReason : uint8_t { Asked = 0, VersionMismatch = 1, HostFault = 2, DeviceFault = 3 };
+enum class StopReason : uint8_t {
+  Requested = 0,
+  VersionMismatch = 1,
+  HostFault = 2,
+  DeviceFault = 3
+};
 
 struct Stop {
-  StopReason reason = StopReason::Asked;
+  StopReason reason = StopReason::Requested;
 };
 
 }  // namespace haptics::wire::punch

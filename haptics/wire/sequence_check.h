@@ -20,7 +20,7 @@ class SequenceCheck {
     if (!hasAny_) return begin(number);
     const auto ahead = static_cast<Counter>(number - newest_);
     if (ahead == 0) return doubled();
-    if (ahead <= kFarAhead) {
+    if (ahead <= kLargestGap) {
       lost_ += ahead - 1U;
       seen_ = ahead < 64 ? seen_ << ahead : 0;
       seen_ |= 1U;
@@ -46,7 +46,7 @@ class SequenceCheck {
   std::uint64_t restarts() const noexcept { return restarts_; }
 
  private:
-  static constexpr Counter kFarAhead = 1000;
+  static constexpr Counter kLargestGap = 1000;
 
   Verdict begin(Counter number) noexcept {
     const bool isFirst = !hasAny_;

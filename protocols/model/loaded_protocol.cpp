@@ -11,7 +11,7 @@
 
 namespace protocols {
 
-std::string describeOrigin(const FeltSource& source) {
+std::string describeOrigin(const SceneDataSource& source) {
   std::string words;
   for (const auto& part : source.origin) {
     words += (words.empty() ? "" : ", ") + base::describe(part);
@@ -19,7 +19,7 @@ std::string describeOrigin(const FeltSource& source) {
   return words;
 }
 
-std::string describe(const FeltSource& source) {
+std::string describe(const SceneDataSource& source) {
   std::string words = source.isSynthetic ? "SYNTHETIC: " : "";
   words += base::describe(source.title) + " (" + source.kind;
   words += source.file.empty() ? ", built into the program)" : " '" + source.file + "')";
@@ -126,7 +126,7 @@ void fillInLabels(LoadedProtocol& loaded) {
   for (auto& phase : loaded.protocol.phases) fillIn(phase.text, label);
 }
 
-std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded) {
+std::vector<Placeholder> unfilledPlaceholdersIn(const LoadedProtocol& loaded) {
   std::vector<Placeholder> found;
   const auto& protocol = loaded.protocol;
   look(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages);

@@ -28,7 +28,7 @@ enum class Defaults {
 
 /// Data outside of the protocol that conditions render or display: a cut, a material, a bone of
 /// spheres, or a knee.
-struct FeltSource {
+struct SceneDataSource {
   std::string kind;     ///< "cut", "material", "packing" or "anatomy"
   std::string file;     ///< as the protocol names it; empty if it is built into the program
   base::Message title;  ///< display name
@@ -39,11 +39,11 @@ struct FeltSource {
 };
 
 /// The origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
-std::string describeOrigin(const FeltSource& source);
+std::string describeOrigin(const SceneDataSource& source);
 
 /// Title, file and origin in English: "Bone of specimen 7 (material 'bone.json'), test set
 /// dynamic-1". Synthetic data are marked.
-std::string describe(const FeltSource& source);
+std::string describe(const SceneDataSource& source);
 
 /// A file that a protocol refers to, as it was read; a study stores a copy.
 struct SourceFile {
@@ -63,7 +63,7 @@ struct LoadedProtocol {
   std::string text;                                     ///< text of the protocol file itself
   /// All files that it refers to, including instruments of the library.
   std::vector<SourceFile> files;
-  std::vector<FeltSource> sources;  ///< data that its conditions use, without duplicates
+  std::vector<SceneDataSource> sources;  ///< data that its conditions use, without duplicates
   /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
   std::vector<std::string> blanks;
 
@@ -89,7 +89,7 @@ struct Placeholder {
 /// The placeholders in all texts that a participant may read: in the protocol's own texts and in
 /// those of its instruments, in every language of the protocol, because participants can change the
 /// language.
-std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
+std::vector<Placeholder> unfilledPlaceholdersIn(const LoadedProtocol& loaded);
 
 /// A blank "[[key]]" in texts that participants read.
 struct Blank {

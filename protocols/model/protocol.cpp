@@ -79,7 +79,7 @@ double SimulatedAnswerModel::realismOf(std::string_view condition) const {
 const Condition* Protocol::condition(std::string_view id) const noexcept {
   return withId(conditions, id);
 }
-const DeviceNeed* Protocol::device(std::string_view id) const noexcept {
+const DeviceRequirement* Protocol::device(std::string_view id) const noexcept {
   return withId(devices, id);
 }
 const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {

@@ -36,7 +36,7 @@ struct Cohort {
 };
 
 /// A device that the study needs, with its limits.
-struct DeviceNeed {
+struct DeviceRequirement {
   std::string id;
   const haptics::devices::DeviceKind* kind;
   double maxForce = 0.0;        ///< force limit [N]
@@ -67,13 +67,13 @@ struct Condition {
   /// is read; every condition of a loaded protocol has a model.
   std::optional<haptics::engine::ModelSpec> model;
   bool isVisualised = false;  ///< whether the scene is shown; a block may override it
-  haptics::engine::TissueDrawing seenTissue = haptics::engine::TissueDrawing::Penetration;
+  haptics::engine::TissueDrawing tissueDrawing = haptics::engine::TissueDrawing::Penetration;
   haptics::engine::Reamer reamer;       ///< limits the removal of bone
   std::optional<std::string> anatomy;   ///< file of a knee that replaces the displayed built-in one
   std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr for the built-in knee
 
   /// The scene to render and show. @pre model has a value.
-  haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue, reamer}; }
+  haptics::engine::SceneSpec scene() const { return {*model, isVisualised, tissueDrawing, reamer}; }
 };
 
 /// How the labels of alternatives are chosen.
@@ -153,7 +153,7 @@ struct Phase {
   Block trials;            ///< Block
   std::string block;       ///< Preference: id of the block whose alternatives are offered
   /// Preference: whether each alternative can be felt again before the choice.
-  bool mayFeelAgain = false;
+  bool hasOptionalTrials = false;
 };
 
 /// A pair of conditions to compare.
@@ -213,7 +213,7 @@ struct ComparedScale {
   double highest = 5.0;
   /// Whether answers are whole numbers that can be counted by point: both ends and the step are
   /// whole numbers, and there are at most kMostComparedPoints points.
-  bool isOfPoints = true;
+  bool isPointScale = true;
 
   bool operator==(const ComparedScale&) const = default;
 };
@@ -240,10 +240,10 @@ struct AnalysisPlan {
 /// out a protocol.
 struct SimulatedAnswerModel {
   std::vector<std::pair<std::string, double>> realismByCondition;  ///< mean answer, by condition id
-  double personDeviation = 0.5;  ///< standard deviation between participants
+  double participantStandardDeviation = 0.5;  ///< standard deviation between participants
   /// Standard deviation of the interaction of participant and condition.
-  double personByConditionDeviation = 0.5;
-  double answerDeviation = 0.8;  ///< residual standard deviation of an answer
+  double interactionStandardDeviation = 0.5;
+  double residualStandardDeviation = 0.8;  ///< residual standard deviation of an answer
 
   /// The mean answer about a condition; 0 if none is given.
   double realismOf(std::string_view condition) const;
@@ -254,10 +254,10 @@ struct Protocol {
   StudyMetadata study;
   std::vector<std::string> languages;
   std::optional<std::uint64_t> seed;
-  bool isBlindingOpen = false;  ///< whether conditions are not hidden from anyone ("blinding":
-                                ///< "open")
+  bool isOpenLabel = false;  ///< whether conditions are not hidden from anyone ("blinding":
+                             ///< "open")
   std::vector<Cohort> cohorts;
-  std::vector<DeviceNeed> devices;
+  std::vector<DeviceRequirement> devices;
   /// Names of files in the protocol's folder; instruments of the library need no entry.
   std::vector<std::string> instrumentFiles;
   /// The laboratory's texts for the blanks "[[key]]", by key.
@@ -270,7 +270,7 @@ struct Protocol {
 
   /// These functions return nullptr for an unknown id.
   const Condition* condition(std::string_view id) const noexcept;
-  const DeviceNeed* device(std::string_view id) const noexcept;
+  const DeviceRequirement* device(std::string_view id) const noexcept;
   /// The common kind of all devices; nullptr if there are several kinds.
   const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;

@@ -29,7 +29,7 @@ constexpr double kMostRealism = 10.0;
 constexpr double kMostDeviation = 10.0;
 
 Comparison readComparison(const Node& node) {
-  if (!node.isObjectWith({"first", "second"})) return {};
+  if (!node.isObjectWithOnlyKeys({"first", "second"})) return {};
   return {node.id("first"), node.id("second")};
 }
 
@@ -48,7 +48,7 @@ double readAlpha(const Node& family) {
 
 Family readFamily(const Node& node) {
   Family family;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"id",
            "title",
            "instrument",
@@ -94,7 +94,7 @@ double deviation(const Node& node, std::string_view key, double usual) {
 
 AnalysisPlan readAnalysis(const Node& node) {
   AnalysisPlan plan;
-  if (!node.isObjectWith({"families"})) return plan;
+  if (!node.isObjectWithOnlyKeys({"families"})) return plan;
   for (const auto& family : node.requiredList("families")) {
     plan.families.push_back(readFamily(family));
   }
@@ -103,7 +103,7 @@ AnalysisPlan readAnalysis(const Node& node) {
 
 SimulatedAnswerModel readSimulation(const Node& node) {
   SimulatedAnswerModel truth;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"realism", "person_deviation", "person_by_condition_deviation", "answer_deviation"})) {
     return truth;
   }
@@ -113,10 +113,12 @@ SimulatedAnswerModel readSimulation(const Node& node) {
           member.first, realism->number(member.first, -kMostRealism, kMostRealism, 0.0));
     }
   }
-  truth.personDeviation = deviation(node, "person_deviation", truth.personDeviation);
-  truth.personByConditionDeviation =
-      deviation(node, "person_by_condition_deviation", truth.personByConditionDeviation);
-  truth.answerDeviation = deviation(node, "answer_deviation", truth.answerDeviation);
+  truth.participantStandardDeviation =
+      deviation(node, "person_deviation", truth.participantStandardDeviation);
+  truth.interactionStandardDeviation =
+      deviation(node, "person_by_condition_deviation", truth.interactionStandardDeviation);
+  truth.residualStandardDeviation =
+      deviation(node, "answer_deviation", truth.residualStandardDeviation);
   return truth;
 }
 

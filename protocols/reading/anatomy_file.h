@@ -12,10 +12,10 @@
 namespace protocols {
 
 /// The extension of anatomy files.
-inline constexpr std::string_view kAnatomyEnding = ".obj";
+inline constexpr std::string_view kAnatomyExtension = ".obj";
 
 /// Anatomies may be larger than other files.
-inline constexpr std::size_t kLargestAnatomy = 20'000'000;  ///< [bytes]
+inline constexpr std::size_t kMaxAnatomyBytes = 20'000'000;  ///< [bytes]
 
 /// The largest number of triangles in all surfaces. During a trial, a computer without a graphics
 /// card can still draw this number 25 times per second. The built-in knee has 10,000.

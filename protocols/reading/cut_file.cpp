@@ -23,7 +23,7 @@ constexpr double kLargestTravel = 1e6;  // [travel units]
 constexpr double kLargestForce = 1e4;   // [N]
 
 std::optional<CurvePoint> readPoint(const Node& node) {
-  if (!node.isObjectWith({"travel", "force_n"})) return std::nullopt;
+  if (!node.isObjectWithOnlyKeys({"travel", "force_n"})) return std::nullopt;
   return CurvePoint{
       node.number("travel", -kLargestTravel, kLargestTravel),
       node.number("force_n", -kLargestForce, kLargestForce)};
@@ -35,7 +35,7 @@ std::optional<CurvePoint> readLandmark(const Node& landmarks, std::string_view k
 }
 
 void readLandmarks(const Node& node, Cut& cut) {
-  if (!node.isObjectWith({"interception", "yield", "bottom_out", "opening"})) return;
+  if (!node.isObjectWithOnlyKeys({"interception", "yield", "bottom_out", "opening"})) return;
   cut.landmarks.interception = readLandmark(node, "interception");
   cut.landmarks.yield = readLandmark(node, "yield");
   cut.landmarks.bottomOut = readLandmark(node, "bottom_out");
@@ -79,7 +79,7 @@ std::string readUnit(const Node& root) {
 }
 
 std::optional<Cut> readCutRoot(const Node& root) {
-  if (!root.isObjectWith(
+  if (!root.isObjectWithOnlyKeys(
           {"format",
            "name",
            "title",

@@ -36,7 +36,7 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
   constexpr double kSteepest = 1e12;  // [N/m, N·m/m]
   reaming::CurveNodes nodes;
   for (const auto& node : curves.requiredList(which)) {
-    if (!node.isObjectWith({"depth_m", keys.value, keys.slope})) continue;
+    if (!node.isObjectWithOnlyKeys({"depth_m", keys.value, keys.slope})) continue;
     const double depth = node.number("depth_m", 0.0, kFarthest);
     if (!nodes.empty() && !(depth > nodes.back().position)) {
       node.problem(
@@ -57,7 +57,7 @@ reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
   // A fit to single specimens has a middle specimen in place of the average.
   const bool isOfSpecimens = node.has("middle_specimen") && !node.has("average");
   const char* middle = isOfSpecimens ? "middle_specimen" : "average";
-  if (!node.isObjectWith({"minimum", middle, "maximum"})) return {};
+  if (!node.isObjectWithOnlyKeys({"minimum", middle, "maximum"})) return {};
   return {
       readNodes(node, "minimum", keys),
       readNodes(node, middle, keys),
@@ -65,7 +65,7 @@ reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
 }
 
 reaming::Jitter readJitter(const Node& node) {
-  if (!node.isObjectWith({"rms_n", "rate_hz"})) return {};
+  if (!node.isObjectWithOnlyKeys({"rms_n", "rate_hz"})) return {};
   return {node.number("rms_n", 0.0, 1e4), node.number("rate_hz", 0.1, 1e5)};
 }
 
@@ -89,7 +89,7 @@ double deepestOf(const reaming::Material& material) {
 }
 
 std::optional<reaming::Material> readMaterialRoot(const Node& root) {
-  if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
+  if (!root.isObjectWithOnlyKeys({"format", "name", "title", "synthetic", "sets", "provenance"})) {
     return std::nullopt;
   }
   root.requireFormat("format", kMaterialFormat, "write one with 'palpate material fit'");
@@ -98,7 +98,7 @@ std::optional<reaming::Material> readMaterialRoot(const Node& root) {
       .title = root.text("title"),
       .isSynthetic = root.flag("synthetic", false)};
   for (const auto& node : root.requiredList("sets")) {
-    if (!node.isObjectWith({"test_set", "force", "torque", "jitter"})) continue;
+    if (!node.isObjectWithOnlyKeys({"test_set", "force", "torque", "jitter"})) continue;
     reaming::MaterialSet set{.set = node.choice("test_set", kSets)};
     if (const auto force = node.requiredObject("force")) set.force = readCurves(*force, kForceKeys);
     if (const auto torque = node.object("torque")) set.torque = readCurves(*torque, kTorqueKeys);

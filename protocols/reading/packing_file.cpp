@@ -30,7 +30,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
   const auto value = questionnaires::parseJson(line, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
-  if (!root.isObjectWith(
+  if (!root.isObjectWithOnlyKeys(
           {"format",
            "name",
            "title",

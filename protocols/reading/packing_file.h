@@ -12,10 +12,10 @@
 namespace protocols {
 
 /// Packings may be larger than other files.
-inline constexpr std::size_t kLargestPacking = 500'000'000;  ///< [bytes]
+inline constexpr std::size_t kMaxPackingBytes = 500'000'000;  ///< [bytes]
 
 /// The extension of packing files.
-inline constexpr std::string_view kPackingEnding = ".packing";
+inline constexpr std::string_view kPackingExtension = ".packing";
 
 /// The origin of a packing, stored in its file for readers.
 struct PackingOrigin {

@@ -34,7 +34,7 @@ Order readOrder(const Node& block) {
   // if the type cannot be read, Random stays, because no rule refuses it
   Order order{.type = OrderType::Random, .of = {}};
   const auto node = block.requiredObject("order");
-  if (!node || !node->isObjectWith({"type", "of"})) return order;
+  if (!node || !node->isObjectWithOnlyKeys({"type", "of"})) return order;
   const auto type = readChoice(*node, "type", kOrders);
   if (!type) return order;
   order.type = *type;
@@ -48,7 +48,7 @@ Order readOrder(const Node& block) {
 
 ConditionQuestionnaire readQuestionnaire(const Node& node) {
   ConditionQuestionnaire questionnaire;
-  if (!node.isObjectWith({"instrument", "set_by_condition"})) return questionnaire;
+  if (!node.isObjectWithOnlyKeys({"instrument", "set_by_condition"})) return questionnaire;
   questionnaire.instrument = node.id("instrument");
   if (const auto sets = node.object("set_by_condition")) {
     for (const auto& member : sets->members()) {
@@ -70,7 +70,7 @@ std::vector<std::string> readConditions(const Node& block) {
 }
 
 void readBlock(const Node& node, Phase& phase) {
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"id",
            "type",
            "conditions",
@@ -91,27 +91,28 @@ void readBlock(const Node& node, Phase& phase) {
 }
 
 void readBenchmark(const Node& node, Phase& phase) {
-  if (!node.isObjectWith({"id", "type", "text", "minimum_cuts"})) return;
+  if (!node.isObjectWithOnlyKeys({"id", "type", "text", "minimum_cuts"})) return;
   phase.text = readLocalized(node, "text");
   phase.minimumCuts = static_cast<int>(node.wholeNumber("minimum_cuts", 1, kMostCuts));
 }
 
 void readBreak(const Node& node, Phase& phase) {
   constexpr double kLongest = 86'400.0;  // [s]
-  if (!node.isObjectWith({"id", "type", "text", "seconds"})) return;
+  if (!node.isObjectWithOnlyKeys({"id", "type", "text", "seconds"})) return;
   phase.text = readLocalized(node, "text");
   phase.seconds = node.number("seconds", 0.0, kLongest, 0.0);
 }
 
 void readPreference(const Node& node, Phase& phase) {
-  if (!node.isObjectWith({"id", "type", "instrument", "block", "feel_again"})) return;
+  if (!node.isObjectWithOnlyKeys({"id", "type", "instrument", "block", "feel_again"})) return;
   phase.instrument = node.id("instrument");
   phase.block = node.id("block");
-  phase.mayFeelAgain = node.flag("feel_again", false);
+  phase.hasOptionalTrials = node.flag("feel_again", false);
 }
 
 void readWithInstrument(const Node& node, Phase& phase) {
-  if (node.isObjectWith({"id", "type", "instrument"})) phase.instrument = node.id("instrument");
+  if (node.isObjectWithOnlyKeys({"id", "type", "instrument"}))
+    phase.instrument = node.id("instrument");
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ void readWithInstrument(const Node& node, Phase& phase) {
 Phase readPhase(const Node& node) {
   Phase phase;
   if (!node.isObject()) {
-    node.isObjectWith({});
+    node.isObjectWithOnlyKeys({});
     return phase;
   }
   const std::string id = node.id("id");

@@ -106,7 +106,7 @@ std::vector<std::string> readLanguages(const Node& root) {
 
 StudyMetadata readMetadata(const Node& node) {
   StudyMetadata study;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"id", "title", "version", "authors", "organizations", "date", "description"})) {
     return study;
   }
@@ -123,7 +123,7 @@ StudyMetadata readMetadata(const Node& node) {
 Cohort readCohort(const Node& node) {
   constexpr int kMostPlanned = 10'000;
   Cohort cohort;
-  if (!node.isObjectWith({"id", "title", "planned"})) return cohort;
+  if (!node.isObjectWithOnlyKeys({"id", "title", "planned"})) return cohort;
   cohort.id = node.id("id");
   cohort.title = readLocalized(node, "title");
   cohort.planned = static_cast<int>(node.wholeNumber("planned", 0, kMostPlanned, 0));
@@ -146,9 +146,9 @@ const DeviceKind* readKind(const Node& device) {
   return nullptr;
 }
 
-DeviceNeed readDevice(const Node& node) {
-  DeviceNeed device{.kind = haptics::deviceKinds().front()};
-  if (!node.isObjectWith(
+DeviceRequirement readDevice(const Node& node) {
+  DeviceRequirement device{.kind = haptics::deviceKinds().front()};
+  if (!node.isObjectWithOnlyKeys(
           {"id",
            "kind",
            "max_force_n",
@@ -178,9 +178,9 @@ Condition readCondition(
     const Node& node,
     const Protocol& protocol,
     ReferencedFiles& files,
-    std::vector<FeltSource>& sources) {
+    std::vector<SceneDataSource>& sources) {
   Condition condition;
-  if (!node.isObjectWith({"id", "title", "scene"})) return condition;
+  if (!node.isObjectWithOnlyKeys({"id", "title", "scene"})) return condition;
   condition.id = node.id("id");
   condition.title = node.text("title");
   if (const auto scene = node.requiredObject("scene")) {
@@ -193,7 +193,7 @@ Condition readCondition(
 Labels readLabels(const Node& root) {
   Labels labels{.prefix = LocalizedText(std::map<std::string, std::string>{{"en", "Alternative"}})};
   const auto node = root.requiredObject("labels");
-  if (!node || !node->isObjectWith({"policy", "prefix"})) return labels;
+  if (!node || !node->isObjectWithOnlyKeys({"policy", "prefix"})) return labels;
   labels.policy = node->choice("policy", kPolicies);
   if (node->has("prefix")) labels.prefix = readLocalized(*node, "prefix");
   return labels;
@@ -232,7 +232,7 @@ std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
   return all;
 }
 
-Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSource>& sources) {
+Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<SceneDataSource>& sources) {
   Protocol protocol;
   requireSchema(root);
   if (const auto study = root.requiredObject("study")) protocol.study = readMetadata(*study);
@@ -240,9 +240,9 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   if (root.has("seed")) {
     protocol.seed = static_cast<std::uint64_t>(root.wholeNumber("seed", 0, kMostExactWhole));
   }
-  if (root.has("blinding")) protocol.isBlindingOpen = root.choice("blinding", kBlindings);
+  if (root.has("blinding")) protocol.isOpenLabel = root.choice("blinding", kBlindings);
   protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
-  protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
+  protocol.devices = readAll<DeviceRequirement>(root.requiredList("devices"), readDevice);
   protocol.instrumentFiles = readFileNames(root);
   if (const auto texts = root.object("texts")) protocol.texts = readBlankTexts(*texts);
   protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
@@ -263,7 +263,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
 
 /// Reads the instrument file with index @p index in 'instrument_files'.
 void addInstrument(
-    Draft& draft,
+    UnvalidatedProtocol& draft,
     ReferencedFiles& files,
     std::size_t index,
     questionnaires::BlankFiller& blanks,
@@ -286,7 +286,10 @@ void addInstrument(
 /// Reads the instruments of 'instrument_files', and then the instruments of the library that the
 /// protocol uses.
 void addInstruments(
-    Draft& draft, ReferencedFiles& files, questionnaires::BlankFiller& blanks, Problems& problems) {
+    UnvalidatedProtocol& draft,
+    ReferencedFiles& files,
+    questionnaires::BlankFiller& blanks,
+    Problems& problems) {
   auto& loaded = draft.loaded;
   const auto& names = loaded.protocol.instrumentFiles;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -328,25 +331,25 @@ bool isOtherFile(const Node& root) {
 
 }  // namespace
 
-bool Draft::lacksDevice(std::string_view id) const noexcept {
+bool UnvalidatedProtocol::lacksDevice(std::string_view id) const noexcept {
   const auto& protocol = loaded.protocol;
   return isValidId(id) && protocol.device(id) == nullptr && isComplete(protocol.devices);
 }
 
-bool Draft::lacksCondition(std::string_view id) const noexcept {
+bool UnvalidatedProtocol::lacksCondition(std::string_view id) const noexcept {
   const auto& protocol = loaded.protocol;
   return isValidId(id) && protocol.condition(id) == nullptr && isComplete(protocol.conditions);
 }
 
-bool Draft::lacksInstrument(std::string_view id) const noexcept {
+bool UnvalidatedProtocol::lacksInstrument(std::string_view id) const noexcept {
   return isValidId(id) && loaded.instrument(id) == nullptr && hasAllInstruments;
 }
 
-bool Draft::hasAllPhases() const noexcept {
+bool UnvalidatedProtocol::hasAllPhases() const noexcept {
   return isComplete(loaded.protocol.phases);
 }
 
-std::optional<Draft> readDraft(
+std::optional<UnvalidatedProtocol> readUnvalidatedProtocol(
     std::string_view json,
     const FileFinder& find,
     Problems& problems,
@@ -356,7 +359,7 @@ std::optional<Draft> readDraft(
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
   if (isOtherFile(root)) return std::nullopt;
-  if (!root.isObjectWith(
+  if (!root.isObjectWithOnlyKeys(
           {"$schema",
            "study",
            "languages",
@@ -374,7 +377,7 @@ std::optional<Draft> readDraft(
     return std::nullopt;
   }
   ReferencedFiles files(find, copies, problems, defaults);
-  Draft draft;
+  UnvalidatedProtocol draft;
   draft.loaded.text = json;
   draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);
   questionnaires::BlankFiller blanks(draft.loaded.protocol.texts);

@@ -15,7 +15,7 @@ namespace protocols {
 /// An unreadable part is empty, and its problem has been reported. Validation reports nothing about
 /// such a part, or about names that may refer to it. So all errors of a file are reported at once,
 /// without errors that are only consequences.
-struct Draft {
+struct UnvalidatedProtocol {
   LoadedProtocol loaded;
   bool hasAllInstruments = true;  ///< whether all files of 'instrument_files' were readable
 
@@ -33,7 +33,7 @@ struct Draft {
 /// Consistency is checked by validate().
 /// @param copies  finds copies of the library's instruments; if empty, the program's own
 ///     instruments are read.
-std::optional<Draft> readDraft(
+std::optional<UnvalidatedProtocol> readUnvalidatedProtocol(
     std::string_view json,
     const FileFinder& find,
     questionnaires::Problems& problems,
@@ -48,7 +48,7 @@ std::string withTexts(
 
 /// Returns @p json with another id and title of the study, so that it is a protocol of its own. The
 /// rest of the file, including line breaks and spaces, is unchanged.
-/// @pre @p json is a valid JSON object that readDraft() could read.
+/// @pre @p json is a valid JSON object that readUnvalidatedProtocol() could read.
 std::string withName(std::string_view json, const std::string& id, const std::string& title);
 
 }  // namespace protocols

@@ -58,7 +58,7 @@ haptics::recordings::Provenance readProvenance(const Node& cut) {
   constexpr double kMostSlope = 1e9;  // [N/travel unit]
   haptics::recordings::Provenance provenance;
   const auto node = cut.object("provenance");
-  if (!node || !node->isObjectWith(
+  if (!node || !node->isObjectWithOnlyKeys(
                    {"statement",
                     "source_file",
                     "source_sha256",

@@ -20,7 +20,8 @@ constexpr std::string_view kCalibrationFormat = "palpate-calibration-1";
 constexpr double kLargestCoefficient = 1e12;
 
 ForceCalibration readCalibrationRoot(const Node& root) {
-  if (!root.isObjectWith({"format", "name", "unit", "coefficients_n", "range", "provenance"})) {
+  if (!root.isObjectWithOnlyKeys(
+          {"format", "name", "unit", "coefficients_n", "range", "provenance"})) {
     return {};
   }
   root.requireFormat("format", kCalibrationFormat, "write one with 'palpate recording calibrate'");
@@ -107,7 +108,7 @@ TableColumn readColumn(const Node& node) {
 }
 
 void readTime(const Node& node, RecordingColumns& columns) {
-  if (!node.isObjectWith({"column", "unit", "rate_hz"})) return;
+  if (!node.isObjectWithOnlyKeys({"column", "unit", "rate_hz"})) return;
   if (node.has("rate_hz") == node.has("column")) {
     node.problem(
         node.has("column") ? "rate_hz" : "column",
@@ -124,7 +125,7 @@ void readTime(const Node& node, RecordingColumns& columns) {
 }
 
 void readTravel(const Node& node, RecordingColumns& columns) {
-  if (!node.isObjectWith({"column", "open", "closed"})) return;
+  if (!node.isObjectWithOnlyKeys({"column", "open", "closed"})) return;
   columns.travel = readColumn(node);
   columns.open = node.number("open", -kLargestCell, kLargestCell);
   columns.closed = node.number("closed", -kLargestCell, kLargestCell);
@@ -135,7 +136,7 @@ void readTravel(const Node& node, RecordingColumns& columns) {
 }
 
 void readForce(const Node& node, RecordingColumns& columns) {
-  if (!node.isObjectWith({"column", "unit", "zero", "factor", "saturates_at"})) return;
+  if (!node.isObjectWithOnlyKeys({"column", "unit", "zero", "factor", "saturates_at"})) return;
   columns.force = readColumn(node);
   columns.readingUnit = node.text("unit");
   columns.forceZero = node.number("zero", -kLargestCell, kLargestCell, 0.0);
@@ -154,7 +155,7 @@ void readForce(const Node& node, RecordingColumns& columns) {
 
 ColumnsFile readColumnsRoot(const Node& root) {
   ColumnsFile file;
-  if (!root.isObjectWith(
+  if (!root.isObjectWithOnlyKeys(
           {"format", "skip_lines", "separator", "time", "travel", "force", "calibration"})) {
     return file;
   }

@@ -88,7 +88,7 @@ const ReferencedFiles::PackingFile* ReferencedFiles::packing(
       name,
       path,
       read,
-      {kPackingEnding, "name a file that 'palpate packing' has written"});
+      {kPackingExtension, "name a file that 'palpate packing' has written"});
 }
 
 std::shared_ptr<const Anatomy> ReferencedFiles::anatomy(
@@ -105,7 +105,7 @@ std::shared_ptr<const Anatomy> ReferencedFiles::anatomy(
       name,
       path,
       read,
-      {kAnatomyEnding, "save the anatomy as OBJ, and name that file"});
+      {kAnatomyExtension, "save the anatomy as OBJ, and name that file"});
   return file == nullptr ? nullptr : *file;
 }
 
@@ -310,7 +310,7 @@ std::shared_ptr<const haptics::reaming::PackedBone> SceneSources::packing(
   return packing->bone;
 }
 
-void SceneSources::useParametricMaterial() {
+void SceneSources::addParametricMaterial() {
   add(
       {.kind = "material",
        .file = {},
@@ -336,7 +336,7 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
 }
 
 /// Adds a source to the list, unless a condition added it already; adds the condition to it.
-void SceneSources::add(FeltSource source) {
+void SceneSources::add(SceneDataSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;
   });

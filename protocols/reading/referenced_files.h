@@ -114,7 +114,8 @@ class SceneSources {
  public:
   /// All arguments must outlive this object.
   /// @param condition  id of the condition.
-  SceneSources(ReferencedFiles& files, std::vector<FeltSource>& all, const std::string& condition)
+  SceneSources(
+      ReferencedFiles& files, std::vector<SceneDataSource>& all, const std::string& condition)
       : files_(files), all_(all), condition_(condition) {}
 
   /// The defaults of keys that the scene leaves out.
@@ -132,7 +133,7 @@ class SceneSources {
       const std::string& name, haptics::reaming::TestSet set, const std::string& path);
 
   /// Adds the built-in material to the sources.
-  void useParametricMaterial();
+  void addParametricMaterial();
 
   /// The bone in a file, or the built-in bone if @p name is kParametricBone.
   std::shared_ptr<const haptics::reaming::PackedBone> packing(
@@ -141,10 +142,10 @@ class SceneSources {
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
  private:
-  void add(FeltSource source);
+  void add(SceneDataSource source);
 
   ReferencedFiles& files_;
-  std::vector<FeltSource>& all_;
+  std::vector<SceneDataSource>& all_;
   const std::string& condition_;
 };
 

@@ -61,7 +61,7 @@ Read<engine::InterpolationSpec> readInterpolation(
     const Node& node, const Context& context, models::Extrapolation beyond) {
   engine::InterpolationSpec spec;
   spec.options.extrapolation = beyond;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
     return std::nullopt;
   }
@@ -70,7 +70,7 @@ Read<engine::InterpolationSpec> readInterpolation(
       node.choice("beyond", engine::kExtrapolationNames, spec.options.extrapolation);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
-  spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
+  spec.transitionWidth = node.number("turning_width", 0.001, 100.0, spec.transitionWidth);
   if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
   const auto* cut = context.sources.cut(name, node.pathOf("cut"));
   if (cut == nullptr) return std::nullopt;
@@ -81,7 +81,7 @@ Read<engine::InterpolationSpec> readInterpolation(
 Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   engine::FiniteElementsSpec spec;
   auto& p = spec.parameters;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"elements",
            "start",
            "end",
@@ -116,7 +116,7 @@ Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   p.yieldForce = node.number("yield_force_n", 0.0, 1000.0, p.yieldForce);
   p.boundary = node.choice("boundary", engine::kBoundaryNames, p.boundary);
   p.weights = node.choice("weights", engine::kWeightsNames, p.weights);
-  p.yielding = node.choice("yielding", engine::kYieldingNames, p.yielding);
+  p.yielding = node.choice("yielding", engine::kYieldLawNames, p.yielding);
   return spec;
 }
 
@@ -129,7 +129,7 @@ void refuseNumbersBesideAsPrinted(const Node& node) {
 }
 
 void readNoise(const Node& node, engine::KalmanSpec& spec) {
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"process",
            "process_force",
            "process_covariance",
@@ -158,7 +158,8 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   engine::KalmanSpec spec{
       .noise = models::KalmanNoise<double>::published(kUsualProcess),
       .scheme = models::KalmanScheme::SpaceDomain};
-  if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {
+  if (!node.isObjectWithOnlyKeys(
+          {"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {
     return std::nullopt;
   }
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
@@ -223,7 +224,7 @@ bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec&
 
 Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"hardness",
            "force_scale",
            "removal",
@@ -245,12 +246,13 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context
   spec.isRemoved = node.flag("removal", spec.isRemoved);
   refuseWithoutMaterial(node);
   if (!node.has("nodes")) {
-    context.sources.useParametricMaterial();
+    context.sources.addParametricMaterial();
     return spec;
   }
   spec.nodes.clear();
   for (const auto& entry : node.requiredList("nodes")) {
-    if (!entry.isObjectWith({"depth_m", "lower_n", "upper_n", "lower_nm", "upper_nm"})) continue;
+    if (!entry.isObjectWithOnlyKeys({"depth_m", "lower_n", "upper_n", "lower_nm", "upper_nm"}))
+      continue;
     spec.nodes.push_back(
         {entry.number("depth_m", 0.0, 1.0),
          entry.number("lower_n", 0.0, 1e5),
@@ -263,7 +265,7 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context
 
 Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) {
   engine::PackingSpec spec;
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"hardness",
            "force_scale",
            "packing",
@@ -328,8 +330,8 @@ Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
 engine::Reamer readReamer(const Node& scene, Defaults defaults) {
   engine::Reamer reamer;
   const auto node = scene.object("reamer");
-  if (!node) return defaults == Defaults::Release01 ? engine::Reamer::withoutLimit() : reamer;
-  if (!node->isObjectWith({"speed", "teeth", "feed_per_tooth"})) return reamer;
+  if (!node) return defaults == Defaults::Release01 ? engine::Reamer::withoutFeedLimit() : reamer;
+  if (!node->isObjectWithOnlyKeys({"speed", "teeth", "feed_per_tooth"})) return reamer;
   constexpr double kMost = engine::Reamer::kMostSpeed;
   constexpr double kMillimetre = 1e-3;
   reamer.speed = node->number("speed", -kMost, kMost, reamer.speed);
@@ -344,7 +346,7 @@ using ReadModel = Read<engine::ModelSpec> (*)(const Node&, const Context&);
 template <typename... Spec>
 constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
   return std::array{Choice<ReadModel>{
-      Spec::kFacts.name, [](const Node& node, const Context& context) -> Read<engine::ModelSpec> {
+      Spec::kInfo.name, [](const Node& node, const Context& context) -> Read<engine::ModelSpec> {
         return readModel<Spec>(node, context);
       }}...};
 }
@@ -383,7 +385,7 @@ std::optional<ReadModel> readModelName(const Node& scene) {
 
 void readScene(
     const Node& scene, const Protocol& protocol, SceneSources& sources, Condition& condition) {
-  if (!scene.isObjectWith(
+  if (!scene.isObjectWithOnlyKeys(
           {"device",
            "model",
            "parameters",
@@ -395,7 +397,7 @@ void readScene(
   }
   condition.device = scene.id("device");
   condition.isVisualised = scene.flag("visualisation", false);
-  condition.seenTissue = scene.choice(
+  condition.tissueDrawing = scene.choice(
       "tissue_follows",
       engine::kTissueDrawingNames,
       sources.defaults() == Defaults::Release01 ? engine::TissueDrawing::Force

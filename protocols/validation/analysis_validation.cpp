@@ -16,7 +16,7 @@ using questionnaires::shown;
 /// Checks one family of comparisons.
 class FamilyCheck {
  public:
-  FamilyCheck(const Draft& draft, std::size_t index, Problems& problems)
+  FamilyCheck(const UnvalidatedProtocol& draft, std::size_t index, Problems& problems)
       : draft_(draft),
         protocol_(draft.loaded.protocol),
         family_(protocol_.analysis.families[index]),
@@ -206,7 +206,7 @@ class FamilyCheck {
            std::find(felt.begin(), felt.end(), condition) != felt.end();
   }
 
-  const Draft& draft_;
+  const UnvalidatedProtocol& draft_;
   const Protocol& protocol_;
   const Family& family_;
   std::string path_;
@@ -215,7 +215,7 @@ class FamilyCheck {
 
 }  // namespace
 
-void validateAnalysis(const Draft& draft, Problems& problems) {
+void validateAnalysis(const UnvalidatedProtocol& draft, Problems& problems) {
   const auto& protocol = draft.loaded.protocol;
   for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
     FamilyCheck(draft, i, problems).all();

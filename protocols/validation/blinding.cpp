@@ -13,7 +13,7 @@ class BlindingCheck {
   explicit BlindingCheck(const Protocol& protocol) : protocol_(protocol) {}
 
   std::vector<Disclosure> all() && {
-    if (protocol_.isBlindingOpen) {
+    if (protocol_.isOpenLabel) {
       return {{"$.blinding", message("blinding_open"), message("blinding_open.fix")}};
     }
     if (protocol_.seed) {

@@ -20,7 +20,7 @@ std::set<std::string> asSet(const std::vector<std::string>& names) {
 /// Checks one block of a protocol.
 class BlockCheck {
  public:
-  BlockCheck(const Draft& draft, std::size_t index, Problems& problems)
+  BlockCheck(const UnvalidatedProtocol& draft, std::size_t index, Problems& problems)
       : draft_(draft),
         protocol_(draft.loaded.protocol),
         phase_(protocol_.phases[index]),
@@ -135,7 +135,7 @@ class BlockCheck {
     }
   }
 
-  const Draft& draft_;
+  const UnvalidatedProtocol& draft_;
   const Protocol& protocol_;
   const Phase& phase_;
   const Block& block_;
@@ -143,7 +143,7 @@ class BlockCheck {
   Problems& problems_;
 };
 
-void checkPreference(const Draft& draft, std::size_t index, Problems& problems) {
+void checkPreference(const UnvalidatedProtocol& draft, std::size_t index, Problems& problems) {
   const auto& protocol = draft.loaded.protocol;
   const auto& phase = protocol.phases[index];
   const auto* block = protocol.phase(phase.block);
@@ -162,7 +162,7 @@ void checkPreference(const Draft& draft, std::size_t index, Problems& problems) 
 
 }  // namespace
 
-void validateBlocks(const Draft& draft, Problems& problems) {
+void validateBlocks(const UnvalidatedProtocol& draft, Problems& problems) {
   const auto& phases = draft.loaded.protocol.phases;
   bool hasBlock = false;
   for (std::size_t i = 0; i < phases.size(); ++i) {

@@ -59,7 +59,7 @@ void adviseOnBranches(
 /// felt as a plateau.
 void adviseOnLimit(
     const engine::InterpolationSpec& spec,
-    const DeviceNeed& device,
+    const DeviceRequirement& device,
     const std::string& path,
     Problems& problems) {
   double most = 0.0;
@@ -233,7 +233,7 @@ void adviseOn(
 
 }  // namespace
 
-void validateBenchmarks(const Draft& draft, Problems& problems) {
+void validateBenchmarks(const UnvalidatedProtocol& draft, Problems& problems) {
   if (!draft.hasAllPhases()) return;
   const auto& phases = draft.loaded.protocol.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {

@@ -65,7 +65,7 @@ void checkScene(
 }
 
 /// Whether the tissue of @p condition is shown, because of its scene or of a block.
-bool isSeen(const Draft& draft, const Condition& condition) {
+bool isSeen(const UnvalidatedProtocol& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
   return condition.isVisualised ||
          std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
@@ -75,7 +75,7 @@ bool isSeen(const Draft& draft, const Condition& condition) {
          });
 }
 
-void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
+void checkCondition(const UnvalidatedProtocol& draft, std::size_t index, Problems& problems) {
   const auto& condition = draft.loaded.protocol.conditions[index];
   const std::string path = pathTo("conditions", index) + ".scene";
   if (draft.lacksDevice(condition.device)) {
@@ -155,7 +155,8 @@ std::string namesOfTheLibrary() {
   return names;
 }
 
-void checkInstrument(const Draft& draft, const InstrumentUse& use, Problems& problems) {
+void checkInstrument(
+    const UnvalidatedProtocol& draft, const InstrumentUse& use, Problems& problems) {
   if (draft.lacksInstrument(use.instrument)) {
     problems.add(
         use.path,
@@ -183,7 +184,7 @@ void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
 
 }  // namespace
 
-void validate(const Draft& draft, Problems& problems) {
+void validate(const UnvalidatedProtocol& draft, Problems& problems) {
   const auto& protocol = draft.loaded.protocol;
   checkUnique(protocol.cohorts, "cohorts", "cohorts", problems);
   checkUnique(protocol.devices, "devices", "devices", problems);
@@ -229,13 +230,14 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
               " N/s the largest one comes at once, as a blow",
           "write less than " + shown(steepest) + "; shipped protocols have 500 for 8 N");
     }
-    if (device.maxForce > device.kind->simulatedForce) {
+    if (device.maxForce > device.kind->simulatedMaxForce) {
       problems.add(
           path + "max_force_n",
-          "a " + std::string(device.kind->name) + " gives " + shown(device.kind->simulatedForce) +
+          "a " + std::string(device.kind->name) + " gives " +
+              shown(device.kind->simulatedMaxForce) +
               " N (docs/devices.md, 'Saturation'), and this is " + shown(device.maxForce) +
               " N: what is asked for beyond is not felt",
-          "write " + shown(device.kind->simulatedForce) +
+          "write " + shown(device.kind->simulatedMaxForce) +
               " or less; scenes of bone can be scaled ('force_scale'), recorded cuts cannot");
     }
   }

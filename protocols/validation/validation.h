@@ -15,18 +15,18 @@ namespace protocols {
 /// consent, orders that refer to each other, a scene that cannot be compiled. (addWarnings()
 /// reports designs that are valid but doubtful.) Nothing is reported about unreadable parts and
 /// their consequences, because unreadable parts were reported already.
-void validate(const Draft& draft, questionnaires::Problems& problems);
+void validate(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
 /// Reports problems of a protocol's analysis plan and of its simulation.
-void validateAnalysis(const Draft& draft, questionnaires::Problems& problems);
+void validateAnalysis(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
 /// Reports problems of a protocol's blocks, of their orders and questionnaires, and of preferences
 /// between their alternatives.
-void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
+void validateBlocks(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
 /// Reports questions about a benchmark if no earlier phase is a benchmark. Not called for studies
 /// of release 0.1, so that their protocols stay valid.
-void validateBenchmarks(const Draft& draft, questionnaires::Problems& problems);
+void validateBenchmarks(const UnvalidatedProtocol& draft, questionnaires::Problems& problems);
 
 /// Reports force limits above what a hand bears without pain or above what the kind of device can
 /// render, and rate limits that are too high to have an effect. Called only for protocol files; an

@@ -28,7 +28,7 @@ bool Node::isSound() const {
       all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(path_); });
 }
 
-bool Node::isObjectWith(std::span<const std::string_view> names) const {
+bool Node::isObjectWithOnlyKeys(std::span<const std::string_view> names) const {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) {
     problem("", "an object is expected here, not " + typeName(*value_), "write { … }");

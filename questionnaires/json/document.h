@@ -21,7 +21,7 @@ namespace questionnaires {
 /// Valid as defined by the Unicode standard: no overlong forms, no surrogates, nothing above
 /// U+10FFFF. An emoji with a skin tone, and a letter with a combining accent, count as two
 /// characters.
-std::optional<std::size_t> charactersIn(std::string_view text) noexcept;
+std::optional<std::size_t> utf8CharacterCount(std::string_view text) noexcept;
 
 /// A JSON value and its children. Members are in the order of the file.
 struct Value {
@@ -88,10 +88,10 @@ class Node {
 
   /// Reports every key that is not in @p known as a problem, with the most similar known key.
   /// Returns false and adds a problem if this value is not an object.
-  bool isObjectWith(std::initializer_list<std::string_view> known) const {
-    return isObjectWith(std::span(known.begin(), known.size()));
+  bool isObjectWithOnlyKeys(std::initializer_list<std::string_view> known) const {
+    return isObjectWithOnlyKeys(std::span(known.begin(), known.size()));
   }
-  bool isObjectWith(std::span<const std::string_view> known) const;
+  bool isObjectWithOnlyKeys(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
   const Value& value() const noexcept { return *value_; }

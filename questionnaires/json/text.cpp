@@ -57,7 +57,7 @@ std::size_t validUtf8Length(std::string_view text) noexcept {
 
 }  // namespace
 
-std::optional<std::size_t> charactersIn(std::string_view text) noexcept {
+std::optional<std::size_t> utf8CharacterCount(std::string_view text) noexcept {
   std::size_t count = 0;
   while (!text.empty()) {
     const std::size_t length = validUtf8Length(text);
@@ -150,7 +150,7 @@ std::string shown(std::string_view text) {
   std::size_t end = std::min(text.size(), kLongest);
   while (end > 0 && end < text.size() && isInsideCharacter(text[end])) --end;
   std::string result(text.substr(0, end));
-  const bool isSound = charactersIn(result).has_value();
+  const bool isSound = utf8CharacterCount(result).has_value();
   const auto isOdd = [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7f || (byte > 0x7f && !isSound);

@@ -80,7 +80,7 @@ MaybeError validateText(const Item& item, const Response& response) {
   const auto* text = std::get_if<std::string>(&response);
   if (text == nullptr) return "the answer is no text";
   if (text->find('\0') != std::string::npos) return "the text holds the character NUL";
-  const auto characters = charactersIn(*text);
+  const auto characters = utf8CharacterCount(*text);
   if (!characters) return "the text is no sound UTF-8";
   if (*characters > longestAnswer(item)) {
     return "the text has " + std::to_string(*characters) + " characters; at most " +

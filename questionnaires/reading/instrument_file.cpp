@@ -90,7 +90,8 @@ bool isDoi(std::string_view doi) {
 Source readSource(const Node& root) {
   Source source;
   const auto node = root.requiredObject("source");
-  if (!node || !node->isObjectWith({"citation", "doi", "licence", "note", "wording_from"})) {
+  if (!node ||
+      !node->isObjectWithOnlyKeys({"citation", "doi", "licence", "note", "wording_from"})) {
     return source;
   }
   source.citation = node->text("citation");
@@ -160,7 +161,7 @@ std::optional<Instrument> readInstrument(
   const auto value = parseJson(json, found);
   if (value) {
     const Node root(*value, "$", found);
-    if (root.isObjectWith(
+    if (root.isObjectWithOnlyKeys(
             {"$schema",
              "id",
              "version",

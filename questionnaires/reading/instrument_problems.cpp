@@ -9,7 +9,7 @@
 namespace questionnaires {
 namespace {
 
-void inspectHead(const Instrument& instrument, const TextProblems& texts, Problems& problems) {
+void inspectHead(const Instrument& instrument, const TextCheck& texts, Problems& problems) {
   if (!isValidId(instrument.id)) {
     problems.add("$.id", "'" + shown(instrument.id) + "' cannot be an id", "give it a name");
   }
@@ -99,7 +99,7 @@ void inspectScores(const Instrument& instrument, Problems& problems) {
 
 Problems problemsOf(const Instrument& instrument) {
   Problems problems;
-  const TextProblems texts(instrument.languages, problems);
+  const TextCheck texts(instrument.languages, problems);
   inspectHead(instrument, texts, problems);
   inspectItems(instrument, problems);
   inspectScores(instrument, problems);

@@ -52,10 +52,10 @@ bool isBlank(const std::string& text);
 std::string placeholdersOf(const std::string& text);
 
 /// Checks that the texts of an instrument exist in all required languages.
-class TextProblems {
+class TextCheck {
  public:
   /// Both arguments must outlive this object.
-  TextProblems(const std::vector<std::string>& languages, Problems& problems)
+  TextCheck(const std::vector<std::string>& languages, Problems& problems)
       : languages_(languages), problems_(problems) {}
 
   /// Reports a text that participants see if it is missing in English or in a language of the
@@ -82,7 +82,7 @@ void inspectItem(
 
 /// Adds the problems of a scale.
 void inspectScale(
-    const Scale& scale, const std::string& path, const TextProblems& texts, Problems& problems);
+    const Scale& scale, const std::string& path, const TextCheck& texts, Problems& problems);
 
 /// Adds the problems of @p score, which is at @p path ("$.scores[0]") of @p instrument.
 void inspectScore(

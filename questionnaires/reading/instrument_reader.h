@@ -68,7 +68,7 @@ class ItemReader {
   /// Reads the item's scale; without one, copies the instrument's.
   void readScaleOf(const Node& node, Item& item) const;
   /// Reads the labels of the low and the high end.
-  void readEnds(const Node& node, Item& item) const;
+  void readEndLabels(const Node& node, Item& item) const;
   LocalizedText readText(const Node& node, std::string_view key, bool isWithheld) const;
   void readOptions(const Node& node, Item& item) const;
   Option readOption(const Node& node, std::size_t index) const;

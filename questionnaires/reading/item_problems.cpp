@@ -42,7 +42,7 @@ class ItemInspection {
   const Item& item_;
   std::string path_;
   Problems& problems_;
-  TextProblems texts_;
+  TextCheck texts_;
 };
 
 void ItemInspection::inspectHead() const {
@@ -214,7 +214,7 @@ void ItemInspection::inspectLength() const {
 }  // namespace
 
 void inspectScale(
-    const Scale& scale, const std::string& path, const TextProblems& texts, Problems& problems) {
+    const Scale& scale, const std::string& path, const TextCheck& texts, Problems& problems) {
   if (scale.points < kFewestPoints || scale.points > kMostPoints) {
     problems.add(
         path + ".points",

@@ -42,7 +42,7 @@ void readLabels(const Node& node, const TextReader& texts, Scale& scale) {
 
 Scale readScale(const Node& node, const TextReader& texts) {
   Scale scale = defaultScale(texts);
-  if (!node.isObjectWith({"lowest", "points", "low_label", "high_label", "point_labels"})) {
+  if (!node.isObjectWithOnlyKeys({"lowest", "points", "low_label", "high_label", "point_labels"})) {
     return scale;
   }
   scale.lowest = static_cast<int>(node.wholeNumber("lowest", -kFarthestPoint, kFarthestPoint, 1));
@@ -145,7 +145,7 @@ std::optional<ItemTypeFacts> typeOf(const Node& node) {
 }
 
 bool hasOnlyKnownKeys(const Node& node) {
-  return node.isObjectWith(
+  return node.isObjectWithOnlyKeys(
       {"id",
        "type",
        "text",
@@ -195,7 +195,7 @@ void readRange(const Node& node, Item& item) {
 
 ShowIf readShowIf(const Node& node) {
   ShowIf showIf;
-  if (!node.isObjectWith({"item", "is"})) return showIf;
+  if (!node.isObjectWithOnlyKeys({"item", "is"})) return showIf;
   showIf.item = node.id("item");
   for (const auto& option : node.requiredList("is")) showIf.isIn.push_back(option.asText());
   return showIf;
@@ -275,9 +275,9 @@ void ItemReader::readKind(const Node& node, Item& item) const {
       return readScaleOf(node, item);
     case ItemType::SemanticDifferential:
       readScaleOf(node, item);
-      return readEnds(node, item);
+      return readEndLabels(node, item);
     case ItemType::Slider:
-      readEnds(node, item);
+      readEndLabels(node, item);
       return readRange(node, item);
     case ItemType::Number:
       return readRange(node, item);
@@ -311,7 +311,7 @@ void ItemReader::readScaleOf(const Node& node, Item& item) const {
   }
 }
 
-void ItemReader::readEnds(const Node& node, Item& item) const {
+void ItemReader::readEndLabels(const Node& node, Item& item) const {
   item.leftText = readText(node, "left_label", item.withholds(WordingField::LeftLabel));
   item.rightText = readText(node, "right_label", item.withholds(WordingField::RightLabel));
 }
@@ -334,7 +334,7 @@ void ItemReader::readOptions(const Node& node, Item& item) const {
 }
 
 Option ItemReader::readOption(const Node& node, std::size_t index) const {
-  if (!node.isObjectWith({"id", "text"})) {
+  if (!node.isObjectWithOnlyKeys({"id", "text"})) {
     return {.id = "unread." + std::to_string(index), .text = texts_.fallbackText()};
   }
   return {.id = idOrGenerated(node, "id", index), .text = texts_.required(node, "text")};

@@ -173,7 +173,7 @@ void inspectScore(
         "'" + shown(score.id) + "' is the id of an item too",
         "a column needs a name of its own");
   }
-  const TextProblems texts(instrument.languages, problems);
+  const TextCheck texts(instrument.languages, problems);
   texts.inspectResearcherText(path + ".title", score.title);
   inspectScoredItems(instrument, score, path, problems);
   inspectHowManyAnswers(score, path, problems);

@@ -68,7 +68,7 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
   Score score;
   score.id = "unread." + std::to_string(index);
   score.title = texts.fallbackText();
-  if (!node.isObjectWith(
+  if (!node.isObjectWithOnlyKeys(
           {"id",
            "title",
            "items",
@@ -101,7 +101,7 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
 
 ConsistencyRule readConsistencyRule(const Node& node) {
   ConsistencyRule rule;
-  if (!node.isObjectWith({"scores", "widest_range", "suspicious_from"})) return rule;
+  if (!node.isObjectWithOnlyKeys({"scores", "widest_range", "suspicious_from"})) return rule;
   if (!node.has("scores")) node.problem("", "'scores' is missing", "add it");
   rule.scores = node.ids("scores");
   rule.widestRange = node.number("widest_range", 0.0, kLargestFactor);

@@ -111,7 +111,7 @@ std::string placeholdersOf(const std::string& text) {
   return result;
 }
 
-void TextProblems::inspect(const std::string& path, const LocalizedText& text) const {
+void TextCheck::inspect(const std::string& path, const LocalizedText& text) const {
   demand(path, text, "en");
   for (const auto& language : languages_) {
     if (language != "en") demand(path, text, language);
@@ -119,12 +119,12 @@ void TextProblems::inspect(const std::string& path, const LocalizedText& text) c
   inspectLanguages(path, text);
 }
 
-void TextProblems::inspectResearcherText(const std::string& path, const LocalizedText& text) const {
+void TextCheck::inspectResearcherText(const std::string& path, const LocalizedText& text) const {
   demand(path, text, "en");
   inspectLanguages(path, text);
 }
 
-void TextProblems::demand(
+void TextCheck::demand(
     const std::string& path, const LocalizedText& text, const std::string& language) const {
   if (text.has(language)) return;
   std::string fix = "write something: English is shown where another language has no text";
@@ -136,7 +136,7 @@ void TextProblems::demand(
   problems_.add(path + "." + language, "the text in '" + language + "' is missing", std::move(fix));
 }
 
-void TextProblems::inspectLanguages(const std::string& path, const LocalizedText& text) const {
+void TextCheck::inspectLanguages(const std::string& path, const LocalizedText& text) const {
   for (const auto& [language, words] : text.all()) {
     std::string place = path;
     place.append(".").append(language);

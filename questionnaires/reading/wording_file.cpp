@@ -34,7 +34,7 @@ std::string whereFrom(const Source& source) {
 
 Wording readWordingRoot(const Node& root) {
   Wording wording;
-  if (!root.isObjectWith(
+  if (!root.isObjectWithOnlyKeys(
           {"format",
            "instrument",
            "version",

@@ -22,7 +22,7 @@ void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
   command.add_option(name, file, "A protocol file, or one of the library by name")->required();
 }
 
-protocols::LoadedProtocol usableProtocol(const std::string& file) {
+protocols::LoadedProtocol loadValidProtocol(const std::string& file) {
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocolFile(file, problems);
   if (!loaded) {

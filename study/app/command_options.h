@@ -48,7 +48,7 @@ void addStudyFolder(CLI::App& command, std::string& folder);
 void addProtocolFile(CLI::App& command, std::string& file, const char* name = "FILE");
 
 /// The protocol in a file or in the library. @throws UserError  with all problems of the file.
-protocols::LoadedProtocol usableProtocol(const std::string& file);
+protocols::LoadedProtocol loadValidProtocol(const std::string& file);
 
 /// Adds --run-mode to @p command.
 void addRunModeOption(CLI::App& command, std::string& name);

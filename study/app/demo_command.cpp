@@ -39,9 +39,10 @@ std::string punchProtocol(const DemoArguments& options, const fs::path& folder) 
   std::string text = libraryProtocol("punch-face-validity");
   if (!options.recording.empty()) {
     const auto recording = haptics::recordings::readRecordingFile(options.recording);
-    const auto imported = importCutOfStudy(recording);
+    const auto imported = importPublishedCut(recording);
     writeNewFile(
-        (folder / "recorded-cut.json").string(), cutAsJsonFrom(options.recording, imported.cut));
+        (folder / "recorded-cut.json").string(),
+        cutAsJsonWithSource(options.recording, imported.cut));
     fmt::print("Cut from {}: {}\n", recording.source, imported.report.reason);
     for (const auto& change : imported.report.changes) fmt::print("  {}\n", change);
     text = withRecordedCut(std::move(text), "recorded-cut.json");
@@ -85,7 +86,7 @@ int demo(const DemoArguments& options) {
   writeNewFile(reaming, libraryProtocol("reaming-hardness"));
   sections.push_back(runStudy(reaming, folder, "reaming-study", options.seed));
   const auto page = (folder / "report.html").string();
-  writeNewFile(page, reportFor(page, sections));
+  writeNewFile(page, reportFileContent(page, sections));
   const std::string place = fs::absolute(folder).lexically_normal().string();
   fmt::print(
       "\nReport:   {0}/report.html\nExports:  {0}/export-punch-study, {0}/export-reaming-study\n"

@@ -17,7 +17,7 @@ std::string pdfOf(
 }
 
 std::string htmlOf(const std::string& text) {
-  return report::paragraphsOf(text);
+  return report::plainTextAsHtml(text);
 }
 
 int writeFigures(

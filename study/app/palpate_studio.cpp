@@ -85,7 +85,7 @@ int writeKnee(const QString& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  study::keepNewFilesPrivate();
+  study::setPrivateUmask();
   study::app::escapeControlCharactersInOutput();
   QCommandLineParser parser;
   describe(parser);
@@ -131,13 +131,13 @@ int main(int argc, char** argv) {
 
   const QString folder = folderOf(path);
   int status = 1;
-  study::gui::askForKeyOf(folder.toStdString(), nullptr);
-  study::gui::askForNamesOf(folder.toStdString(), nullptr);
+  study::gui::askForPassphraseOfKey(folder.toStdString(), nullptr);
+  study::gui::askForPassphraseOfNames(folder.toStdString(), nullptr);
   study::gui::attempt(nullptr, study::gui::Matter::StudyNotOpened, [&] {
     auto study = study::Study::open(folder.toStdString());
     study::gui::OperatorWindow window(study, devices);
     const auto& title = study.protocol().protocol.study.title;
-    study::gui::rememberStudy(folder, QString::fromStdString(title));
+    study::gui::addRecentStudy(folder, QString::fromStdString(title));
     window.show();
     status = QApplication::exec();
   });

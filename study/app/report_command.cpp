@@ -72,16 +72,16 @@ int report(const ReportArguments& options) {
     auto study = Study::open(folder, accessForUnblinding(options.reason));
     askForKeyIfLocked(study);
     const auto mode = chosenRunMode(study, options.runMode);
-    noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
-    if (!options.figures.empty()) noteReport(study, mode, "figures", options.figures);
+    recordUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
+    if (!options.figures.empty()) recordReportPath(study, mode, "figures", options.figures);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
     sections.back().hasQuotes = options.hasQuotes;
     sections.back().wording = wordingNamed(options.wording);
     studies.emplace_back(std::move(study), mode);
   }
   const auto paper = options.paper == "letter" ? report::Paper::Letter : report::Paper::A4;
-  const auto page = reportFor(options.out, sections, paper);
-  for (auto& [study, mode] : studies) noteReport(study, mode, "report", options.out, page);
+  const auto page = reportFileContent(options.out, sections, paper);
+  for (auto& [study, mode] : studies) recordReportPath(study, mode, "report", options.out, page);
   writeNewFile(options.out, page);
   fmt::print("Report saved: {}\n", options.out);
   if (!options.figures.empty()) writeFigureFolder(sections, options.figures, formatOf(options));

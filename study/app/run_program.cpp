@@ -58,7 +58,7 @@ bool isPrinted(const CLI::App& program) {
 }  // namespace
 
 int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
-  keepNewFilesPrivate();
+  setPrivateUmask();
   escapeControlCharactersInOutput();
   try {
     program.parse(argc, argv);

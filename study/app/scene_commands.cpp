@@ -52,7 +52,8 @@ struct ExplainOptions {
   bool json = false;
 };
 
-void printSources(const std::vector<protocols::FeltSource>& sources, const std::string& condition) {
+void printSources(
+    const std::vector<protocols::SceneDataSource>& sources, const std::string& condition) {
   for (const auto& source : sources) {
     const auto& all = source.conditions;
     if (std::find(all.begin(), all.end(), condition) == all.end()) continue;
@@ -207,7 +208,7 @@ int explain(const ExplainOptions& options) {
   const auto device = deviceFor(options, file->protocol, *condition);
   const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
-  if (options.cost) costs = costsOf(spec, *device.kind);
+  if (options.cost) costs = measureCosts(spec, *device.kind);
   if (options.json) {
     std::fputs(passesAsJson(*condition, scene, slope, device, costs).c_str(), stdout);
   } else {
@@ -256,8 +257,8 @@ void playCondition(
     std::vector<PlayedCurve>& curves) {
   const auto* written = haptics::engine::partsOf(spec.model).filter;
   const bool isAlone = options.conditions.size() == 1;
-  const auto add = [&](const std::string& title, bool withIngredients) {
-    for (auto& curve : play(condition.id, title, spec, profile, withIngredients)) {
+  const auto add = [&](const std::string& title, bool withFilterInputs) {
+    for (auto& curve : play(condition.id, title, spec, profile, withFilterInputs)) {
       curves.push_back(std::move(curve));
     }
   };

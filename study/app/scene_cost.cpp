@@ -123,7 +123,7 @@ void addPacking(
 
 }  // namespace
 
-std::vector<SceneCost> costsOf(
+std::vector<SceneCost> measureCosts(
     const engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind) {
   const double middle = 0.5 * (kind.travel.least + kind.travel.most);
   std::vector<timing::Contestant> contestants;

@@ -18,7 +18,7 @@ struct SceneCost {
 /// is not used; for a scene with spheres, variants of the scene instead. Measurements alternate on
 /// this computer. The first result is the scene alone. The tool moves back and forth over the
 /// travel of a device of @p kind.
-std::vector<SceneCost> costsOf(
+std::vector<SceneCost> measureCosts(
     const haptics::engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind);
 
 }  // namespace study::app

@@ -114,16 +114,16 @@ std::vector<PlayedCurve> play(
     const std::string& title,
     const engine::SceneSpec& spec,
     const TravelProfile& profile,
-    bool withIngredients) {
+    bool withFilterInputs) {
   std::vector<PlayedCurve> curves;
   const auto parts = engine::partsOf(spec.model);
-  if (withIngredients && parts.filter != nullptr) {
+  if (withFilterInputs && parts.filter != nullptr) {
     auto part = spec;
     part.model = *parts.cut;
     curves.push_back(playOne(condition, "interpolation", part, profile));
     part.model = *parts.elements;
     curves.push_back(playOne(condition, "finite elements", part, profile));
-    for (auto& curve : curves) curve.isIngredient = true;
+    for (auto& curve : curves) curve.isFilterInput = true;
   }
   curves.push_back(playOne(condition, title, spec, profile));
   checkNotEmpty(curves.back(), profile);
@@ -163,7 +163,7 @@ report::Chart asChart(
   chart.y.title = "force [N]";
   for (const auto& curve : curves) {
     report::ChartSeries series{.title = curve.title};
-    if (curve.isIngredient) series.style = report::ChartSeries::Style::Dashed;
+    if (curve.isFilterInput) series.style = report::ChartSeries::Style::Dashed;
     for (std::size_t i = 0; i < profile.travel.size(); ++i) {
       const double x =
           isOverTime ? static_cast<double>(i) / profile.rate : scale * profile.travel[i];

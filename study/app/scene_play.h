@@ -36,10 +36,10 @@ struct PlayedCurve {
   std::string title;              ///< for the legend
   std::vector<double> force;      ///< desired by the scene at each step [N]; NaN if undefined
   std::vector<double> stiffness;  ///< [N per travel unit]
-  bool isIngredient = false;      ///< whether it is one of the two forces that a filter combines
+  bool isFilterInput = false;     ///< whether it is one of the two forces that a filter combines
 };
 
-/// Plays @p spec along @p profile; with @p withIngredients also the two forces that a filter
+/// Plays @p spec along @p profile; with @p withFilterInputs also the two forces that a filter
 /// combines. The tool stays at the first travel until the scene is ready.
 /// @throws UserError  if the scene gives a force in less than half of the steps.
 std::vector<PlayedCurve> play(
@@ -47,7 +47,7 @@ std::vector<PlayedCurve> play(
     const std::string& title,
     const haptics::engine::SceneSpec& spec,
     const TravelProfile& profile,
-    bool withIngredients);
+    bool withFilterInputs);
 
 /// A table `condition, curve, time_s, travel, force_n, stiffness` with a row for each step of each
 /// curve.

@@ -11,12 +11,12 @@
 namespace study::app {
 namespace {
 
-bool isCompleted(const SimulatedEnding& ending) noexcept {
+bool isCompleted(const SimulatedSessionResult& ending) noexcept {
   return ending.state == SessionState::Completed;
 }
 
 /// The reason without the full stop at its end.
-std::string_view phraseOf(const SimulatedEnding& ending) noexcept {
+std::string_view phraseOf(const SimulatedSessionResult& ending) noexcept {
   std::string_view reason = ending.reason;
   while (reason.ends_with('.')) reason.remove_suffix(1);
   return reason;
@@ -24,11 +24,11 @@ std::string_view phraseOf(const SimulatedEnding& ending) noexcept {
 
 }  // namespace
 
-int completedOf(const std::vector<SimulatedEnding>& endings) noexcept {
+int completedOf(const std::vector<SimulatedSessionResult>& endings) noexcept {
   return static_cast<int>(std::count_if(endings.begin(), endings.end(), isCompleted));
 }
 
-std::string describe(const SimulatedEnding& ending) {
+std::string describe(const SimulatedSessionResult& ending) {
   std::string text = fmt::format(
       "{} ended as {} at step {} after {}",
       ending.participant,
@@ -43,7 +43,7 @@ std::string describe(const SimulatedEnding& ending) {
   return text;
 }
 
-std::string describeOthers(const std::vector<SimulatedEnding>& endings) {
+std::string describeOthers(const std::vector<SimulatedSessionResult>& endings) {
   std::map<SessionState, std::pair<int, std::string>> others;
   for (const auto& ending : endings) {
     if (isCompleted(ending)) continue;

@@ -75,7 +75,7 @@ std::string placeOf(const Study& study) {
 
 int create(const StudyArguments& options) {
   SystemClock clock;
-  const auto protocol = usableProtocol(options.protocol);
+  const auto protocol = loadValidProtocol(options.protocol);
   std::string passphrase;
   if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kNewPassphraseOfNames);
   auto study = Study::create(options.folder, protocol, clock, options.seed);
@@ -98,7 +98,7 @@ int create(const StudyArguments& options) {
 }
 
 int amend(const StudyArguments& options) {
-  const auto protocol = usableProtocol(options.protocol);
+  const auto protocol = loadValidProtocol(options.protocol);
   auto study = Study::open(options.folder);
   if (isSame(study.protocols().current(), protocol)) {
     fmt::print(
@@ -120,9 +120,9 @@ int simulatedSessions(Study& study) {
 
 /// Prints the progress of a long simulation at some enrolments; the previous participant has then
 /// finished.
-void printProgress(const Acknowledged& done, int& finished, int participants) {
+void printProgress(const SimulationEvent& done, int& finished, int participants) {
   constexpr int kEvery = 10;
-  if (done.kind != Acknowledged::Kind::Enrolment) return;
+  if (done.kind != SimulationEvent::Kind::Enrolment) return;
   if (finished > 0 && finished % kEvery == 0) {
     fmt::print(stderr, "{} of {} simulated participants have finished\n", finished, participants);
   }
@@ -137,7 +137,7 @@ int simulate(const StudyArguments& options) {
                                : plannedParticipants(study.protocol().protocol);
   const int already = simulatedSessions(study);
   int finished = already;
-  const auto acknowledge = [&](const Acknowledged& done) {
+  const auto acknowledge = [&](const SimulationEvent& done) {
     printProgress(done, finished, participants);
     if (!options.verbose) return;
     fmt::print("saved {}\n", done.what);
@@ -201,7 +201,7 @@ int status(const StudyArguments& options) {
       placeOf(study),
       commitmentLineOf(study),
       sealLineOf(study),
-      study.protocol().protocol.isBlindingOpen
+      study.protocol().protocol.isOpenLabel
           ? "blinding: open, conditions are not hidden from anyone\n"
           : "",
       rights.empty() ? rights : "rights: " + rights + "\n");

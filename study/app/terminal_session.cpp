@@ -91,8 +91,8 @@ class TerminalSession {
   TerminalSession(Study& study, Session& session, const std::string& deviceFile)
       : study_(study),
         session_(session),
-        deviceSet_(
-            deviceSetFor(deviceFile, study.folder(), [this](const protocols::DeviceNeed& need) {
+        deviceSet_(deviceSetFor(
+            deviceFile, study.folder(), [this](const protocols::DeviceRequirement& need) {
               return simulatedHandFor(
                   need,
                   simulationSeed(study_),
@@ -128,7 +128,7 @@ class TerminalSession {
     }
     if (session_.state() == SessionState::Paused) store([&] { session_.resumeAfterPause(); });
     if (session_.step().kind == StepKind::Trial) {
-      acceptsOffer() ? feel() : store([&] { session_.skipOfferedTrial(); });
+      acceptsOffer() ? feel() : store([&] { session_.skipOptionalTrial(); });
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -146,7 +146,7 @@ class TerminalSession {
   /// Asks whether the participant wants an optional trial.
   bool acceptsOffer() {
     const auto& step = session_.step();
-    if (!step.isOffered) return true;
+    if (!step.isOptionalTrial) return true;
     fmt::print(
         "\nFeel {} again before you choose? [y/N] ", alternative(std::to_string(step.label)));
     return isYes(readLine());
@@ -317,7 +317,7 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
 /// Whether a participant may be enrolled: not for a live session while a text that they would read
 /// has blanks in double brackets. A pilot begins with a notice, because it does not count.
 bool mayEnrol(Study& study, const Enrolment& enrolment) {
-  const auto blanks = protocols::placeholdersIn(study.protocol());
+  const auto blanks = protocols::unfilledPlaceholdersIn(study.protocol());
   if (blanks.empty()) return true;
   const bool isPilot = enrolment.runMode == RunMode::Pilot;
   fmt::print(

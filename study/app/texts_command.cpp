@@ -101,7 +101,7 @@ int listBlanks(const protocols::LoadedProtocol& loaded, bool json) {
 }
 
 int protocolTexts(const TextsArguments& options) {
-  const auto loaded = usableProtocol(options.source);
+  const auto loaded = loadValidProtocol(options.source);
   if (options.set.empty()) return listBlanks(loaded, options.json);
   if (options.out.empty()) {
     throw UserError("Name a new file for the filled-in protocol: add --out FILE.json.");

@@ -8,7 +8,7 @@
 
 namespace study::app {
 
-std::string reportFor(
+std::string reportFileContent(
     const std::string& path, std::vector<report::ReportSection>& sections, report::Paper paper) {
   paintFigures(sections);
   const auto html = report::asHtml(sections);

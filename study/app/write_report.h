@@ -11,7 +11,7 @@ namespace study::app {
 
 /// The report as an HTML page, or as PDF if @p path ends in .pdf; with figures if the program was
 /// built with Qt.
-std::string reportFor(
+std::string reportFileContent(
     const std::string& path,
     std::vector<report::ReportSection>& sections,
     report::Paper paper = report::Paper::A4);

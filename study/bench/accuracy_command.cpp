@@ -131,7 +131,7 @@ struct AccuracyOptions {
   std::string out;
   int processes = 5;
   std::vector<std::string> families;
-  bool isShort = false;
+  bool isShortRun = false;
   bool isWorker = false;
 
   bool wants(const Family& family) const {
@@ -236,7 +236,7 @@ DataTable refreshTable(const Measured& all) {
          rate.published,
          cellOf(here),
          std::int64_t{rate.instructions},
-         haptics::bench::kDueClock / rate.instructions});
+         haptics::bench::kArduinoDueClock / rate.instructions});
   }
   return table;
 }
@@ -284,7 +284,7 @@ void measureInProcess(
   // The path is passed in an environment variable, so that the shell needs no quoting.
   setenv("PALPATE_BENCH", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
   std::string call = "exec \"$PALPATE_BENCH\" accuracy --worker";
-  if (options.isShort) call += " --short";
+  if (options.isShortRun) call += " --short";
   for (const auto* family : wanted) call += std::string(" --family ") + family->option;
   FILE* output = popen(call.c_str(), "r");
   if (output == nullptr) throw UserError("A second process cannot be started.");
@@ -315,9 +315,9 @@ Measured measure(const AccuracyOptions& options) {
         std::fprintf(stderr, "process %d of %d: %s\n", process, options.processes, family.c_str());
       }
       all.push_back(m);
-      if (options.isShort) all.back().time.reset();
+      if (options.isShortRun) all.back().time.reset();
     };
-    const AccuracyRun run{.report = keep, .isShort = options.isShort};
+    const AccuracyRun run{.report = keep, .isShortRun = options.isShortRun};
     options.processes == 1 ? measureHere(options, run) : measureInProcess(options, wanted, run);
   }
   return haptics::bench::mergedOverProcesses(all);
@@ -352,10 +352,10 @@ int accuracy(AccuracyOptions options) {
       std::fputs((haptics::bench::asLine(m) + "\n").c_str(), stdout);
       std::fflush(stdout);
     };
-    measureHere(options, {.report = print, .isShort = options.isShort});
+    measureHere(options, {.report = print, .isShortRun = options.isShortRun});
     return 0;
   }
-  if (options.isShort) options.processes = 1;  // errors are the same in all processes
+  if (options.isShortRun) options.processes = 1;  // errors are the same in all processes
   const auto measured = measure(options);
   present(options.out, "accuracy", reportOf(measured, options));
   return areWithinBounds(measured) ? 0 : 1;
@@ -380,7 +380,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
   for (const auto& family : families()) names.emplace_back(family.option);
   command->add_option("--family", options.families, "Families to measure (default: all)")
       ->check(CLI::IsMember(names));
-  command->add_flag("--short", options.isShort, "Measure errors of small models only, no times");
+  command->add_flag("--short", options.isShortRun, "Measure errors of small models only, no times");
   command->add_flag("--worker", options.isWorker)->group("");  // measureInProcess() sets it
 }
 

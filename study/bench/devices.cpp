@@ -284,7 +284,7 @@ StallSeries stallAt(EmulatedDevice emulated, double milliseconds, int stalls) {
   SupervisedLoop supervised(emulated, SupervisedLoop::Start::Urgent);
   for (int i = 0; i < stalls; ++i) {
     superviseFor(0.8, {&supervised});
-    supervised.loop().stallTick(static_cast<std::int64_t>(1e6 * milliseconds));
+    supervised.loop().orderStall(static_cast<std::int64_t>(1e6 * milliseconds));
     watchStall(emulated, supervised.loop(), series);
     if (!emulated.ask().isArmed || supervised.loop().isOver()) ++series.disarmed;
   }

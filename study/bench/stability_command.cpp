@@ -87,7 +87,7 @@ DataTable wallTable(const StabilityResult& result) {
          wall.isControlled,
          wall.isStable,
          wall.isPredictedUnstable,
-         wall.isNoticed,
+         wall.isDetectedByObserver,
          std::isfinite(wall.amplitude) ? Cell(wall.amplitude) : Cell()});
   }
   return table;
@@ -115,7 +115,7 @@ DataTable wallSummary(const StabilityResult& result) {
     if (wall.isStable) continue;
     ++of[1];
     of[2] += wall.isPredictedUnstable ? 1 : 0;
-    of[3] += wall.isNoticed ? 1 : 0;
+    of[3] += wall.isDetectedByObserver ? 1 : 0;
   }
   for (const auto& [rendering, of] : counts) {
     const auto& [rate, quantum, delay, isControlled] = rendering;

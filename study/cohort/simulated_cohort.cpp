@@ -30,7 +30,7 @@ constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
-using Done = Acknowledged::Kind;
+using Done = SimulationEvent::Kind;
 
 /// One session of a simulated participant.
 class SimulatedSession {
@@ -40,8 +40,8 @@ class SimulatedSession {
       Session& session,
       SimulatedClock& clock,
       std::uint64_t seed,
-      const Acknowledge& acknowledge,
-      const OnDevices& on)
+      const SimulationCallback& acknowledge,
+      const RealtimeDevices& on)
       : study_(study),
         session_(session),
         clock_(clock),
@@ -62,8 +62,8 @@ class SimulatedSession {
         session_.repeatStep("a trial had been broken off");
         continue;
       }
-      if (session_.step().isOffered) {
-        session_.skipOfferedTrial();
+      if (session_.step().isOptionalTrial) {
+        session_.skipOptionalTrial();
         continue;
       }
       if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
@@ -79,7 +79,7 @@ class SimulatedSession {
   void simulateTrial() {
     const int cuts = session_.step().minimumCuts;
     // Every trial gets a new hand, so that a trial repeated after a crash has the same movement.
-    SimulatedDeviceSet deviceSet([&](const protocols::DeviceNeed& need) {
+    SimulatedDeviceSet deviceSet([&](const protocols::DeviceRequirement& need) {
       return simulatedHandFor(
           need,
           seed_,
@@ -191,7 +191,7 @@ class SimulatedSession {
   Study& study_;
   Session& session_;
   SimulatedClock& clock_;
-  const Acknowledge& acknowledge_;
+  const SimulationCallback& acknowledge_;
   DeviceSet* devices_;
   haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
@@ -235,7 +235,7 @@ void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> r
   }
 }
 
-SimulatedEnding endingOf(const storage::SessionRow& row) {
+SimulatedSessionResult endingOf(const storage::SessionRow& row) {
   return {
       .participant = row.participant,
       .state = row.state,
@@ -244,12 +244,12 @@ SimulatedEnding endingOf(const storage::SessionRow& row) {
       .reason = row.endReason.value_or("")};
 }
 
-SimulatedEnding endingOf(Study& study, const Session& session) {
+SimulatedSessionResult endingOf(Study& study, const Session& session) {
   auto sessions = study.sessions();
   const SessionId id = session.visit().session;
   auto ending = endingOf(sessions.load(id));
   for (std::size_t i = 0; i < session.plan().size(); ++i) {
-    if (session.plan()[i].kind != StepKind::Trial || session.plan()[i].isOffered) continue;
+    if (session.plan()[i].kind != StepKind::Trial || session.plan()[i].isOptionalTrial) continue;
     const int step = static_cast<int>(i);
     const int attempts = sessions.attempts(id, step);
     ++ending.trials;
@@ -267,33 +267,35 @@ void simulate(
     Session& session,
     SimulatedClock& clock,
     std::uint64_t seed,
-    const Acknowledge& acknowledge,
-    const OnDevices& on) {
+    const SimulationCallback& acknowledge,
+    const RealtimeDevices& on) {
   SimulatedSession(study, session, clock, seed, acknowledge, on).run();
 }
 
 void simulateUntil(
     Study& study, Session& session, SimulatedClock& clock, std::uint64_t seed, int step) {
-  const Acknowledge nobody = [](const Acknowledged&) {};
+  const SimulationCallback nobody = [](const SimulationEvent&) {};
   SimulatedSession(study, session, clock, seed, nobody, {}).run(step);
 }
 
-std::vector<SimulatedEnding> simulateCohorts(
+std::vector<SimulatedSessionResult> simulateCohorts(
     Study& study,
     SimulatedClock& clock,
     int participants,
     std::uint64_t seed,
-    const Acknowledge& acknowledge,
+    const SimulationCallback& acknowledge,
     const std::string& deviceFile,
     haptics::timing::StandstillWatch* watch) {
   // Simulated participants use real devices only if a device file was named.
   std::unique_ptr<DeviceSet> devices;
   if (!deviceFile.empty()) {
-    devices = deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
-      return simulatedHandFor(need, seed, {}, 0, feedLimitOn(study.protocol().protocol, need.id));
-    });
+    devices =
+        deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceRequirement& need) {
+          return simulatedHandFor(
+              need, seed, {}, 0, feedLimitOn(study.protocol().protocol, need.id));
+        });
   }
-  std::vector<SimulatedEnding> endings;
+  std::vector<SimulatedSessionResult> endings;
   std::map<std::string, int> finished;
   int total = 0;
   for (const auto& row : study.sessions().all()) {

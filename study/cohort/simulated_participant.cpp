@@ -38,15 +38,16 @@ double SimulatedParticipant::secondsFor(const std::string& what, double least, d
 }
 
 double SimulatedParticipant::realismOf(const std::string& condition) const {
-  return truth_.realismOf(condition) + truth_.personDeviation * stream("leniency").normal() +
-         truth_.personByConditionDeviation * stream("taste/" + condition).normal();
+  return truth_.realismOf(condition) +
+         truth_.participantStandardDeviation * stream("leniency").normal() +
+         truth_.interactionStandardDeviation * stream("taste/" + condition).normal();
 }
 
 std::int64_t SimulatedParticipant::point(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double realism =
       session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
-  const double felt = realism + truth_.answerDeviation * stream(purpose).normal();
+  const double felt = realism + truth_.residualStandardDeviation * stream(purpose).normal();
   // realism is defined on a five-point scale
   const double unit = (item.scale.points - 1) / 4.0;
   const double middle = (item.scale.lowest + item.scale.highest()) / 2.0;
@@ -56,8 +57,8 @@ std::int64_t SimulatedParticipant::point(
 
 double SimulatedParticipant::between(
     const Session& session, const Item& item, const std::string& purpose) const {
-  const double felt =
-      realismOf(session.step().condition) + truth_.answerDeviation * stream(purpose).normal();
+  const double felt = realismOf(session.step().condition) +
+                      truth_.residualStandardDeviation * stream(purpose).normal();
   const double unit = (item.most - item.least) / 4.0;  // realism is defined on a five-point scale
   const double answer = std::clamp(
       std::midpoint(item.least, item.most) + item.key * unit * felt, item.least, item.most);
@@ -78,7 +79,7 @@ std::string SimulatedParticipant::preferred(
                           step.phase == phase->block &&
                           std::find(labels.begin(), labels.end(), label) != labels.end();
     if (!isChoice) continue;
-    const double deviation = kNoiseOfAChoice * truth_.answerDeviation;
+    const double deviation = kNoiseOfAChoice * truth_.residualStandardDeviation;
     const double felt =
         realismOf(step.condition) + deviation * stream(purpose + "/" + label).normal();
     if (felt > most) {

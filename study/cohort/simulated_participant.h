@@ -17,7 +17,7 @@ namespace study {
 class DeviceSet;
 
 /// The devices of trials in real time. Without a device set, trials run in simulated time.
-struct OnDevices {
+struct RealtimeDevices {
   DeviceSet* deviceSet = nullptr;
   haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
 };
@@ -71,7 +71,7 @@ class SimulatedParticipant {
 };
 
 /// The end of a simulated participant's session.
-struct SimulatedEnding {
+struct SimulatedSessionResult {
   std::string participant;
   SessionState state = SessionState::Completed;
   int step = 0;
@@ -82,7 +82,7 @@ struct SimulatedEnding {
 };
 
 /// What the simulation has just committed, or that it waits for a device.
-struct Acknowledged {
+struct SimulationEvent {
   enum class Kind { Enrolment, Answer, Step, TrialOnDevice, Wait };
 
   Kind kind = Kind::Answer;
@@ -94,7 +94,7 @@ struct Acknowledged {
 inline constexpr std::chrono::milliseconds kDeviceTimeout{10};
 
 /// Called after every commit, and while the simulation waits for a device.
-using Acknowledge = std::function<void(const Acknowledged& done)>;
+using SimulationCallback = std::function<void(const SimulationEvent& done)>;
 
 /// Runs @p session from its present step to its end, with the same steps, transactions, engine and
 /// recorder as a real session. Times are those of @p clock. Trials run in real time if @p on has
@@ -104,8 +104,8 @@ void simulate(
     Session& session,
     SimulatedClock& clock,
     std::uint64_t seed,
-    const Acknowledge& acknowledge,
-    const OnDevices& on = {});
+    const SimulationCallback& acknowledge,
+    const RealtimeDevices& on = {});
 
 /// Like simulate() with simulated devices, but stops when the session has reached @p step of its
 /// plan (from 0) or has ended.
@@ -119,12 +119,12 @@ void simulateUntil(
 /// @p watch is given, break-offs while the machine stalled for longer than kDeviceTimeout do not
 /// count.
 /// @return how the session of each simulated participant of the study has ended.
-std::vector<SimulatedEnding> simulateCohorts(
+std::vector<SimulatedSessionResult> simulateCohorts(
     Study& study,
     SimulatedClock& clock,
     int participants,
     std::uint64_t seed,
-    const Acknowledge& acknowledge,
+    const SimulationCallback& acknowledge,
     const std::string& deviceFile = {},
     haptics::timing::StandstillWatch* watch = nullptr);
 

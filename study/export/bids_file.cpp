@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 std::string tsvCell(const Cell& cell, bool isFreeText) {
   const auto* words = std::get_if<std::string>(&cell);
   std::string text = words == nullptr ? csvCell(cell)
-                     : isFreeText     ? withoutFormula(*words)
+                     : isFreeText     ? withFormulaEscaped(*words)
                                       : *words;
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
@@ -178,7 +178,7 @@ std::string bidsSession(const RowOwner& owner) {
 std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions& options) {
   const StudyRows rows(study, options);
   auto readers = readersOf(study, options);
-  readers.needParticipant = false;
+  readers.needParticipantColumn = false;
   const auto sessions = rows.sessions();
   const auto answers = rows.answers();
   const auto texts = rows.texts();

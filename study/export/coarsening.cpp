@@ -63,7 +63,7 @@ PublicForm publicFormOf(const Item& item) noexcept {
   return PublicForm::None;
 }
 
-Coarsening::Coarsening(const Item& item, std::string_view language) {
+GeneralisationHierarchy::GeneralisationHierarchy(const Item& item, std::string_view language) {
   switch (publicFormOf(item)) {
     case PublicForm::Bands:
       addBands(item);
@@ -79,13 +79,13 @@ Coarsening::Coarsening(const Item& item, std::string_view language) {
   }
 }
 
-void Coarsening::addBands(const Item& item) {
+void GeneralisationHierarchy::addBands(const Item& item) {
   const double range = item.most - item.least;
   if (!(range > 0.0) || !std::isfinite(range)) return;
   const double first = roundWidth(std::max(range / 20.0, 5.0 * item.step));
   isWhole_ = item.step >= 1.0 && std::floor(item.step) == item.step;
   for (double width = first; width < range; width *= 2.0) {
-    CoarseLevel level{.values = {}, .byOption = {}, .width = width};
+    GeneralisationLevel level{.values = {}, .byOption = {}, .width = width};
     for (double from = std::floor(item.least / width) * width; from <= item.most; from += width) {
       const auto text = band(from, width);
       level.values.push_back({text, item.unit.empty() ? text : text + " " + item.unit});
@@ -94,13 +94,13 @@ void Coarsening::addBands(const Item& item) {
   }
 }
 
-void Coarsening::addOptions(const Item& item, std::string_view language) {
+void GeneralisationHierarchy::addOptions(const Item& item, std::string_view language) {
   std::size_t before = 0;
   for (std::size_t together = 1;; together *= 2) {
     const auto groups = neighbours(item.options, together);
     if (groups.size() == before) return;
     before = groups.size();
-    CoarseLevel level;
+    GeneralisationLevel level;
     for (const auto& group : groups) {
       Level joined{group.front().id, group.front().text.in(language)};
       if (group.size() > 1) {
@@ -114,19 +114,19 @@ void Coarsening::addOptions(const Item& item, std::string_view language) {
   }
 }
 
-std::optional<double> Coarsening::bandWidth() const {
+std::optional<double> GeneralisationHierarchy::bandWidth() const {
   if (levels_.empty() || levels_.front().width <= 0.0) return std::nullopt;
   return levels_.front().width;
 }
 
-std::string Coarsening::band(double from, double width) const {
+std::string GeneralisationHierarchy::band(double from, double width) const {
   // nine decimals remove the rounding errors of sums of widths; + 0.0 makes -0 a plain 0
   const auto rounded = [](double value) { return exactly(std::round(value * 1e9) / 1e9 + 0.0); };
   return rounded(from) + " to " +
          (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));
 }
 
-std::string Coarsening::releasedValue(
+std::string GeneralisationHierarchy::releasedValue(
     std::size_t level, const questionnaires::Response& response) const {
   const auto& chosen = levels_.at(level);
   const auto stored = storage::stored(response);

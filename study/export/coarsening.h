@@ -24,7 +24,7 @@ enum class PublicForm {
 PublicForm publicFormOf(const questionnaires::Item& item) noexcept;
 
 /// Whether answers to @p item are facts about the person that an acquaintance may know, too.
-inline bool isAboutThePerson(const questionnaires::Item& item) noexcept {
+inline bool isQuasiIdentifier(const questionnaires::Item& item) noexcept {
   return publicFormOf(item) != PublicForm::None;
 }
 
@@ -34,11 +34,11 @@ inline bool isAboutThePerson(const questionnaires::Item& item) noexcept {
 /// at least five steps and a twentieth of the item's range; each further level doubles the width.
 /// Options whose ids begin with a digit are bands already ("25-34"): each further level joins two
 /// neighbours. Other options, and sets of options, are released unchanged or not at all.
-class Coarsening {
+class GeneralisationHierarchy {
  public:
-  /// @param item  about the person, see isAboutThePerson().
+  /// @param item  about the person, see isQuasiIdentifier().
   /// @param language  of the labels of options
-  Coarsening(const questionnaires::Item& item, std::string_view language);
+  GeneralisationHierarchy(const questionnaires::Item& item, std::string_view language);
 
   std::size_t levelCount() const noexcept { return levels_.size(); }
 
@@ -56,7 +56,7 @@ class Coarsening {
 
  private:
   /// The released values of one level.
-  struct CoarseLevel {
+  struct GeneralisationLevel {
     std::vector<Level> values;
     std::map<std::string, std::string> byOption;  ///< released value of each option
     double width = 0.0;                           ///< width of the bands, in the item's unit
@@ -67,7 +67,7 @@ class Coarsening {
   /// The label of the band that begins at @p from.
   std::string band(double from, double width) const;
 
-  std::vector<CoarseLevel> levels_;
+  std::vector<GeneralisationLevel> levels_;
   bool isWhole_ = false;  ///< see isWhole()
 };
 

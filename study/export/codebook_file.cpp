@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// A line on data that scenes render or show: a cut, a material, a knee. Blinded exports omit their
 /// name, which may reveal a condition.
-std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
+std::string describe(const protocols::SceneDataSource& source, const ExportOptions& options) {
   if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";
   return "- SYNTHETIC: a " + source.kind +

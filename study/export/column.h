@@ -48,14 +48,14 @@ using ValueLists = std::map<ValueList, std::vector<Level>>;
 /// The intended readers of an export folder. They determine which columns are exported, and some of
 /// the descriptions.
 struct Readers {
-  bool isBlinded = true;        ///< whether readers must not learn which condition a condition code
-                                ///< stands for
-  bool isPublic = false;        ///< the folder is for the public
-  bool seeExact = false;        ///< whether to export exact dates, times of day, and numbers about
-                                ///< the person
-  bool seeTexts = false;        ///< whether to export free texts of participants and operators
-  bool needParticipant = true;  ///< false if the file's name identifies the participant of all its
-                                ///< rows
+  bool isBlinded = true;  ///< whether readers must not learn which condition a condition code
+                          ///< stands for
+  bool isPublic = false;  ///< the folder is for the public
+  bool seeExact = false;  ///< whether to export exact dates, times of day, and numbers about
+                          ///< the person
+  bool seeTexts = false;  ///< whether to export free texts of participants and operators
+  bool needParticipantColumn = true;  ///< false if the file's name identifies the participant of
+                                      ///< all its rows
   /// Names of the quasi-identifiers that a public export releases (study/export/k_anonymity.h).
   std::set<std::string> told = {};
   ValueLists lists = {};
@@ -259,7 +259,7 @@ class Column {
     if (revealsCondition_ && readers.isBlinded) return false;
     if (isExact_ && !readers.seeExact) return false;
     if (isOnRequest_ && !readers.seeTexts) return false;
-    if (identifiesParticipant_ && !readers.needParticipant) return false;
+    if (identifiesParticipant_ && !readers.needParticipantColumn) return false;
     if (list_ == ValueList::Sites && !readers.hasSites()) return false;
     if (!readers.isPublic) return true;
     return public_ && (public_->requiredIdentifier.empty() ||
@@ -267,7 +267,7 @@ class Column {
   }
 
   /// The heading of the column, with the description and levels for @p readers.
-  ExportedColumn headFor(const Readers& readers) const {
+  ExportedColumn exportedColumnFor(const Readers& readers) const {
     auto head = head_;
     if (readers.isPublic && !public_->description.empty()) {
       head.description = public_->description;
@@ -313,13 +313,13 @@ struct Table {
   /// Whether the table reveals conditions; blinded folders then leave it out.
   bool revealsCondition = false;
   /// Whether the table has free texts only; folders then leave it out unless texts were requested.
-  bool isOnRequest = false;
+  bool isFreeTextTable = false;
   /// Description in public folders; std::nullopt: public folders leave the table out.
   std::optional<std::string> inPublic = std::nullopt;
 
   /// Whether the table is exported for @p readers.
   bool isFor(const Readers& readers) const {
-    return !(revealsCondition && readers.isBlinded) && !(isOnRequest && !readers.seeTexts) &&
+    return !(revealsCondition && readers.isBlinded) && !(isFreeTextTable && !readers.seeTexts) &&
            (inPublic || !readers.isPublic);
   }
 };
@@ -338,7 +338,7 @@ ExportedTable filled(
   for (const auto& column : table.columns) {
     if (!column.isFor(readers)) continue;
     columns.push_back(&column);
-    result.columns.push_back(column.headFor(readers));
+    result.columns.push_back(column.exportedColumnFor(readers));
   }
   result.rows.reserve(rows.size());
   for (const auto& row : rows) {

@@ -207,7 +207,7 @@ std::size_t exportStudy(
   if (options.publicClass) requireSafeFromDifferencing(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, target, options, reason);
-  const fs::path unfinished = newFolderBeside(target);
+  const fs::path unfinished = makeFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
     tell(options.progress, 1.0, "giving the folder its name");

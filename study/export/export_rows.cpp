@@ -75,7 +75,7 @@ class Bands {
 
  private:
   // the language is empty, because labels of bands have no words
-  std::map<const questionnaires::Item*, Coarsening> known_;
+  std::map<const questionnaires::Item*, GeneralisationHierarchy> known_;
 };
 
 /// The day in a stored time such as "2026-11-23T08:15:00Z".

@@ -69,7 +69,7 @@ std::string describeClassSizes(const ClassSizes& classes) {
          "answers. To publish data, make an export for the public instead.\n";
 }
 
-std::string namesInWords(const NamedPeople& named) {
+std::string namesInWords(const NameSearchResult& named) {
   if (named.areLocked) {
     return "- The names that the study keeps are behind a passphrase that was not given, so none "
            "was "
@@ -126,13 +126,13 @@ std::vector<std::string> wordsIn(std::string_view text) {
   return words;
 }
 
-NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) {
+NameSearchResult searchForNames(Study& study, const std::vector<ExportedTable>& tables) {
   if (study.identities().isLocked()) return {.areLocked = true, .cells = {}};
   std::set<std::string> names;
   for (const auto& text : study.identities().texts()) {
     for (auto& word : wordsIn(text)) names.insert(std::move(word));
   }
-  NamedPeople named{.names = names.size(), .cells = {}};
+  NameSearchResult named{.names = names.size(), .cells = {}};
   const auto isNaming = [&](const Cell& cell) {
     const auto* text = std::get_if<std::string>(&cell);
     if (text == nullptr) return false;
@@ -170,7 +170,7 @@ ClassSizes classSizesAsReleased(Study& study, const ExportOptions& options) {
 std::string identifiabilityInWords(Study& study, const ExportOptions& options) {
   if (options.runMode == RunMode::Simulated) return "- Nothing in this folder names a person.\n";
   return describeClassSizes(classSizesAsReleased(study, options)) +
-         namesInWords(namedPeople(study, exportTables(study, options)));
+         namesInWords(searchForNames(study, exportTables(study, options)));
 }
 
 }  // namespace study

@@ -17,7 +17,7 @@ namespace study {
 std::vector<std::string> wordsIn(std::string_view text);
 
 /// The result of searching an export for names of participants.
-struct NamedPeople {
+struct NameSearchResult {
   std::size_t names = 0;   ///< number of words of answers in identity.db that were searched for
   bool areLocked = false;  ///< whether names are locked by a passphrase, so that they were not
                            ///< searched for
@@ -26,7 +26,7 @@ struct NamedPeople {
 
 /// Searches free texts and participant codes of @p tables for the words of all answers in
 /// identity.db. Does not find nicknames, or names of other people.
-NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables);
+NameSearchResult searchForNames(Study& study, const std::vector<ExportedTable>& tables);
 
 /// The equivalence classes of people with completed sessions, by cohort and the facts about them
 /// that an export with @p options contains. k is 2: ClassSizes::peopleInSmallClasses counts people

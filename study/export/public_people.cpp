@@ -22,8 +22,9 @@ std::vector<BackgroundQuestion> questionsOf(const protocols::LoadedProtocol& loa
     const auto* instrument = loaded.instrument(phase.instrument);
     if (phase.type != protocols::PhaseType::Form || instrument == nullptr) continue;
     for (const auto& item : instrument->items) {
-      if (item.isIdentifying || !isAboutThePerson(item)) continue;
-      questions.push_back({phase.id, &item, Coarsening(item, loaded.protocol.languages.front())});
+      if (item.isIdentifying || !isQuasiIdentifier(item)) continue;
+      questions.push_back(
+          {phase.id, &item, GeneralisationHierarchy(item, loaded.protocol.languages.front())});
     }
   }
   return questions;
@@ -109,7 +110,8 @@ QuasiIdentifier PublicPeople::orders() const {
   const auto codes = conditionCodes(study_, mode_);
   std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> felt(count());
   for (const auto& trial : trials_) {
-    if (trial.step.isOfferedAgain()) continue;  // an optional trial has no position in the order
+    if (trial.step.isOptionalRepetition())
+      continue;  // an optional trial has no position in the order
     auto& blocks = felt[people_.at(trial.step.visit.session)];
     const auto code = codes.find(trial.step.condition);
     const auto& phases = study_.protocol().protocol.phases;

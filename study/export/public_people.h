@@ -17,7 +17,7 @@ namespace study {
 struct BackgroundQuestion {
   std::string phase;
   const questionnaires::Item* item = nullptr;  ///< of the study's protocol
-  Coarsening coarsening;
+  GeneralisationHierarchy coarsening;
 
   /// The name of the question's column: "background_age_band".
   std::string column() const;

@@ -142,7 +142,7 @@ class PublicTables {
         study_.protocol(people_.sessions()[session].protocol).instrument(answer.step.instrument);
     const auto* item = instrument == nullptr ? nullptr : instrument->item(answer.answer.item);
     if (item == nullptr || isWords(*item)) return nullptr;
-    return isForm && isAboutThePerson(*item) ? nullptr : item;
+    return isForm && isQuasiIdentifier(*item) ? nullptr : item;
   }
 
   std::size_t sessionOf(const storage::AnswerRecord& answer) const {

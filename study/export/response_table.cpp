@@ -349,7 +349,7 @@ Table<ExportedAnswer> textTable() {
       .name = "texts",
       .description = "One row per text that a participant wrote as an answer.",
       .columns = joined({columnsOfAnsweredStep(), columnsOfQuestion(), text, columnsOfUse()}),
-      .isOnRequest = true};
+      .isFreeTextTable = true};
 }
 
 }  // namespace study

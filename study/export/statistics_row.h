@@ -85,17 +85,17 @@ std::vector<StatisticsRow> itemRows(
 
 /// The rendered forces of trials, or the reason why they cannot be read. A damaged trace must not
 /// prevent the export of answers.
-struct FeltResult {
-  std::vector<FeltCurve> curves;
+struct RenderedForceResult {
+  std::vector<RenderedForceCurve> curves;
   base::Message reason;  ///< what is wrong with the traces, so that there are no curves; empty if
                          ///< they were read
 };
 
-FeltResult feltResult(Study& study, RunMode mode);
+RenderedForceResult renderedForceResult(Study& study, RunMode mode);
 
 /// The differences of rendered forces: one row for each pair of conditions, over all cohorts; a
 /// single row with the reason if traces cannot be read.
-std::vector<StatisticsRow> feltRows(
-    const FeltResult& felt, const std::map<std::string, std::string>& codes);
+std::vector<StatisticsRow> renderedForceRows(
+    const RenderedForceResult& felt, const std::map<std::string, std::string>& codes);
 
 }  // namespace study

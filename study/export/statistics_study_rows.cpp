@@ -104,22 +104,22 @@ std::vector<StatisticsRow> itemRows(
   return rows;
 }
 
-FeltResult feltResult(Study& study, RunMode mode) {
+RenderedForceResult renderedForceResult(Study& study, RunMode mode) {
   try {
-    return {.curves = feltCurves(study, mode), .reason = {}};
+    return {.curves = renderedForceCurves(study, mode), .reason = {}};
   } catch (const storage::StorageError& error) {
     return {.curves = {}, .reason = withoutFolder(error.message())};
   }
 }
 
-std::vector<StatisticsRow> feltRows(
-    const FeltResult& felt, const std::map<std::string, std::string>& codes) {
+std::vector<StatisticsRow> renderedForceRows(
+    const RenderedForceResult& felt, const std::map<std::string, std::string>& codes) {
   std::vector<StatisticsRow> rows;
   if (!felt.reason.empty()) {
     rows.push_back(studyRow("felt_difference"));
     rows.back().test.reason = felt.reason;
   }
-  for (const auto& difference : feltDifferences(felt.curves)) {
+  for (const auto& difference : renderedForceDifferences(felt.curves)) {
     auto& row = rows.emplace_back(studyRow("felt_difference"));
     row.design = "paired";
     row.group1 = codes.at(difference.condition1);

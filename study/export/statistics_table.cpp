@@ -126,7 +126,7 @@ std::vector<Row> rowsOf(
   }
   add(instrumentRows(results.instruments, codes));
   add(itemRows(results.answers.items, study.protocol(), codes, isExact));
-  add(feltRows(feltResult(study, mode), codes));
+  add(renderedForceRows(renderedForceResult(study, mode), codes));
   for (auto& row : rows) row.runMode = mode;
   return rows;
 }

@@ -22,7 +22,7 @@ bool beginsLikeAFormula(const std::string& text) {
 
 }  // namespace
 
-std::string withoutFormula(const std::string& text) {
+std::string withFormulaEscaped(const std::string& text) {
   return beginsLikeAFormula(text) ? "'" + text : text;
 }
 
@@ -31,7 +31,7 @@ std::string csvCell(const Cell& cell, bool isFreeText) {
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&cell)) return exactly(*number);
   if (const auto* text = std::get_if<std::string>(&cell)) {
-    return quoted(isFreeText ? withoutFormula(*text) : *text);
+    return quoted(isFreeText ? withFormulaEscaped(*text) : *text);
   }
   return {};
 }

@@ -35,7 +35,7 @@ struct DataTable {
 };
 
 /// @p text, with an apostrophe before it if a spreadsheet would read it as a formula.
-std::string withoutFormula(const std::string& text);
+std::string withFormulaEscaped(const std::string& text);
 
 /// One cell of a CSV file. Numbers have a decimal point in every locale, and enough digits to be
 /// read back exactly. A missing value is an empty cell. Free text that begins like a formula (= + -

@@ -49,7 +49,7 @@ std::filesystem::path folderOf(const std::filesystem::path& path) {
 
 }  // namespace
 
-void keepNewFilesPrivate() noexcept {
+void setPrivateUmask() noexcept {
   umask(S_IRWXG | S_IRWXO);
 }
 
@@ -90,7 +90,7 @@ void moveIntoPlace(const std::filesystem::path& folder, const std::filesystem::p
   flush(folderOf(target));
 }
 
-std::filesystem::path newFolderBeside(const std::filesystem::path& target) {
+std::filesystem::path makeFolderBeside(const std::filesystem::path& target) {
   std::error_code error;
   const auto parent = std::filesystem::absolute(target).parent_path();
   std::filesystem::create_directories(parent, error);

@@ -8,7 +8,7 @@ namespace study {
 /// Sets the umask: new files and folders of this process can be used by its own user only, because
 /// a study holds answers of people. Permissions of existing files stay. Call it before any thread
 /// starts.
-void keepNewFilesPrivate() noexcept;
+void setPrivateUmask() noexcept;
 
 /// Writes a new file that its owner alone can read, and returns when content and name are on the
 /// disk.
@@ -19,7 +19,7 @@ void writeNewFile(const std::string& path, const std::string& content);
 /// A new empty folder beside @p target, for moveIntoPlace() when it is complete. Its owner alone
 /// can read it.
 /// @throws storage::StorageError  if it cannot be made.
-std::filesystem::path newFolderBeside(const std::filesystem::path& target);
+std::filesystem::path makeFolderBeside(const std::filesystem::path& target);
 
 /// A new folder for this account alone (0700). The destructor removes it with its content.
 class TemporaryFolder {
@@ -27,7 +27,7 @@ class TemporaryFolder {
   /// @throws storage::StorageError  if no folder can be made in @p inside
   explicit TemporaryFolder(
       const std::filesystem::path& inside = std::filesystem::temp_directory_path())
-      : path_(newFolderBeside(inside / "palpate")) {}
+      : path_(makeFolderBeside(inside / "palpate")) {}
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -68,7 +68,7 @@ void offerAgain(
          .condition = trial.condition,
          .isVisualised = seen.value_or(protocol.condition(trial.condition)->isVisualised),
          .minimumCuts = 1,
-         .isOffered = true});
+         .isOptionalTrial = true});
   }
 }
 
@@ -126,7 +126,7 @@ std::vector<Step> sessionPlan(
         .seconds = phase.seconds};
     if (phase.type == PhaseType::Preference) {
       step.alternatives = labelsOf(*schedule.block(phase.block));
-      if (phase.mayFeelAgain) offerAgain(protocol, phase, *schedule.block(phase.block), steps);
+      if (phase.hasOptionalTrials) offerAgain(protocol, phase, *schedule.block(phase.block), steps);
     }
     steps.push_back(std::move(step));
   }

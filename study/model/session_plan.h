@@ -32,14 +32,14 @@ struct Step {
   std::string phase;
   std::string instrument;  ///< shown or asked; empty for trials, benchmarks, breaks
   std::string itemSet;
-  int position = 0;           ///< Trial, Questionnaire: position in its block, from 1
-  int label = 0;              ///< Trial, Questionnaire: the label of the alternative, from 1
-  std::string condition;      ///< Trial, Questionnaire: the condition's id; never shown to
-                              ///< participants
-  bool isVisualised = false;  ///< Trial: whether the simulated scene is shown
-  int minimumCuts = 0;        ///< Trial, Benchmark: smallest number of cuts or strokes
-  bool isOffered = false;     ///< Trial: an optional repetition before a preference
-  double seconds = 0.0;       ///< Break: minimum duration [s]
+  int position = 0;              ///< Trial, Questionnaire: position in its block, from 1
+  int label = 0;                 ///< Trial, Questionnaire: the label of the alternative, from 1
+  std::string condition;         ///< Trial, Questionnaire: the condition's id; never shown to
+                                 ///< participants
+  bool isVisualised = false;     ///< Trial: whether the simulated scene is shown
+  int minimumCuts = 0;           ///< Trial, Benchmark: smallest number of cuts or strokes
+  bool isOptionalTrial = false;  ///< Trial: an optional repetition before a preference
+  double seconds = 0.0;          ///< Break: minimum duration [s]
   std::vector<std::string> alternatives;  ///< Preference: the labels to choose from
 
   bool hasItems() const noexcept { return !instrument.empty(); }

@@ -50,7 +50,7 @@ Finding findingOf(const SafetyEvent& event, double duration) {
   switch (event.kind) {
     case SafetyKind::TooFast:
       return found(Verdict::Warn, Key("trial.too_fast"));
-    case SafetyKind::Released:
+    case SafetyKind::DeadManReleased:
       return found(Verdict::Warn, Key("trial.released"));
     case SafetyKind::MissedPeriods:
       return found(Verdict::Warn, Key("trial.lost_beats"));

@@ -46,7 +46,7 @@ std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept;
 /// Why a force was changed or withheld, or what was wrong with it.
 enum class SafetyKind {
   TooFast,          ///< the tool exceeded the velocity limit
-  Released,         ///< the dead-man switch was not held
+  DeadManReleased,  ///< the dead-man switch was not held
   NoSample,         ///< the device gave no measurement
   MissedPeriods,    ///< no tick for more than one period
   SoftStart,        ///< the force was withheld until the scene asked for a small one, or was ramped

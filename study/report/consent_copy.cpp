@@ -148,7 +148,7 @@ class ConsentPage {
 
 }  // namespace
 
-std::string paragraphsOf(const std::string& text) {
+std::string plainTextAsHtml(const std::string& text) {
   std::string html;
   const auto add = [&](const std::string& words) { html += "<p>" + escaped(words) + "</p>\n"; };
   std::string rest = text;

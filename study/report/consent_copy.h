@@ -10,7 +10,7 @@ namespace study::report {
 using TextToHtml = std::function<std::string(const std::string& text)>;
 
 /// Plain text as HTML. Empty lines separate paragraphs.
-std::string paragraphsOf(const std::string& text);
+std::string plainTextAsHtml(const std::string& text);
 
 /// A copy of a person's consent for them to keep, as a page: the information and the terms in the
 /// language that was shown, the answers and their time, and the versions of the texts. The field
@@ -19,6 +19,6 @@ std::string paragraphsOf(const std::string& text);
 /// @param htmlOf  converts Markdown to HTML (asHtml() of marked_text.h in builds with Qt).
 /// @throws UserError  if no participant of that code has completed a consent form.
 std::string consentCopy(
-    Study& study, const std::string& participant, const TextToHtml& htmlOf = paragraphsOf);
+    Study& study, const std::string& participant, const TextToHtml& htmlOf = plainTextAsHtml);
 
 }  // namespace study::report

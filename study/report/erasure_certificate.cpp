@@ -94,7 +94,7 @@ class CertificateRows {
     switch (copy.outcome) {
       case ErasedCopy::Outcome::Removed:
         return words_("an export, removed");
-      case ErasedCopy::Outcome::NotInIt:
+      case ErasedCopy::Outcome::NotInCopy:
         return words_("was not in it") + "; " + searched(copy.filesWithTexts);
       case ErasedCopy::Outcome::Failed:
         return words_("NOT ERASED.") + " " + copy.whyNot;

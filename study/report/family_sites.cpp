@@ -89,7 +89,7 @@ class SitesWriter : HtmlWriter {
         say("Heterogeneity: Q({}) = {}, p {}; I² = {} %; τ² = {}",
             pooled.sites - 1,
             rounded(pooled.q, 2),
-            equalsOfP(pooled.qP),
+            equalsOfP(pooled.heterogeneityP),
             rounded(100.0 * pooled.reml.iSquared, 0),
             rounded(pooled.reml.tauSquared, 3)));
   }

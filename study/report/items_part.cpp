@@ -108,7 +108,7 @@ class ItemsWriter : HtmlWriter {
       std::vector<std::string> cells(columns.size());
       for (; at != rows.end() && (*at)->item == first.item && (*at)->cohort == first.cohort; ++at) {
         people = std::max(people, (*at)->values.size());
-        cells[static_cast<std::size_t>(s_.conditionPlace((*at)->condition)) + 2] = meanOf(**at);
+        cells[static_cast<std::size_t>(s_.conditionIndex((*at)->condition)) + 2] = meanOf(**at);
       }
       cells[0] = cohort(first.cohort);
       cells[1] = std::to_string(people);

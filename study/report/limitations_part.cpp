@@ -41,7 +41,7 @@ class LimitationsWriter : HtmlWriter {
   /// What of the answer is about something else than the methods, before anything that weakens it.
   std::string asRendered() {
     for (const auto& limitation : limitations()) {
-      if (!limitation.flag->isOfRendering) continue;
+      if (!limitation.flag->concernsRendering) continue;
       for (const auto& found : limitation.found) {
         put("<p><strong>{}</strong></p>", sentenceOf(limitation, found));
       }
@@ -53,7 +53,8 @@ class LimitationsWriter : HtmlWriter {
     std::vector<std::string> points;
     for (const auto& limitation : limitations()) {
       // the sentences of the answer say what these two are
-      if (limitation.flag->isOfRendering || limitation.flag->id == "pseudo_replication") continue;
+      if (limitation.flag->concernsRendering || limitation.flag->id == "pseudo_replication")
+        continue;
       std::string cohorts;
       for (const auto& [sentence, own] : limitation.found) {
         cohorts += (cohorts.empty() ? "" : ", ") + own;
@@ -85,7 +86,7 @@ class LimitationsWriter : HtmlWriter {
       put("<dt>{}</dt><dd>", inWords(flag.title()));
       std::string sentences;
       for (const auto& one : limitation.found) sentences += sentenceOf(limitation, one) + " ";
-      if (flag.isOfRendering) sentences.clear();  // the page has them
+      if (flag.concernsRendering) sentences.clear();  // the page has them
       put("<p>{}{} <span class=\"source\">({})</span></p></dd>",
           sentences,
           inWords(flag.why),

@@ -118,7 +118,7 @@ class MethodsWriter : HtmlWriter {
         say("After {}, participants chose among the alternatives (“{}”).",
             s_.blockTitle(phase.block),
             s_.titleOf(phase.instrument));
-    if (!phase.mayFeelAgain) return text;
+    if (!phase.hasOptionalTrials) return text;
     return text + " " +
            say("Before, they could feel each of them once more, or go on without; nothing is "
                "computed from these trials.");
@@ -234,7 +234,7 @@ class MethodsWriter : HtmlWriter {
     if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", s_.words(words), lines);
   }
 
-  std::string describe(const protocols::FeltSource& source) const {
+  std::string describe(const protocols::SceneDataSource& source) const {
     const auto title = s_.words(source.title);
     const auto kind = s_.words(source.kind);
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";

@@ -346,7 +346,7 @@ void layOutAgain(QTextDocument& document) {
   document.setPageSize(size);
 }
 
-void breakPages(QTextDocument& document, const QString& continued) {
+void choosePageBreaks(QTextDocument& document, const QString& continued) {
   const double page = document.pageSize().height();
   // A change does not move the items before it, so each item is changed at most three times.
   for (std::size_t begin = 0, looked = 0;;) {

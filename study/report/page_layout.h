@@ -21,11 +21,11 @@ void fitColumns(QTextDocument& document);
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
 /// table is divided between its groups of rows, or where several rows are on each page; what is on
 /// the next page has the same head and is marked as @p continued, in brackets.
-void breakPages(QTextDocument& document, const QString& continued);
+void choosePageBreaks(QTextDocument& document, const QString& continued);
 
 /// Gives the entries of each list of contents, which follows a heading of the second level that
 /// begins a page, the number of the page of their heading of the third level. Has to be called
-/// before breakPages() with room for the numbers, and again after it.
+/// before choosePageBreaks() with room for the numbers, and again after it.
 void numberContents(QTextDocument& document);
 
 /// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks

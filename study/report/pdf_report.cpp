@@ -220,7 +220,7 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);
   numberContents(document);  // makes room for the numbers
-  breakPages(document, QString::fromStdString(words::wordsIn(page.language)("continued")));
+  choosePageBreaks(document, QString::fromStdString(words::wordsIn(page.language)("continued")));
   splitAtPages(document);
   numberContents(document);
   paintPages(document, writer, font);

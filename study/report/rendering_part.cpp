@@ -56,7 +56,7 @@ class RenderingWriter : HtmlWriter {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
         {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
-    for (const auto& d : feltDifferences(s_.curves)) {
+    for (const auto& d : renderedForceDifferences(s_.curves)) {
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),
            rounded(d.pooled, 2),

@@ -43,9 +43,9 @@ std::vector<storage::TrialRow> countedTrials(const storage::Records& records, Ru
 
 TrialQuality qualityOf(Study& study, RunMode mode) {
   TrialQuality quality;
-  std::map<std::string, CutOffTrials> cutOff;
+  std::map<std::string, SaturatedTrials> cutOff;
   for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
-    if (trial.step.isOfferedAgain()) {
+    if (trial.step.isOptionalRepetition()) {
       ++quality.optionalTrials;
       continue;
     }
@@ -107,7 +107,7 @@ std::vector<LandmarkSummary> landmarksOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::map<VisitKey, storage::TrialRow> trials;
   for (auto& trial : countedTrials(records, mode)) {
-    if (!trial.step.isOfferedAgain()) trials.emplace(trial.step.visit, std::move(trial));
+    if (!trial.step.isOptionalRepetition()) trials.emplace(trial.step.visit, std::move(trial));
   }
   std::map<std::string, std::vector<storage::CutRecord>> cuts;
   for (const auto& cut : records.cuts()) {
@@ -164,7 +164,7 @@ const std::string& ReportSection::conditionTitle(const std::string& condition) c
   return protocol.condition(condition)->title;
 }
 
-int ReportSection::conditionPlace(const std::string& condition) const {
+int ReportSection::conditionIndex(const std::string& condition) const {
   const auto& all = protocol.conditions;
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.id == condition; });
@@ -269,7 +269,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
 }
 
 ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
-  auto felt = feltResult(study, mode);
+  auto felt = renderedForceResult(study, mode);
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,

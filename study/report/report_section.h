@@ -39,7 +39,7 @@ struct Figures {
 };
 
 /// The trials of a condition whose scene asked for more force than the device may give.
-struct CutOffTrials {
+struct SaturatedTrials {
   std::string condition;
   int trials = 0;              ///< all of the condition
   std::vector<double> shares;  ///< of the contact, 0 to 1, one for each such trial, rising
@@ -64,8 +64,8 @@ struct TrialQuality {
   double contact = 0.0;    ///< time in contact with the tissue [s]
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
-  std::vector<CutOffTrials> cutOff;   ///< by condition, in the protocol's order
-  std::vector<TrialReasons> reasons;  ///< of all trials that did not pass, the force apart
+  std::vector<SaturatedTrials> cutOff;  ///< by condition, in the protocol's order
+  std::vector<TrialReasons> reasons;    ///< of all trials that did not pass, the force apart
 };
 
 /// Where the cuts of a condition have a landmark, over all that count; each cut counts once.
@@ -80,7 +80,7 @@ struct LandmarkSummary {
 struct ReportSection {
   protocols::Protocol protocol;
   std::vector<questionnaires::Instrument> instruments;
-  std::vector<protocols::FeltSource> sources;
+  std::vector<protocols::SceneDataSource> sources;
   std::string protocolHash;
   AnalysisPlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
@@ -90,7 +90,7 @@ struct ReportSection {
   /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};
   Results results;
-  std::vector<FeltCurve> curves;
+  std::vector<RenderedForceCurve> curves;
   base::Message curvesReason;  ///< why there are no curves, if the traces could not be read
   TrialQuality quality;
   std::vector<LandmarkSummary> landmarks;         ///< condition by condition, of those with cuts
@@ -103,7 +103,7 @@ struct ReportSection {
   const std::string& conditionTitle(const std::string& condition) const;
   /// The index among the protocol's conditions, from 0; it selects the condition's colour in every
   /// figure.
-  int conditionPlace(const std::string& condition) const;
+  int conditionIndex(const std::string& condition) const;
   const std::string& cohortTitle(const std::string& cohort) const;
   /// "FEM (finite elements)": the title of a condition; behind an abbreviation the name of its
   /// force model, if it is known.

@@ -142,7 +142,7 @@ inline constexpr int kMostBars = 11;
 /// Whether the answers to a family are counted point by point.
 inline bool isShownByPoint(const FamilyResult& family) {
   const auto& table = family.cohorts.front().table;
-  return table.isOfPoints && table.highest - table.lowest < kMostBars;
+  return table.isPointScale && table.highest - table.lowest < kMostBars;
 }
 
 /// The figure beside the answer.

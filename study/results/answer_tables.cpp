@@ -31,11 +31,11 @@ const protocols::ConditionQuestionnaire* questionnaireIn(
 
 /// The answers of one participant in one visit of a step.
 struct AnsweredForm {
-  OwnedAnswer first;
+  ParticipantAnswer first;
   std::vector<questionnaires::Answer> answers;
 };
 
-std::vector<AnsweredForm> formsOf(const std::vector<OwnedAnswer>& answers) {
+std::vector<AnsweredForm> formsOf(const std::vector<ParticipantAnswer>& answers) {
   std::map<VisitKey, AnsweredForm> forms;
   for (const auto& owned : answers) {
     auto& form = forms.try_emplace(owned.record->step.visit, AnsweredForm{owned, {}}).first->second;
@@ -75,7 +75,7 @@ FamilyLayout::FamilyLayout(const protocols::LoadedProtocol& loaded, const protoc
   if (const auto scale = protocols::scaleOf(family, instrument_)) {
     table_.lowest = scale->lowest;
     table_.highest = scale->highest;
-    table_.isOfPoints = scale->isOfPoints;
+    table_.isPointScale = scale->isPointScale;
   }
   for (const auto& item : protocols::comparedItems(family, instrument_.items)) {
     if (protocols::scaleOf(item)) table_.statements.push_back(item.id);
@@ -91,7 +91,7 @@ std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(const Origin& origin, dou
   if (!method || !round || !statement) return std::nullopt;
   if (score_ != nullptr) return Cell{*method, *round, *statement, answer};
   const double score = questionnaires::keyedNumber(*instrument_.item(origin.item), answer);
-  const bool isOnScale = (!table_.isOfPoints || score == std::round(score)) &&
+  const bool isOnScale = (!table_.isPointScale || score == std::round(score)) &&
                          score >= table_.lowest && score <= table_.highest;
   if (!isOnScale) return std::nullopt;
   return Cell{*method, *round, *statement, score};
@@ -101,11 +101,11 @@ analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const std::vector<std::string>& people,
-    const std::vector<OwnedAnswer>& answers) {
+    const std::vector<ParticipantAnswer>& answers) {
   const FamilyLayout layout(loaded, family);
   auto table = layout.table();
   table.participants = people;
-  const auto add = [&](const OwnedAnswer& owned, const std::string& what, double value) {
+  const auto add = [&](const ParticipantAnswer& owned, const std::string& what, double value) {
     const auto& step = owned.record->step;
     const auto person = placeOf(table.participants, *owned.participant);
     const auto cell = layout.cellOf({step.instrument, step.phase, step.condition, what}, value);
@@ -134,7 +134,7 @@ analysis::AnswerTable answerTable(
   return table;
 }
 
-std::vector<std::size_t> expectedAnswers(
+std::vector<std::size_t> completeAnswerCounts(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table) {
@@ -153,7 +153,7 @@ std::vector<std::size_t> expectedAnswers(
   return expected;
 }
 
-std::vector<std::size_t> relativeStatements(
+std::vector<std::size_t> comparativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table) {

@@ -12,7 +12,7 @@
 namespace study {
 
 /// An answer with the participant who gave it.
-struct OwnedAnswer {
+struct ParticipantAnswer {
   const std::string* participant = nullptr;
   const storage::AnswerRecord* record = nullptr;
 };
@@ -68,17 +68,17 @@ analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const std::vector<std::string>& people,
-    const std::vector<OwnedAnswer>& answers);
+    const std::vector<ParticipantAnswer>& answers);
 
 /// For each method of the table, the number of answers of a participant who answers all items.
-std::vector<std::size_t> expectedAnswers(
+std::vector<std::size_t> completeAnswerCounts(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
 /// The indices of answered statements that ask for a comparison with the previous condition; none
 /// if the family compares a score.
-std::vector<std::size_t> relativeStatements(
+std::vector<std::size_t> comparativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table);

@@ -56,7 +56,7 @@ double ownSpeed(std::span<const storage::TraceSample> samples) {
 
 }  // namespace
 
-FeltBins::FeltBins(
+RenderedForceBins::RenderedForceBins(
     const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene)
     : width_(kind.travel.most / kBins), closing_(kind.travel.most / kSlowestStroke) {
   const double most = std::max(kind.travel.most, endOf(scene));
@@ -64,7 +64,7 @@ FeltBins::FeltBins(
   forces_.resize(static_cast<std::size_t>(std::ceil(most / width_ - 1e-9)));
 }
 
-void FeltBins::add(std::span<const storage::TraceSample> samples) {
+void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
   const double closing = std::min(closing_, kShareOfOwn * ownSpeed(samples));
   Stroke stroke;
   // the previous sample, if the tool was closing then; otherwise nullptr
@@ -82,7 +82,7 @@ void FeltBins::add(std::span<const storage::TraceSample> samples) {
   endStroke(stroke);
 }
 
-std::optional<std::size_t> FeltBins::binOf(double travel) const {
+std::optional<std::size_t> RenderedForceBins::binOf(double travel) const {
   const double bin = std::floor(travel / width_);
   if (!(bin >= 0.0 && bin < static_cast<double>(forces_.size()))) return std::nullopt;
   return static_cast<std::size_t>(bin);
@@ -90,7 +90,7 @@ std::optional<std::size_t> FeltBins::binOf(double travel) const {
 
 /// Adds a force, interpolated linearly between @p a and @p b, to the bins that the tool passed
 /// between these samples.
-void FeltBins::addBetween(
+void RenderedForceBins::addBetween(
     const storage::TraceSample& a, const storage::TraceSample& b, Stroke& stroke) const {
   const auto first = binOf(a.travel);
   const auto last = binOf(b.travel);
@@ -101,12 +101,12 @@ void FeltBins::addBetween(
   }
 }
 
-void FeltBins::endStroke(Stroke& stroke) {
+void RenderedForceBins::endStroke(Stroke& stroke) {
   for (auto& [bin, forces] : stroke) forces_[bin].push_back(lowerMedian(forces));
   stroke.clear();
 }
 
-std::map<int, double> FeltBins::medians() {
+std::map<int, double> RenderedForceBins::medians() {
   std::map<int, double> medians;
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     if (!forces_[bin].empty()) medians[static_cast<int>(bin)] = lowerMedian(forces_[bin]);
@@ -114,8 +114,8 @@ std::map<int, double> FeltBins::medians() {
   return medians;
 }
 
-std::vector<FeltCurve::Point> FeltBins::points() {
-  std::vector<FeltCurve::Point> points;
+std::vector<RenderedForceCurve::Point> RenderedForceBins::points() {
+  std::vector<RenderedForceCurve::Point> points;
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     auto& forces = forces_[bin];
     if (forces.empty()) continue;

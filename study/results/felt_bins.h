@@ -23,10 +23,11 @@ namespace study {
 /// samples that close against a force), and a sixteenth of the device's travel per second.
 /// Therefore both reaming at 0.01 mm/s, as in the measurements, and a stroke of 30 mm/s count as
 /// closing; a hand at rest does not.
-class FeltBins {
+class RenderedForceBins {
  public:
   /// Bins over the device's travel, or over the data of @p scene if they extend beyond the travel.
-  FeltBins(const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene);
+  RenderedForceBins(
+      const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene);
 
   /// Adds the strokes of a trial; samples without a force are left out.
   void add(std::span<const storage::TraceSample> samples);
@@ -35,7 +36,7 @@ class FeltBins {
   std::map<int, double> medians();
 
   /// The bins with the median, 10th and 90th percentile over strokes.
-  std::vector<FeltCurve::Point> points();
+  std::vector<RenderedForceCurve::Point> points();
 
  private:
   using Stroke = std::map<std::size_t, std::vector<float>>;  ///< forces of one stroke, by bin [N]

@@ -19,7 +19,7 @@ namespace {
 /// force curve, or from its spheres before any is removed. Empty if the force depends on more than
 /// travel.
 std::vector<double> intendedForces(
-    const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
+    const haptics::engine::ModelSpec& felt, const std::vector<RenderedForceCurve::Point>& points) {
   const auto model = haptics::engine::undisturbed(felt);
   if (!model) return {};
   haptics::engine::CompiledScene compiled({.model = *model});
@@ -40,7 +40,7 @@ std::vector<double> intendedForces(
 
 }  // namespace
 
-std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
+std::vector<RenderedForceCurve> renderedForceCurves(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::map<SessionId, std::string> counted;  // completed sessions and their participants
   for (const auto& session : records.sessions()) {
@@ -49,15 +49,15 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   }
   const auto& protocol = study.protocol().protocol;
   const auto trials = records.trials();
-  std::vector<FeltCurve> curves;
+  std::vector<RenderedForceCurve> curves;
   for (const auto& condition : protocol.conditions) {
-    FeltCurve curve{.condition = condition.id, .device = condition.device};
-    const FeltBins none(*protocol.device(condition.device)->kind, condition.scene());
-    FeltBins bins = none;
-    std::map<std::string, FeltBins> byParticipant;
+    RenderedForceCurve curve{.condition = condition.id, .device = condition.device};
+    const RenderedForceBins none(*protocol.device(condition.device)->kind, condition.scene());
+    RenderedForceBins bins = none;
+    std::map<std::string, RenderedForceBins> byParticipant;
     for (const auto& trial : trials) {
       const bool counts = trial.step.condition == condition.id && trial.step.isFinished() &&
-                          !trial.step.isOfferedAgain() &&
+                          !trial.step.isOptionalRepetition() &&
                           counted.count(trial.step.visit.session) > 0;
       if (!counts) continue;
       const auto samples = study.traces().read(trial.step.visit);
@@ -74,7 +74,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   return curves;
 }
 
-std::optional<double> rmsFromIntended(const FeltCurve& curve) {
+std::optional<double> rmsFromIntended(const RenderedForceCurve& curve) {
   if (curve.intended.empty() || curve.points.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -88,7 +88,7 @@ namespace {
 
 using Medians = std::map<int, double>;  ///< median force, by bin [N]
 
-Medians mediansOf(const FeltCurve& curve) {
+Medians mediansOf(const RenderedForceCurve& curve) {
   Medians medians;
   for (const auto& point : curve.points) medians[point.bin] = point.median;
   return medians;
@@ -116,7 +116,7 @@ std::optional<double> rmsDifference(const Medians& a, const Medians& b, const st
 
 /// The medians for @p a and for @p b of each participant for whom they have a bin in common.
 std::vector<std::pair<const Medians*, const Medians*>> pairsOf(
-    const FeltCurve& a, const FeltCurve& b) {
+    const RenderedForceCurve& a, const RenderedForceCurve& b) {
   std::vector<std::pair<const Medians*, const Medians*>> pairs;
   for (const auto& [participant, medians] : a.medians) {
     const auto other = b.medians.find(participant);
@@ -128,8 +128,9 @@ std::vector<std::pair<const Medians*, const Medians*>> pairsOf(
 
 }  // namespace
 
-std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves) {
-  std::vector<FeltDifference> differences;
+std::vector<RenderedForceDifference> renderedForceDifferences(
+    const std::vector<RenderedForceCurve>& curves) {
+  std::vector<RenderedForceDifference> differences;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (std::size_t j = i + 1; j < curves.size(); ++j) {
       const auto& a = curves[i];

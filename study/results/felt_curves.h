@@ -15,14 +15,14 @@ namespace study {
 /// finished trials of completed sessions, except optional trials. It is a manipulation check: if
 /// the forces of two alternatives do not differ at the handle, forces cannot be the cause of
 /// differences in questionnaires.
-struct FeltCurve {
+struct RenderedForceCurve {
   /// The forces in one bin of travel.
   struct Point {
     double travel = 0.0;  ///< middle of a bin [device's travel unit]
     double low = 0.0;     ///< 10th percentile over strokes [N]
     double median = 0.0;  ///< [N]
     double high = 0.0;    ///< 90th percentile [N]
-    int bin = 0;          ///< number of the bin, the key in FeltCurve::medians
+    int bin = 0;          ///< number of the bin, the key in RenderedForceCurve::medians
   };
 
   std::string condition;
@@ -39,7 +39,7 @@ struct FeltCurve {
 /// How much the forces of two conditions differed at the handle: the root mean square difference of
 /// median forces [N]. Both `pooled` and `mean` use only the bins that every participant with both
 /// conditions passed in both.
-struct FeltDifference {
+struct RenderedForceDifference {
   std::string condition1;
   std::string condition2;
   double pooled = 0.0;                         ///< between the medians over all participants'
@@ -50,14 +50,15 @@ struct FeltDifference {
 };
 
 /// One curve for every condition that was rendered, in the protocol's order.
-std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
+std::vector<RenderedForceCurve> renderedForceCurves(Study& study, RunMode mode);
 
-/// The root mean square difference between the medians and FeltCurve::intended [N]; std::nullopt if
-/// `intended` is empty.
-std::optional<double> rmsFromIntended(const FeltCurve& curve);
+/// The root mean square difference between the medians and RenderedForceCurve::intended [N];
+/// std::nullopt if `intended` is empty.
+std::optional<double> rmsFromIntended(const RenderedForceCurve& curve);
 
 /// The differences between all pairs of curves of the same device. Pairs without a common
 /// bin are left out.
-std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves);
+std::vector<RenderedForceDifference> renderedForceDifferences(
+    const std::vector<RenderedForceCurve>& curves);
 
 }  // namespace study

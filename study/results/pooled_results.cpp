@@ -121,11 +121,11 @@ analysis::PairwiseComparisons comparePooled(
 Results pooledResults(Study& study, RunMode mode) {
   const auto& loaded = study.protocol();
   const auto& protocol = loaded.protocol;
-  const bool isOfPoints = std::ranges::all_of(protocol.analysis.families, [&](const auto& family) {
-    return FamilyLayout(loaded, family).table().isOfPoints;
-  });
+  const bool isPointScale = std::ranges::all_of(
+      protocol.analysis.families,
+      [&](const auto& family) { return FamilyLayout(loaded, family).table().isPointScale; });
   // numbers and scores have no countable points
-  if (!isOfPoints) return computeResults(study, mode);
+  if (!isPointScale) return computeResults(study, mode);
   const auto history = analysisPlanHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});

@@ -46,7 +46,7 @@ class Computation {
     for (auto& trial : records_.trials()) {
       const auto session = sessions_.find(trial.step.visit.session);
       const bool counts = session != sessions_.end() && session->second.isCompleted() &&
-                          trial.step.isFinished() && !trial.step.isOfferedAgain();
+                          trial.step.isFinished() && !trial.step.isOptionalRepetition();
       if (counts) trials_.push_back(std::move(trial));
     }
     allocation_ = records_.allocation();
@@ -176,7 +176,7 @@ class Computation {
         people.push_back(session.participant);
       }
     }
-    std::vector<OwnedAnswer> owned;
+    std::vector<ParticipantAnswer> owned;
     for (const auto& answer : answers_) {
       if (!isOf(family, answer) || cohortOf(answer) != cohort) continue;
       owned.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
@@ -230,8 +230,8 @@ class Computation {
         .alpha = family.alpha,
         .threshold = thresholdOf(family),
         .tests = family.comparisons.size(),
-        .relativeStatements = relativeStatements(loaded_, family, part.table),
-        .expected = expectedAnswers(loaded_, family, part.table)};
+        .comparativeStatements = comparativeStatements(loaded_, family, part.table),
+        .expected = completeAnswerCounts(loaded_, family, part.table)};
     for (const auto& method : part.table.methods) {
       facts.methodTitles.push_back(loaded_.protocol.condition(method)->title);
     }
@@ -371,7 +371,7 @@ std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTe
   std::vector<RaisedFlag> raised;
   for (const auto& cohort : family.cohorts) {
     for (const auto& flag : cohort.flags) {
-      if (flag.isOfPooled && !hasPooledTests) continue;
+      if (flag.concernsPooledTests && !hasPooledTests) continue;
       auto same = std::find_if(raised.begin(), raised.end(), [&](const auto& other) {
         return other.flag->id == flag.id;
       });

@@ -156,9 +156,9 @@ class Writer {
           "{}: {} who judged every method{}",
           cohortTitle(cohort.cohort),
           words::counted(cohort.within.participants, "participant"),
-          cohort.within.leftOut.empty()
+          cohort.within.excludedParticipants.empty()
               ? ""
-              : fmt::format(", {} left out", cohort.within.leftOut.size())));
+              : fmt::format(", {} left out", cohort.within.excludedParticipants.size())));
       for (const auto& words : apaLines(cohort.within, family.family, {}, wording_))
         line("  " + words);
       for (const auto& row : cohort.within.probabilities) probability(row, family.family.alpha);
@@ -206,7 +206,7 @@ class Writer {
           "    heterogeneity: Q({}) = {}, p {}, I² = {:.0f} %, τ² = {} (DerSimonian–Laird: {})",
           row.pooled->sites - 1,
           rounded(row.pooled->q, 2),
-          withRelationSign(formatP(row.pooled->qP)),
+          withRelationSign(formatP(row.pooled->heterogeneityP)),
           100.0 * row.pooled->reml.iSquared,
           rounded(row.pooled->reml.tauSquared, 3),
           rounded(row.pooled->derSimonianLaird.tauSquared, 3)));

@@ -40,7 +40,7 @@ std::size_t balancedBy(const std::vector<BlockPlan>& blocks) {
 }
 
 std::vector<CohortPlan> cohortsOf(
-    const protocols::Protocol& protocol, const PlanQuestion& question, std::size_t multiple) {
+    const protocols::Protocol& protocol, const StudyPlanOptions& question, std::size_t multiple) {
   std::vector<CohortPlan> cohorts;
   for (const auto& cohort : protocol.cohorts) {
     const auto planned = static_cast<std::uint64_t>(std::max(cohort.planned, 0));
@@ -86,11 +86,14 @@ int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
   constexpr int kFine = 101;  // approximates a continuous scale
   const auto scale = protocols::scaleOf(family, *loaded.instrument(family.instrument));
   if (!scale) return kUsual;
-  return scale->isOfPoints ? static_cast<int>(scale->highest - scale->lowest) + 1 : kFine;
+  return scale->isPointScale ? static_cast<int>(scale->highest - scale->lowest) + 1 : kFine;
 }
 
 analysis::PowerSimulation simulationOf(
-    const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants, double dz) {
+    const FamilyPlan& family,
+    const StudyPlanOptions& question,
+    std::uint64_t participants,
+    double dz) {
   analysis::PowerSimulation simulation{
       .model = question.model,
       .participants = participants,
@@ -107,7 +110,7 @@ analysis::PowerSimulation simulationOf(
 
 SiteDetectability atSites(
     const FamilyPlan& family,
-    const PlanQuestion& question,
+    const StudyPlanOptions& question,
     const analysis::SitePlan& sites,
     std::uint64_t participants) {
   SiteDetectability prospect{
@@ -123,10 +126,10 @@ SiteDetectability atSites(
 }
 
 Detectability prospectOf(
-    const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants) {
+    const FamilyPlan& family, const StudyPlanOptions& question, std::uint64_t participants) {
   Detectability prospect{
       .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
-  prospect.canFindPairs = prospect.pair.p <= family.alphaPerTest;
+  prospect.canPairsBeSignificant = prospect.pair.p <= family.alphaPerTest;
   if (family.conditions > 2) {
     prospect.friedman =
         analysis::smallestFriedmanP(participants, static_cast<int>(family.conditions));
@@ -148,7 +151,9 @@ Detectability prospectOf(
 }
 
 FamilyPlan declared(
-    const protocols::Family& family, const LoadedProtocol& loaded, const PlanQuestion& question) {
+    const protocols::Family& family,
+    const LoadedProtocol& loaded,
+    const StudyPlanOptions& question) {
   const auto conditions = comparedConditions(family);
   FamilyPlan plan{
       .id = family.id,
@@ -221,7 +226,8 @@ void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
           .alternatives = static_cast<int>(conditions.size()),
           .votes = cohort.participants};
       if (vote.alternatives > 1) {
-        vote.toWin = analysis::fewestVotesForSignificance(vote.votes, vote.alternatives, alpha);
+        vote.votesForSignificance =
+            analysis::fewestVotesForSignificance(vote.votes, vote.alternatives, alpha);
         vote.canDecide = analysis::smallestVoteP(vote.votes, vote.alternatives).p <= alpha;
       }
       study.votes.push_back(vote);
@@ -231,7 +237,7 @@ void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
 
 }  // namespace
 
-StudyPlan planOf(const LoadedProtocol& loaded, const PlanQuestion& question) {
+StudyPlan planOf(const LoadedProtocol& loaded, const StudyPlanOptions& question) {
   const auto& protocol = loaded.protocol;
   StudyPlan study{.title = protocol.study.title, .question = question};
   study.blocks = blocksOf(protocol);

@@ -15,7 +15,7 @@
 namespace study {
 
 /// What a study plan is computed for, beside the protocol.
-struct PlanQuestion {
+struct StudyPlanOptions {
   std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the numbers in the
                                               ///< protocol
   double dz = 1.0;                            ///< the effect to detect: Cohen's d_z
@@ -54,7 +54,7 @@ struct Detectability {
   std::uint64_t participants = 0;
   analysis::AttainableP pair;  ///< smallest attainable p of an exact paired test (sign flip, signed
                                ///< rank)
-  bool canFindPairs = false;   ///< whether this p is at most alphaPerTest
+  bool canPairsBeSignificant = false;  ///< whether this p is at most alphaPerTest
   /// Smallest attainable p of an exact Friedman test; for three or more conditions.
   std::optional<analysis::AttainableP> friedman;
   std::optional<double> power;  ///< of a paired t-test for the requested effect; from two
@@ -97,8 +97,9 @@ struct VotePlan {
   std::string cohort;
   int alternatives = 0;
   std::uint64_t votes = 0;
-  std::optional<std::uint64_t> toWin;  ///< fewest votes for one alternative that are significant
-  bool canDecide = false;              ///< whether a unanimous vote would be significant
+  std::optional<std::uint64_t>
+      votesForSignificance;  ///< fewest votes for one alternative that are significant
+  bool canDecide = false;    ///< whether a unanimous vote would be significant
 };
 
 /// A comparison of two cohorts in one condition.
@@ -120,7 +121,7 @@ struct CohortPlan {
 /// What can be computed from a protocol before the study begins.
 struct StudyPlan {
   std::string title;
-  PlanQuestion question;
+  StudyPlanOptions question;
   std::vector<BlockPlan> blocks;
   /// Every multiple of this number balances every block that can be balanced; 1: there is none.
   std::size_t balancedBy = 1;
@@ -132,7 +133,7 @@ struct StudyPlan {
   double mostForce = 0.0;  ///< largest force limit of the study's devices [N]
 };
 
-StudyPlan planOf(const protocols::LoadedProtocol& loaded, const PlanQuestion& question);
+StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& question);
 
 std::string studyPlanAsText(const StudyPlan& plan);
 

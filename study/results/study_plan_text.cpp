@@ -74,7 +74,7 @@ std::string ordersText(const StudyPlan& plan) {
 
 std::string pairVerdict(const FamilyPlan& family, const Detectability& prospect) {
   const auto smallest = pText(prospect.pair);
-  if (prospect.canFindPairs) {
+  if (prospect.canPairsBeSignificant) {
     return fmt::format(
         "smallest exact p of a pair {}: below {}, so that exact paired tests can find something",
         smallest,
@@ -272,10 +272,11 @@ std::string votesText(const StudyPlan& plan) {
         vote.cohort,
         counted(vote.votes, "vote"),
         counted(vote.alternatives, "alternative"));
-    text += vote.toWin ? fmt::format(
-                             "one that gets {} or more is preferred by more than chance (exact "
-                             "multinomial test).\n",
-                             *vote.toWin)
+    text += vote.votesForSignificance
+                ? fmt::format(
+                      "one that gets {} or more is preferred by more than chance (exact "
+                      "multinomial test).\n",
+                      *vote.votesForSignificance)
             : vote.canDecide ? "too many to be counted out before the study.\n"
                              : "too few: not even all votes for one would be more than chance.\n";
   }
@@ -399,7 +400,7 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
         "; with {} its power is {}, and an exact signed rank test {} reach significance",
         prospect.participants,
         share(*prospect.power),
-        prospect.canFindPairs ? "can" : "cannot");
+        prospect.canPairsBeSignificant ? "can" : "cannot");
     if (prospect.sites) {
       words += fmt::format(
           "; pooled over {}, between which the effect has a standard deviation of {:g} d_z, the "
@@ -448,7 +449,7 @@ std::string ethicsParagraph(const StudyPlan& plan) {
       " A session takes about {:.0f} minutes, of which about {:.0f} are spent touching the "
       "device, which is limited to {:g} N. Participants may pause or stop at any time.",
       std::ceil(plan.length.seconds / 60.0),
-      std::ceil(plan.length.secondsOfForce / 60.0),
+      std::ceil(plan.length.secondsOnDevice / 60.0),
       plan.mostForce);
   return words;
 }

@@ -36,13 +36,13 @@ Arrivals arrivalsBy(Study& study, std::int64_t event) {
   return arrivals;
 }
 
-NotedPush lastPush(const std::string& study, const std::string& station) {
-  const auto store = storage::StationStore::find(storage::StationStore::usualFolder());
-  NotedPush last;
+PushRecord lastPush(const std::string& study, const std::string& station) {
+  const auto store = storage::StationStore::find(storage::StationStore::defaultFolder());
+  PushRecord last;
   if (!store) return last;
   for (const auto& line : store->lines(listOf(study))) {
     std::istringstream words(line);
-    NotedPush noted;
+    PushRecord noted;
     std::string of;
     if (!(words >> noted.utc >> of >> noted.have) || of != station) continue;
     words >> noted.problem;
@@ -51,22 +51,22 @@ NotedPush lastPush(const std::string& study, const std::string& station) {
   return last;
 }
 
-void notePush(
-    const std::string& study, const std::string& station, const NotedPush& push) noexcept {
+void recordPush(
+    const std::string& study, const std::string& station, const PushRecord& push) noexcept {
   try {
     auto line = push.utc + " " + station + " " + std::to_string(push.have);
     if (!push.problem.empty()) line += " " + push.problem;
-    storage::StationStore::findOrMake(storage::StationStore::usualFolder())
+    storage::StationStore::openOrCreate(storage::StationStore::defaultFolder())
         .append(listOf(study), line);
   } catch (const std::exception&) {
     return;
   }
 }
 
-void noteReceipt(
+void recordErasureReceipt(
     const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept {
   try {
-    const auto store = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+    const auto store = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
     const auto list = listOfReceipts(study, station);
     const auto line = receipt.utc + " " + std::to_string(receipt.session) + " " +
                       std::to_string(receipt.left) + " " + receipt.participant;
@@ -79,7 +79,7 @@ void noteReceipt(
 
 std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station) {
   std::vector<ErasureReceipt> receipts;
-  const auto store = storage::StationStore::find(storage::StationStore::usualFolder());
+  const auto store = storage::StationStore::find(storage::StationStore::defaultFolder());
   if (!store) return receipts;
   for (const auto& line : store->lines(listOfReceipts(study, station))) {
     std::istringstream words(line);

@@ -22,17 +22,18 @@ Arrivals arrivalsBy(Study& study, std::int64_t event);
 
 /// The result of the last push of a study to its server, as recorded in a list of this account. The
 /// operator's windows show it without a network connection.
-struct NotedPush {
+struct PushRecord {
   std::string utc;        ///< of the push; empty: there was none
   std::int64_t have = 0;  ///< number of events that the server had after the push
   std::string problem;    ///< name of the refusal or kind of error; empty: it succeeded
 };
 
 /// @param study, station  their uuids
-NotedPush lastPush(const std::string& study, const std::string& station);
+PushRecord lastPush(const std::string& study, const std::string& station);
 /// Appends the result to the account's list. Does nothing if the list cannot be written: the next
 /// push asks the server for its state anyway.
-void notePush(const std::string& study, const std::string& station, const NotedPush& push) noexcept;
+void recordPush(
+    const std::string& study, const std::string& station, const PushRecord& push) noexcept;
 
 /// The server's confirmation that it has erased a session, too.
 struct ErasureReceipt {
@@ -44,7 +45,7 @@ struct ErasureReceipt {
 
 /// Adds a receipt to the account's list, unless it is there. Does nothing if the list cannot be
 /// written.
-void noteReceipt(
+void recordErasureReceipt(
     const std::string& study, const std::string& station, const ErasureReceipt& receipt) noexcept;
 /// The receipts in the account's list, the last of each session.
 std::vector<ErasureReceipt> receiptsOf(const std::string& study, const std::string& station);

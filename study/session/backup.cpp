@@ -206,7 +206,7 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
     throw StorageError("There is no study in " + folder.string() + ". Check the folder's name.");
   }
   refuseUnlessNew(from, target);
-  const auto unfinished = newFolderBeside(target);
+  const auto unfinished = makeFolderBeside(target);
   noteBackup(from, target);
   try {
     // The copy holds names of people. Only its owner may read it, even if an older release made the
@@ -227,13 +227,13 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
 }
 
 std::size_t headsMissingIn(Study& study) {
-  const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
+  const auto station = storage::StationStore::find(storage::StationStore::defaultFolder());
   if (!station) return 0;
   return missingHeads(storage::TrailHeads(study.database()), *station).size();
 }
 
-std::size_t noteRestoredCopy(Study& study, const std::string& reason) {
-  const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
+std::size_t recordRestoredCopy(Study& study, const std::string& reason) {
+  const auto station = storage::StationStore::find(storage::StationStore::defaultFolder());
   if (!station) return 0;
   const auto missing = missingHeads(storage::TrailHeads(study.database()), *station);
   if (missing.empty()) return 0;

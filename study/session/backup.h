@@ -18,7 +18,7 @@ namespace study {
 inline std::string pathForAuditTrail(const std::filesystem::path& folder) {
   std::error_code ignored;
   auto text = std::filesystem::absolute(folder, ignored).lexically_normal().string();
-  return questionnaires::charactersIn(text) ? text : "a folder whose name is not UTF-8";
+  return questionnaires::utf8CharacterCount(text) ? text : "a folder whose name is not UTF-8";
 }
 
 /// The result of copying a study.
@@ -50,6 +50,6 @@ std::size_t headsMissingIn(Study& study);
 /// @return the number of heads that were given up
 /// @throws storage::StorageError  if the station's list cannot be read or the study cannot be
 ///     written
-std::size_t noteRestoredCopy(Study& study, const std::string& reason);
+std::size_t recordRestoredCopy(Study& study, const std::string& reason);
 
 }  // namespace study

@@ -69,7 +69,7 @@ struct CollectedStudy::Files {
 
 CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& origin)
     : target_(std::move(folder)),
-      folder_(newFolderBeside(target_)),
+      folder_(makeFolderBeside(target_)),
       clock_(clock),
       secret_(origin.secret),
       protocolName_(origin.protocols.at(0).protocol.study.id) {
@@ -77,7 +77,7 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
   files_ = std::make_unique<Files>(StudyFiles{folder_});
   const bool isOpen =
       std::any_of(origin.protocols.begin(), origin.protocols.end(), [](const auto& protocol) {
-        return protocol.protocol.isBlindingOpen;
+        return protocol.protocol.isOpenLabel;
       });
   if (isOpen) {
     files_->identities.put(origin.secret);
@@ -112,8 +112,8 @@ CollectedStudy::~CollectedStudy() {
   fs::remove_all(folder_, ignored);  // the study was never complete
 }
 
-void CollectedStudy::add(std::int64_t number, const storage::SessionFacts& facts) {
-  const auto id = storage::addFacts(files_->study, facts);
+void CollectedStudy::add(std::int64_t number, const storage::SessionTables& facts) {
+  const auto id = storage::addSessionTables(files_->study, facts);
   sessions_[number] = id;
   ++sessionCount_;
   const auto row = storage::SessionRepository(files_->study).load(id);
@@ -188,7 +188,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
       session = event.session;
       key = session ? log.keyOf(SessionId{*session}) : std::nullopt;
     }
-    log.appendFrom(
+    log.appendFromOtherTrail(
         key ? opened(event, *key) : event,
         key ? &*key : nullptr,
         lastOf_.at(event.session) == place++);
@@ -204,7 +204,7 @@ storage::StoredEvent CollectedStudy::opened(
   const auto station = storage::SessionRepository(files_->study).load(session).station;
   const storage::SealingKey study(secret_.of(station).bytes());
   auto open = event;
-  auto detail = event.sealed.empty() ? std::nullopt : storage::openedDetail(event, own, &study);
+  auto detail = event.sealed.empty() ? std::nullopt : storage::unsealedDetail(event, own, &study);
   if (!detail) return open;
   open.detail = std::move(*detail);
   open.sealed.clear();

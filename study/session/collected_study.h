@@ -54,7 +54,7 @@ class CollectedStudy {
   CollectedStudy& operator=(const CollectedStudy&) = delete;
 
   /// Adds one session of the station. @param number  its number at the station
-  void add(std::int64_t number, const storage::SessionFacts& facts);
+  void add(std::int64_t number, const storage::SessionTables& facts);
   /// @param chunk  unsealed (storage::opened())
   void add(std::int64_t number, const storage::TraceChunk& chunk);
   /// Adds the content key of a participant of the station.

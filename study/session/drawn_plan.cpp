@@ -85,7 +85,7 @@ std::uint64_t seedAt(
 /// its trail). True for a collected study, whose trail does not record it for each station.
 bool usesStationSecret(Study& study) {
   if (study.isCollected()) return true;
-  const auto made = study.events().madeStudy();
+  const auto made = study.events().valuesOfMadeStudy();
   return std::any_of(
       made.begin(), made.end(), [](const auto& value) { return value.first == kOrdersOfStation; });
 }

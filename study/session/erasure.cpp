@@ -97,7 +97,7 @@ std::optional<storage::SignedHead> signedEnd(Study& study) {
   try {
     return storage::signHead(
         study.database(),
-        StationStore::findOrMake(StationStore::usualFolder()),
+        StationStore::openOrCreate(StationStore::defaultFolder()),
         nameOf(EventKind::ResealedTrail),
         asUtc(study.clock().now().wall));
   } catch (const StorageError&) {
@@ -109,7 +109,8 @@ std::optional<storage::SignedHead> signedEnd(Study& study) {
 /// can be distinguished from the trail that was sealed again.
 void noteEnd(Study& study, const storage::SignedHead& head) {
   try {
-    storage::noteHead(StationStore::findOrMake(StationStore::usualFolder()), head, study.folder());
+    storage::recordHead(
+        StationStore::openOrCreate(StationStore::defaultFolder()), head, study.folder());
   } catch (const StorageError&) {
     return;  // the head of the new trail is noted in any case
   }
@@ -281,7 +282,7 @@ ErasureReport perform(Study& study, const ErasureRequest& request) {
   }
   study.database().execute("PRAGMA secure_delete = ON");
   study.transact([&] { report.answers = eraseRows(study, report.erasure, request.isAgain); });
-  study.withReservedSpace([&] { finish(study, report.erasure); });
+  study.retryWithReservedSpace([&] { finish(study, report.erasure); });
   report.filesWithTexts = report.texts.filesIn(
       study.folder(),
       {&study.database(), &study.traces().database(), &study.identities().database()});
@@ -317,7 +318,7 @@ bool hasPendingErasures(storage::Database& database) {
 
 void finishPendingErasures(Study& study) {
   for (const auto& erasure : storage::ErasureRepository(study.database()).unfinished()) {
-    study.withReservedSpace([&] { finish(study, erasure); });
+    study.retryWithReservedSpace([&] { finish(study, erasure); });
     listOnStation(asListed(study, erasure));  // the interrupted erasure did not get this far
   }
   const auto listed = storage::listedErasures(study.uuid());

@@ -120,7 +120,7 @@ ErasedCopy eraseFrom(
     for (const auto& open : storage::erasuresToRepeat(study.database(), {erasure}))
       repeatErasure(study, open);
   } else {
-    copy.outcome = ErasedCopy::Outcome::NotInIt;
+    copy.outcome = ErasedCopy::Outcome::NotInCopy;
   }
   copy.filesWithTexts = texts.filesIn(folder, {});
   return copy;

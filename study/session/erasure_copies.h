@@ -32,10 +32,10 @@ std::vector<KnownCopy> knownCopies(Study& study);
 /// The result of eraseFromCopy().
 struct ErasedCopy {
   enum class Outcome {
-    Erased,   ///< a backup: the participant was erased from it
-    NotInIt,  ///< a backup without the participant's data
-    Removed,  ///< an export or a report was deleted; the program can make it again
-    Failed,   ///< the copy is unchanged or partly erased; the erasure can be repeated
+    Erased,     ///< a backup: the participant was erased from it
+    NotInCopy,  ///< a backup without the participant's data
+    Removed,    ///< an export or a report was deleted; the program can make it again
+    Failed,     ///< the copy is unchanged or partly erased; the erasure can be repeated
   };
   std::string folder;
   Outcome outcome = Outcome::Erased;

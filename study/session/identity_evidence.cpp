@@ -141,7 +141,7 @@ std::string fingerprintOf(
   return found == rows.end() ? std::string() : found->second;
 }
 
-void noteIdentities(Study& study, const storage::SessionRow& session) {
+void recordIdentityFingerprints(Study& study, const storage::SessionRow& session) {
   if (isOver(session.state)) return;
   const storage::IdentityStore::Place place{
       session.participant, session.number, session.step, session.attempt};

@@ -16,7 +16,7 @@ std::string fingerprintOf(
 /// Notes in the audit trail how identity.db differs from the trail in the present step of a
 /// session. The trail is in another file, so a program that ends between the commits to both leaves
 /// a difference.
-void noteIdentities(Study& study, const storage::SessionRow& session);
+void recordIdentityFingerprints(Study& study, const storage::SessionRow& session);
 
 /// The fingerprints of a participant's rows in identity.db, in the format of the event
 /// NotedIdentities ("name=fingerprint …"); empty if there are no rows.

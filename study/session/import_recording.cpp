@@ -22,24 +22,25 @@ RecordingColumns columnsIn(const std::string& file) {
   auto columns = read->columns;
   if (!read->calibrationFile.empty()) {
     const auto beside = std::filesystem::path(file).parent_path() / read->calibrationFile;
-    columns.calibration = calibrationIn(beside.string());
+    columns.calibration = readCalibrationFile(beside.string());
   }
   return columns;
 }
 
-haptics::recordings::ForceCalibration calibrationIn(const std::string& file) {
+haptics::recordings::ForceCalibration readCalibrationFile(const std::string& file) {
   questionnaires::Problems problems;
   const auto calibration = protocols::readCalibration(questionnaires::readTextFile(file), problems);
   if (!calibration) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
   return *calibration;
 }
 
-haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns) {
-  return recordingIn(
+haptics::recordings::Recording readRecordingWithColumns(
+    const std::string& file, const std::string& columns) {
+  return readRecordingWithColumns(
       file, columns.empty() ? std::optional<RecordingColumns>() : columnsIn(columns));
 }
 
-haptics::recordings::Recording recordingIn(
+haptics::recordings::Recording readRecordingWithColumns(
     const std::string& file, const std::optional<RecordingColumns>& columns) {
   return columns ? haptics::recordings::readRecordingTableFile(file, *columns)
                  : haptics::recordings::readRecordingFile(file);
@@ -55,7 +56,8 @@ haptics::recordings::ImportedCut importRecording(
   return haptics::recordings::importCut(recording, options);
 }
 
-haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording) {
+haptics::recordings::ImportedCut importPublishedCut(
+    const haptics::recordings::Recording& recording) {
   constexpr double kAsRecorded = 1e6;  // limit of the slope, steeper than any recording [N/travel
                                        // unit]
   const auto rows = haptics::recordings::publishedCutIn(recording);
@@ -79,7 +81,7 @@ std::string withRecordedCut(std::string protocol, const std::string& file) {
   return protocol;
 }
 
-std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut) {
+std::string cutAsJsonWithSource(const std::string& recording, const haptics::recordings::Cut& cut) {
   std::ifstream file(recording, std::ios::binary);
   const auto bytes = base::readAll(file);
   return protocols::cutAsJson(cut, storage::sha256(bytes));

@@ -10,7 +10,7 @@ namespace study {
 
 /// Reads the calibration that 'palpate recording calibrate' wrote to @p file.
 /// @throws UserError  that names the place of the error in the file.
-haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
+haptics::recordings::ForceCalibration readCalibrationFile(const std::string& file);
 
 /// Reads a columns file, and the calibration that it names.
 /// @throws UserError  says where one of them is wrong.
@@ -22,9 +22,10 @@ haptics::recordings::RecordingColumns columnsIn(const std::string& file);
 /// @param columns  path of a columns file; empty: the recorder's five columns.
 /// @throws UserError  that names the place of the error in the columns file, the calibration file
 ///     or the recording.
-haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
+haptics::recordings::Recording readRecordingWithColumns(
+    const std::string& file, const std::string& columns);
 /// The same with the description of a table; std::nullopt: the recorder's five columns.
-haptics::recordings::Recording recordingIn(
+haptics::recordings::Recording readRecordingWithColumns(
     const std::string& file, const std::optional<haptics::recordings::RecordingColumns>& columns);
 
 /// Imports a cut under a name that a protocol can refer to.
@@ -34,13 +35,14 @@ haptics::recordings::ImportedCut importRecording(
 /// From a recording of the authors of the punch paper: imports the cut that their program renders,
 /// unchanged and filtered by rows as in their program. From another recording: imports the most
 /// typical cut, with its slope limited for the device.
-haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording);
+haptics::recordings::ImportedCut importPublishedCut(
+    const haptics::recordings::Recording& recording);
 
 /// The text of a shipped protocol of the punch, with the cut file @p file in place of the synthetic
 /// cut, and with "recorded" in its title.
 std::string withRecordedCut(std::string protocol, const std::string& file);
 
 /// The text of the cut file, with the SHA-256 of the recording file that it was made from.
-std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut);
+std::string cutAsJsonWithSource(const std::string& recording, const haptics::recordings::Cut& cut);
 
 }  // namespace study

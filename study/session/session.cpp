@@ -165,7 +165,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
   auto row = study.sessions().load(id);
   const auto holder = storage::Lease::holder(study.database(), id);
   std::optional<storage::Lease> lease;
-  study.withReservedSpace([&] {
+  study.retryWithReservedSpace([&] {
     storage::Transaction transaction(study.database());
     lease.emplace(
         study.database(),
@@ -193,7 +193,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
     }
     session.appendEvent(Actor::Program, EventKind::Resumed);
   });
-  noteIdentities(study, session.row_);
+  recordIdentityFingerprints(study, session.row_);
   if (session.state() == SessionState::InTrial) {
     session.abortTrial(session.abortedRecord(TrialEnding::ProgramEnded));
   }
@@ -289,11 +289,11 @@ void Session::appendEvent(Actor actor, EventKind kind, base::NamedArguments valu
 void Session::keep(storage::Event event) {
   event.visit = visit();
   event.when = study_.clock().now();
-  noticeSteppedClock(event.when);
+  recordClockStep(event.when);
   pendingEvents_.push_back(std::move(event));
 }
 
-void Session::noticeSteppedClock(const Moment& now) {
+void Session::recordClockStep(const Moment& now) {
   const auto last = std::exchange(lastMoment_, now);
   if (!last) return;
   const double byWallClock = static_cast<double>(now.wall - last->wall) / 1e3;        // [s]

@@ -90,8 +90,9 @@ class Session {
   /// @throws UserError  if a required answer is missing, or if the step is a trial.
   void finishStep();
 
-  /// Skips an optional trial (Step::isOffered). @throws UserError  if the present step is none.
-  void skipOfferedTrial();
+  /// Skips an optional trial (Step::isOptionalTrial). @throws UserError  if the present step is
+  /// none.
+  void skipOptionalTrial();
 
   void beginTrial();
   /// @param record  must have the ending Finished; a trial that ended otherwise goes to
@@ -135,7 +136,7 @@ class Session {
   /// Adds an event to the present transaction.
   void keep(storage::Event event);
   /// Adds an event ClockStepped if the wall clock was set since the last event.
-  void noticeSteppedClock(const Moment& now);
+  void recordClockStep(const Moment& now);
   std::string utcNow() const;
 
   /// The functions below run inside a transaction.

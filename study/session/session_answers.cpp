@@ -93,7 +93,8 @@ void Session::record(const GivenAnswer& answer) {
 void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer) {
   const auto* text = std::get_if<std::string>(&answer.response);
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
-  study_.withReservedSpace([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
+  study_.retryWithReservedSpace(
+      [&] { study_.identities().put(place(), item.id, *text, utcNow()); });
   base::NamedArguments values{{"item", item.id}, {"kept_apart", std::int64_t{1}}};
   const auto fingerprint = fingerprintOf(study_, place(), item.id);
   if (!fingerprint.empty()) values.emplace_back("fingerprint", fingerprint);
@@ -104,7 +105,7 @@ void Session::retract(const std::string& id) {
   requireAnswerable();
   const auto item = askedItem(id);
   if (item.isIdentifying)
-    study_.withReservedSpace([&] { study_.identities().remove(place(), id); });
+    study_.retryWithReservedSpace([&] { study_.identities().remove(place(), id); });
   transact([&] {
     storage::AnswerRepository(study_.database()).remove(visit(), id);
     appendEvent(Actor::Participant, EventKind::Retracted, id);

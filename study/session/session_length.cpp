@@ -35,7 +35,7 @@ void add(std::vector<PartOfSession>& parts, const PartOfSession& part) {
   found->items += part.items;
   found->cuts += part.cuts;
   found->seconds += part.seconds;
-  found->secondsOfForce += part.secondsOfForce;
+  found->secondsOnDevice += part.secondsOnDevice;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
     part.cuts = std::max(step.minimumCuts, 1);
     const double touching = part.cuts * pace.perCut;
     part.seconds += touching + pace.perChange;
-    if (step.kind == StepKind::Trial) part.secondsOfForce = touching;
+    if (step.kind == StepKind::Trial) part.secondsOnDevice = touching;
   }
   const auto* instrument = step.hasItems() ? loaded.instrument(step.instrument) : nullptr;
   if (instrument == nullptr) return part;
@@ -66,11 +66,11 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
       protocols::scheduleFor(protocol, protocol.seed.value_or(1), protocol.cohorts.front().id, 0);
   SessionLength length;
   for (const auto& step : sessionPlan(protocol, schedule)) {
-    if (step.isOffered) continue;  // few participants accept the offer
+    if (step.isOptionalTrial) continue;  // few participants accept the offer
     const auto part = partOf(loaded, step, pace);
     add(length.parts, part);
     length.seconds += part.seconds;
-    length.secondsOfForce += part.secondsOfForce;
+    length.secondsOnDevice += part.secondsOnDevice;
   }
   return length;
 }

@@ -24,14 +24,14 @@ struct PartOfSession {
   std::size_t items = 0;
   int cuts = 0;
   double seconds = 0.0;
-  double secondsOfForce = 0.0;  ///< part of seconds in which trials run on the device
+  double secondsOnDevice = 0.0;  ///< part of seconds in which trials run on the device
 };
 
 /// The expected duration of a session and of its parts.
 struct SessionLength {
   std::vector<PartOfSession> parts;  ///< in the order in which they first occur
   double seconds = 0.0;
-  double secondsOfForce = 0.0;  ///< part of seconds in which trials run on the device
+  double secondsOnDevice = 0.0;  ///< part of seconds in which trials run on the device
 };
 
 /// The expected duration of one step.

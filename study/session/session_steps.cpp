@@ -43,8 +43,8 @@ void Session::finishStep() {
   });
 }
 
-void Session::skipOfferedTrial() {
-  require(!isOver() && step().isOffered, "Nothing is offered in this step.");
+void Session::skipOptionalTrial() {
+  require(!isOver() && step().isOptionalTrial, "Nothing is offered in this step.");
   require(SessionEvent::SkippedStep);
   transact([&] {
     const std::string reason = "not wanted";

@@ -98,7 +98,7 @@ void Study::readStudyRow() {
   const std::string seed = select.text(1);
   std::from_chars(seed.data(), seed.data() + seed.size(), seed_);
   createdUtc_ = select.text(3);
-  const storage::Event made{.kind = EventKind::MadeStudy, .values = events().madeStudy()};
+  const storage::Event made{.kind = EventKind::MadeStudy, .values = events().valuesOfMadeStudy()};
   const auto textOf = [&](std::string_view name) {
     const auto* value = made.value(name);
     const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
@@ -133,7 +133,7 @@ void Study::readSecret() {
 void Study::findKey() noexcept {
   try {
     const auto wrapped = storage::wrappedKeyIn(identities_.database());
-    const auto held = wrapped ? storage::heldNamesKey(*wrapped) : std::nullopt;
+    const auto held = wrapped ? storage::cachedNamesKey(*wrapped) : std::nullopt;
     if (held) identities_.database().setKey(*held);
     readSecret();
   } catch (const std::exception&) {
@@ -169,7 +169,7 @@ bool Study::unlock(const std::string& passphrase) {
   const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
   if (bytes) {
     useKey(storage::BlindingSecret(*bytes));
-    storage::holdStudyKey(*secret_);
+    storage::cacheStudyKey(*secret_);
   }
   return bytes.has_value();
 }
@@ -178,7 +178,7 @@ bool Study::unlockNames(const std::string& passphrase) {
   const auto wrapped = storage::wrappedKeyIn(identities_.database());
   const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
   if (bytes) {
-    storage::holdNamesKey(*wrapped, *bytes);
+    storage::cacheNamesKey(*wrapped, *bytes);
     identities_.database().setKey(storage::SealingKey(*bytes));
   }
   return bytes.has_value();
@@ -269,7 +269,7 @@ storage::TraceStore Study::openTraces() const {
   return storage::TraceStore(std::move(database));
 }
 
-void Study::withReservedSpace(const std::function<void()>& action) {
+void Study::retryWithReservedSpace(const std::function<void()>& action) {
   try {
     action();
   } catch (const StorageError& error) {
@@ -290,7 +290,7 @@ bool Study::isEventStored(const std::vector<std::byte>& head) {
 }
 
 void Study::transact(const std::function<void()>& action) {
-  withReservedSpace([&] {
+  retryWithReservedSpace([&] {
     std::vector<std::byte> head;
     try {
       signer_.forget();
@@ -306,7 +306,7 @@ void Study::transact(const std::function<void()>& action) {
   });
   // If the head cannot be noted now, the next one covers its events. verify() reports how many
   // heads the list lacks.
-  signer_.noteSigned();
+  signer_.recordSignedHead();
 }
 
 void Study::signTrail(std::string_view purpose) {

@@ -126,7 +126,7 @@ class Study {
   /// Runs @p action. If the disk is full, frees the reserved disk space and runs @p action once
   /// more.
   /// @throws everything that @p action throws.
-  void withReservedSpace(const std::function<void()>& action);
+  void retryWithReservedSpace(const std::function<void()>& action);
 
   /// Runs @p action in one transaction; frees the reserved disk space if the disk is full. The last
   /// change of the action must be an appended event. If a commit reports an error, the audit trail
@@ -182,7 +182,7 @@ class Study {
 };
 
 /// A random seed below 2^53, so that JSON files and scripts can represent it exactly.
-std::uint64_t drawnSeed();
+std::uint64_t randomSeed();
 
 /// The version of this program; it is stored with every session.
 std::string_view appVersion() noexcept;

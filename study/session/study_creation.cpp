@@ -62,7 +62,7 @@ void begin(
   storage::IdentityStore identities(Database::create(files.identity(), storage::identitySchema()));
   // Without blinding, the secret may be in the study's folder. With blinding, the station stores it
   // before the study is created.
-  if (protocol.protocol.isBlindingOpen) {
+  if (protocol.protocol.isOpenLabel) {
     identities.put(secret);
   } else {
     storage::storeStudyKey(secret, folder);
@@ -97,12 +97,12 @@ void begin(
       {.when = now, .kind = EventKind::MadeStudy, .values = std::move(made)});
   transaction.commit();
   flushFolder(folder);
-  storage::noteNewStudy(database, folder, now);
+  storage::recordNewStudy(database, folder, now);
 }
 
 }  // namespace
 
-std::uint64_t drawnSeed() {
+std::uint64_t randomSeed() {
   constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
   std::uint64_t seed = 0;
   randombytes_buf(&seed, sizeof seed);
@@ -119,7 +119,7 @@ Study Study::create(
     const std::string& uuid) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   makeFolder(folder);
-  const auto usedSeed = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
+  const auto usedSeed = seed ? *seed : protocol.protocol.seed.value_or(randomSeed());
   const auto usedSecret = secret ? *secret : storage::BlindingSecret::drawn();
   const auto hash = storage::sha256(protocol.text, protocol.files);
   try {

@@ -125,7 +125,7 @@ void setPassphraseOfNames(
   const auto key = database.key() != nullptr ? *database.key() : storage::SealingKey::drawn();
   const auto wrapped = storage::WrappedKey::make(key.bytes(), passphrase, cost);
   study.note(EventKind::SealedNames, reason);
-  study.withReservedSpace([&] {
+  study.retryWithReservedSpace([&] {
     // With this setting SQLite overwrites deleted content with zeros.
     database.execute("PRAGMA secure_delete = ON");
     sealNamesOfOlderReleases(study);
@@ -135,7 +135,7 @@ void setPassphraseOfNames(
     transaction.commit();
   });
   database.setKey(key);
-  storage::holdNamesKey(wrapped, key.bytes());
+  storage::cacheNamesKey(wrapped, key.bytes());
   storage::purge(database);
 }
 
@@ -157,7 +157,7 @@ bool hasOnlyCopyOfKey(Study& study) {
 }
 
 std::string keyStatusText(Study& study) {
-  if (study.events().commitment().empty() || study.protocol().protocol.isBlindingOpen) return {};
+  if (study.events().commitment().empty() || study.protocol().protocol.isOpenLabel) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
   if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
   const std::string passphrase = study.hasPassphrase() ? ", or a passphrase opens it" : "";

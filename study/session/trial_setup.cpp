@@ -4,7 +4,7 @@
 
 namespace study {
 
-const protocols::DeviceNeed& deviceFor(const Session& session) {
+const protocols::DeviceRequirement& deviceFor(const Session& session) {
   const auto& protocol = session.protocol().protocol;
   return *protocol.device(protocol.condition(session.step().condition)->device);
 }

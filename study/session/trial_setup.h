@@ -10,7 +10,7 @@
 namespace study {
 
 /// The device that the protocol names for the present trial of @p session.
-const protocols::DeviceNeed& deviceFor(const Session& session);
+const protocols::DeviceRequirement& deviceFor(const Session& session);
 
 /// The scene that the present trial renders and shows.
 haptics::engine::SceneSpec sceneFor(const Session& session);

@@ -5,9 +5,9 @@
 
 namespace study {
 
-void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
+void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode == RunMode::Simulated) return;
-  const bool isOpen = study.protocol().protocol.isBlindingOpen;
+  const bool isOpen = study.protocol().protocol.isOpenLabel;
   if (isOpen && reason.empty()) return;
   if (reason.empty()) {
     throw storage::StorageError(
@@ -18,7 +18,7 @@ void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::strin
   study.note(kind, reason);
 }
 
-void noteReport(
+void recordReportPath(
     Study& study,
     RunMode mode,
     const std::string& how,

@@ -16,7 +16,7 @@ namespace study {
 /// @param kind  UnblindedReport or UnblindedResults
 /// @throws storage::StorageError  if results of live or pilot sessions are requested without a
 ///     reason.
-void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
+void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
 
 /// Notes in the audit trail where a report or its figures will be written. They contain answers and
 /// texts of participants, so knownCopies() lists them for an erasure. Nothing is noted for
@@ -24,7 +24,7 @@ void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::strin
 /// @param how  "report" or "figures"
 /// @param content  of the file, for its fingerprint: an erasure deletes a file only if it has this
 ///     content; empty: @p path is a folder
-void noteReport(
+void recordReportPath(
     Study& study,
     RunMode mode,
     const std::string& how,
@@ -36,7 +36,7 @@ void noteReport(
 /// order and recognise the true one.
 std::string fingerprintOf(Study& study, std::string_view content);
 
-/// The access that noteUnblinding() needs: to write if there is a reason.
+/// The access that recordUnblinding() needs: to write if there is a reason.
 inline storage::Database::Access accessForUnblinding(const std::string& reason) {
   return reason.empty() ? storage::Database::Access::ReadOnly
                         : storage::Database::Access::ReadWrite;

@@ -38,7 +38,7 @@ Problems files(Study& study) {
   Problems problems;
   for (auto* database :
        {&study.database(), &study.traces().database(), &study.identities().database()}) {
-    const auto found = database->integrityProblems();
+    const auto found = database->integrityCheckProblems();
     if (!found.empty()) problems.push_back(found);
   }
   return problems;
@@ -58,7 +58,7 @@ storage::Findings schemas(Study& study) {
 }
 
 std::optional<storage::StationStore> thisStation() {
-  return storage::StationStore::find(storage::StationStore::usualFolder());
+  return storage::StationStore::find(storage::StationStore::defaultFolder());
 }
 
 storage::Findings signatures(Study& study) {
@@ -249,7 +249,7 @@ void checkTrace(
     Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
   const auto& visit = trial.step.visit;
   try {
-    const auto samples = study.traces().intactSamples(visit);
+    const auto samples = study.traces().intactSampleCount(visit);
     if (samples != trial.traceSamples) {
       problems.push_back(
           nameOf(visit) + ": " + std::to_string(samples) + " of " +

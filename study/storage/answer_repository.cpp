@@ -28,7 +28,7 @@ GivenAnswer answerIn(const Statement& row) {
 
 }  // namespace
 
-StoredResponse stored(const questionnaires::Response& response) {
+ResponseColumns stored(const questionnaires::Response& response) {
   if (const auto* point = std::get_if<std::int64_t>(&response)) {
     return {.kind = "point", .point = *point};
   }
@@ -44,7 +44,7 @@ StoredResponse stored(const questionnaires::Response& response) {
   return {.kind = "choices", .text = joined};
 }
 
-questionnaires::Response restored(const StoredResponse& response) {
+questionnaires::Response restored(const ResponseColumns& response) {
   if (response.kind == "point") return response.point.value_or(0);
   if (response.kind == "number") return response.number.value_or(0.0);
   if (response.kind == "text") return response.text.value_or("");

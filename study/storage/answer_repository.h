@@ -35,7 +35,7 @@ class AnswerRepository {
 
 /// A response as columns of the table: points and numbers in their own columns, an option or a text
 /// unchanged, the ids of several options separated by spaces.
-struct StoredResponse {
+struct ResponseColumns {
   std::string kind;  ///< point, number, text, choices
   std::optional<std::int64_t> point;
   std::optional<double> number;
@@ -47,7 +47,7 @@ struct StoredResponse {
 base::NamedArguments valuesOf(const GivenAnswer& answer);
 
 /// The columns of a response, and the response from its columns.
-StoredResponse stored(const questionnaires::Response& response);
-questionnaires::Response restored(const StoredResponse& response);
+ResponseColumns stored(const questionnaires::Response& response);
+questionnaires::Response restored(const ResponseColumns& response);
 
 }  // namespace study::storage

@@ -109,7 +109,7 @@ Database Database::create(const std::string& path, const Schema& schema) {
   Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.configure(Access::ReadWrite);
   database.execute("PRAGMA application_id = " + std::to_string(schema.applicationId));
-  database.bringUpToDate(schema, Access::ReadWrite);
+  database.migrateSchema(schema, Access::ReadWrite);
   return database;
 }
 
@@ -120,7 +120,7 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
     throw StorageError("There is no file " + path + ". Is this the folder of a study?");
   }
   try {
-    return openNow(path, schema, access, Reading::WithOthers);
+    return openNow(path, schema, access, Reading::SharedLocks);
   } catch (const StorageError& error) {
     if (error.kind() != StorageError::Kind::DiskFull) throw;
   }
@@ -130,23 +130,23 @@ Database Database::open(const std::string& path, const Schema& schema, Access ac
   const bool hasLog =
       fs::exists(path + "-wal", ignored) && fs::file_size(path + "-wal", ignored) > 0;
   const bool isAlone = !hasSpace && !hasLog && access == Access::ReadOnly;
-  return openNow(path, schema, access, isAlone ? Reading::Immutable : Reading::WithOthers);
+  return openNow(path, schema, access, isAlone ? Reading::Immutable : Reading::SharedLocks);
 }
 
 Database Database::openNow(
     const std::string& path, const Schema& schema, Access access, Reading reading) {
   const bool isReadOnly = access == Access::ReadOnly;
   Database database(path, isReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE, reading);
-  database.requireKind(schema);
+  database.requireApplicationId(schema);
   database.configure(access);
-  database.bringUpToDate(schema, access);
+  database.migrateSchema(schema, access);
   return database;
 }
 
 Database Database::inMemory(const Schema& schema) {
   Database database(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.execute("PRAGMA foreign_keys = ON");
-  database.bringUpToDate(schema, Access::ReadWrite);
+  database.migrateSchema(schema, Access::ReadWrite);
   return database;
 }
 
@@ -172,7 +172,7 @@ void Database::requirePragma(
   }
 }
 
-void Database::requireKind(const Schema& schema) const {
+void Database::requireApplicationId(const Schema& schema) const {
   std::int64_t id = 0;
   std::int64_t version = 0;
   try {
@@ -199,7 +199,7 @@ void Database::requireKind(const Schema& schema) const {
   }
 }
 
-void Database::bringUpToDate(const Schema& schema, Access access) {
+void Database::migrateSchema(const Schema& schema, Access access) {
   const auto newest = static_cast<std::int64_t>(schema.steps.size());
   auto version = pragmaNumber(*this, "user_version");
   if (version == newest) return;
@@ -248,7 +248,7 @@ bool Database::hasColumn(const std::string& table, const std::string& column) co
              nullptr) == SQLITE_OK;
 }
 
-std::string Database::integrityProblems() {
+std::string Database::integrityCheckProblems() {
   std::string problems;
   Statement integrity(*this, "PRAGMA integrity_check(20)");
   while (integrity.step()) {

@@ -66,10 +66,10 @@ class Database {
   bool hasColumn(const std::string& table, const std::string& column) const;
 
   /// The problems that SQLite's integrity check and its check of foreign keys find; empty if none.
-  std::string integrityProblems();
+  std::string integrityCheckProblems();
 
-  /// Like integrityProblems(), but without checking indexes and references; much faster.
-  std::string quickProblems();
+  /// Like integrityCheckProblems(), but without checking indexes and references; much faster.
+  std::string quickCheckProblems();
 
   /// Begins a read transaction: until this transaction ends, the connection sees the file in its
   /// present state, even if other connections write.
@@ -102,20 +102,20 @@ class Database {
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:
-  /// WithOthers: with locks and with memory that is shared with other programs. Immutable: without
+  /// SharedLocks: with locks and with memory that is shared with other programs. Immutable: without
   /// locks and log, as SQLite reads an immutable file.
-  enum class Reading { WithOthers, Immutable };
+  enum class Reading { SharedLocks, Immutable };
 
-  Database(std::string path, int flags, Reading reading = Reading::WithOthers);
+  Database(std::string path, int flags, Reading reading = Reading::SharedLocks);
   /// Opens the file with or without locks; open() has chosen which.
   static Database openNow(
       const std::string& path, const Schema& schema, Access access, Reading reading);
   void closeIdle() const noexcept;
   void configure(Access access);
   /// @throws StorageError  if the application id is not that of @p schema.
-  void requireKind(const Schema& schema) const;
+  void requireApplicationId(const Schema& schema) const;
   /// Applies the missing steps of the schema, or refuses a newer version.
-  void bringUpToDate(const Schema& schema, Access access);
+  void migrateSchema(const Schema& schema, Access access);
   /// Sets a pragma and reads it back. @throws StorageError  if it is not @p expected
   void requirePragma(
       const std::string& name, const std::string& value, const std::string& expected);

@@ -50,7 +50,7 @@ void Database::copyTo(
   }
 }
 
-std::string Database::quickProblems() {
+std::string Database::quickCheckProblems() {
   std::string problems;
   Statement check(*this, "PRAGMA quick_check(20)");
   while (check.step()) {

@@ -90,7 +90,7 @@ constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
 
 /// @throws StorageError  if @p words are not valid UTF-8, because they could not be exported.
 void requireText(const std::string& words) {
-  if (!questionnaires::charactersIn(words) || words.find('\0') != std::string::npos) {
+  if (!questionnaires::utf8CharacterCount(words) || words.find('\0') != std::string::npos) {
     throw StorageError("What is to be noted is no sound UTF-8 text. Write it with other letters.");
   }
 }
@@ -182,7 +182,7 @@ class Keys {
   /// Replaces a sealed detail by its text. False if it cannot be unsealed.
   bool open(Row& row) {
     const auto* key = find(row.session.value_or(0));
-    auto detail = key != nullptr ? openedDetail(row, *key, log_.studyKey()) : std::nullopt;
+    auto detail = key != nullptr ? unsealedDetail(row, *key, log_.studyKey()) : std::nullopt;
     if (detail) row.detail = std::move(*detail);
     return detail.has_value();
   }
@@ -271,7 +271,7 @@ std::string describe(const Event& event) {
   }
 }
 
-std::optional<std::string> openedDetail(
+std::optional<std::string> unsealedDetail(
     const StoredEvent& event, const SealingKey& own, const SealingKey* study) {
   const auto place = placeOf(event.seq, event.kind);
   auto detail = own.open(event.sealed, place);
@@ -346,7 +346,7 @@ void EventLog::putStored(const StoredEvent& event) {
   insert(database_, event.seq, event, event.hash);
 }
 
-void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches) {
+void EventLog::appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches) {
   Row row{event};
   const bool isToBeSealed =
       key != nullptr && row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
@@ -357,7 +357,7 @@ void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool 
                     : contentHash(database_));
   }
   const auto [seq, previous] = end(database_);
-  if (isToBeSealed) row.seal(seq, sealedWith(*key, eventKindNamed(row.kind)));
+  if (isToBeSealed) row.seal(seq, sealingKeyFor(*key, eventKindNamed(row.kind)));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
@@ -401,7 +401,7 @@ std::int64_t EventLog::last() const {
   return last.number(0);
 }
 
-base::NamedArguments EventLog::madeStudy() const {
+base::NamedArguments EventLog::valuesOfMadeStudy() const {
   // The first event, or the second if the trail was sealed again: its first event is then
   // ResealedTrail.
   Statement first(
@@ -412,7 +412,7 @@ base::NamedArguments EventLog::madeStudy() const {
 }
 
 std::string EventLog::commitment() const {
-  const Event made{.kind = EventKind::MadeStudy, .values = madeStudy()};
+  const Event made{.kind = EventKind::MadeStudy, .values = valuesOfMadeStudy()};
   const auto* value = made.value("secret");
   const auto* secret = value == nullptr ? nullptr : std::get_if<std::string>(value);
   return secret == nullptr ? std::string() : *secret;
@@ -448,10 +448,10 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
 
 std::optional<SealingKey> EventLog::keyOf(SessionId session, EventKind kind) const {
   const auto own = keyOf(session);
-  return own ? std::optional(sealedWith(*own, kind)) : std::nullopt;
+  return own ? std::optional(sealingKeyFor(*own, kind)) : std::nullopt;
 }
 
-SealingKey EventLog::sealedWith(const SealingKey& own, EventKind kind) const {
+SealingKey EventLog::sealingKeyFor(const SealingKey& own, EventKind kind) const {
   const auto* key = revealsCondition(kind) ? database_.key() : nullptr;
   return key != nullptr ? key->joinedWith(own) : own;
 }

@@ -105,7 +105,7 @@ class EventLog {
   std::int64_t last() const;
 
   /// The values of the event MadeStudy.
-  base::NamedArguments madeStudy() const;
+  base::NamedArguments valuesOfMadeStudy() const;
 
   /// The commitment to the study's secret in the event MadeStudy (BlindingSecret::commitment());
   /// empty in studies without a secret.
@@ -154,7 +154,7 @@ class EventLog {
   ///     cannot be
   /// @param key  the content key of its participant; nullptr: the event is not sealed
   /// @param vouches  whether the event gets a hash of the tables: for the last event of a session
-  void appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches);
+  void appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches);
 
   /// The events of one session, or of the whole study, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
@@ -166,7 +166,7 @@ class EventLog {
 
  private:
   /// The key that seals an event of @p kind, from the participant's key @p own.
-  SealingKey sealedWith(const SealingKey& own, EventKind kind) const;
+  SealingKey sealingKeyFor(const SealingKey& own, EventKind kind) const;
   std::string selectEvents(const char* which) const;
   std::vector<Event> eventsIn(Statement& select) const;
 
@@ -177,7 +177,7 @@ class EventLog {
 /// The detail of a sealed event as text; std::nullopt if it was sealed with other keys.
 /// @param own  the content key of the event's participant
 /// @param study  the key of the study in which it was written; nullptr: not known
-std::optional<std::string> openedDetail(
+std::optional<std::string> unsealedDetail(
     const StoredEvent& event, const SealingKey& own, const SealingKey* study);
 
 std::string_view nameOf(Actor actor) noexcept;

@@ -5,7 +5,7 @@
 namespace study::storage {
 namespace {
 
-FactValue valueIn(const Statement& row, int column) {
+NamedRowValue valueIn(const Statement& row, int column) {
   // The first byte is the type (Statement::exactBytes).
   switch (row.exactBytes(column).front()) {
     case 'i':
@@ -33,21 +33,21 @@ std::vector<std::string> namesIn(std::string_view columns) {
   return names;
 }
 
-std::vector<FactRow> rowsOf(
+std::vector<NamedRow> rowsOf(
     const Database& database, const std::string& sql, std::string_view columns, SessionId session) {
   Statement select(database, sql);
   select.bind(1, static_cast<std::int64_t>(session));
   const auto names = namesIn(columns);
-  std::vector<FactRow> rows;
+  std::vector<NamedRow> rows;
   while (select.step()) {
-    FactRow& row = rows.emplace_back();
+    NamedRow& row = rows.emplace_back();
     for (std::size_t i = 0; i < names.size(); ++i)
       row[names[i]] = valueIn(select, static_cast<int>(i));
   }
   return rows;
 }
 
-void bind(Statement& statement, int index, const FactValue& value) {
+void bind(Statement& statement, int index, const NamedRowValue& value) {
   if (const auto* number = std::get_if<std::int64_t>(&value)) {
     statement.bind(index, *number);
   } else if (const auto* real = std::get_if<double>(&value)) {
@@ -59,13 +59,13 @@ void bind(Statement& statement, int index, const FactValue& value) {
   }
 }
 
-void requireColumns(std::string_view table, std::string_view columns, const FactRow& row) {
+void requireColumns(std::string_view table, std::string_view columns, const NamedRow& row) {
   const auto names = namesIn(columns);
   if (row.size() != names.size()) {
-    refuseFacts("a row of " + std::string(table) + " has other columns");
+    refuseRows("a row of " + std::string(table) + " has other columns");
   }
   for (const auto& name : names) {
-    if (!row.contains(name)) refuseFacts("a row of " + std::string(table) + " has no " + name);
+    if (!row.contains(name)) refuseRows("a row of " + std::string(table) + " has no " + name);
   }
 }
 
@@ -73,7 +73,7 @@ void insertRows(
     Database& database,
     std::string_view table,
     std::string_view columns,
-    const std::vector<FactRow>& rows,
+    const std::vector<NamedRow>& rows,
     const std::vector<std::pair<std::string, std::int64_t>>& keys) {
   const auto names = namesIn(columns);
   std::string all;
@@ -105,7 +105,7 @@ void insertRows(
   }
 }
 
-void refuseFacts(const std::string& what) {
+void refuseRows(const std::string& what) {
   throw StorageError(
       "A session that was collected cannot be kept: " + what +
           ". It was written by a later release, or it is damaged.",

@@ -16,22 +16,22 @@
 namespace study::storage {
 
 /// A value of any SQLite type but BLOB.
-using FactValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+using NamedRowValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 /// The values of a row, by column name.
-using FactRow = std::map<std::string, FactValue>;
+using NamedRow = std::map<std::string, NamedRowValue>;
 
 /// The column names in a list. @param columns  "step, attempt"
 std::vector<std::string> namesIn(std::string_view columns);
 
 /// @param sql  selects @p columns; its only parameter is the number of the session
-std::vector<FactRow> rowsOf(
+std::vector<NamedRow> rowsOf(
     const Database& database, const std::string& sql, std::string_view columns, SessionId session);
 
-void bind(Statement& statement, int index, const FactValue& value);
+void bind(Statement& statement, int index, const NamedRowValue& value);
 
 /// @throws StorageError  if the columns of @p row are not exactly @p columns.
-void requireColumns(std::string_view table, std::string_view columns, const FactRow& row);
+void requireColumns(std::string_view table, std::string_view columns, const NamedRow& row);
 
 /// Inserts rows. @param keys  further columns with the same value in all rows
 /// @throws StorageError  as requireColumns(), or if the database refuses a row
@@ -39,10 +39,10 @@ void insertRows(
     Database& database,
     std::string_view table,
     std::string_view columns,
-    const std::vector<FactRow>& rows,
+    const std::vector<NamedRow>& rows,
     const std::vector<std::pair<std::string, std::int64_t>>& keys);
 
 /// Throws a StorageError: rows from another file are not in the form that this program knows.
-[[noreturn]] void refuseFacts(const std::string& what);
+[[noreturn]] void refuseRows(const std::string& what);
 
 }  // namespace study::storage

@@ -125,7 +125,7 @@ struct TemporaryFolder {
 
 CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
   using Clock = std::chrono::steady_clock;
-  const TemporaryFolder passing{newFolderBeside(folder / "self-test")};
+  const TemporaryFolder passing{makeFolderBeside(folder / "self-test")};
   auto database = Database::create((passing.path / "self-test.db").string(), kSchema);
   std::vector<double> times;
   for (int i = 0; i < commits; ++i) {

@@ -54,7 +54,7 @@ struct StepRecord {
 
   /// Whether it is an optional trial before a preference. Such a trial has no position in the
   /// order, and no statistic uses it.
-  bool isOfferedAgain() const { return kind == StepKind::Trial && position == 0; }
+  bool isOptionalRepetition() const { return kind == StepKind::Trial && position == 0; }
 };
 
 /// An answer with its step.

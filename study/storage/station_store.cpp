@@ -103,7 +103,7 @@ void requirePrivate(const fs::path& file) {
 
 }  // namespace
 
-fs::path StationStore::usualFolder() {
+fs::path StationStore::defaultFolder() {
   const auto named = [](const char* variable) {
     const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): no thread sets it
     return value == nullptr ? fs::path() : fs::path(value);
@@ -114,7 +114,7 @@ fs::path StationStore::usualFolder() {
   return home.empty() ? home : home / ".local" / "share" / "palpate" / "station";
 }
 
-StationStore StationStore::findOrMake(const fs::path& folder) {
+StationStore StationStore::openOrCreate(const fs::path& folder) {
   if (auto found = find(folder)) return std::move(*found);
   if (folder.empty()) fail(folder, "this account has no home folder; PALPATE_STATION names one");
   makeFolder(folder);
@@ -176,7 +176,7 @@ std::vector<std::byte> StationStore::sealFor(std::string_view text, const std::s
   return sealed;
 }
 
-std::optional<std::string> StationStore::openSealed(std::span<const std::byte> sealed) const {
+std::optional<std::string> StationStore::unseal(std::span<const std::byte> sealed) const {
   std::array<unsigned char, crypto_box_PUBLICKEYBYTES> publicBox{};
   std::array<unsigned char, crypto_box_SECRETKEYBYTES> secretBox{};
   const auto key = fromHex<PublicKey>(publicKey_);

@@ -18,15 +18,15 @@ class StationStore {
  public:
   /// $PALPATE_STATION; without it palpate/station in $XDG_DATA_HOME; without that
   /// ~/.local/share/palpate/station. Empty if the account has no home folder.
-  static std::filesystem::path usualFolder();
+  static std::filesystem::path defaultFolder();
 
   /// Opens the store in @p folder; creates it if there is none.
   /// @throws StorageError  if the store cannot be created or read, or if other accounts can read
   ///     its key.
-  static StationStore findOrMake(const std::filesystem::path& folder);
+  static StationStore openOrCreate(const std::filesystem::path& folder);
 
   /// Opens the store in @p folder; std::nullopt if there is none. @throws StorageError  as
-  /// findOrMake()
+  /// openOrCreate()
   static std::optional<StationStore> find(const std::filesystem::path& folder);
 
   /// 128 random bits in hexadecimal; the same for all studies.
@@ -49,7 +49,7 @@ class StationStore {
 
   /// The text that was sealed for this station; std::nullopt if it was sealed for another station
   /// or was changed.
-  std::optional<std::string> openSealed(std::span<const std::byte> sealed) const;
+  std::optional<std::string> unseal(std::span<const std::byte> sealed) const;
 
   /// Appends a line to a list. The list is on the disk on return. Several programs may append at
   /// the same time.

@@ -49,7 +49,8 @@ base::Message messageIn(const Value& entry) {
   }
   const auto kind = std::find_if(
       kMessages.begin(), kMessages.end(), [&](const auto& known) { return known.key == *key; });
-  const bool isKnown = kind != kMessages.end() && base::placesIn(kind->english) == arguments.size();
+  const bool isKnown =
+      kind != kMessages.end() && base::placeholderCount(kind->english) == arguments.size();
   return isKnown ? base::Message(*kind, std::move(arguments)) : base::Message::verbatim(*key);
 }
 

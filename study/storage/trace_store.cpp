@@ -159,7 +159,7 @@ void TraceStore::failAt(std::int64_t chunk) const {
       message("traces.damaged", database_.path(), chunk + 1), StorageError::Kind::Damaged);
 }
 
-std::int64_t TraceStore::intactSamples(const VisitKey& visit) const {
+std::int64_t TraceStore::intactSampleCount(const VisitKey& visit) const {
   if (database_.key() != nullptr) return static_cast<std::int64_t>(read(visit).size());
   Statement select(
       database_,

@@ -54,7 +54,7 @@ class TraceStore {
 
   /// The number of samples of a trial that are stored undamaged; needs no key.
   /// @throws StorageError  (Damaged) as read()
-  std::int64_t intactSamples(const VisitKey& visit) const;
+  std::int64_t intactSampleCount(const VisitKey& visit) const;
 
   /// The number of stored samples of a trial, without checking them.
   std::int64_t sampleCount(const VisitKey& visit) const;

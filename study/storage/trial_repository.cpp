@@ -26,11 +26,11 @@ constexpr std::string_view kMeasuredOfCut =
     "opening_travel, opening_n, peak_n";
 
 template <typename Value>
-FactValue valueOf(const std::optional<Value>& value) {
-  return value ? FactValue(*value) : FactValue();
+NamedRowValue valueOf(const std::optional<Value>& value) {
+  return value ? NamedRowValue(*value) : NamedRowValue();
 }
 
-FactRow rowOf(const VisitKey& visit, const TrialRecord& record) {
+NamedRow rowOf(const VisitKey& visit, const TrialRecord& record) {
   const auto judgement = record.judgement();
   return {
       {"step", std::int64_t{visit.step}},
@@ -60,16 +60,17 @@ FactRow rowOf(const VisitKey& visit, const TrialRecord& record) {
       {"trace_samples", record.traceSamples}};
 }
 
-FactRow rowOf(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut) {
-  FactRow row{
+NamedRow rowOf(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut) {
+  NamedRow row{
       {"step", std::int64_t{visit.step}},
       {"attempt", std::int64_t{visit.attempt}},
       {"number", number},
       {"peak_n", static_cast<double>(cut.peakForce)}};
   const auto add = [&](const std::string& name, const auto& point) {
     row[name + "_travel"] =
-        point.found ? FactValue(static_cast<double>(point.travel)) : FactValue();
-    row[name + "_n"] = point.found ? FactValue(static_cast<double>(point.force)) : FactValue();
+        point.found ? NamedRowValue(static_cast<double>(point.travel)) : NamedRowValue();
+    row[name + "_n"] =
+        point.found ? NamedRowValue(static_cast<double>(point.force)) : NamedRowValue();
   };
   add("interception", cut.interception);
   add("yield", cut.yield);
@@ -78,13 +79,13 @@ FactRow rowOf(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut
   return row;
 }
 
-std::int64_t numberIn(const FactRow& row, const std::string& column) {
+std::int64_t numberIn(const NamedRow& row, const std::string& column) {
   const auto* number = std::get_if<std::int64_t>(&row.at(column));
-  if (number == nullptr) refuseFacts("a row of a trial has no " + column);
+  if (number == nullptr) refuseRows("a row of a trial has no " + column);
   return *number;
 }
 
-VisitKey visitOf(SessionId session, const FactRow& row) {
+VisitKey visitOf(SessionId session, const NamedRow& row) {
   return {
       session, static_cast<int>(numberIn(row, "step")), static_cast<int>(numberIn(row, "attempt"))};
 }
@@ -94,27 +95,28 @@ std::string prefixOf(std::int64_t cut) {
 }
 
 /// The measured values in JSON, by columns of trial and of cut; missing values are left out.
-std::string measured(const FactRow& trial, const std::vector<FactRow>& cuts) {
+std::string measured(const NamedRow& trial, const std::vector<NamedRow>& cuts) {
   base::NamedArguments values;
-  const auto addAll = [&](const FactRow& row, std::string_view columns, const std::string& prefix) {
-    for (const auto& column : namesIn(columns)) {
-      std::visit(
-          [&](const auto& held) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
-              values.emplace_back(prefix + column, held);
-            }
-          },
-          row.at(column));
-    }
-  };
+  const auto addAll =
+      [&](const NamedRow& row, std::string_view columns, const std::string& prefix) {
+        for (const auto& column : namesIn(columns)) {
+          std::visit(
+              [&](const auto& held) {
+                if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
+                  values.emplace_back(prefix + column, held);
+                }
+              },
+              row.at(column));
+        }
+      };
   addAll(trial, kMeasured, "");
   for (const auto& cut : cuts) addAll(cut, kMeasuredOfCut, prefixOf(numberIn(cut, "number")));
   return asJson(values);
 }
 
 /// The inverse of measured().
-void fillIn(FactRow& trial, std::vector<FactRow>& cuts, const base::NamedArguments& values) {
-  const auto fill = [&](FactRow& row, std::string_view columns, const std::string& prefix) {
+void fillIn(NamedRow& trial, std::vector<NamedRow>& cuts, const base::NamedArguments& values) {
+  const auto fill = [&](NamedRow& row, std::string_view columns, const std::string& prefix) {
     for (const auto& column : namesIn(columns)) {
       auto& cell = row[column] = std::monostate();
       for (const auto& [name, value] : values) {
@@ -124,16 +126,16 @@ void fillIn(FactRow& trial, std::vector<FactRow>& cuts, const base::NamedArgumen
   };
   fill(trial, kMeasured, "");
   for (std::int64_t number = 1; number <= numberIn(trial, "cuts"); ++number) {
-    FactRow cut{{"step", trial.at("step")}, {"attempt", trial.at("attempt")}, {"number", number}};
+    NamedRow cut{{"step", trial.at("step")}, {"attempt", trial.at("attempt")}, {"number", number}};
     fill(cut, kMeasuredOfCut, prefixOf(number));
     cuts.push_back(std::move(cut));
   }
 }
 
 /// The cuts of one trial.
-std::vector<FactRow> cutsIn(const std::vector<FactRow>& cuts, const VisitKey& visit) {
-  std::vector<FactRow> found;
-  std::ranges::copy_if(cuts, std::back_inserter(found), [&](const FactRow& cut) {
+std::vector<NamedRow> cutsIn(const std::vector<NamedRow>& cuts, const VisitKey& visit) {
+  std::vector<NamedRow> found;
+  std::ranges::copy_if(cuts, std::back_inserter(found), [&](const NamedRow& cut) {
     return visitOf(visit.session, cut) == visit;
   });
   return found;
@@ -169,13 +171,13 @@ void TrialRepository::add(
       insertRows(database_, "cut", kCutColumns, own, keys);
     }
   }
-  if (cuts != rows.cuts.size()) refuseFacts("a cut has no trial");
+  if (cuts != rows.cuts.size()) refuseRows("a cut has no trial");
 }
 
 void TrialRepository::addSealed(
     const VisitKey& visit,
-    const FactRow& trial,
-    const std::vector<FactRow>& cuts,
+    const NamedRow& trial,
+    const std::vector<NamedRow>& cuts,
     const SealingKey& key) {
   const auto sealed = sealMeasurements(key, visit, measured(trial, cuts));
   Statement insert(
@@ -222,7 +224,7 @@ TrialRows trialsOf(const Database& study, SessionId session) {
       continue;
     }
     const auto values = valuesIn(openMeasurements(study.key(), visit, sealed));
-    if (!values) refuseFacts("a trial of it cannot be read");
+    if (!values) refuseRows("a trial of it cannot be read");
     fillIn(trial, rows.cuts, *values);
   }
   return rows;

@@ -23,8 +23,8 @@ inline constexpr std::string_view kCutColumns =
 
 /// Trials and their cuts, unsealed, even if they are sealed in a file.
 struct TrialRows {
-  std::vector<FactRow> trials;
-  std::vector<FactRow> cuts;
+  std::vector<NamedRow> trials;
+  std::vector<NamedRow> cuts;
 };
 
 /// The tables of trials and their cuts.
@@ -51,8 +51,8 @@ class TrialRepository {
   bool isSimulated(SessionId session) const;
   void addSealed(
       const VisitKey& visit,
-      const FactRow& trial,
-      const std::vector<FactRow>& cuts,
+      const NamedRow& trial,
+      const std::vector<NamedRow>& cuts,
       const SealingKey& key);
 
   Database& database_;

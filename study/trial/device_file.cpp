@@ -134,7 +134,7 @@ Eigen::Vector3d asVector(const std::vector<double>& numbers) {
 
 void readMargins(const Node& node, IiwaSettings& settings) {
   const auto margins = node.object("margins");
-  if (!margins || !margins->isObjectWith({"position_deg", "velocity", "torque"})) return;
+  if (!margins || !margins->isObjectWithOnlyKeys({"position_deg", "velocity", "torque"})) return;
   auto& m = settings.margins;
   m.position = kDegree * margins->number("position_deg", 0.0, 60.0, m.position / kDegree);
   m.velocity = margins->number("velocity", 0.01, 1.0, m.velocity);
@@ -248,7 +248,7 @@ std::optional<DeviceEntry> readEntry(const Node& node) {
   if (named != known.end()) {
     keys.insert(keys.end(), named->second.keys.begin(), named->second.keys.end());
   }
-  if (!node.isObjectWith(keys)) return std::nullopt;
+  if (!node.isObjectWithOnlyKeys(keys)) return std::nullopt;
   const std::string id = node.id("id");
   if (!node.has("type")) {
     static_cast<void>(node.text("type"));  // reports that the key is missing
@@ -341,7 +341,7 @@ std::optional<std::vector<DeviceEntry>> readDevices(std::string_view json, Probl
   std::vector<DeviceEntry> devices;
   if (const auto value = questionnaires::parseJson(json, found)) {
     const Node root(*value, "$", found);
-    if (root.isObjectWith({"format", "devices"})) {
+    if (root.isObjectWithOnlyKeys({"format", "devices"})) {
       root.requireFormat("format", kFormat);
       std::set<std::string> ids;
       for (const auto& node : root.requiredList("devices")) {

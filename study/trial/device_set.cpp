@@ -7,7 +7,7 @@
 namespace study {
 
 using haptics::devices::SimulatedHand;
-haptics::devices::Device& SimulatedDeviceSet::device(const protocols::DeviceNeed& need) {
+haptics::devices::Device& SimulatedDeviceSet::device(const protocols::DeviceRequirement& need) {
   auto& held = open_[need.id];
   if (!held.device) {
     held.hand = handFor_(need);
@@ -54,7 +54,7 @@ double feedLimitOn(const protocols::Protocol& protocol, const std::string& devic
 }
 
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
-    const protocols::DeviceNeed& need,
+    const protocols::DeviceRequirement& need,
     std::uint64_t seed,
     const std::string& cohort,
     std::uint64_t slot,
@@ -78,12 +78,13 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
   return std::make_unique<SimulatedHand>(person);
 }
 
-std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need) {
+std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(
+    const protocols::DeviceRequirement& need) {
   return std::make_unique<haptics::devices::PointerHand>(need.kind->grip);
 }
 
-double pointerReachFor(const protocols::DeviceNeed& need) noexcept {
-  return need.kind->hand.ordinaryReach;
+double pointerReachFor(const protocols::DeviceRequirement& need) noexcept {
+  return need.kind->hand.typicalReach;
 }
 
 }  // namespace study

@@ -24,24 +24,24 @@ class DeviceSet {
 
   /// The device that the protocol calls @p need.id; opens it if need be. @throws UserError,
   /// haptics::devices::DeviceError  if the device is unknown or cannot be opened.
-  virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
+  virtual haptics::devices::Device& device(const protocols::DeviceRequirement& need) = 0;
   virtual bool isOpen(const std::string& id) const = 0;
 
   /// Called before a trial on that device. Sends the scene to a device that computes its force
   /// itself.
   virtual void prepare(
-      const protocols::DeviceNeed& /*need*/, const haptics::engine::SceneSpec& /*scene*/) {}
+      const protocols::DeviceRequirement& /*need*/, const haptics::engine::SceneSpec& /*scene*/) {}
 };
 
 /// Simulated instruments, each moved by a hand that the caller provides.
 class SimulatedDeviceSet final : public DeviceSet {
  public:
   using HandFor =
-      std::function<std::unique_ptr<haptics::devices::Hand>(const protocols::DeviceNeed&)>;
+      std::function<std::unique_ptr<haptics::devices::Hand>(const protocols::DeviceRequirement&)>;
 
   explicit SimulatedDeviceSet(HandFor handFor) : handFor_(std::move(handFor)) {}
 
-  haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
+  haptics::devices::Device& device(const protocols::DeviceRequirement& need) override;
   bool isOpen(const std::string& id) const override { return open_.count(id) > 0; }
 
   /// Simulates that a device is unplugged.
@@ -69,16 +69,17 @@ double feedLimitOn(const protocols::Protocol& protocol, const std::string& devic
 /// @param mostFeed  feedLimitOn() the device [m/s]. A hand that would be faster is slowed down to
 ///     stay below this feed, and moves about half as deep.
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
-    const protocols::DeviceNeed& need,
+    const protocols::DeviceRequirement& need,
     std::uint64_t seed,
     const std::string& cohort,
     std::uint64_t slot,
     double mostFeed = std::numeric_limits<double>::infinity());
 
 /// A hand on a simulated instrument that follows the mouse pointer.
-std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
+std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(
+    const protocols::DeviceRequirement& need);
 
 /// The travel at which pointerHandFor() has closed the instrument fully [device's travel unit].
-double pointerReachFor(const protocols::DeviceNeed& need) noexcept;
+double pointerReachFor(const protocols::DeviceRequirement& need) noexcept;
 
 }  // namespace study

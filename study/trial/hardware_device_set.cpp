@@ -60,7 +60,7 @@ Device* HardwareDeviceSet::find(const std::string& id) {
   return entry == entries_.end() ? nullptr : &made(*entry);
 }
 
-Device& HardwareDeviceSet::device(const protocols::DeviceNeed& need) {
+Device& HardwareDeviceSet::device(const protocols::DeviceRequirement& need) {
   auto* device = find(need.id);
   if (device == nullptr) {
     throw UserError(
@@ -84,7 +84,7 @@ bool HardwareDeviceSet::isOpen(const std::string& id) const {
 }
 
 void HardwareDeviceSet::prepare(
-    const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) {
+    const protocols::DeviceRequirement& need, const haptics::engine::SceneSpec& scene) {
   for (const auto& entry : entries_) {
     const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings);
     if (entry.id != need.id || punch == nullptr || !punch->rendersOnDevice) continue;
@@ -105,7 +105,7 @@ std::unique_ptr<DeviceSet> deviceSetFor(
 }
 
 std::vector<CheckResult> preflight(
-    Device& device, const protocols::DeviceNeed* need, double seconds) {
+    Device& device, const protocols::DeviceRequirement* need, double seconds) {
   auto found = device.check(seconds);
   if (need == nullptr) return found;
   const auto& can = device.capabilities();

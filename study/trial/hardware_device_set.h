@@ -21,7 +21,7 @@ class HardwareDeviceSet final : public DeviceSet {
 
   /// @throws UserError  if the file lists no such device, or the device is another instrument.
   /// @throws haptics::devices::DeviceError  if it cannot be opened.
-  haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
+  haptics::devices::Device& device(const protocols::DeviceRequirement& need) override;
   bool isOpen(const std::string& id) const override;
 
   /// The device with this id, without opening it; nullptr if the file does not list it.
@@ -29,7 +29,8 @@ class HardwareDeviceSet final : public DeviceSet {
   const std::vector<DeviceEntry>& entries() const noexcept { return entries_; }
 
   /// Sends a scene to a punch that computes its force itself; does nothing for other devices.
-  void prepare(const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) override;
+  void prepare(
+      const protocols::DeviceRequirement& need, const haptics::engine::SceneSpec& scene) override;
 
  private:
   /// The device of an entry; creates it when first called, without opening it.
@@ -52,6 +53,6 @@ std::unique_ptr<DeviceSet> deviceSetFor(
 /// Runs the device's own checks for @p seconds, and compares the kind of instrument and the
 /// largest force with what the protocol needs.
 std::vector<haptics::devices::CheckResult> preflight(
-    haptics::devices::Device& device, const protocols::DeviceNeed* need, double seconds);
+    haptics::devices::Device& device, const protocols::DeviceRequirement* need, double seconds);
 
 }  // namespace study

@@ -32,7 +32,7 @@ void TrialStatistics::add(const TickSample& sample) {
     return (sample.interventions & what) != 0;
   };
   count(SafetyKind::TooFast, isMarked(TickSample::TooFast));
-  count(SafetyKind::Released, isMarked(TickSample::Released));
+  count(SafetyKind::DeadManReleased, isMarked(TickSample::DeadManReleased));
   count(SafetyKind::NoSample, isMarked(TickSample::Invalid));
   count(SafetyKind::MissedPeriods, isMarked(TickSample::MissedPeriods));
   count(SafetyKind::SoftStart, isMarked(TickSample::SoftStart));
@@ -45,7 +45,7 @@ void TrialStatistics::add(const TickSample& sample) {
   count(SafetyKind::TorqueSlewed, intervened(ForceLimiter::TorqueSlewed));
   count(SafetyKind::TorqueActive, intervened(ForceLimiter::TorqueActive));
   leastEnergy_ = std::min(leastEnergy_, sample.energy);
-  leastRotationEnergy_ = std::min(leastRotationEnergy_, sample.turnEnergy);
+  leastRotationEnergy_ = std::min(leastRotationEnergy_, sample.rotationEnergy);
   largestTorque_ = std::max(largestTorque_, std::abs(sample.torque));
   if (intervened(ForceLimiter::TorqueSaturated)) ++torqueSaturated_;
   ++ticks_;

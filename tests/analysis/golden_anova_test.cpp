@@ -106,7 +106,7 @@ TEST(NistAnova, ReachesWhatDoublesCanAttain) {
     check("ss_between", result.squaresBetween.value());
     check("ss_within", result.squaresWithin.value());
     EXPECT_NEAR(
-        std::pow(result.residualDeviation.value(), 2) * *result.degreesOfFreedom2,
+        std::pow(result.residualStandardDeviation.value(), 2) * *result.degreesOfFreedom2,
         *result.squaresWithin,
         1e-14 * *result.squaresWithin);
     EXPECT_NEAR(

@@ -46,7 +46,7 @@ Quantities effectsOf(const std::vector<double>& a, const std::vector<double>& b)
       {"cohen_d_av", effects.cohenDAv.value},
       {"hedges_g_av_welchdf", effects.hedgesGAv.value},
       {"glass_delta_sd2", effects.glassDelta2},
-      {"cles_normal", effects.commonLanguage},
+      {"cles_normal", effects.commonLanguageEffectSize},
       {"bf10_jzs_student", analysis::jzsBayesFactor(student, a.size(), b.size()).bf10}};
   if (effects.cohenD.value) quantities["hedges_J"] = effects.hedgesJ;
   addInterval(quantities, "cohen_d_ci95", effects.cohenD.interval);

@@ -113,7 +113,7 @@ Quantities rankQuantities(const std::vector<double>& a, const std::vector<double
       {"mwu_p_asym_nocc", mannWhitney.pAsymptotic},
       {"mwu_p_asym_cc", mannWhitney.pAsymptoticContinuity},
       {"mwu_p_exact_double", mannWhitney.p},
-      {"mwu_p_exact_abs", mannWhitney.pAbs},
+      {"mwu_p_exact_abs", mannWhitney.pByDistance},
       {"mwu_p_exact_less", mannWhitney.pLess},
       {"mwu_p_exact_greater", mannWhitney.pGreater},
       {"bm_W", brunnerMunzel.w},

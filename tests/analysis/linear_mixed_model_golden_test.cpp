@@ -28,7 +28,7 @@ struct StudyModel {
     fixed.add(answers.method);
     fixed.add(answers.round);
     const std::vector<Factor> random{
-        answers.participant, crossing(answers.participant, answers.method)};
+        answers.participant, interactionOf(answers.participant, answers.method)};
     fit = analysis::fitLinearMixedModel(answers.scores, fixed, random).fit.value();
   }
 
@@ -128,7 +128,7 @@ TEST_P(StudyGolden, EqualsTheAnalysisOfVariance) {
   const double dfPerson = people - 1.0;
   const double dfCell = 2.0 * (people - 1.0);
   const double dfResidual = answers - 3.0 * people - 1.0;
-  const auto cells = crossing(model.answers.participant, model.answers.method);
+  const auto cells = interactionOf(model.answers.participant, model.answers.method);
   const double ofNothing = squaresOf({}, model.answers.scores);
   const double ofPeople = squaresOf(model.answers.participant, model.answers.scores);
   const double ofMethods = squaresOf(model.answers.method, model.answers.scores);

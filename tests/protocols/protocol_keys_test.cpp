@@ -50,7 +50,7 @@ TEST(ProtocolKeys, DescribeTheStudy) {
   EXPECT_EQ(protocol.study.description, "For the tests.");
   EXPECT_EQ(protocol.languages, (std::vector<std::string>{"en", "de"}));
   EXPECT_EQ(protocol.seed, 42U);
-  EXPECT_TRUE(protocol.isBlindingOpen);
+  EXPECT_TRUE(protocol.isOpenLabel);
   EXPECT_EQ(protocol.instrumentFiles, std::vector<std::string>{"instruments/comfort.json"});
   EXPECT_EQ(protocol.texts.at("institution").in("de"), "A laboratory");
   EXPECT_EQ(protocol.texts.at("contact").in("de"), "Frau Author");
@@ -79,7 +79,7 @@ TEST(ProtocolKeys, DescribeTheScenes) {
   EXPECT_EQ(recorded->title, "Recorded");
   EXPECT_EQ(recorded->device, "punch");
   EXPECT_TRUE(recorded->isVisualised);
-  EXPECT_EQ(recorded->seenTissue, engine::TissueDrawing::Force);
+  EXPECT_EQ(recorded->tissueDrawing, engine::TissueDrawing::Force);
   EXPECT_EQ(recorded->anatomy, "anatomies/square.obj");
   ASSERT_NE(recorded->knee, nullptr);
   EXPECT_EQ(recorded->knee->surfaces.size(), 1U);
@@ -98,11 +98,11 @@ TEST(ProtocolKeys, DescribeTheScenes) {
   EXPECT_EQ(elastic.elementStiffness, 2.0);
   EXPECT_EQ(elastic.contact, 3.5);
   EXPECT_EQ(elastic.yieldForce, 6.5);
-  EXPECT_EQ(elastic.boundary, models::Boundary::B);
-  EXPECT_EQ(elastic.weights, models::ToolWeights::ExactKink);
-  EXPECT_EQ(elastic.yielding, models::Yielding::ReturnMap);
+  EXPECT_EQ(elastic.boundary, models::BoundaryCondition::B);
+  EXPECT_EQ(elastic.weights, models::ToolInterpolation::ExactKink);
+  EXPECT_EQ(elastic.yielding, models::YieldLaw::ReturnMap);
   EXPECT_FALSE(protocol.condition("elastic")->isVisualised);
-  EXPECT_EQ(protocol.condition("elastic")->seenTissue, engine::TissueDrawing::Penetration);
+  EXPECT_EQ(protocol.condition("elastic")->tissueDrawing, engine::TissueDrawing::Penetration);
   EXPECT_FALSE(protocol.condition("elastic")->anatomy.has_value());
 }
 
@@ -235,22 +235,22 @@ TEST(ProtocolKeys, DescribeTheAnalysisPlanAndTheSimulation) {
   EXPECT_EQ(family.equivalenceBound, 0.5);
   EXPECT_EQ(protocol.simulation.realismOf("recorded"), 1.5);
   EXPECT_EQ(protocol.simulation.realismOf("fused"), 0.0);
-  EXPECT_EQ(protocol.simulation.personDeviation, 0.1);
-  EXPECT_EQ(protocol.simulation.personByConditionDeviation, 0.2);
-  EXPECT_EQ(protocol.simulation.answerDeviation, 0.3);
+  EXPECT_EQ(protocol.simulation.participantStandardDeviation, 0.1);
+  EXPECT_EQ(protocol.simulation.interactionStandardDeviation, 0.2);
+  EXPECT_EQ(protocol.simulation.residualStandardDeviation, 0.3);
 }
 
 TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
   const auto protocol = readGood("smallest");
   EXPECT_FALSE(protocol.seed.has_value());
-  EXPECT_FALSE(protocol.isBlindingOpen);
+  EXPECT_FALSE(protocol.isOpenLabel);
   EXPECT_EQ(protocol.cohorts.at(0).planned, 0);
   EXPECT_EQ(protocol.labels.prefix.in("en"), "Alternative");
   EXPECT_TRUE(protocol.phase("felt")->trials.questionnaires.empty());
   EXPECT_TRUE(protocol.analysis.families.empty());
-  EXPECT_EQ(protocol.simulation.personDeviation, 0.5);
-  EXPECT_EQ(protocol.simulation.personByConditionDeviation, 0.5);
-  EXPECT_EQ(protocol.simulation.answerDeviation, 0.8);
+  EXPECT_EQ(protocol.simulation.participantStandardDeviation, 0.5);
+  EXPECT_EQ(protocol.simulation.interactionStandardDeviation, 0.5);
+  EXPECT_EQ(protocol.simulation.residualStandardDeviation, 0.8);
   EXPECT_EQ(readGood("break-as-long-as-you-like").phases.back().seconds, 0.0);
   EXPECT_EQ(readGood("largest-seed").seed, std::uint64_t{1} << 53);
 }

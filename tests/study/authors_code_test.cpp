@@ -188,7 +188,7 @@ TEST(AuthorsCode, OfTheOtherVersionIsRenderedWithBoundaryAAndWithoutSmoothing) {
 TEST(AuthorsCode, IsWhatThePublishedStudyRendersFromItsOwnRecordingAtThe76Points) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const auto recording = haptics::recordings::readRecordingFile(tests::fetchedData(kCopy).string());
-  const auto imported = importCutOfStudy(recording);
+  const auto imported = importPublishedCut(recording);
   const auto& table = imported.cut.curve.nodes();
   ASSERT_EQ(table.size(), 76U);
   EXPECT_EQ(imported.cut.provenance.filter, "authors-fir-333");

@@ -249,7 +249,7 @@ TEST_F(BlindedStudy, HasItsSecretInNoFile) {
   for (const auto& [file, content] : contentsOf(study_.folder()))
     EXPECT_FALSE(holds(content)) << file;
   // The control: the station has it.
-  const auto station = storage::StationStore::usualFolder();
+  const auto station = storage::StationStore::defaultFolder();
   EXPECT_TRUE(holds(tests::contentOf(station / "study-keys")));
 }
 

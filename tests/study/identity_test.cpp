@@ -120,7 +120,7 @@ class SealedNames : public IdentityTest {
   }
 
   void beginAgain() {
-    storage::clearHeldKeys();
+    storage::clearCachedKeys();
     study_.reopen();
   }
 
@@ -150,7 +150,7 @@ TEST_F(SealedNames, LeaveNoKeyInTheFolder) {
   ASSERT_TRUE(study_->unlockNames(kPassphrase));
   study_.close();
   tests::Sql(study_.file("identity.db")).run("DELETE FROM wrapped_key");
-  storage::clearHeldKeys();
+  storage::clearCachedKeys();
   study_.reopen();
   study_->identities().drawKeys("P009");
   const auto open =
@@ -193,7 +193,7 @@ TEST_F(SealedNames, LetNoSessionBeginWithoutThePassphrase) {
 TEST_F(SealedNames, AreVerifiedBackedUpAndErasedWithoutIt) {
   EXPECT_TRUE(verify(*study_).isSound());
   EXPECT_TRUE(backUp(study_.folder(), study_.scratch() / "copy").verification.isSound());
-  EXPECT_TRUE(namedPeople(*study_, {}).areLocked);
+  EXPECT_TRUE(searchForNames(*study_, {}).areLocked);
   const auto report =
       erase(*study_, {.participant = "P001", .reason = "asked for it by telephone"});
   EXPECT_EQ(report.names, 1U);

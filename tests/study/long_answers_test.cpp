@@ -102,7 +102,7 @@ TEST_P(LongAnswersTest, AreStoredByteForByte) {
 
 TEST_P(LongAnswersTest, AreRefusedWithOneCharacterTooMany) {
   const auto& words = GetParam().words;
-  const auto missing = kMost - *questionnaires::charactersIn(words);
+  const auto missing = kMost - *questionnaires::utf8CharacterCount(words);
   EXPECT_THROW(write(words + std::string(missing + 1, 'x')), UserError);
   EXPECT_EQ(kept(), "nothing");
   write(words + std::string(missing, 'x'));

@@ -8,7 +8,7 @@ namespace {
 /// The Kalman filter of the punch paper as eq. (14)–(21) write it, with a matrix library: even the
 /// 1×1 matrix S = H P Hᵀ + R is inverted as a matrix.
 template <typename Matrix, typename Column, typename Row, typename One>
-double filterWith(const KalmanNumbers& n, int steps, double travelled) {
+double filterWith(const KalmanNoiseValues& n, int steps, double travelled) {
   Column x = Column::Zero(2, 1);
   Matrix q(2, 2);
   q << n.q11, n.q12, n.q12, n.q22;
@@ -40,7 +40,7 @@ double filterWith(const KalmanNumbers& n, int steps, double travelled) {
 
 }  // namespace
 
-double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled) {
+double eigenFixed(const KalmanNoiseValues& numbers, int steps, double travelled) {
   return filterWith<
       Eigen::Matrix2d,
       Eigen::Vector2d,
@@ -48,7 +48,7 @@ double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled) {
       Eigen::Matrix<double, 1, 1>>(numbers, steps, travelled);
 }
 
-double eigenDynamic(const KalmanNumbers& numbers, int steps, double travelled) {
+double eigenDynamic(const KalmanNoiseValues& numbers, int steps, double travelled) {
   return filterWith<Eigen::MatrixXd, Eigen::MatrixXd, Eigen::MatrixXd, Eigen::MatrixXd>(
       numbers, steps, travelled);
 }

@@ -64,7 +64,7 @@ std::vector<std::unique_ptr<SpherePeer>> spherePeers(
     const reaming::Packing& packing, const std::vector<double>& densities);
 
 /// Noise of eq. (22)–(24) of the punch paper, the same for all peers.
-struct KalmanNumbers {
+struct KalmanNoiseValues {
   double q11 = 6.1024, q12 = 0.2772, q22 = 7.0275;
   double rElastic = 0.001, rRecorded = 7.742;
   double start11 = 6.1024, start22 = 7.0275;  ///< initial variances; the initial covariance is 0
@@ -77,9 +77,9 @@ enum class Correction { Standard, Joseph };
 template <typename Scalar, Correction kForm>
 struct TextbookFilter {
   Scalar f{}, z{}, p11{}, p12{}, p22{};
-  KalmanNumbers n;
+  KalmanNoiseValues n;
 
-  explicit TextbookFilter(const KalmanNumbers& numbers) : n(numbers) {
+  explicit TextbookFilter(const KalmanNoiseValues& numbers) : n(numbers) {
     p11 = Scalar(n.start11);
     p22 = Scalar(n.start22);
   }
@@ -124,8 +124,8 @@ using JosephFilter = TextbookFilter<Scalar, Correction::Joseph>;
 
 /// The filter with Eigen's matrices, of fixed and of dynamic size: @p steps steps of @p travelled
 /// that fuse 3 N and 2 N. Returns the last force [N].
-double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled);
-double eigenDynamic(const KalmanNumbers& numbers, int steps, double travelled);
+double eigenFixed(const KalmanNoiseValues& numbers, int steps, double travelled);
+double eigenDynamic(const KalmanNoiseValues& numbers, int steps, double travelled);
 
 /// Names and versions of the compared libraries.
 std::string versions();

@@ -160,10 +160,10 @@ CheckResult torqueFound(const Capabilities& can) {
 
 }  // namespace
 
-IiwaDevice::Listening IiwaDevice::listen(double seconds) {
+IiwaDevice::ListenResult IiwaDevice::listen(double seconds) {
   resetCounts();
   sequence_ = {};
-  Listening listening;
+  ListenResult listening;
   const std::int64_t begin = timing::now();
   const std::int64_t until =
       begin + static_cast<std::int64_t>(seconds * static_cast<double>(timing::kSecond));
@@ -180,8 +180,8 @@ IiwaDevice::Listening IiwaDevice::listen(double seconds) {
     if (waitForMessage(timing::now() + 100 * timing::kMillisecond)) {
       listening.longestGap = std::max(listening.longestGap, hostTime_ - last);
       last = hostTime_;
-      if (heard_.ipoData && heard_.ipoData->commandMode) {
-        listening.mode = heard_.ipoData->commandMode;
+      if (lastMessage_.ipoData && lastMessage_.ipoData->commandMode) {
+        listening.mode = lastMessage_.ipoData->commandMode;
       }
       listening.hasWaited = listening.hasWaited || state() == SessionState::CommandingWait;
       isNew_ = false;
@@ -206,12 +206,13 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back(
       {Finding::Pass, "connection", "FRI " + std::string(nameOf(settings_.version)), ""});
   stopKeeper();
-  const Listening listened = listen(seconds);
+  const ListenResult listened = listen(seconds);
   const bool isSilent = timing::now() - hostTime_ >= kLastingSilence;
   const LinkReport report = link();
-  found.push_back(sessionFound(heard_));
-  found.push_back(commandingFound(heard_, settings_.overlay, listened.mode, listened.hasWaited));
-  found.push_back(safetyFound(heard_));
+  found.push_back(sessionFound(lastMessage_));
+  found.push_back(
+      commandingFound(lastMessage_, settings_.overlay, listened.mode, listened.hasWaited));
+  found.push_back(safetyFound(lastMessage_));
   found.push_back(silenceFound(listened.longestGap, isSilent, longestSilence()));
   found.push_back(cyclesFound(report, listened.seconds, 1e9 / static_cast<double>(period_)));
   found.push_back(anomaliesFound(report));

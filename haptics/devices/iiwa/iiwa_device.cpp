@@ -17,10 +17,10 @@ using timing::kMillisecond;
 
 constexpr std::int64_t kMostSilence = 50 * kMillisecond;
 constexpr std::int64_t kMissedCycles = 20;
-constexpr std::int64_t kFirstMessage = 2000 * kMillisecond;
-constexpr std::uint32_t kSlowest = 20;  // longest accepted period of answers [ms]
+constexpr std::int64_t kFirstMessageTimeout = 2000 * kMillisecond;
+constexpr std::uint32_t kLongestAnswerPeriod = 20;  // longest accepted period of answers [ms]
 // Longest wait for COMMANDING_ACTIVE: as long as robot programs wait for a client.
-constexpr std::int64_t kCommanding = 10'000 * kMillisecond;
+constexpr std::int64_t kCommandingTimeout = 10'000 * kMillisecond;
 
 JointVector asVector(const Joints& joints) {
   return Eigen::Map<const JointVector>(joints.data());
@@ -59,7 +59,8 @@ Endpoint robotOf(const IiwaSettings& settings) {
 }  // namespace
 
 IiwaDevice::IiwaDevice(IiwaSettings settings)
-    : WireDevice(capabilitiesOf(settings), {.turn = 10 * kMillisecond, .silence = kFirstMessage}),
+    : WireDevice(
+          capabilitiesOf(settings), {.turn = 10 * kMillisecond, .silence = kFirstMessageTimeout}),
       settings_(std::move(settings)),
       kinematics_(settings_.model, settings_.tool),
       guard_(settings_.model, settings_.margins),
@@ -72,7 +73,7 @@ IiwaDevice::~IiwaDevice() {
 }
 
 SessionState IiwaDevice::state() const noexcept {
-  return heard_.connection ? heard_.connection->state : SessionState::Idle;
+  return lastMessage_.connection ? lastMessage_.connection->state : SessionState::Idle;
 }
 
 void IiwaDevice::open() {
@@ -88,14 +89,14 @@ void IiwaDevice::open() {
         error.what() +
         "). End the other program that uses it, or choose another port here and on the robot.");
   }
-  heard_ = {};
+  lastMessage_ = {};
   sequence_ = {};
   resetCounts();
   start_.reset();
   robot_.port = 0;
-  ours_ = 0;
+  answerSequence_ = 0;
   isNew_ = isUnanswered_ = false;
-  sinceAnswer_ = 0;
+  messagesSinceAnswer_ = 0;
   deviceTime_ = 0;
   jointVelocity_.setZero();
   try {
@@ -108,15 +109,16 @@ void IiwaDevice::open() {
 }
 
 void IiwaDevice::awaitMessages() {
-  const std::int64_t until = timing::now() + kFirstMessage;
+  const std::int64_t until = timing::now() + kFirstMessageTimeout;
   while (timing::now() < until) {
     if (!waitForMessage(std::min(until, timing::now() + 100 * kMillisecond))) continue;
     isNew_ = false;
     answer(0.0, 0.0);
-    const auto period = heard_.connection ? heard_.connection->sendPeriod.value_or(5) : 5;
+    const auto period =
+        lastMessage_.connection ? lastMessage_.connection->sendPeriod.value_or(5) : 5;
     const auto multiplier =
-        heard_.connection ? heard_.connection->receiveMultiplier.value_or(1) : 1;
-    if (period * multiplier > kSlowest) {
+        lastMessage_.connection ? lastMessage_.connection->receiveMultiplier.value_or(1) : 1;
+    if (period * multiplier > kLongestAnswerPeriod) {
       throw DeviceError(
           name() + " wants an answer every " + std::to_string(period * multiplier) +
           " ms only: too slow to feel. Set the send period of its application to 1 to 5 ms.");
@@ -158,7 +160,7 @@ void IiwaDevice::beginForces() noexcept {
 }
 
 void IiwaDevice::awaitReadiness() {
-  const std::int64_t until = timing::now() + kCommanding;
+  const std::int64_t until = timing::now() + kCommandingTimeout;
   while (timing::now() < until) {
     if (!waitForMessage(timing::now() + 100 * kMillisecond)) continue;
     isNew_ = false;
@@ -177,13 +179,13 @@ void IiwaDevice::awaitReadiness() {
 bool IiwaDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
-    auto received = socket_->receive(room_, std::max<std::int64_t>(left, 0));
+    auto received = socket_->receive(receiveBuffer_, std::max<std::int64_t>(left, 0));
     constexpr int kBacklog = 256;  // most datagrams per call, so that a flood cannot block the loop
     for (int i = 0; received; ++i) {
       const bool hadNew = isNew_;
       if (take(*received, timing::now()) && hadNew) ++report_.skipped;
       if (i == kBacklog) break;
-      received = socket_->receive(room_, 0);
+      received = socket_->receive(receiveBuffer_, 0);
     }
     if (isNew_) return true;
     if (timing::now() >= deadline) return false;
@@ -200,7 +202,7 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
     return false;
   }
   MonitoringMessage message;
-  if (decode({room_.data(), received.size}, settings_.version, message) != Refusal::None) {
+  if (decode({receiveBuffer_.data(), received.size}, settings_.version, message) != Refusal::None) {
     ++report_.damaged;
     return false;
   }
@@ -212,32 +214,33 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
   report_.restarts = sequence_.restarts();
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;
   robot_.port = received.from.port;  // from now on only the port that sent first is the robot
-  heard_ = message;
+  lastMessage_ = message;
   updateMotion(at);
   return true;
 }
 
-/// Updates position and velocity from the message in heard_, which arrived at @p at [ns].
+/// Updates position and velocity from the message in lastMessage_, which arrived at @p at [ns].
 void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   const std::int64_t before = deviceTime_;
   hostTime_ = at;
   isNew_ = true;
   ++report_.received;
-  const auto& data = heard_.monitorData;
+  const auto& data = lastMessage_.monitorData;
   if (data && data->timestamp) {
     deviceTime_ = data->timestamp->seconds * timing::kSecond + data->timestamp->nanoseconds;
     drift_.add(deviceTime_, at);
   } else {
     deviceTime_ += period_;
   }
-  if (heard_.header.reflected != lastReflected_) {
-    lastReflected_ = heard_.header.reflected;
+  if (lastMessage_.header.reflected != lastReflected_) {
+    lastReflected_ = lastMessage_.header.reflected;
     const std::int64_t sent = sentAt_[lastReflected_ % sentAt_.size()];
     if (sent != 0) report_.roundTrip.add(1e-3 * static_cast<double>(at - sent));
   }
-  const auto multiplier = heard_.connection ? heard_.connection->receiveMultiplier.value_or(1) : 1;
-  if (++sinceAnswer_ >= std::max<std::uint32_t>(multiplier, 1)) {
-    sinceAnswer_ = 0;
+  const auto multiplier =
+      lastMessage_.connection ? lastMessage_.connection->receiveMultiplier.value_or(1) : 1;
+  if (++messagesSinceAnswer_ >= std::max<std::uint32_t>(multiplier, 1)) {
+    messagesSinceAnswer_ = 0;
     isUnanswered_ = true;
   }
   if (!data || !data->measuredPosition) return;
@@ -256,7 +259,7 @@ void IiwaDevice::updateMotion(std::int64_t at) noexcept {
   velocity_ = settings_.axis.dot((jacobian_ * jointVelocity_).head<3>());
   if (!start_) return;
   travel_ = displacementAlong(settings_.axis, *start_, tool_);
-  const double turn = settings_.axis.dot(turnBetween(start_->rotation, tool_.rotation));
+  const double turn = settings_.axis.dot(rotationVectorBetween(start_->rotation, tool_.rotation));
   turn_ += std::remainder(turn - turn_, 2.0 * std::numbers::pi);  // also counts angles beyond ±π
 }
 
@@ -266,8 +269,8 @@ const char* IiwaDevice::whatIsWrong() const noexcept {
   if (state() != SessionState::CommandingActive) {
     return "its controller has stopped commanding; its SmartPad says why";
   }
-  if (heard_.robotInfo) {
-    const auto& info = *heard_.robotInfo;
+  if (lastMessage_.robotInfo) {
+    const auto& info = *lastMessage_.robotInfo;
     if (info.safetyState.value_or(SafetyState::NormalOperation) != SafetyState::NormalOperation) {
       return "a safety stop of the robot is active";
     }
@@ -275,7 +278,7 @@ const char* IiwaDevice::whatIsWrong() const noexcept {
       if (drive != DriveState::Active) return "its drives are not active";
     }
   }
-  if (!heard_.monitorData || !heard_.monitorData->measuredPosition) {
+  if (!lastMessage_.monitorData || !lastMessage_.monitorData->measuredPosition) {
     return "it does not say where its joints are";
   }
   return nullptr;
@@ -283,8 +286,8 @@ const char* IiwaDevice::whatIsWrong() const noexcept {
 
 bool IiwaDevice::isReamerOn() const noexcept {
   if (settings_.pedal.empty()) return true;
-  if (!heard_.monitorData) return false;
-  for (const auto& input : heard_.monitorData->inputs) {
+  if (!lastMessage_.monitorData) return false;
+  for (const auto& input : lastMessage_.monitorData->inputs) {
     if (input.name.text() == settings_.pedal) return input.digital.value_or(0) != 0;
   }
   return false;
@@ -310,11 +313,12 @@ DeviceSample IiwaDevice::read(double) noexcept {
   isNew_ = false;
   const char* wrong = whatIsWrong();
   if (wrong == nullptr) {
-    const auto& torque = heard_.monitorData->measuredTorque;
+    const auto& torque = lastMessage_.monitorData->measuredTorque;
     wrong = guard_.whatIsWrong(
         joints_, jointVelocity_, torque ? asVector(*torque) : JointVector(JointVector::Zero()));
   }
-  const bool isGood = heard_.connection && heard_.connection->quality >= ConnectionQuality::Good;
+  const bool isGood =
+      lastMessage_.connection && lastMessage_.connection->quality >= ConnectionQuality::Good;
   if (isGood) lastGoodAt_ = hostTime_;
   if (wrong == nullptr && hostTime_ - lastGoodAt_ > kMostSilence) {
     wrong = "its connection has become worse than GOOD";
@@ -332,7 +336,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
 }
 
 void IiwaDevice::command(double force, double torque) noexcept {
-  if (isKept() || !socket_) return;
+  if (isKeeperRunning() || !socket_) return;
   answer(force, torque);
   if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }
@@ -344,7 +348,10 @@ void IiwaDevice::answer(double force, double torque) noexcept {
   const SessionState session = state();
   if (session == SessionState::Idle) return;
   CommandMessage message;
-  message.header = {.identifier = kCommand, .sequence = ours_, .reflected = heard_.header.sequence};
+  message.header = {
+      .identifier = kCommand,
+      .sequence = answerSequence_,
+      .reflected = lastMessage_.header.sequence};
   const bool isCommanding =
       session == SessionState::CommandingWait || session == SessionState::CommandingActive;
   const bool isFirstSeries = settings_.version < Version::V2_5;
@@ -352,27 +359,27 @@ void IiwaDevice::answer(double force, double torque) noexcept {
     message.data.emplace();
     message.data->jointPosition =
         // decode() guarantees ipoData and its joint position in the commanding states.
-        heard_.ipoData->jointPosition;
+        lastMessage_.ipoData->jointPosition;
     const bool isActive = session == SessionState::CommandingActive &&
                           lifecycle() != Lifecycle::Open &&
-                          heard_.connection->quality >= ConnectionQuality::Good;
-    overlayInto(*message.data, isActive ? force : 0.0, isActive ? torque : 0.0);
-  } else if (isFirstSeries && heard_.monitorData) {
-    const auto& data = *heard_.monitorData;
+                          lastMessage_.connection->quality >= ConnectionQuality::Good;
+    writeOverlay(*message.data, isActive ? force : 0.0, isActive ? torque : 0.0);
+  } else if (isFirstSeries && lastMessage_.monitorData) {
+    const auto& data = *lastMessage_.monitorData;
     message.data.emplace();
     message.data->jointPosition =
         data.commandedPosition ? data.commandedPosition : data.measuredPosition;
   }
   std::array<std::uint8_t, kLargestDatagram> bytes{};
   const std::size_t count = encode(message, settings_.version, bytes);
-  sentAt_[ours_ % sentAt_.size()] = timing::now();
-  ++ours_;
+  sentAt_[answerSequence_ % sentAt_.size()] = timing::now();
+  ++answerSequence_;
   if (count == 0 || !socket_->send({bytes.data(), count}, robot_)) ++report_.unsent;
 }
 
 /// Writes the force (positive against advancing) and the torque about the axis as the robot expects
 /// them.
-void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noexcept {
+void IiwaDevice::writeOverlay(CommandData& data, double force, double torque) noexcept {
   bool isClipped = false;
   const auto within = [&](double asked, double most) {
     const double given = std::isfinite(asked) ? std::clamp(asked, -most, most) : 0.0;
@@ -383,7 +390,7 @@ void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noe
   wrench.head<3>() = -within(force, capabilities_.maxForce) * settings_.axis;
   wrench.tail<3>() = within(torque, capabilities_.maxTorque) * settings_.axis;
   const JointVector joints = jacobian_.transpose() * wrench;
-  const double share = guard_.allowedShare(joints);
+  const double share = guard_.allowedFactor(joints);
   if (share < 1.0 || isClipped) ++report_.clipped;
   if (settings_.overlay == IiwaOverlay::JointTorque) {
     data.jointTorque = asJoints(share * joints);

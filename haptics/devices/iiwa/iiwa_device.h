@@ -69,7 +69,7 @@ class IiwaDevice final : public WireDevice {
   void command(double force, double torque) noexcept override;
 
   /// The last message received from the robot. Called from the thread that ticks.
-  const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
+  const wire::fri::MonitoringMessage& heard() const noexcept { return lastMessage_; }
 
  private:
   using SessionState = wire::fri::SessionState;
@@ -85,17 +85,17 @@ class IiwaDevice final : public WireDevice {
   bool take(const DatagramSocket::Received& received, std::int64_t at) noexcept;
   void updateMotion(std::int64_t at) noexcept;
   void answer(double force, double torque) noexcept;
-  void overlayInto(wire::fri::CommandData& data, double force, double torque) noexcept;
+  void writeOverlay(wire::fri::CommandData& data, double force, double torque) noexcept;
   const char* whatIsWrong() const noexcept;
   bool isReamerOn() const noexcept;
   /// Measurements during a check that LinkReport lacks.
-  struct Listening {
+  struct ListenResult {
     double seconds = 0.0;                              ///< duration of the measurement
     std::int64_t longestGap = 0;                       ///< between messages [ns]
     bool hasWaited = false;                            ///< the session has been in COMMANDING_WAIT
     std::optional<wire::fri::ClientCommandMode> mode;  ///< as the robot reported it
   };
-  Listening listen(double seconds);
+  ListenResult listen(double seconds);
   std::string describeSilence() const;
   void awaitMessages();
   std::int64_t longestSilence() const noexcept;
@@ -106,15 +106,15 @@ class IiwaDevice final : public WireDevice {
   IiwaGuard guard_;
   Endpoint robot_;
   std::optional<DatagramSocket> socket_;
-  std::array<std::uint8_t, wire::fri::kLargestDatagram + 1> room_{};
+  std::array<std::uint8_t, wire::fri::kLargestDatagram + 1> receiveBuffer_{};
 
-  wire::fri::MonitoringMessage heard_;
+  wire::fri::MonitoringMessage lastMessage_;
   wire::SequenceCheck<std::uint32_t> sequence_;
-  std::uint32_t ours_ = 0;           // counter of the next answer
-  std::uint32_t sinceAnswer_ = 0;    // messages since the last answer
-  std::int64_t period_ = 5'000'000;  // between messages [ns]
-  Endpoint lastForeignSender_;       // the last sender that was not the robot
-  std::int64_t lastGoodAt_ = 0;      // when the connection was last good enough [ns]
+  std::uint32_t answerSequence_ = 0;       // counter of the next answer
+  std::uint32_t messagesSinceAnswer_ = 0;  // messages since the last answer
+  std::int64_t period_ = 5'000'000;        // between messages [ns]
+  Endpoint lastForeignSender_;             // the last sender that was not the robot
+  std::int64_t lastGoodAt_ = 0;            // when the connection was last good enough [ns]
 
   JointVector joints_ = JointVector::Zero();         // [rad]
   JointVector jointVelocity_ = JointVector::Zero();  // [rad/s]

@@ -50,7 +50,7 @@ const char* IiwaGuard::whatIsWrong(
   return nullptr;
 }
 
-double IiwaGuard::allowedShare(const JointVector& torque) const noexcept {
+double IiwaGuard::allowedFactor(const JointVector& torque) const noexcept {
   double share = 1.0;
   for (std::size_t i = 0; i < 7; ++i) {
     const double asked = std::abs(torque[static_cast<Eigen::Index>(i)]);

@@ -29,7 +29,7 @@ class IiwaGuard {
 
   /// The largest factor in [0, 1] by which @p torque [N·m] keeps all joints within their margin; 0
   /// if a value is not finite.
-  double allowedShare(const JointVector& torque) const noexcept;
+  double allowedFactor(const JointVector& torque) const noexcept;
 
  private:
   const IiwaProperties& properties_;

@@ -36,7 +36,8 @@ Pose operator*(const Pose& a, const Pose& b) noexcept {
   return {.position = a.position + a.rotation * b.position, .rotation = a.rotation * b.rotation};
 }
 
-Eigen::Vector3d turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept {
+Eigen::Vector3d rotationVectorBetween(
+    const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept {
   const Eigen::Matrix3d between = to * from.transpose();
   Eigen::Quaterniond turn(between);
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();

@@ -76,7 +76,8 @@ Pose operator*(const Pose& a, const Pose& b) noexcept;
 
 /// The rotation from @p from to @p to as a rotation vector (axis times angle) in their common
 /// reference frame; its length is in [0, π] [rad].
-Eigen::Vector3d turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept;
+Eigen::Vector3d rotationVectorBetween(
+    const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept;
 
 /// Displacement of a tool along @p axis since @p start, s = a·(p − p₀) [m]. @p axis has length 1.
 double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const Pose& now) noexcept;

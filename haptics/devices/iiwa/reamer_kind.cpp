@@ -8,11 +8,11 @@ models::CutDetector<double>::Parameters stroke() {
   stroke.closedAbove = 0.008;  // [m]: well into the bone
   stroke.openBelow = 0.002;
   stroke.contactForce = 1.0;
-  stroke.creep = 0.0;
+  stroke.frictionSlope = 0.0;
   stroke.yieldDrop = 1.0;
   stroke.advance = 0.0003;
-  stroke.bottomAbove = 0.018;
-  stroke.bottomRise = 2.0;
+  stroke.bottomOutAbove = 0.018;
+  stroke.bottomOutRise = 2.0;
   stroke.retreat = 0.001;
   return stroke;
 }
@@ -42,8 +42,8 @@ const DeviceKind& reamerKind() {
            .axis = "depth [mm]"},
       .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0, .torque = 1.0},
       .stroke = stroke(),
-      .simulatedForce = 140.0,  // of an LBR iiwa 14
-      .simulatedTorque = 10.0,  // the default of IiwaSettings
+      .simulatedMaxForce = 140.0,  // of an LBR iiwa 14
+      .simulatedMaxTorque = 10.0,  // the default of IiwaSettings
       .mechanism =
           {.mass = 4.0,
            .damping = 60.0,
@@ -51,15 +51,15 @@ const DeviceKind& reamerKind() {
            .stopDamping = 300.0,
            .resolution = 0.0,
            .inertia = 0.02,
-           .turnStiffness = 10.0,
-           .turnDamping = 0.3},
+           .rotationalStiffness = 10.0,
+           .rotationalDamping = 0.3},
       .hand =
           {.reach = {0.034, 0.042},
            .closeTime = {1.2, 2.2},
            .openTime = {0.8, 1.4},
            .stiffness = {5500.0, 7000.0},
            .damping = {120.0, 180.0},
-           .ordinaryReach = 0.038},
+           .typicalReach = 0.038},
       .grip = {.stiffness = 6000.0, .damping = 150.0, .speed = 0.03, .strength = 120.0},
       .serial = {},
       .strokeName = {"stroke", {{"de", "Fräsbewegung"}, {"nb", "fresebevegelse"}}},

@@ -120,8 +120,8 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
   found.push_back(rateFound(report, seconds, capabilities_.rate));
   found.push_back(frameLossFinding(report));
   found.push_back(roundTripFound(report));
-  const auto& believable = settings_.kind->serial.believable;
-  const bool isWithin = least >= believable.least && most <= believable.most;
+  const auto& plausibleTravel = settings_.kind->serial.plausibleTravel;
+  const bool isWithin = least >= plausibleTravel.least && most <= plausibleTravel.most;
   found.push_back(
       {isWithin ? Finding::Pass : Finding::Warn,
        "travel",
@@ -130,10 +130,10 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
            ? ""
            : "Open the " + kind + " altogether, and correct travel_at_zero in the device file."});
   found.push_back(
-      {(faults & wire::punch::kLatched) == 0 ? Finding::Pass : Finding::Fail,
+      {(faults & wire::punch::kLatchedFaults) == 0 ? Finding::Pass : Finding::Fail,
        "faults that the board reports",
        describeFaults(faults),
-       (faults & wire::punch::kLatched) == 0
+       (faults & wire::punch::kLatchedFaults) == 0
            ? ""
            : "Switch the " + kind + " off and on, then check again."});
   if (report.drift) {

@@ -15,9 +15,10 @@ using namespace haptics::wire::punch;
 using timing::kMicrosecond;
 using timing::kMillisecond;
 
-constexpr std::int64_t kSilence = 50 * kMillisecond;
-constexpr std::int64_t kHelloTime = 3000 * kMillisecond;  // QEMU checks for a client once a second
-constexpr std::int64_t kHelloAgain = 200 * kMillisecond;
+constexpr std::int64_t kSilenceTimeout = 50 * kMillisecond;
+constexpr std::int64_t kHelloTimeout =
+    3000 * kMillisecond;  // QEMU checks for a client once a second
+constexpr std::int64_t kHelloInterval = 200 * kMillisecond;
 
 std::string inHex(std::uint64_t number) {
   constexpr const char* kDigits = "0123456789abcdef";
@@ -41,7 +42,7 @@ Capabilities capabilitiesOf(const PunchSettings& settings) {
 }  // namespace
 
 PunchDevice::PunchDevice(PunchSettings settings)
-    : WireDevice(capabilitiesOf(settings), {.turn = 20 * kMillisecond, .silence = kSilence}),
+    : WireDevice(capabilitiesOf(settings), {.turn = 20 * kMillisecond, .silence = kSilenceTimeout}),
       settings_(std::move(settings)) {}
 
 PunchDevice::~PunchDevice() {
@@ -55,7 +56,7 @@ void PunchDevice::open() {
   hasHello_ = false;
   try {
     exchangeHello();
-    refuseOtherBoard();
+    requireExpectedBoard();
   } catch (...) {
     port_.close();
     throw;
@@ -70,13 +71,13 @@ void PunchDevice::open() {
 }
 
 void PunchDevice::exchangeHello() {
-  const std::int64_t until = timing::now() + kHelloTime;
+  const std::int64_t until = timing::now() + kHelloTimeout;
   int asked = 0;
   helloCount_ = 0;
   while (!hasHello_ && port_.isOpen() && timing::now() < until) {
     send(Hello{});
     ++asked;
-    const std::int64_t again = std::min(until, timing::now() + kHelloAgain);
+    const std::int64_t again = std::min(until, timing::now() + kHelloInterval);
     while (!hasHello_ && port_.isOpen() && timing::now() < again) {
       port_.waitReadable(again);
       drain();
@@ -96,7 +97,7 @@ void PunchDevice::exchangeHello() {
       "board run palpate's firmware (docs/devices.md)?");
 }
 
-void PunchDevice::refuseOtherBoard() const {
+void PunchDevice::requireExpectedBoard() const {
   if (hello_.protocolVersion != kProtocolVersion) {
     throw DeviceError(
         name() + " speaks version " + std::to_string(hello_.protocolVersion) +
@@ -124,7 +125,7 @@ void PunchDevice::refuseOtherBoard() const {
 }
 
 void PunchDevice::disconnect(bool isFault) noexcept {
-  if (port_.isOpen()) send(Stop{isFault ? StopReason::HostFault : StopReason::Asked});
+  if (port_.isOpen()) send(Stop{isFault ? StopReason::HostFault : StopReason::Requested});
   port_.close();
 }
 
@@ -144,7 +145,7 @@ void PunchDevice::beginForces() noexcept {
   send(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
 }
 
-void PunchDevice::endForces() noexcept {
+void PunchDevice::stopForces() noexcept {
   send(SetForce{.voltage = 0, .expiry = 1});
   send(Arm{.isArmed = false, .expiry = 1});
 }
@@ -194,14 +195,14 @@ void PunchDevice::take(const Frame& frame, std::int64_t at) noexcept {
   using Verdict = wire::SequenceCheck<std::uint16_t>::Verdict;
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return;
   if (frame.type == Type::State) {
-    takeState(frame, at);
+    handleState(frame, at);
   } else if (frame.type == Type::ModelReply) {
     ModelReply answer;
-    if (wire::punch::read(frame, answer)) taken_ = answer;
+    if (wire::punch::read(frame, answer)) lastModelReply_ = answer;
   }
 }
 
-void PunchDevice::takeState(const Frame& frame, std::int64_t at) noexcept {
+void PunchDevice::handleState(const Frame& frame, std::int64_t at) noexcept {
   State state;
   if (!wire::punch::read(frame, state)) return;
   if (isNew_) ++report_.skipped;
@@ -223,8 +224,8 @@ void PunchDevice::takeState(const Frame& frame, std::int64_t at) noexcept {
 /// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have
 /// cleared old bits yet.
 std::uint8_t PunchDevice::relevantFaults() const noexcept {
-  const bool isSettled = hostTime_ - armedAt_ > kSilence;
-  return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatched | kNotArmed) : 0));
+  const bool isSettled = hostTime_ - armedAt_ > kSilenceTimeout;
+  return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatchedFaults | kNotArmed) : 0));
 }
 
 DeviceSample PunchDevice::read(double) noexcept {
@@ -243,14 +244,14 @@ DeviceSample PunchDevice::read(double) noexcept {
       .hostTime = hostTime_};
   if (!isNew_) {
     ++report_.stale;
-    if (timing::now() - hostTime_ <= kSilence) return sample;
+    if (timing::now() - hostTime_ <= kSilenceTimeout) return sample;
     fail("it has sent nothing for 50 ms");
     return {.status = DeviceStatus::Gone};
   }
   isNew_ = false;
   isUnanswered_ = true;
   const std::uint8_t faults = relevantFaults();
-  if (faults == 0 && settings_.kind->serial.canReach(sample.travel)) return sample;
+  if (faults == 0 && settings_.kind->serial.isPlausibleTravel(sample.travel)) return sample;
   fail(
       faults == 0                     ? "it is where it cannot be: its encoder has lost count"
       : (faults & kDriverFault) != 0  ? "the motor's driver reports a fault"
@@ -261,7 +262,7 @@ DeviceSample PunchDevice::read(double) noexcept {
 }
 
 void PunchDevice::command(double force, double /*torque*/) noexcept {
-  if (!port_.isOpen() || isKept()) return;
+  if (!port_.isOpen() || isKeeperRunning()) return;
   // One force per sample: a board that sends no samples gets no force, and switches its force off.
   const bool isAnswer = std::exchange(isUnanswered_, false);
   if (!isAnswer && force != 0.0) return;

@@ -64,12 +64,12 @@ class PunchDevice final : public WireDevice {
   bool waitForMessage(std::int64_t deadline) noexcept override;
   void keepAlive() noexcept override;
   void beginForces() noexcept override;
-  void endForces() noexcept override;
+  void stopForces() noexcept override;
   bool drain() noexcept;
   void take(const wire::punch::Frame& frame, std::int64_t at) noexcept;
-  void takeState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
+  void handleState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
   void exchangeHello();
-  void refuseOtherBoard() const;
+  void requireExpectedBoard() const;
   wire::punch::ModelReply answerTo(std::int64_t deadline);
   template <typename Message>
   void send(const Message& message) noexcept {
@@ -88,8 +88,9 @@ class PunchDevice final : public WireDevice {
   wire::punch::FrameDecoder decoder_;
   wire::punch::Hello hello_;
   bool hasHello_ = false;
-  int helloCount_ = 0;                            ///< number of Hello messages received
-  std::optional<wire::punch::ModelReply> taken_;  ///< last reply to the parameters of a scene
+  int helloCount_ = 0;  ///< number of Hello messages received
+  std::optional<wire::punch::ModelReply>
+      lastModelReply_;  ///< last reply to the parameters of a scene
   /// Hash of the scene that the device renders itself; std::nullopt: it renders commanded forces.
   std::optional<std::uint32_t> sceneHash_;
 

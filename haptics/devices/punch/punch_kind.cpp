@@ -25,7 +25,7 @@ const DeviceKind& punchKind() {
            .axis = "travel [travel units]"},
       .plot = {.force = 8.0, .travel = 12.0, .velocity = 50.0},
       .stroke = {},
-      .simulatedForce = 8.0,
+      .simulatedMaxForce = 8.0,
       // The encoder's resolution of 0.0439° is taken as 0.0439 travel units.
       .mechanism =
           {.mass = 0.004,
@@ -39,9 +39,9 @@ const DeviceKind& punchKind() {
            .openTime = {0.3, 0.7},
            .stiffness = {2.6, 3.6},
            .damping = {0.08, 0.16},
-           .ordinaryReach = 13.8},
+           .typicalReach = 13.8},
       .grip = {.stiffness = 3.0, .damping = 0.12, .speed = 40.0},
-      .serial = {.travelPerCount = 0.00439, .believable = {-2.0, 14.0}},
+      .serial = {.travelPerCount = 0.00439, .plausibleTravel = {-2.0, 14.0}},
       .strokeName = {"cut", {{"de", "Schnitt"}, {"nb", "kutt"}}},
       .strokesName = {"cuts", {{"de", "Schnitte"}, {"nb", "kutt"}}},
       .pointerHint = {

@@ -118,12 +118,13 @@ std::uint32_t hashOf(const Message& message, std::uint32_t before) {
 }  // namespace
 
 ModelReply PunchDevice::answerTo(std::int64_t deadline) {
-  while (!taken_ && port_.isOpen() && timing::now() < deadline) {
+  while (!lastModelReply_ && port_.isOpen() && timing::now() < deadline) {
     isNew_ = false;
     waitForMessage(deadline);
   }
-  if (!taken_) throw DeviceError(name() + " does not answer to the scene it was sent. Try again.");
-  return *taken_;
+  if (!lastModelReply_)
+    throw DeviceError(name() + " does not answer to the scene it was sent. Try again.");
+  return *lastModelReply_;
 }
 
 void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestForce) {
@@ -146,7 +147,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   stopKeeper();
   sceneHash_.reset();
   const auto ask = [&](const auto& message) {
-    taken_.reset();
+    lastModelReply_.reset();
     send(message);
     return answerTo(timing::now() + 500 * timing::kMillisecond);
   };
@@ -166,7 +167,8 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   if (answer.verdict != ModelVerdict::Accepted || answer.hash != hash) {
     throw DeviceError(
         name() + " did not take the scene as it was sent (" +
-        (answer.verdict == ModelVerdict::Unsound ? "it finds it unsound" : "its hash differs") +
+        (answer.verdict == ModelVerdict::InvalidModel ? "it finds it unsound"
+                                                      : "its hash differs") +
         "). Try again, or let the host render it.");
   }
   sceneHash_ = hash;

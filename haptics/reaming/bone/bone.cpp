@@ -59,23 +59,23 @@ Bone::Bone(const Packing& packing, std::span<const double> densities, const Bone
     : options_(checked(options)),
       isSpinning_(options.isSpinning),
       field_(packing, densities),
-      whole_(field_) {
+      intactField_(field_) {
   const std::size_t slots = field_.slotCount();
-  cutFrom_.resize(slots);
+  toolAtLastCut_.resize(slots);
   isPartial_.resize(slots);
   partial_.reserve(slots);
-  deeper_.resize(slots + kLanes);
+  slotsToCut_.resize(slots + kLanes);
   changed_.reserve(kMostChanges);
   restored_ = field_.groups().size();
   double sum = 0.0;
   for (const auto& sphere : packing.spheres) sum += sphere.radius;
-  smallest_ = 0.1 * sum / static_cast<double>(packing.spheres.size());
+  leastRemainderRadius_ = 0.1 * sum / static_cast<double>(packing.spheres.size());
 }
 
 void Bone::reset() noexcept {
   isOutside_ = false;
   cleared_ = 0;
-  if (isTouched_) restored_ = 0;
+  if (isCutSinceReset_) restored_ = 0;
 }
 
 /// Restores a part of the bone; returns true when all is restored.
@@ -84,7 +84,7 @@ bool Bone::restorePart() noexcept {
   if (restored_ == groups) return true;
   const std::size_t end = std::min(groups, restored_ + kRestoredAtOnce);
   for (std::size_t i = restored_; i < end; ++i) {
-    field_.group(kLanes * i) = whole_.group(kLanes * i);
+    field_.group(kLanes * i) = intactField_.group(kLanes * i);
     for (std::size_t lane = 0; lane < kLanes; ++lane) isPartial_[kLanes * i + lane] = 0;
   }
   // Copy in several steps, since copying all groups at once would take longer than a tick.
@@ -97,7 +97,7 @@ bool Bone::restorePart() noexcept {
   part_ = 0;
   removed_ = 0.0;
   ++restorations_;
-  isTouched_ = false;
+  isCutSinceReset_ = false;
   return true;
 }
 
@@ -123,7 +123,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   const Vec3 out = outwardOf(felt.contact);
   moveTool(device, felt.contact, out, dt);
   cut();
-  compactChanges();
+  replaceLeftSpheres();
   if (felt.contact.area <= 0.0) return felt;
   // Bone pushes, but never pulls a hand that moves back faster than the tool.
   const Vec3 held = tool_.centre - device.centre;
@@ -197,9 +197,9 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
 void Bone::cut() noexcept {
   if (pending_ == 0) return;
   --pending_;
-  const std::size_t count = field_.findDeeper(tool_, part_, kParts, deeper_);
+  const std::size_t count = field_.findSpheresToCut(tool_, part_, kParts, slotsToCut_);
   part_ = (part_ + 1) % kParts;
-  for (std::size_t i = 0; i < count; ++i) cutSlot(deeper_[i]);
+  for (std::size_t i = 0; i < count; ++i) cutSlot(slotsToCut_[i]);
 }
 
 void Bone::cutSlot(std::uint32_t slot) noexcept {
@@ -210,10 +210,10 @@ void Bone::cutSlot(std::uint32_t slot) noexcept {
   const double reached = tool_.radius + r - length(field_.centre(slot) - tool_.centre);
   const auto depth = static_cast<float>(std::min(reached, 2.0 * r));
   if (!(depth > group.depth[lane])) return;
-  isTouched_ = true;
+  isCutSinceReset_ = true;
   group.depth[lane] = depth;
   removed_ += group.density[lane] * (lensOf(r, depth, tool_.radius) - before);
-  cutFrom_[slot] = tool_.centre;
+  toolAtLastCut_[slot] = tool_.centre;
   if (depth >= 2.0F * group.radius[lane]) {
     empty(slot);
   } else if (isPartial_[slot] == 0) {
@@ -238,24 +238,24 @@ void Bone::noteChange(std::uint32_t slot) noexcept {
 }
 
 /// Checks a few of the partly cut spheres, and replaces those that the tool has left.
-void Bone::compactChanges() noexcept {
+void Bone::replaceLeftSpheres() noexcept {
   for (std::size_t looked = 0; looked < kTidiedAtOnce && !partial_.empty(); ++looked) {
     if (next_ >= partial_.size()) next_ = 0;
     const std::uint32_t slot = partial_[next_];
     const bool isGone = field_.group(slot).radius[slot % kLanes] == 0.0F;
-    if (!isGone && !isLeft(slot)) {
+    if (!isGone && !hasToolLeft(slot)) {
       ++next_;
       continue;
     }
     partial_[next_] = partial_.back();
     partial_.pop_back();
     isPartial_[slot] = 0;
-    if (!isGone) leaveRemainder(slot);
+    if (!isGone) splitRemainder(slot);
   }
 }
 
 /// Whether the tool has moved back from its cut in the sphere.
-bool Bone::isLeft(std::uint32_t slot) const noexcept {
+bool Bone::hasToolLeft(std::uint32_t slot) const noexcept {
   const auto& group = field_.group(slot);
   const std::size_t lane = slot % kLanes;
   const double r = group.radius[lane];
@@ -273,15 +273,15 @@ double Bone::massOf(std::uint32_t slot) const noexcept {
 
 /// Replaces a partly cut sphere by spheres inside its remainder: the largest that fits, and three
 /// beside it if they are not too small. They get the remaining mass.
-void Bone::leaveRemainder(std::uint32_t slot) noexcept {
+void Bone::splitRemainder(std::uint32_t slot) noexcept {
   auto& group = field_.group(slot);
   const std::size_t lane = slot % kLanes;
   const double mass = massOf(slot);
   const double r = group.radius[lane];
   const double main = r - 0.5 * group.depth[lane];
   const Vec3 centre = field_.centre(slot);
-  const Vec3 outward = unitOr(centre - cutFrom_[slot], tool_.axis);
-  if (main < smallest_) {
+  const Vec3 outward = unitOr(centre - toolAtLastCut_[slot], tool_.axis);
+  if (main < leastRemainderRadius_) {
     removed_ += mass;
     empty(slot);
     return;
@@ -298,7 +298,7 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
   // A sphere of radius b beside the main one (radius m), touching it, the flat cut and the old
   // sphere (radius r): b = m (r − m)/r, at a distance of 2 √(b m) from the axis.
   const double beside = main * (r - main) / r;
-  if (beside >= smallest_) {
+  if (beside >= leastRemainderRadius_) {
     const Vec3 helper = std::abs(outward.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};
     const Vec3 u = unitOr(cross(outward, helper), {1.0, 0.0, 0.0});
     const Vec3 v = cross(outward, u);

@@ -83,9 +83,9 @@ class Bone {
   Vec3 slideOf(Vec3 gap, Vec3 out, double push) const noexcept;
   void cut() noexcept;
   void cutSlot(std::uint32_t slot) noexcept;
-  void compactChanges() noexcept;
-  bool isLeft(std::uint32_t slot) const noexcept;
-  void leaveRemainder(std::uint32_t slot) noexcept;
+  void replaceLeftSpheres() noexcept;
+  bool hasToolLeft(std::uint32_t slot) const noexcept;
+  void splitRemainder(std::uint32_t slot) noexcept;
   double massOf(std::uint32_t slot) const noexcept;
   void empty(std::uint32_t slot) noexcept;
   void noteChange(std::uint32_t slot) noexcept;
@@ -93,22 +93,22 @@ class Bone {
   BoneOptions options_;
   bool isSpinning_;
   SphereField field_;
-  SphereField whole_;
-  std::vector<Vec3> cutFrom_;           ///< position of the tool when it last cut the slot
+  SphereField intactField_;
+  std::vector<Vec3> toolAtLastCut_;     ///< position of the tool when it last cut the slot
   std::vector<std::uint32_t> partial_;  ///< slots that are partly cut
   std::vector<char> isPartial_;
-  std::vector<std::uint32_t> deeper_;  ///< buffer for the slots that a step cuts
+  std::vector<std::uint32_t> slotsToCut_;  ///< buffer for the slots that a step cuts
   std::vector<std::uint32_t> changed_;
   std::uint64_t dropped_ = 0;
   std::uint64_t restorations_ = 0;
-  std::size_t pending_ = 0;   ///< steps until all spheres behind the surface are cut
-  std::size_t part_ = 0;      ///< part of the surface to cut next, 0 to kParts − 1
-  std::size_t next_ = 0;      ///< next entry of partial_ to check
-  std::size_t restored_ = 0;  ///< number of groups restored so far
-  std::size_t cleared_ = 0;   ///< number of groups that the device is known to be outside of
-  bool isTouched_ = false;    ///< a sphere was cut since the bone was whole
-  bool isOutside_ = false;    ///< see isOutside()
-  double smallest_ = 0.0;     ///< remainders of a smaller radius are removed [m]
+  std::size_t pending_ = 0;       ///< steps until all spheres behind the surface are cut
+  std::size_t part_ = 0;          ///< part of the surface to cut next, 0 to kParts − 1
+  std::size_t next_ = 0;          ///< next entry of partial_ to check
+  std::size_t restored_ = 0;      ///< number of groups restored so far
+  std::size_t cleared_ = 0;       ///< number of groups that the device is known to be outside of
+  bool isCutSinceReset_ = false;  ///< a sphere was cut since the bone was whole
+  bool isOutside_ = false;        ///< see isOutside()
+  double leastRemainderRadius_ = 0.0;  ///< remainders of a smaller radius are removed [m]
   double removed_ = 0.0;
   Reamer tool_;
 };

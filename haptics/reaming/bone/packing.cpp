@@ -28,12 +28,12 @@ PackingFlaws flawsOf(const Packing& packing, const Solid& body) {
   // Columns are as wide as the largest sphere and sorted along z, so a sphere can meet others in
   // nine columns only.
   const double width = 2.0 * largest;
-  const Vec3 low = body.lowest();
+  const Vec3 low = body.lowerCorner();
   const auto across = [&](double from, double to) {
     return static_cast<std::size_t>((to - from) / width) + 3;
   };
-  const std::size_t columnsX = across(low.x, body.highest().x);
-  const std::size_t columnsY = across(low.y, body.highest().y);
+  const std::size_t columnsX = across(low.x, body.upperCorner().x);
+  const std::size_t columnsY = across(low.y, body.upperCorner().y);
   std::vector<std::vector<Sphere>> columns(columnsX * columnsY);
   const auto columnOf = [&](const Sphere& s) {
     const auto i = static_cast<std::size_t>(std::max(0.0, (s.x - low.x) / width)) + 1;

@@ -48,8 +48,8 @@ class Solid {
   /// May be called by several threads at once.
   virtual SurfacePoint nearest(Vec3 place) const noexcept = 0;
 
-  virtual Vec3 lowest() const noexcept = 0;   ///< lower corner of the bounding box
-  virtual Vec3 highest() const noexcept = 0;  ///< upper corner
+  virtual Vec3 lowerCorner() const noexcept = 0;  ///< lower corner of the bounding box
+  virtual Vec3 upperCorner() const noexcept = 0;  ///< upper corner
   virtual double volume() const noexcept = 0;
 };
 

@@ -173,7 +173,7 @@ bool SphereField::holds(const Reamer& reamer, std::size_t from, std::size_t end)
   return false;
 }
 
-std::size_t SphereField::findDeeper(
+std::size_t SphereField::findSpheresToCut(
     const Reamer& reamer,
     std::size_t part,
     std::size_t parts,
@@ -184,8 +184,8 @@ std::size_t SphereField::findDeeper(
   runInParallel(reamer, [&](std::span<const GroupRange> stretches) {
     for (const auto& stretch : stretches) {
       if (seen++ % parts != part) continue;
-      count +=
-          reaming::findDeeper(groups_.data(), std::span(&stretch, 1), tool, found.subspan(count));
+      count += reaming::findSpheresToCut(
+          groups_.data(), std::span(&stretch, 1), tool, found.subspan(count));
     }
   });
   return count;

@@ -50,7 +50,7 @@ class SphereField {
   /// Finds spheres that the surface has entered deeper than they have been cut. Only every @p
   /// parts-th range, beginning with number @p part, is searched.
   /// @param found  receives their slots. @return how many.
-  std::size_t findDeeper(
+  std::size_t findSpheresToCut(
       const Reamer& reamer,
       std::size_t part,
       std::size_t parts,

@@ -147,7 +147,7 @@ void addSpheres(
 }
 
 PALPATE_FOR_THIS_PROCESSOR
-std::size_t findDeeper(
+std::size_t findSpheresToCut(
     const SphereGroup* groups,
     std::span<const GroupRange> stretches,
     const KernelReamer& reamer,

@@ -65,7 +65,7 @@ void addSpheres(
 
 /// Finds spheres of @p stretches that the surface has entered deeper than they have been cut.
 /// @param found  receives their slots, group by group. @return how many, at most found.size().
-std::size_t findDeeper(
+std::size_t findSpheresToCut(
     const SphereGroup* groups,
     std::span<const GroupRange> stretches,
     const KernelReamer& reamer,

@@ -192,7 +192,7 @@ DepthEnvelope depthEnvelopeOf(std::span<const SpecimenCurve> specimens, Envelope
   return result;
 }
 
-DepthEnvelope presentEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
+DepthEnvelope envelopeOfRunningTests(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
   const auto& places = longestOf(specimens).x;
   DepthEnvelope result = counted(specimens, false);
   result.curves = rule == EnvelopeRule::Pointwise ? statisticsOfPresent(specimens, places)
@@ -258,13 +258,13 @@ bool addNode(std::vector<std::size_t>& nodes, std::size_t at) {
 
 }  // namespace
 
-EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& wish) {
+EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& nodeCriterion) {
   const std::array<const SampledCurve*, 3> curves{
       &envelope.minimum, &envelope.average, &envelope.maximum};
   std::vector<std::size_t> nodes;
   std::array<std::vector<double>, 3> slopes;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto own = chooseNodes(*curves[c], wish).nodes;
+    const auto own = chooseNodes(*curves[c], nodeCriterion).nodes;
     nodes.insert(nodes.end(), own.begin(), own.end());
     slopes[c] = dataSlopes(*curves[c]);
   }
@@ -273,14 +273,14 @@ EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& wi
   while (true) {
     EnvelopeSplines splines;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      splines[c] = splineThrough(*curves[c], slopes[c], nodes, wish.kind);
+      splines[c] = splineThrough(*curves[c], slopes[c], nodes, nodeCriterion.kind);
     }
     // Linear pieces between ordered nodes cannot cross.
-    if (wish.kind != SplineKind::Linear) bringTogether(splines);
+    if (nodeCriterion.kind != SplineKind::Linear) bringTogether(splines);
     bool hasAdded = false;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      const auto worst = worstOf(*curves[c], splines[c], wish.floor);
-      if (worst.error > wish.error) hasAdded |= addNode(nodes, worst.at);
+      const auto worst = worstOf(*curves[c], splines[c], nodeCriterion.floor);
+      if (worst.error > nodeCriterion.error) hasAdded |= addNode(nodes, worst.at);
     }
     if (!hasAdded) return splines;
   }

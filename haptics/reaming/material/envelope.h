@@ -63,16 +63,16 @@ DepthEnvelope depthEnvelopeOf(std::span<const SpecimenCurve> specimens, Envelope
 
 /// At each depth, the envelope of only those specimens whose tests reach it, as in the reaming
 /// paper. The curves have steps where a test ends.
-DepthEnvelope presentEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule);
+DepthEnvelope envelopeOfRunningTests(std::span<const SpecimenCurve> specimens, EnvelopeRule rule);
 
 /// The splines of an envelope: minimum, average, maximum.
 using EnvelopeSplines = std::array<Spline, 3>;
 
-/// Whether orderedSplines() supports @p wish: kinds of spline whose slopes can be set per node, and
-/// rules that can add nodes.
-constexpr bool canBeOrdered(const NodeCriterion& wish) noexcept {
-  return (wish.rule == NodeRule::Greedy || wish.rule == NodeRule::Optimal) &&
-         wish.kind != SplineKind::NaturalCubic;
+/// Whether orderedSplines() supports @p nodeCriterion: kinds of spline whose slopes can be set per
+/// node, and rules that can add nodes.
+constexpr bool canBeOrdered(const NodeCriterion& nodeCriterion) noexcept {
+  return (nodeCriterion.rule == NodeRule::Greedy || nodeCriterion.rule == NodeRule::Optimal) &&
+         nodeCriterion.kind != SplineKind::NaturalCubic;
 }
 
 /// Splines of an envelope that never cross, so that a higher hardness is nowhere softer.
@@ -84,7 +84,8 @@ constexpr bool canBeOrdered(const NodeCriterion& wish) noexcept {
 /// curves are not negative on any piece (Schmidt & Hess 1988, "Positivity of cubic polynomials on
 /// intervals"). Nodes are added until each spline has the wanted error.
 ///
-/// @param envelope  minimum <= average <= maximum everywhere. @param wish valid by canBeOrdered().
-EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& wish);
+/// @param envelope  minimum <= average <= maximum everywhere. @param nodeCriterion valid by
+/// canBeOrdered().
+EnvelopeSplines orderedSplines(const Envelope& envelope, const NodeCriterion& nodeCriterion);
 
 }  // namespace haptics::reaming

@@ -10,20 +10,21 @@
 namespace haptics::reaming {
 namespace {
 
-NodeCriterion wishOf(const FitOptions& options, double floor) {
+NodeCriterion nodeCriterionOf(const FitOptions& options, double floor) {
   return {options.nodes, options.nodesOf.value_or(options.spline), options.wantedError, floor};
 }
 
 /// Whether the splines cannot cross by construction.
 bool isOrdered(const FitOptions& options) {
   return options.envelope == EnvelopeRule::Pointwise && !options.nodeCount && !options.nodesOf &&
-         canBeOrdered(wishOf(options, 1.0));
+         canBeOrdered(nodeCriterionOf(options, 1.0));
 }
 
 NodeChoice nodesOf(const SampledCurve& data, double floor, const FitOptions& options) {
-  const auto wish = wishOf(options, floor);
-  return options.nodeCount ? chooseNodes(data, std::min(*options.nodeCount, data.size()), wish)
-                           : chooseNodes(data, wish);
+  const auto nodeCriterion = nodeCriterionOf(options, floor);
+  return options.nodeCount
+             ? chooseNodes(data, std::min(*options.nodeCount, data.size()), nodeCriterion)
+             : chooseNodes(data, nodeCriterion);
 }
 
 /// Fits a spline to @p data.
@@ -50,7 +51,7 @@ FittedEnvelope fitted(DepthEnvelope envelope, double floor, const FitOptions& op
     }
     return result;
   }
-  auto splines = orderedSplines(envelope.curves, wishOf(options, floor));
+  auto splines = orderedSplines(envelope.curves, nodeCriterionOf(options, floor));
   for (std::size_t c = 0; c < std::size(curves); ++c) {
     const auto error = errorOf(*data[c], splines[c], floor);
     *curves[c] = {*data[c], std::move(splines[c]), error};
@@ -82,7 +83,7 @@ DepthEnvelope envelopeOf(
     specimens.push_back(specimenOf(curve, series->isCensored, scale, options));
   }
   return options.axis == DepthAxis::Depth ? depthEnvelopeOf(specimens, options.envelope)
-                                          : presentEnvelopeOf(specimens, options.envelope);
+                                          : envelopeOfRunningTests(specimens, options.envelope);
 }
 
 double rmsBetween(std::span<const double> a, std::span<const double> b) {
@@ -134,7 +135,7 @@ TestSetFit fitOf(
 }  // namespace
 
 std::optional<std::string> problemOf(const FitOptions& options) {
-  return options.nodeCount ? std::nullopt : problemOf(wishOf(options, 1.0));
+  return options.nodeCount ? std::nullopt : problemOf(nodeCriterionOf(options, 1.0));
 }
 
 PreparedSeries prepared(const Series& series, const FitOptions& options) {
@@ -168,7 +169,7 @@ std::vector<SpecimenCounts> specimenCountsOf(const FittedEnvelope& envelope) {
   return left;
 }
 
-std::vector<std::string> optionsThatKeepOrder(const FitOptions& options) {
+std::vector<std::string> optionsAgainstCrossing(const FitOptions& options) {
   std::vector<std::string> changes;
   if (options.envelope != EnvelopeRule::Pointwise) changes.emplace_back("--envelope pointwise");
   if (options.spline == SplineKind::NaturalCubic) {

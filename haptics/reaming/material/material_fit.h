@@ -116,7 +116,7 @@ PreparedSeries prepared(const Series& series, const FitOptions& options);
 
 /// The options of `palpate material fit` that must be changed so that curves cannot cross; empty if
 /// they already cannot.
-std::vector<std::string> optionsThatKeepOrder(const FitOptions& options);
+std::vector<std::string> optionsAgainstCrossing(const FitOptions& options);
 
 /// A range in which a harder curve of an envelope is below a softer one.
 struct Crossing {

@@ -130,7 +130,8 @@ std::vector<std::size_t> thinnedOut(std::size_t count, std::size_t most) {
   return kept;
 }
 
-std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeCriterion& wish) {
+std::vector<std::size_t> optimalOfThinned(
+    const SampledCurve& curve, const NodeCriterion& nodeCriterion) {
   constexpr std::size_t kFeasible = 2001;
   const auto kept = thinnedOut(curve.size(), kFeasible);
   SampledCurve thin;
@@ -139,60 +140,64 @@ std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeC
     thin.y.push_back(curve.y[i]);
   }
   std::vector<std::size_t> nodes;
-  for (const std::size_t node : optimal(SplineDeviation(thin, wish), wish.error)) {
+  for (const std::size_t node :
+       optimal(SplineDeviation(thin, nodeCriterion), nodeCriterion.error)) {
     nodes.push_back(kept[node]);
   }
   return nodes;
 }
 
 std::vector<std::size_t> nodesBy(
-    const SampledCurve& curve, const SplineDeviation& error, const NodeCriterion& wish) {
-  switch (wish.rule) {
+    const SampledCurve& curve, const SplineDeviation& error, const NodeCriterion& nodeCriterion) {
+  switch (nodeCriterion.rule) {
     case NodeRule::Greedy:
-      return isLocal(wish.kind) ? greedyByPieces(error, wish.error)
-                                : greedyOverAll(error, wish.error);
+      return isLocal(nodeCriterion.kind) ? greedyByPieces(error, nodeCriterion.error)
+                                         : greedyOverAll(error, nodeCriterion.error);
     case NodeRule::PaperLiteral:
-      return byThreshold(error, wish.error, false);
+      return byThreshold(error, nodeCriterion.error, false);
     case NodeRule::Thinned:
-      return byThreshold(error, wish.error, true);
+      return byThreshold(error, nodeCriterion.error, true);
     case NodeRule::Optimal:
-      return optimalOfThinned(curve, wish);
+      return optimalOfThinned(curve, nodeCriterion);
   }
   return {};
 }
 
 }  // namespace
 
-std::optional<std::string> problemOf(const NodeCriterion& wish) {
-  if (wish.rule != NodeRule::Optimal || isLocal(wish.kind)) return std::nullopt;
+std::optional<std::string> problemOf(const NodeCriterion& nodeCriterion) {
+  if (nodeCriterion.rule != NodeRule::Optimal || isLocal(nodeCriterion.kind)) return std::nullopt;
   return "the fewest nodes are only found for a spline whose pieces depend on their two nodes "
          "alone";
 }
 
-NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& wish) {
-  const SplineDeviation error(curve, wish);
-  NodeChoice choice{.nodes = nodesBy(curve, error, wish)};
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& nodeCriterion) {
+  const SplineDeviation error(curve, nodeCriterion);
+  NodeChoice choice{.nodes = nodesBy(curve, error, nodeCriterion)};
   choice.error = error.through(choice.nodes).error;
-  choice.isMet = choice.error <= wish.error;
+  choice.isMet = choice.error <= nodeCriterion.error;
   return choice;
 }
 
-NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeCriterion& wish) {
-  const SplineDeviation error(curve, wish);
-  NodeChoice choice{.nodes = nodesOfLeastError(error, count, wish)};
+NodeChoice chooseNodes(
+    const SampledCurve& curve, std::size_t count, const NodeCriterion& nodeCriterion) {
+  const SplineDeviation error(curve, nodeCriterion);
+  NodeChoice choice{.nodes = nodesOfLeastError(error, count, nodeCriterion)};
   choice.error = error.through(choice.nodes).error;
-  choice.isMet = choice.error <= wish.error;
+  choice.isMet = choice.error <= nodeCriterion.error;
   return choice;
 }
 
 double largestError(
-    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeCriterion& wish) {
-  return SplineDeviation(curve, wish).through(nodes).error;
+    const SampledCurve& curve,
+    std::span<const std::size_t> nodes,
+    const NodeCriterion& nodeCriterion) {
+  return SplineDeviation(curve, nodeCriterion).through(nodes).error;
 }
 
-SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeCriterion& wish)
-    : curve_(curve), wish_(wish), slopes_(dataSlopes(curve)) {
-  if (wish.rule == NodeRule::PaperLiteral) wish_.floor = 0.0;
+SplineDeviation::SplineDeviation(const SampledCurve& curve, const NodeCriterion& nodeCriterion)
+    : curve_(curve), criterion_(nodeCriterion), slopes_(dataSlopes(curve)) {
+  if (nodeCriterion.rule == NodeRule::PaperLiteral) criterion_.floor = 0.0;
 }
 
 SplineDeviation::Worst SplineDeviation::of(
@@ -203,7 +208,7 @@ SplineDeviation::Worst SplineDeviation::of(
   Worst worst{.at = from + (to - from) / 2};
   for (std::size_t i = from + 1; i < to; ++i) {
     const double y = curve_.y[i];
-    const double measure = std::max(std::abs(y), wish_.floor);
+    const double measure = std::max(std::abs(y), criterion_.floor);
     if (measure == 0.0) continue;  // the paper's e_a is not defined at 0
     const double error = std::abs(piece.at(curve_.x[i]).force - y) / measure;
     if (error > worst.error) worst = {error, i};
@@ -216,7 +221,7 @@ SplineDeviation::Worst SplineDeviation::between(
     std::size_t from, std::size_t to, double enough) const {
   models::HermiteNode<double> a{curve_.x[from], curve_.y[from], slopes_[from]};
   models::HermiteNode<double> b{curve_.x[to], curve_.y[to], slopes_[to]};
-  if (wish_.kind == SplineKind::Linear) {
+  if (criterion_.kind == SplineKind::Linear) {
     a.slope = b.slope = (b.force - a.force) / (b.position - a.position);
   }
   return of(models::CubicSegment<double>::between(a, b), from, to, enough);
@@ -224,7 +229,7 @@ SplineDeviation::Worst SplineDeviation::between(
 
 SplineDeviation::Worst SplineDeviation::through(
     std::span<const std::size_t> nodes, double enough) const {
-  const auto spline = splineThrough(curve_, slopes_, nodes, wish_.kind);
+  const auto spline = splineThrough(curve_, slopes_, nodes, criterion_.kind);
   Worst worst;
   for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= enough; ++i) {
     const auto here = of(spline.segments[i], nodes[i], nodes[i + 1], enough);
@@ -259,8 +264,8 @@ SplineComparison compareSplines(
     const auto published = sampleAt(curve, first.error.publishedAt);
     const auto floored = sampleAt(curve, first.error.flooredAt);
     const double v = std::abs(curve.y[published]);
-    if (v > 0.0) compared.publishedThere = off(curve, compared.spline, published) / v;
-    compared.flooredThere =
+    if (v > 0.0) compared.publishedAtWorst = off(curve, compared.spline, published) / v;
+    compared.flooredAtWorst =
         off(curve, compared.spline, floored) / std::max(std::abs(curve.y[floored]), floor);
     comparison.splines.push_back(std::move(compared));
   }

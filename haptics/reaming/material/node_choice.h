@@ -44,25 +44,29 @@ constexpr bool isLocal(SplineKind kind) noexcept {
   return kind == SplineKind::HermiteDataSlope || kind == SplineKind::Linear;
 }
 
-/// Why @p wish is not valid; std::nullopt if it is valid. Optimal needs a local kind of spline.
-std::optional<std::string> problemOf(const NodeCriterion& wish);
+/// Why @p nodeCriterion is not valid; std::nullopt if it is valid. Optimal needs a local kind of
+/// spline.
+std::optional<std::string> problemOf(const NodeCriterion& nodeCriterion);
 
 /// Chooses nodes until the error is met. Greedy always meets it; Thinned may not
 /// (NodeChoice::isMet).
 ///
-/// @param wish  valid, see problemOf().
-NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& wish);
+/// @param nodeCriterion  valid, see problemOf().
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeCriterion& nodeCriterion);
 
 /// Chooses @p count nodes that minimise the largest error of the spline: for a local kind by
 /// dynamic programming over 400 samples, then local moves of all nodes; for the others by
 /// differential evolution. NodeCriterion::rule is ignored.
 ///
 /// @param count  from 2 to the size of the curve.
-NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeCriterion& wish);
+NodeChoice chooseNodes(
+    const SampledCurve& curve, std::size_t count, const NodeCriterion& nodeCriterion);
 
-/// The largest error of the spline through @p nodes, as @p wish defines it.
+/// The largest error of the spline through @p nodes, as @p nodeCriterion defines it.
 double largestError(
-    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeCriterion& wish);
+    const SampledCurve& curve,
+    std::span<const std::size_t> nodes,
+    const NodeCriterion& nodeCriterion);
 
 /// Computes errors of splines through some samples of a curve.
 class SplineDeviation {
@@ -73,7 +77,7 @@ class SplineDeviation {
   };
 
   /// @param curve  must outlive this object.
-  SplineDeviation(const SampledCurve& curve, const NodeCriterion& wish);
+  SplineDeviation(const SampledCurve& curve, const NodeCriterion& nodeCriterion);
 
   std::size_t size() const noexcept { return curve_.size(); }
   const SampledCurve& curve() const noexcept { return curve_; }
@@ -100,13 +104,13 @@ class SplineDeviation {
       double enough) const;
 
   const SampledCurve& curve_;
-  NodeCriterion wish_;
+  NodeCriterion criterion_;
   std::vector<double> slopes_;
 };
 
 /// The search of chooseNodes() for a given number of nodes.
 std::vector<std::size_t> nodesOfLeastError(
-    const SplineDeviation& error, std::size_t count, const NodeCriterion& wish);
+    const SplineDeviation& error, std::size_t count, const NodeCriterion& nodeCriterion);
 
 /// A spline of a comparison.
 struct ComparedSpline {
@@ -115,8 +119,8 @@ struct ComparedSpline {
   ApproximationError error;
   /// Relative errors where the first spline of the comparison is worst (the paper's "at the same
   /// reamer displacement"): as published, and with the floor.
-  double publishedThere = 0.0;
-  double flooredThere = 0.0;
+  double publishedAtWorst = 0.0;
+  double flooredAtWorst = 0.0;
 };
 
 /// Splines through the same nodes of a curve.

@@ -251,9 +251,10 @@ class Evolution {
 }  // namespace
 
 std::vector<std::size_t> nodesOfLeastError(
-    const SplineDeviation& error, std::size_t count, const NodeCriterion& wish) {
-  if (isLocal(wish.kind)) return settledByPieces(error, byDynamicProgramming(error, count));
-  NodeCriterion local = wish;
+    const SplineDeviation& error, std::size_t count, const NodeCriterion& nodeCriterion) {
+  if (isLocal(nodeCriterion.kind))
+    return settledByPieces(error, byDynamicProgramming(error, count));
+  NodeCriterion local = nodeCriterion;
   local.kind = SplineKind::HermiteDataSlope;
   const Nodes starts[]{
       byDynamicProgramming(SplineDeviation(error.curve(), local), count),

@@ -45,7 +45,7 @@ bool isOver(const SyntheticTest& test, double force, double torque) {
 
 double feedAt(const SyntheticTest& test, double depth) {
   const double feed = test.set == TestSet::Static ? kStaticFeed : test.feed;
-  const bool isAltered = test.mishap == SyntheticFault::FeedChange && depth > 0.004;
+  const bool isAltered = test.simulatedFault == SyntheticFault::FeedChange && depth > 0.004;
   return isAltered ? 2.5 * feed : feed;
 }
 
@@ -61,8 +61,8 @@ Series syntheticSeries(const SyntheticTest& test) {
   for (std::size_t i = 0; depth <= kFarthest; ++i) {
     const double time = static_cast<double>(i) / kRate;
     double force = isStatic ? staticForce(depth, test) : dynamicForce(depth, test, shift);
-    if (test.mishap == SyntheticFault::BreakOut && depth > breaksAt) force *= 0.08;
-    if (test.mishap == SyntheticFault::ReamedThrough)
+    if (test.simulatedFault == SyntheticFault::BreakOut && depth > breaksAt) force *= 0.08;
+    if (test.simulatedFault == SyntheticFault::ReamedThrough)
       force *= 1.0 - step(1000.0 * depth, 10.5, 0.15);
     const double line = isStatic ? 0.0
                                  : test.rotation * std::min(1.0, force / 50.0) *
@@ -96,13 +96,14 @@ std::vector<Series> syntheticStudy(std::uint64_t seed) {
       test.set = set;
       test.seed =
           seed * 1000 + static_cast<std::uint64_t>(specimen) * 10 + static_cast<std::uint64_t>(set);
-      test.mishap = SyntheticFault::None;
+      test.simulatedFault = SyntheticFault::None;
       const bool isDynamic1 = set == TestSet::Dynamic1;
       const bool isDynamic2 = set == TestSet::Dynamic2;
-      if (isDynamic1 && specimen <= 2) test.mishap = SyntheticFault::FeedChange;
-      if (isDynamic2 && specimen >= 3 && specimen <= 6) test.mishap = SyntheticFault::BreakOut;
+      if (isDynamic1 && specimen <= 2) test.simulatedFault = SyntheticFault::FeedChange;
+      if (isDynamic2 && specimen >= 3 && specimen <= 6)
+        test.simulatedFault = SyntheticFault::BreakOut;
       if (isDynamic2 && specimen >= 7 && specimen <= 10)
-        test.mishap = SyntheticFault::ReamedThrough;
+        test.simulatedFault = SyntheticFault::ReamedThrough;
       auto series = syntheticSeries(test);
       series.name =
           "synthetic specimen " + std::to_string(specimen) + ", " + std::string(nameOf(set));

@@ -24,7 +24,7 @@ struct SyntheticTest {
   /// Amplitude of the force at the reamer's rotation rate [N]; 0 in static tests.
   double rotation = 3.0;
   double rotationRate = 5;  ///< [Hz]
-  SyntheticFault mishap = SyntheticFault::None;
+  SyntheticFault simulatedFault = SyntheticFault::None;
   std::uint64_t seed = 1;
 };
 

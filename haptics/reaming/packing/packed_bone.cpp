@@ -99,7 +99,7 @@ void addTorqueErrors(
 
 }  // namespace
 
-BoneFitReport fitTo(
+BoneFitReport fitBoneToMaterial(
     PackedBone& bone,
     const HardnessCurves& force,
     const HardnessCurves& torque,

@@ -78,7 +78,7 @@ struct BoneFitOptions {
 /// @param torque  of the material [N·m]; empty: densities are fitted to the force only, and the
 ///                bone has the friction of the options.
 /// @throws std::invalid_argument  with problemOf(bone), if not empty.
-BoneFitReport fitTo(
+BoneFitReport fitBoneToMaterial(
     PackedBone& bone,
     const HardnessCurves& force,
     const HardnessCurves& torque = {},

@@ -78,7 +78,7 @@ class Builder {
   // cells in spite of rounding.
   Builder(const Solid& body, double largest, const PackingOptions& options)
       : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
-    const Vec3 size = body.highest() - body.lowest();
+    const Vec3 size = body.upperCorner() - body.lowerCorner();
     const auto blocksAlong = [&](double extent) {
       return std::floor(extent / (cell_ * kBlock)) + 1.0;
     };
@@ -91,8 +91,8 @@ class Builder {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = static_cast<int>(along[axis]);
     cells_.resize(static_cast<std::size_t>(cells));
-    const Vec3 low = body.lowest();
-    const Vec3 high = body.highest();
+    const Vec3 low = body.lowerCorner();
+    const Vec3 high = body.upperCorner();
     const double farthest = std::max(
         {std::abs(low.x),
          std::abs(low.y),
@@ -147,10 +147,10 @@ class Builder {
 
   Vec3 cornerOf(const std::array<int, 3>& block) const {
     const double side = cell_ * kBlock;
-    return body_.lowest() + side * Vec3{
-                                       static_cast<double>(block[0]),
-                                       static_cast<double>(block[1]),
-                                       static_cast<double>(block[2])};
+    return body_.lowerCorner() + side * Vec3{
+                                            static_cast<double>(block[0]),
+                                            static_cast<double>(block[1]),
+                                            static_cast<double>(block[2])};
   }
 
   void classify() {
@@ -181,7 +181,7 @@ class Builder {
   }
 
   std::array<int, 3> cellOf(Vec3 place) const noexcept {
-    const Vec3 from = (1.0 / cell_) * (place - body_.lowest());
+    const Vec3 from = (1.0 / cell_) * (place - body_.lowerCorner());
     return {
         static_cast<int>(std::floor(from.x)),
         static_cast<int>(std::floor(from.y)),

@@ -15,8 +15,8 @@ class Acetabulum final : public Solid {
   explicit Acetabulum(double inner = 0.0255, double outer = 0.041);
 
   SurfacePoint nearest(Vec3 place) const noexcept override;
-  Vec3 lowest() const noexcept override { return {-outer_, -outer_, 0.0}; }
-  Vec3 highest() const noexcept override { return {outer_, outer_, outer_}; }
+  Vec3 lowerCorner() const noexcept override { return {-outer_, -outer_, 0.0}; }
+  Vec3 upperCorner() const noexcept override { return {outer_, outer_, outer_}; }
   double volume() const noexcept override;
 
  private:
@@ -32,8 +32,8 @@ class MeshSolid final : public Solid {
   explicit MeshSolid(TriangleMesh mesh);
 
   SurfacePoint nearest(Vec3 place) const noexcept override;
-  Vec3 lowest() const noexcept override { return low_; }
-  Vec3 highest() const noexcept override { return high_; }
+  Vec3 lowerCorner() const noexcept override { return low_; }
+  Vec3 upperCorner() const noexcept override { return high_; }
   double volume() const noexcept override { return volume_; }
 
  private:

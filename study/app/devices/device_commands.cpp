@@ -29,7 +29,7 @@ struct DeviceArguments {
   bool json = false;
 };
 
-std::unique_ptr<haptics::devices::Hand> anyHand(const protocols::DeviceNeed& need) {
+std::unique_ptr<haptics::devices::Hand> anyHand(const protocols::DeviceRequirement& need) {
   return simulatedHandFor(need, 1, {}, 0);
 }
 
@@ -69,9 +69,9 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
         " is there. docs/devices.md shows one, and 'palpate device check FILE' takes any other.");
   }
   HardwareDeviceSet deviceSet(loadDevices(arguments.file), anyHand);
-  std::vector<protocols::DeviceNeed> needs;
+  std::vector<protocols::DeviceRequirement> needs;
   if (!arguments.protocol.empty()) {
-    needs = usableProtocol(arguments.protocol).protocol.devices;
+    needs = loadValidProtocol(arguments.protocol).protocol.devices;
   }
   return checkAll(deviceSet, needs, arguments.seconds);
 }

@@ -92,9 +92,9 @@ int emulateSerial(const EmulateArguments& arguments) {
   options.seed = arguments.seed;
   options.limits.rate = static_cast<std::uint16_t>(arguments.rate);
   // keeps the maximum speed in counts per second for rates other than 1 kHz
-  options.limits.mostCountsAStep = options.limits.mostCountsAStep * 1000 / arguments.rate;
+  options.limits.maxCountsPerStep = options.limits.maxCountsPerStep * 1000 / arguments.rate;
   const auto& hand = arguments.kind->hand;
-  options.person.closed = hand.ordinaryReach;
+  options.person.closed = hand.typicalReach;
   options.person.stiffness = arguments.kind->grip.stiffness;
   options.person.damping = arguments.kind->grip.damping;
   options.person.variation = 0.1;

@@ -75,9 +75,10 @@ bool passCheck(
   constexpr int kMostChecks = 5;
   for (int i = 1;; ++i) {
     watch.restart();
-    HardwareDeviceSet deviceSet(loadDevices(deviceFile), [&](const protocols::DeviceNeed& need) {
-      return simulatedHandFor(need, arguments.seed, {}, 0);
-    });
+    HardwareDeviceSet deviceSet(
+        loadDevices(deviceFile), [&](const protocols::DeviceRequirement& need) {
+          return simulatedHandFor(need, arguments.seed, {}, 0);
+        });
     const auto found = checkAll(deviceSet, protocol.devices, 2.0);
     std::fputs(checksAsText(found).c_str(), stdout);
     if (isFit(found)) return true;
@@ -91,7 +92,7 @@ bool passCheck(
 /// Prints the final sentence of a failed rehearsal. Returns the exit status.
 int failed(const haptics::timing::StandstillWatch& watch, const std::string& what) {
   const auto verdict = verdictOf(false, watch.longest());
-  if (verdict == RehearsalVerdict::NotJudged) {
+  if (verdict == RehearsalVerdict::Inconclusive) {
     fmt::print(
         "REHEARSAL NOT JUDGED: this computer stood still for {} ms; a device waits {} ms. End "
         "other "
@@ -132,14 +133,14 @@ void printLinks(Study& study) {
 }
 
 /// Runs the simulated participants. @throws DeviceError  if a device could not be connected again.
-std::vector<SimulatedEnding> runParticipants(
+std::vector<SimulatedSessionResult> runParticipants(
     Study& study,
     SimulatedClock& clock,
     const RehearseArguments& arguments,
     const std::string& deviceFile,
     haptics::timing::StandstillWatch& watch) {
-  const auto tell = [](const Acknowledged& done) {
-    using Kind = Acknowledged::Kind;
+  const auto tell = [](const SimulationEvent& done) {
+    using Kind = SimulationEvent::Kind;
     if (done.kind == Kind::Answer || done.kind == Kind::Enrolment) return;
     fmt::print("{}\n", done.what);
     std::fflush(stdout);
@@ -154,7 +155,7 @@ std::vector<SimulatedEnding> runParticipants(
 int printVerdict(
     Study& study,
     const RehearseArguments& arguments,
-    const std::vector<SimulatedEnding>& endings,
+    const std::vector<SimulatedSessionResult>& endings,
     const haptics::timing::StandstillWatch& watch) {
   const bool isSound = verify(study).isSound();
   const std::string place = (fs::path(arguments.out) / "study").string();
@@ -186,11 +187,11 @@ int printVerdict(
 
 RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept {
   if (isPassed) return RehearsalVerdict::Passed;
-  return stoodStill < kDeviceTimeout ? RehearsalVerdict::Failed : RehearsalVerdict::NotJudged;
+  return stoodStill < kDeviceTimeout ? RehearsalVerdict::Failed : RehearsalVerdict::Inconclusive;
 }
 
 int rehearse(const RehearseArguments& arguments) {
-  const auto protocol = usableProtocol(arguments.protocol);
+  const auto protocol = loadValidProtocol(arguments.protocol);
   RehearsalFolder folder(arguments.out);
   const auto emulated = emulatedDevicesFor(protocol.protocol, arguments);
   const auto deviceFile = fs::path(arguments.out) / kDeviceFileName;

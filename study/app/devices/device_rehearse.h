@@ -19,7 +19,7 @@ struct RehearseArguments {
 enum class RehearsalVerdict {
   Passed = 0,
   Failed = 1,
-  NotJudged = 3,  ///< the computer stalled for longer than a device's timeout
+  Inconclusive = 3,  ///< the computer stalled for longer than a device's timeout
 };
 
 /// The verdict of a rehearsal; @p stoodStill is the longest stall of the computer during it.

@@ -9,7 +9,9 @@ namespace study::app {
 using haptics::devices::Finding;
 
 std::vector<DeviceFindings> checkAll(
-    HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds) {
+    HardwareDeviceSet& deviceSet,
+    const std::vector<protocols::DeviceRequirement>& needs,
+    double seconds) {
   const auto needOf = [&](const std::string& id) {
     const auto need =
         std::find_if(needs.begin(), needs.end(), [&](const auto& n) { return n.id == id; });

@@ -16,7 +16,9 @@ struct DeviceFindings {
 /// Checks every device of @p deviceSet for @p seconds, and compares the devices in @p needs with
 /// the protocol's requirements. A missing device is a finding.
 std::vector<DeviceFindings> checkAll(
-    HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds);
+    HardwareDeviceSet& deviceSet,
+    const std::vector<protocols::DeviceRequirement>& needs,
+    double seconds);
 
 /// Whether there is no finding FAIL.
 bool isFit(const std::vector<DeviceFindings>& found) noexcept;

@@ -87,7 +87,7 @@ int verify(const EvidenceArguments& options) {
 
 int restored(const EvidenceArguments& options) {
   auto study = Study::open(options.folder);
-  const auto givenUp = noteRestoredCopy(study, options.reason);
+  const auto givenUp = recordRestoredCopy(study, options.reason);
   if (givenUp == 0) {
     fmt::print("This study has all that this station signed: there is nothing to note.\n");
     return 0;

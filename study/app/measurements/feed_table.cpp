@@ -109,7 +109,7 @@ reaming::ExperimentResult ream(
   Model model(
       {.nodes = {}, .curves = force, .torque = {}, .hardness = h, .isRemoved = true}, reamer);
   reaming::ExperimentResult result{.depth = {}, .force = {}, .stop = "the largest depth"};
-  const double damping = reamer.dampingOf(Model::kCuttingDamping);
+  const double damping = reamer.cuttingDampingOf(Model::kCuttingDamping);
   double work = 0.0;
   double lost = 0.0;
   double felt = 0.0;
@@ -149,7 +149,7 @@ DataTable feedTable(
            .mostDepth = kMostDepth,
            .mostForce = 1e6,
            .mostFeed = reamer.mostFeed(),
-           .cuttingDamping = reamer.dampingOf(reaming::BoneOptions().cuttingDamping)});
+           .cuttingDamping = reamer.cuttingDampingOf(reaming::BoneOptions().cuttingDamping)});
       table.rows.push_back(
           rowOf(curve.curve, feed, result, [&](double depth) { return wantedAt(curve, depth); }));
     }

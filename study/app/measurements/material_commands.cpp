@@ -49,7 +49,7 @@ void warnOfCrossings(
       "order with {}.\n",
       quantity,
       where,
-      fmt::join(reaming::optionsThatKeepOrder(options), " and "));
+      fmt::join(reaming::optionsAgainstCrossing(options), " and "));
 }
 
 /// The depth that all specimens reach, and the number of specimens at the end.
@@ -182,7 +182,7 @@ std::string namesOf(const std::vector<NamedCurve>& curves) {
 
 int compare(CompareCommand& command) {
   const auto options = command.inputs.chosen();
-  auto figure = forFigure7(options);
+  auto figure = optionsForFigure7(options);
   const auto& given = *command.inputs.command;
   if (given.count("--error") > 0 || given.count("--nodes") > 0)
     figure.nodeCount = options.nodeCount;

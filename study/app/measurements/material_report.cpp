@@ -288,7 +288,7 @@ std::string pathOf(const NamedCurve& curve) {
   return curve.setName + "/" + curve.quantity + "/" + curve.curveName;
 }
 
-reaming::FitOptions forFigure7(reaming::FitOptions options) {
+reaming::FitOptions optionsForFigure7(reaming::FitOptions options) {
   if (!options.nodeCount) options.nodeCount = kPaperNodes;
   if (!options.nodesOf) options.nodesOf = reaming::SplineKind::NaturalCubic;
   return options;
@@ -298,9 +298,9 @@ report::DocumentPart splineComparisonPart(
     const NamedCurve& curve, const reaming::FitOptions& options) {
   const auto& data = curve.curve->data;
   const auto kind = options.nodesOf.value_or(options.spline);
-  const reaming::NodeCriterion wish{options.nodes, kind, options.wantedError, curve.floor};
-  const auto choice =
-      options.nodeCount ? chooseNodes(data, *options.nodeCount, wish) : chooseNodes(data, wish);
+  const reaming::NodeCriterion nodeCriterion{options.nodes, kind, options.wantedError, curve.floor};
+  const auto choice = options.nodeCount ? chooseNodes(data, *options.nodeCount, nodeCriterion)
+                                        : chooseNodes(data, nodeCriterion);
   const auto comparison = reaming::compareSplines(data, choice.nodes, curve.floor);
   const bool isForce = curve.quantity == "force";
   report::DocumentPart part{
@@ -347,10 +347,10 @@ report::DocumentPart splineComparisonPart(
         isForce ? "N" : "N·m",
         percent(spline.error.floored),
         kMillimetres * spline.error.flooredAt,
-        there(spline.flooredThere, first.error.flooredAt),
+        there(spline.flooredAtWorst, first.error.flooredAt),
         percent(spline.error.published),
         kMillimetres * spline.error.publishedAt,
-        there(spline.publishedThere, first.error.publishedAt),
+        there(spline.publishedAtWorst, first.error.publishedAt),
         spline.error.largest,
         isForce ? "N" : "N·m"));
   }
@@ -378,7 +378,7 @@ report::Document materialReport(
   const auto curves = curvesOf(fit, options);
   document.parts.push_back({.heading = "Errors", .tables = {errorTable(curves)}});
   for (const auto& curve : curves) {
-    document.parts.push_back(splineComparisonPart(curve, forFigure7(options)));
+    document.parts.push_back(splineComparisonPart(curve, optionsForFigure7(options)));
   }
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto& prepared = fit.series[i];

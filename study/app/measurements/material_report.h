@@ -54,7 +54,7 @@ report::DocumentPart seriesPart(
 
 /// @p options for Fig. 7 of the paper: if no nodes were chosen, 12 nodes, placed for the natural
 ///     cubic.
-haptics::reaming::FitOptions forFigure7(haptics::reaming::FitOptions options);
+haptics::reaming::FitOptions optionsForFigure7(haptics::reaming::FitOptions options);
 
 /// Fig. 7 of the paper for one curve: the natural cubic and the Hermite spline through the nodes of
 /// @p options, with their largest errors and the depths of these.

@@ -44,7 +44,7 @@ struct BuildCommand {
 };
 
 std::string checkedEnding(const std::string& path) {
-  if (!path.ends_with(protocols::kPackingEnding)) {
+  if (!path.ends_with(protocols::kPackingExtension)) {
     throw UserError("'" + path + "' does not end in '.packing', by which such files are known.");
   }
   if (fs::exists(path)) {
@@ -101,7 +101,7 @@ int buildPacking(BuildCommand& command) {
   if (!command.mesh.empty()) {
     origin.mesh = fs::path(command.mesh).filename().string();
     origin.sha256 =
-        storage::sha256(questionnaires::readTextFile(command.mesh, protocols::kLargestPacking));
+        storage::sha256(questionnaires::readTextFile(command.mesh, protocols::kMaxPackingBytes));
   }
   writeNewFile(command.out, protocols::packingAsText(bone, origin));
   const auto flaws = reaming::flawsOf(bone.packing, *body);
@@ -279,7 +279,7 @@ int fitDensities(DensityCommand& command) {
   };
   command.options.method = methodOf(command);
   try {
-    report = reaming::fitTo(bone, material.curves, material.torque, command.options);
+    report = reaming::fitBoneToMaterial(bone, material.curves, material.torque, command.options);
   } catch (const std::invalid_argument& wrong) {
     throw UserError(command.packing + ": " + wrong.what() + ".");
   }

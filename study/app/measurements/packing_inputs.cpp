@@ -65,7 +65,7 @@ void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
 }
 
 reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin) {
-  if (!path.ends_with(protocols::kPackingEnding)) {
+  if (!path.ends_with(protocols::kPackingExtension)) {
     throw UserError(
         "'" + path +
         "' does not end in '.packing': spheres are wanted here, as 'palpate packing build' writes "
@@ -73,7 +73,7 @@ reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& 
   }
   questionnaires::Problems problems;
   auto bone = protocols::readPacking(
-      questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
+      questionnaires::readTextFile(path, protocols::kMaxPackingBytes), problems, &origin);
   if (!bone) throw UserError(path + ":\n" + questionnaires::describe(problems.all()));
   return std::move(*bone);
 }
@@ -83,7 +83,7 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
     origin.material = "parametric";
     return {haptics::engine::parametricCurves(), haptics::engine::parametricTorque(), true};
   }
-  if (choice.file.ends_with(protocols::kPackingEnding)) {
+  if (choice.file.ends_with(protocols::kPackingExtension)) {
     throw UserError(
         "'" + choice.file +
         "' holds spheres; --material wants a material, as 'palpate material fit' writes it "

@@ -157,7 +157,7 @@ int import(ImportCommand& command) {
   std::string whyNot;
   const auto imported = cutFrom(recording, command, whyNot);
   if (imported && !command.out.empty()) {
-    writeNewFile(command.out, cutAsJsonFrom(command.inputs.file, imported->cut));
+    writeNewFile(command.out, cutAsJsonWithSource(command.inputs.file, imported->cut));
   }
   if (!command.report.empty()) {
     writeDocument(

@@ -19,7 +19,7 @@ recordings::ForceCalibration calibrationNamed(const std::string& name) {
   for (const auto& known : {recordings::publishedCalibration(), recordings::recorder2021()}) {
     if (known.name == name) return known;
   }
-  if (std::filesystem::exists(name)) return calibrationIn(name);
+  if (std::filesystem::exists(name)) return readCalibrationFile(name);
   throw UserError(fmt::format(
       "There is no calibration '{}'. Name paper-eq1, recorder-2021, or a file that 'palpate "
       "recording calibrate' has written.",
@@ -66,7 +66,7 @@ recordings::TravelFilter RecordingInputs::travelFilter() const {
 }
 
 ReadRecording readFrom(const RecordingInputs& inputs) {
-  auto recording = recordingIn(inputs.file, inputs.columns);
+  auto recording = readRecordingWithColumns(inputs.file, inputs.columns);
   if (!inputs.calibration.empty()) recording.calibration = calibrationNamed(inputs.calibration);
   auto calibration = recordings::calibrationFor(recording);
   return {std::move(recording), std::move(calibration)};

@@ -15,10 +15,10 @@ namespace {
 
 struct PlanOptions {
   std::string file;
-  PlanQuestion question;
+  StudyPlanOptions question;
   std::vector<double> shares;
   std::optional<std::uint64_t> sites;
-  double siteDeviation = analysis::SitePlan::kUsualDeviation;
+  double siteDeviation = analysis::SitePlan::kTypicalTau;
   bool json = false;
 };
 

@@ -74,11 +74,11 @@ PublishedReport checkPublishedTable(
   PublishedReport report{.table = table, .question = question};
   if (question.scale) findWholeAnswers(report);
   for (const auto& convention : analysis::publishedConventions()) {
-    if (stated) report.atStated.push_back(analysis::checkAt(table, *stated, convention));
+    if (stated) report.atStated.push_back(analysis::checkConvention(table, *stated, convention));
     if (!question.fewest) continue;
     for (std::uint64_t n = *question.fewest; n <= *question.most; ++n) {
       report.atEqual.push_back(
-          analysis::checkAt(table, GroupSizes(table.groups.size(), n), convention));
+          analysis::checkConvention(table, GroupSizes(table.groups.size(), n), convention));
     }
   }
   return report;

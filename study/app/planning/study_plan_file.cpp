@@ -59,7 +59,7 @@ Json asJson(const Detectability& prospect, const CohortPlan& cohort) {
       {"cohort", cohort.id},
       {"participants", prospect.participants},
       {"smallest_pair", asJson(prospect.pair)},
-      {"can_find_pairs", prospect.canFindPairs},
+      {"can_find_pairs", prospect.canPairsBeSignificant},
       {"smallest_friedman", prospect.friedman ? asJson(*prospect.friedman) : Json(nullptr)},
       {"power", orNull(prospect.power)},
       {"simulated", asJson(prospect.found)},
@@ -90,7 +90,7 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
 }
 
 Json asJson(const SessionLength& length) {
-  Json json{{"seconds", length.seconds}, {"seconds_of_force", length.secondsOfForce}};
+  Json json{{"seconds", length.seconds}, {"seconds_of_force", length.secondsOnDevice}};
   json["parts"] = Json::array();
   for (const auto& part : length.parts) {
     json["parts"].push_back(
@@ -148,7 +148,7 @@ std::string studyPlanAsJson(const StudyPlan& plan) {
          {"alternatives", vote.alternatives},
          {"votes", vote.votes},
          {"can_decide", vote.canDecide},
-         {"to_win", orNull(vote.toWin)}});
+         {"to_win", orNull(vote.votesForSignificance)}});
   }
   json["session"] = asJson(plan.length);
   json["max_force_n"] = plan.mostForce;

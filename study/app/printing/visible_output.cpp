@@ -42,7 +42,7 @@ Decoded firstOf(std::string_view text) {
   }
   if (text.size() < bytes) return {.state = Decoded::State::Unfinished};
   // an overlong encoding or a surrogate
-  if (!questionnaires::charactersIn(text.substr(0, bytes))) return {};
+  if (!questionnaires::utf8CharacterCount(text.substr(0, bytes))) return {};
   return {Decoded::State::Sound, code, bytes};
 }
 

@@ -235,7 +235,7 @@ ResultJson overallAsJson(const analysis::WithinAnalysis& within) {
 ResultJson withinAsJson(const analysis::WithinAnalysis& within) {
   ResultJson json{
       {"participants", within.participants},
-      {"left_out", within.leftOut},
+      {"left_out", within.excludedParticipants},
       {"m", within.tests},
       {"alpha_per_test", nullable(within.alphaPerTest)}};
   json.update(overallAsJson(within));
@@ -322,7 +322,7 @@ ResultJson sitesAsJson(const analysis::SiteComparison& row) {
   if (row.pooled) {
     json["q"] = row.pooled->q;
     json["q_df"] = row.pooled->sites - 1;
-    json["q_p"] = row.pooled->qP;
+    json["q_p"] = row.pooled->heterogeneityP;
     json["common"] = pooledAsJson(row.pooled->common);
     json["dersimonian_laird"] = pooledAsJson(row.pooled->derSimonianLaird);
     json["reml"] = pooledAsJson(row.pooled->reml);
@@ -531,7 +531,7 @@ ResultJson itemAsJson(const ItemSummary& one) {
 }
 
 /// The manipulation check: differences of rendered forces [N].
-ResultJson feltAsJson(const FeltDifference& felt) {
+ResultJson feltAsJson(const RenderedForceDifference& felt) {
   return {
       {"condition1", felt.condition1},
       {"condition2", felt.condition2},
@@ -542,10 +542,10 @@ ResultJson feltAsJson(const FeltDifference& felt) {
 }
 
 /// Adds `felt_differences`; null with a reason if the traces could not be read.
-void addFelt(ResultJson& json, const FeltResult& felt) {
+void addFelt(ResultJson& json, const RenderedForceResult& felt) {
   auto& differences = json["felt_differences"];
   if (felt.reason.empty()) differences = ResultJson::array();
-  for (const auto& one : feltDifferences(felt.curves)) differences.push_back(feltAsJson(one));
+  for (const auto& d : renderedForceDifferences(felt.curves)) differences.push_back(feltAsJson(d));
   json["felt_differences_reason"] = reasonOf(felt.reason);
 }
 
@@ -593,7 +593,7 @@ std::string resultsAsJson(Study& study, const Results& results) {
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
   for (const auto& one : results.answers.items) json["items"].push_back(itemAsJson(one));
-  addFelt(json, feltResult(study, results.runMode));
+  addFelt(json, renderedForceResult(study, results.runMode));
   return json.dump(2) + "\n";
 }
 

@@ -61,7 +61,7 @@ int run(const RunOptions& options) {
   auto study = Study::open(options.folder, accessForUnblinding(options.reason));
   askForKeyIfLocked(study);
   const auto mode = chosenRunMode(study, options.runMode);
-  noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
+  recordUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
   const auto profile = profileNamed(options.profile);
   const auto wording = wordingNamed(options.wording);
   if (options.isWatched) watch(study, mode, profile, wording);

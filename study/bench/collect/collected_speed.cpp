@@ -199,7 +199,7 @@ void pullAll(
     const std::string& instrument,
     CollectMeasurement& measured) {
   const TemporaryFolder own(size.folder);
-  const collect::Account account(own / "account");
+  const collect::StationFolderOverride account(own / "account");
   SystemClock clock;
   Connection server(postgres.server());
   resetPeakMemory();

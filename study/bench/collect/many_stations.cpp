@@ -30,7 +30,7 @@ protocols::LoadedProtocol shippedProtocol() {
   return std::move(*protocol);
 }
 
-std::int64_t answersIn(const storage::SessionFacts& facts) {
+std::int64_t answersIn(const storage::SessionTables& facts) {
   const auto rows = facts.find("answer");
   return rows == facts.end() ? 0 : static_cast<std::int64_t>(rows->second.size());
 }
@@ -53,7 +53,7 @@ StationPush pushAll(collect::Outbox& outbox, Connection& server) {
     if (!answer.refused.empty()) throw UserError(collect::wordsFor(answer));
     sent.events += static_cast<std::int64_t>(batch.events.size());
     for (const auto& session : batch.sessions) {
-      sent.answers += answersIn(collect::factsIn(session.facts));
+      sent.answers += answersIn(collect::sessionTablesIn(session.facts));
     }
     watch.start();
     return true;
@@ -68,7 +68,7 @@ ManyStations::ManyStations(
     : postgres_(postgres), folder_(std::move(folder)), protocol_(shippedProtocol()) {
   Connection owner(postgres_.server());
   collect::installSchema(owner);
-  collect::putStudy(owner, kStudy, protocol_, kSeedOfSites);
+  collect::addStudyOrVersion(owner, kStudy, protocol_, kSeedOfSites);
   recorded_ = run(kRecorded, [&](Study& study) { record(study, participants); });
 }
 
@@ -84,8 +84,8 @@ StationPush ManyStations::add(int number, std::int64_t answers) {
 StationPush ManyStations::run(
     const std::string& label, const std::function<void(Study&)>& work) const {
   const TemporaryFolder own(folder_);
-  const collect::Account account(own / "account");
-  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const collect::StationFolderOverride account(own / "account");
+  const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   std::string role;
   {
     Connection owner(postgres_.server());
@@ -136,11 +136,11 @@ void ManyStations::repeat(Study& study, const std::string& label, std::int64_t a
       session["site"] = label;
       session["station"] = label;
       facts["participant"].front()["code"] = fmt::format("{}_S{:04d}", label, number + 1);
-      const auto id = storage::addFacts(study.database(), facts);
+      const auto id = storage::addSessionTables(study.database(), facts);
       for (const auto& event : recorded.events) {
         auto own = event;
         own.session = static_cast<std::int64_t>(id);
-        log.appendFrom(own, nullptr, &event == &recorded.events.back());
+        log.appendFromOtherTrail(own, nullptr, &event == &recorded.events.back());
       }
       left -= answersIn(facts);
     }

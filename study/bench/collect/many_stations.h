@@ -52,7 +52,7 @@ class ManyStations {
  private:
   /// A recorded session, for sending it again from other stations.
   struct Recorded {
-    storage::SessionFacts facts;
+    storage::SessionTables facts;
     std::vector<storage::StoredEvent> events;
   };
 

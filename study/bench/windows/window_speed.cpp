@@ -161,7 +161,7 @@ double measureHome(const std::string& folder, int studies) {
   for (int i = 0; i < studies; ++i) {
     const auto copy = place.filePath(QStringLiteral("study-%1").arg(i));
     std::filesystem::copy(first, copy.toStdString(), std::filesystem::copy_options::recursive);
-    gui::rememberStudy(copy, QString::fromStdString(protocol->protocol.study.title));
+    gui::addRecentStudy(copy, QString::fromStdString(protocol->protocol.study.title));
   }
   QElapsedTimer time;
   time.start();
@@ -206,7 +206,7 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
   auto bone = std::make_shared<haptics::reaming::PackedBone>();
   std::fprintf(stderr, "packing %zu spheres\n", spheres);
   bone->packing = *pack(haptics::reaming::Acetabulum(), {.count = spheres});
-  fitTo(*bone, haptics::engine::parametricCurves(), {}, {.depths = 100});
+  fitBoneToMaterial(*bone, haptics::engine::parametricCurves(), {}, {.depths = 100});
   return bone;
 }
 
@@ -273,7 +273,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
       device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
   scene::SimulationView view(
       std::move(subject.scene),
-      scene::openGraphics(options.renderer),
+      scene::makeRenderer(options.renderer),
       scene::SimulationView::Pace::Unbound);
   measured.remark = view.remark().toStdString();
   view.resize(options.size.first, options.size.second);

@@ -39,7 +39,7 @@ protocols::Anatomy anatomyIn(const std::string& file) {
   questionnaires::Problems problems;
   std::optional<protocols::Anatomy> anatomy;
   try {
-    const auto text = questionnaires::readTextFile(file, protocols::kLargestAnatomy);
+    const auto text = questionnaires::readTextFile(file, protocols::kMaxAnatomyBytes);
     anatomy = protocols::readAnatomy(text, problems);
   } catch (const UserError& error) {
     problems.add("", error.what());

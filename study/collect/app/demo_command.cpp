@@ -55,8 +55,8 @@ protocols::LoadedProtocol shippedProtocol() {
 void runStation(const PrivateServer& postgres, const DemoStation& at, const DemoArguments& given) {
   const fs::path out(given.out);
   const fs::path folder = out / at.label;
-  const Account account(out / "accounts" / at.label);
-  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const StationFolderOverride account(out / "accounts" / at.label);
+  const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   Connection owner(postgres.server());
   const auto enrolled = enrolStation(
       owner, {.study = kStudy, .site = at.site, .label = at.label, .key = station.publicKey()});
@@ -96,10 +96,10 @@ int demo(const DemoArguments& given) {
   {
     Connection owner(postgres.server());
     installSchema(owner);
-    putStudy(owner, kStudy, shippedProtocol(), kSeed);
+    addStudyOrVersion(owner, kStudy, shippedProtocol(), kSeed);
   }
   for (const auto& station : kStations) runStation(postgres, station, given);
-  const Account account(out / "accounts" / "analyst");
+  const StationFolderOverride account(out / "accounts" / "analyst");
   SystemClock clock;
   Connection server(postgres.server());
   const auto all = out / "all";

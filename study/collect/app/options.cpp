@@ -23,12 +23,12 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
 }
 
 // NOLINTBEGIN(concurrency-mt-unsafe): the program has one thread
-Account::Account(const std::filesystem::path& folder) {
+StationFolderOverride::StationFolderOverride(const std::filesystem::path& folder) {
   if (const char* before = std::getenv(kAccountVariable)) before_ = before;
   setenv(kAccountVariable, folder.c_str(), 1);
 }
 
-Account::~Account() {
+StationFolderOverride::~StationFolderOverride() {
   if (before_) {
     setenv(kAccountVariable, before_->c_str(), 1);
   } else {

@@ -16,12 +16,12 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server);
 
 /// Sets the station's own folder (PALPATE_STATION) while this object exists, so that one computer
 /// can act as several stations, or as one whose data are removed afterwards.
-class Account {
+class StationFolderOverride {
  public:
-  explicit Account(const std::filesystem::path& folder);
-  ~Account();
-  Account(const Account&) = delete;
-  Account& operator=(const Account&) = delete;
+  explicit StationFolderOverride(const std::filesystem::path& folder);
+  ~StationFolderOverride();
+  StationFolderOverride(const StationFolderOverride&) = delete;
+  StationFolderOverride& operator=(const StationFolderOverride&) = delete;
 
  private:
   std::optional<std::string> before_;

@@ -90,7 +90,7 @@ class TemporaryPull {
 
  private:
   TemporaryFolder folder_;
-  Account account_;
+  StationFolderOverride account_;
   PullResult pulled_;
 };
 

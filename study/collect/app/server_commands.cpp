@@ -48,7 +48,7 @@ protocols::LoadedProtocol loaded(const std::string& file) {
 
 int addStudyOrProtocol(Connection& server, const ServerArguments& given) {
   const auto protocol = loaded(given.protocol);
-  const bool isNew = putStudy(
+  const bool isNew = addStudyOrVersion(
       server, given.study, protocol, given.hasSeed ? std::optional(given.seed) : std::nullopt);
   if (isNew) {
     fmt::print(
@@ -110,7 +110,7 @@ int init(const ServerArguments& given) {
   if (before > 0 && before < newestSchema()) {
     fmt::print("The schema palpate is brought from version {} to {}.\n", before, newestSchema());
   }
-  if (const auto problem = logProblem(server)) fmt::print("{}\n", *problem);
+  if (const auto problem = logPrivacyProblem(server)) fmt::print("{}\n", *problem);
   if (isOfSchemaAlone) {
     if (before == newestSchema()) fmt::print("The schema palpate has version {}.\n", before);
     return 0;

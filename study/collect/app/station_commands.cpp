@@ -31,7 +31,7 @@ struct StationArguments {
 };
 
 int printKey() {
-  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   fmt::print("{}\n", station.publicKey());
   return 0;
 }
@@ -71,7 +71,7 @@ std::string arrivedInWords(const Arrivals& sessions) {
 int bundleStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
-  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   const auto after =
       given.after >= 0 ? given.after : lastPush(outbox.study(), outbox.station().uuid).have;
   const auto bundle =
@@ -103,7 +103,7 @@ int pushStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
   const auto note = [&](std::int64_t have, std::string_view problem) {
-    notePush(
+    recordPush(
         outbox.study(),
         outbox.station().uuid,
         {.utc = asUtc(clock.now().wall), .have = have, .problem = std::string(problem)});
@@ -131,7 +131,7 @@ int pushStudy(const StationArguments& given) {
                                      static_cast<double>(sent.traceBytes) / 1e6),
       arrivedInWords(sent.sessions));
   for (const auto& receipt : sent.erased) {
-    noteReceipt(outbox.study(), outbox.station().uuid, receipt);
+    recordErasureReceipt(outbox.study(), outbox.station().uuid, receipt);
     fmt::print("{}\n", wordsFor(receipt));
   }
   return 0;

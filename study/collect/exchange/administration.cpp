@@ -66,8 +66,8 @@ std::vector<BackgroundItem> backgroundOf(const protocols::LoadedProtocol& loaded
     const auto* instrument = loaded.instrument(phase.instrument);
     if (phase.type != protocols::PhaseType::Form || instrument == nullptr) continue;
     for (const auto& item : instrument->items) {
-      if (item.isIdentifying || !isAboutThePerson(item)) continue;
-      const Coarsening bands(item, loaded.protocol.languages.front());
+      if (item.isIdentifying || !isQuasiIdentifier(item)) continue;
+      const GeneralisationHierarchy bands(item, loaded.protocol.languages.front());
       items.push_back(
           {.phase = phase.id,
            .item = item.id,
@@ -115,7 +115,7 @@ std::optional<std::string> problemIn(
     const auto problems = trail.problemsOf(
         session.number,
         session.asOf,
-        factsIn(session.facts),
+        sessionTablesIn(session.facts),
         reader.chunks(*station, session.number));
     if (problems.empty()) return;
     found = "session " + std::to_string(session.number) + ": " + problems.front();
@@ -125,7 +125,7 @@ std::optional<std::string> problemIn(
 
 }  // namespace
 
-bool putStudy(
+bool addStudyOrVersion(
     Connection& server,
     const std::string& name,
     const protocols::LoadedProtocol& protocol,
@@ -154,7 +154,7 @@ bool putStudy(
     });
     return false;
   }
-  const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
+  const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(randomSeed());
   const auto secret = storage::BlindingSecret::drawn();
   const StudyOnServer study{
       .uuid = secret.studyUuid(drawn, sent.sha256),
@@ -170,7 +170,7 @@ bool putStudy(
   return true;
 }
 
-std::optional<std::string> logProblem(Connection& server) {
+std::optional<std::string> logPrivacyProblem(Connection& server) {
   const auto shown = [&](const char* setting) {
     return server.query("SELECT current_setting($1)", {setting}).text(0, 0);
   };
@@ -186,7 +186,7 @@ std::optional<std::string> logProblem(Connection& server) {
          "= warning, log_min_error_statement = error, log_connections = on.";
 }
 
-EnrolledStation enrolStation(Connection& server, const StationRequest& request) {
+EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request) {
   requireName(request.site, "a site");
   const auto label = request.label.empty() ? request.site : request.label;
   requireName(label, "a station");
@@ -219,7 +219,7 @@ EnrolledStation enrolStation(Connection& server, const StationRequest& request) 
 }
 
 IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& file) {
-  const auto bundle = bundleIn(file);
+  const auto bundle = readBundleHeader(file);
   const auto rows = server.query(
       "SELECT s.key, s.label, d.name, s.have FROM palpate.station AS s JOIN palpate.study AS d "
       "ON d.uuid = s.study WHERE s.study = $1 AND s.uuid = $2",

@@ -15,7 +15,7 @@ namespace study::collect {
 /// Makes a study on the server. If the study exists, the protocol is added as its newest version.
 /// @return  whether the study was made
 /// @throws UserError  if the name is not valid. @throws ServerError
-bool putStudy(
+bool addStudyOrVersion(
     Connection& server,
     const std::string& name,
     const protocols::LoadedProtocol& protocol,
@@ -23,9 +23,9 @@ bool putStudy(
 
 /// Which of the server's settings keeps its log from showing whose requests were denied;
 /// std::nullopt: none. @throws ServerError
-std::optional<std::string> logProblem(Connection& server);
+std::optional<std::string> logPrivacyProblem(Connection& server);
 
-struct StationRequest {
+struct EnrolmentRequest {
   std::string study;  ///< name; empty: the only one
   std::string site;
   std::string label;    ///< empty: the site's name
@@ -46,7 +46,7 @@ struct EnrolledStation {
 
 /// Adds a station to a study of the server. @throws UserError  if a name, the key or the address is
 /// invalid (it must not contain a password), or there is a station of that name already.
-EnrolledStation enrolStation(Connection& server, const StationRequest& request);
+EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request);
 
 /// The result of ingestBundle().
 struct IngestedBundle {

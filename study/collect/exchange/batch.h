@@ -19,10 +19,10 @@ inline constexpr int kBatchFormat = 1;
 
 /// The JSON text of a session. Equal rows give equal text on the station, on the server and in
 /// every study, so that the SHA-256 can be compared.
-std::string asText(const storage::SessionFacts& facts);
+std::string asText(const storage::SessionTables& facts);
 
 /// Parses asText(). @throws storage::StorageError  (Damaged) for other text.
-storage::SessionFacts factsIn(const std::string& text);
+storage::SessionTables sessionTablesIn(const std::string& text);
 
 /// A session in its state after its event `asOf`.
 struct SentSession {

@@ -29,7 +29,7 @@ json orNull(const std::optional<std::int64_t>& number) {
   return number ? json(*number) : json();
 }
 
-json asJson(const storage::FactRow& row) {
+json asJson(const storage::NamedRow& row) {
   json object = json::object();
   for (const auto& [name, value] : row) {
     std::visit(
@@ -54,7 +54,7 @@ bool isSingle(const std::string& table) {
 /// where a table has one row. A tree of the whole text would take twice as long.
 class FactsReader : public nlohmann::json_sax<json> {
  public:
-  storage::SessionFacts take() { return std::move(facts_); }
+  storage::SessionTables take() { return std::move(facts_); }
 
   bool null() override { return put(std::monostate()); }
   bool boolean(bool /*value*/) override { return false; }
@@ -101,19 +101,19 @@ class FactsReader : public nlohmann::json_sax<json> {
   }
 
  private:
-  bool put(storage::FactValue value) {
+  bool put(storage::NamedRowValue value) {
     if (cell_ == nullptr) return false;
     *cell_ = std::move(value);
     return true;
   }
 
-  storage::SessionFacts facts_;
+  storage::SessionTables facts_;
   bool isOpen_ = false;
   bool isSingle_ = false;
   bool isInList_ = false;
-  std::vector<storage::FactRow>* table_ = nullptr;
-  storage::FactRow* row_ = nullptr;
-  storage::FactValue* cell_ = nullptr;  ///< of the column that was named last
+  std::vector<storage::NamedRow>* table_ = nullptr;
+  storage::NamedRow* row_ = nullptr;
+  storage::NamedRowValue* cell_ = nullptr;  ///< of the column that was named last
 };
 
 json asJson(const storage::StoredEvent& event) {
@@ -148,7 +148,7 @@ json asJson(const SentChunk& sent) {
 
 }  // namespace
 
-std::string asText(const storage::SessionFacts& facts) {
+std::string asText(const storage::SessionTables& facts) {
   json all = json::object();
   for (const auto& [table, rows] : facts) {
     if (isSingle(table)) {
@@ -162,7 +162,7 @@ std::string asText(const storage::SessionFacts& facts) {
   return all.dump();
 }
 
-storage::SessionFacts factsIn(const std::string& text) {
+storage::SessionTables sessionTablesIn(const std::string& text) {
   FactsReader reader;
   if (!json::sax_parse(text, &reader)) refuseBatch("session");
   return reader.take();

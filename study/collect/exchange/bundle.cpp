@@ -298,7 +298,7 @@ Bundle writeBundle(
   return bundle;
 }
 
-Bundle bundleIn(const std::filesystem::path& file) {
+Bundle readBundleHeader(const std::filesystem::path& file) {
   return BundleReader(file).head();
 }
 void readBundle(

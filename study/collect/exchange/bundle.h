@@ -47,7 +47,7 @@ class InvalidBundle : public UserError {
 
 /// Reads the header of a bundle. Its study and station are not verified yet.
 /// @throws UserError  if the file is no bundle.
-Bundle bundleIn(const std::filesystem::path& file);
+Bundle readBundleHeader(const std::filesystem::path& file);
 
 /// Checks the signature of the whole file, then calls @p take with each batch in order: its text,
 /// and the bytes of its chunks. Stops if @p take returns false.

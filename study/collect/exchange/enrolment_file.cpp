@@ -177,7 +177,7 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
   }
   const auto sealed = storage::fromBase64(textIn(outside, "sealed"));
   if (!sealed) refuseEnrolment("it is damaged.");
-  const auto opened = station.openSealed(*sealed);
+  const auto opened = station.unseal(*sealed);
   const auto inside = opened ? json::parse(*opened, nullptr, false) : json();
   if (!inside.is_object()) refuseEnrolment("it was changed on its way.");
   StationEnrolment enrolment{

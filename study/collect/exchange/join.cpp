@@ -75,7 +75,7 @@ StationEnrolment join(
     const std::filesystem::path& folder,
     Clock& clock,
     const std::string& mark) {
-  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   auto enrolment = enrolmentIn(contentOf(file), station);
   requireMark(enrolment, mark, station);
   requireUnused(enrolment, station);

@@ -17,13 +17,13 @@ namespace {
 
 using storage::StorageError;
 
-bool isErased(const storage::SessionFacts& facts) {
+bool isErased(const storage::SessionTables& facts) {
   return storage::textIn(facts, "session", "state") == nameOf(SessionState::Erased);
 }
 
 /// Adds an erasure of a station to this computer's list, so that copies from earlier pulls are
 /// erased from when they are opened next.
-void listErasure(const std::string& study, const storage::SessionFacts& facts) {
+void listErasure(const std::string& study, const storage::SessionTables& facts) {
   storage::list(
       {.study = study,
        .participant = storage::textIn(facts, "participant", "code"),
@@ -83,14 +83,14 @@ class StationPull {
   }
 
   void takeSigned(const SessionOnServer& session) {
-    storage::SessionFacts facts;
+    storage::SessionTables facts;
     std::vector<storage::TraceChunk> chunks;
     std::vector<std::string> problems;
     try {
       if (storage::sha256(session.facts) != session.sha256) {
         problems.emplace_back("its rows differ from their hash");
       }
-      facts = factsIn(session.facts);
+      facts = sessionTablesIn(session.facts);
       if (session.hasSamples) chunks = reader_.chunks(station_, session.number);
       for (auto& problem : trail_.problemsOf(session.number, session.asOf, facts, chunks)) {
         problems.push_back(std::move(problem));
@@ -111,7 +111,7 @@ class StationPull {
 
   void add(
       std::int64_t number,
-      const storage::SessionFacts& facts,
+      const storage::SessionTables& facts,
       const std::vector<storage::TraceChunk>& chunks) {
     study_.add(number, facts);
     for (const auto& chunk : chunks) {

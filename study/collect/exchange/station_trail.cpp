@@ -107,7 +107,7 @@ void StationTrail::judge(
         std::to_string(events_.size()) + " of " + std::to_string(station.have) +
         " events that the server acknowledged are there");
   }
-  const auto made = log.madeStudy();
+  const auto made = log.valuesOfMadeStudy();
   const bool isOurs = textOf(made, "site") == station_.site &&
                       textOf(made, "station") == station_.label &&
                       textOf(made, "station_uuid") == station_.uuid;
@@ -161,7 +161,7 @@ std::vector<storage::StoredEvent> StationTrail::takeEvents() {
 std::vector<std::string> StationTrail::problemsOf(
     std::int64_t session,
     std::int64_t asOf,
-    const storage::SessionFacts& facts,
+    const storage::SessionTables& facts,
     const std::vector<storage::TraceChunk>& chunks) {
   std::vector<std::string> problems;
   const bool isHere =
@@ -173,7 +173,7 @@ std::vector<std::string> StationTrail::problemsOf(
   std::optional<std::string> ofTraces;
   if (!chunks.empty() || !storage::rowsIn(facts, "trial").empty()) {
     const storage::Transaction rolledBack(*database_);
-    storage::addFactsAs(*database_, facts, SessionId{session}, nullptr, {});
+    storage::addSessionTablesAs(*database_, facts, SessionId{session}, nullptr, {});
     said = trialsOf(session);
     ofTraces = firstProblemOfTraces(session, chunks, said);
   }
@@ -186,7 +186,7 @@ std::vector<std::string> StationTrail::problemsOf(
   const auto& last = events_.at(static_cast<std::size_t>(asOf - 1));
   const bool isSame = std::any_of(ways.begin(), ways.end(), [&](const auto* key) {
     const storage::Transaction rolledBack(*database_);
-    storage::addFactsAs(*database_, facts, SessionId{session}, key, said.open);
+    storage::addSessionTablesAs(*database_, facts, SessionId{session}, key, said.open);
     return agrees(session, last);
   });
   if (!isSame) problems.emplace_back("its rows do not agree with the audit trail");

@@ -52,7 +52,7 @@ class StationTrail {
   std::vector<std::string> problemsOf(
       std::int64_t session,
       std::int64_t asOf,
-      const storage::SessionFacts& facts,
+      const storage::SessionTables& facts,
       const std::vector<storage::TraceChunk>& chunks);
 
   /// With which the station seals what tells which condition was felt.

@@ -429,7 +429,7 @@ std::string Connection::user() const {
   return user == nullptr ? "" : user;
 }
 
-ServerError lacksRole(const Connection& server, std::string_view role) {
+ServerError missingRoleError(const Connection& server, std::string_view role) {
   return {
       Kind::Denied,
       fmt::format(

@@ -139,17 +139,17 @@ class Connection {
 void requireAddress(const std::string& server);
 
 /// That @p server's account needs @p role, and how it is given.
-ServerError lacksRole(const Connection& server, std::string_view role);
+ServerError missingRoleError(const Connection& server, std::string_view role);
 
 /// Performs @p action, which needs @p role.
-/// @throws ServerError  by lacksRole(), if the server denies it.
+/// @throws ServerError  by missingRoleError(), if the server denies it.
 template <typename Action>
 auto withRole(const Connection& server, std::string_view role, Action action) {
   try {
     return action();
   } catch (const ServerError& error) {
     if (error.kind() != ServerError::Kind::Denied) throw;
-    throw lacksRole(server, role);
+    throw missingRoleError(server, role);
   }
 }
 

@@ -140,7 +140,7 @@ PrivateServer::PrivateServer(Disk disk) {
     if (status != 0) failToStart(log);
     set("listen_addresses", "");
     set("unix_socket_directories", folder_.string());
-    set("fsync", disk == Disk::Flushed ? "on" : "off");
+    set("fsync", disk == Disk::WithFsync ? "on" : "off");
     set("log_line_prefix", "%m [%p] %q%u@%d %h ");  // shows whose requests were denied
     start();
   } catch (...) {

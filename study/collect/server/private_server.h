@@ -18,14 +18,14 @@ class PrivateServer {
   static bool isInstalled();
 
   enum class Disk {
-    Flushed,   ///< fsync on, as on a real server
-    Unflushed  ///< fsync off: faster, for tests. Data survive a stop of the server, but no power
-               ///< failure
+    WithFsync,    ///< fsync on, as on a real server
+    WithoutFsync  ///< fsync off: faster, for tests. Data survive a stop of the server, but no power
+                  ///< failure
   };
 
   /// Makes the folder and starts the server.
   /// @throws UserError  if PostgreSQL is not installed. @throws ServerError  if it does not start.
-  explicit PrivateServer(Disk disk = Disk::Flushed);
+  explicit PrivateServer(Disk disk = Disk::WithFsync);
   ~PrivateServer();
   PrivateServer(const PrivateServer&) = delete;
   PrivateServer& operator=(const PrivateServer&) = delete;

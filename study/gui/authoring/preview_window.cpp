@@ -62,7 +62,7 @@ SessionId sessionAt(const std::string& folder, const std::string& language, int 
 struct PreviewWindow::PreviewSession {
   PreviewSession(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
       : study(Study::open(folder)),
-        devices([this](const protocols::DeviceNeed& need) {
+        devices([this](const protocols::DeviceRequirement& need) {
           auto hand = pointerHandFor(need);
           hands[need.id] = hand.get();
           return hand;
@@ -114,7 +114,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setResizeMode(QListView::Adjust);
   place_->setAlignment(Qt::AlignCenter);
   place_->setAccessibleName(tr("Page of the participant"));
-  if (const auto blanks = protocols::placeholdersIn(loaded_).size(); blanks > 0) {
+  if (const auto blanks = protocols::unfilledPlaceholdersIn(loaded_).size(); blanks > 0) {
     blanks_ =
         QStringLiteral(" ") +
         tr("The texts still have blanks (%1); they are marked on the pages. Choose “Fill in the "

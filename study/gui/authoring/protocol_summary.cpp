@@ -95,7 +95,7 @@ QString protocolSummary(const protocols::LoadedProtocol& loaded) {
   const QStringList session{
       tr("About %1 minutes, of which about %2 are spent touching the device")
           .arg(std::ceil(length.seconds / 60.0))
-          .arg(std::ceil(length.secondsOfForce / 60.0)),
+          .arg(std::ceil(length.secondsOnDevice / 60.0)),
       tr("Languages: %1").arg(languages.join(QStringLiteral(", ")))};
   return QStringLiteral("# %1\n\n%2\n")
              .arg(

@@ -238,7 +238,7 @@ void ProtocolWindow::fillInTexts() {
     }
   });
   if (!isSaved || file.isEmpty()) return;
-  announceWrittenFile(this, file);
+  showWrittenFileMessage(this, file);
   showSource(file);
 }
 

@@ -73,7 +73,7 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
   total_->setText(
       tr("A session takes about %1 minutes, of which about %2 are spent touching the device.")
           .arg(std::ceil(length.seconds / 60.0))
-          .arg(std::ceil(length.secondsOfForce / 60.0)));
+          .arg(std::ceil(length.secondsOnDevice / 60.0)));
   steps_->clear();
   std::vector<TimelineBar::Part> parts;
   const auto steps = stepsOf(protocol);
@@ -88,9 +88,9 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
       const auto part = partOf(loaded, step);
       const auto words = describedStep(step, part);
       new QTreeWidgetItem(top, {QString::number(++count), words, asMinutes(part.seconds)});
-      if (step.isOffered) continue;  // few participants accept the offer
-      whole.stretches.push_back({.seconds = part.seconds - part.secondsOfForce});
-      whole.stretches.push_back({.seconds = part.secondsOfForce, .isFelt = true});
+      if (step.isOptionalTrial) continue;  // few participants accept the offer
+      whole.stretches.push_back({.seconds = part.seconds - part.secondsOnDevice});
+      whole.stretches.push_back({.seconds = part.secondsOnDevice, .isFelt = true});
     }
     top->setText(1, count == 1 ? top->child(0)->text(1) : tr("%1 steps").arg(count));
     top->setText(2, asMinutes(whole.seconds()));

@@ -114,7 +114,8 @@ void EraseDialog::fillIn() {
     }
     reseal_->setVisible(!remarkOnUnsealedTrail(study).empty());
   });
-  certificate_->setPath(newPathBeside(folder_, QStringLiteral("erasure"), QStringLiteral(".pdf")));
+  certificate_->setPath(
+      unusedPathBeside(folder_, QStringLiteral("erasure"), QStringLiteral(".pdf")));
   updateButton();
 }
 
@@ -168,7 +169,7 @@ void EraseDialog::work() {
     showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), told);
   } else {
     rememberDocument(QString::fromStdString(folder_), path);
-    showWritten(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), told);
+    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), told);
   }
   fillIn();
   emit erased();

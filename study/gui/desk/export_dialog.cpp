@@ -29,7 +29,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       format_(new QComboBox(this)),
-      mode_(runModeChoice(study, this)),
+      mode_(makeRunModeBox(study, this)),
       audience_(new QComboBox(this)),
       smallest_(new QSpinBox(this)),
       reason_(new QLineEdit(this)),
@@ -61,7 +61,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   texts_->setObjectName(QStringLiteral("texts"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
-  target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
   earlier_->startIn(folderBeside(folder_));
   form().addRow(tr("Format"), format_);
   form().addRow(tr("Sessions"), mode_);
@@ -151,8 +151,8 @@ void ExportDialog::work() {
               deskText(what));
   if (sessions == 0) return showOutcome(Outcome::Warning, line);
   rememberDocument(QString::fromStdString(folder_), path);
-  target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
-  showWritten(path, line);
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
+  showWrittenFile(path, line);
 }
 
 }  // namespace study::gui

@@ -257,11 +257,11 @@ template <typename Dialog>
 void HomeWindow::openDialog() {
   const auto* study = chosen();
   if (study == nullptr) return;
-  askForKeyOf(study->folder, this);
+  askForPassphraseOfKey(study->folder, this);
   constexpr bool kNeedsNames = std::is_same_v<Dialog, EraseDialog> ||
                                std::is_same_v<Dialog, ExportDialog> ||
                                std::is_same_v<Dialog, KeyDialog>;
-  if (kNeedsNames) askForNamesOf(study->folder, this);
+  if (kNeedsNames) askForPassphraseOfNames(study->folder, this);
   auto* dialog = new Dialog(*study, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   // The dialog may have changed what the panel shows.
@@ -328,7 +328,7 @@ void HomeWindow::connectPanel() {
 void HomeWindow::removeSelectedFromList() {
   const auto* study = chosen();
   if (study == nullptr) return;
-  forgetStudy(QString::fromStdString(study->folder));
+  removeRecentStudy(QString::fromStdString(study->folder));
   refresh();
 }
 
@@ -414,7 +414,7 @@ void HomeWindow::showChosen() {
 
 void HomeWindow::choose(const QString& folder) {
   const auto summary = summaryOf(folder.toStdString());
-  rememberStudy(folder, QString::fromStdString(summary.title));
+  addRecentStudy(folder, QString::fromStdString(summary.title));
   refresh();
   list_->selectRow(0);
 }
@@ -425,14 +425,14 @@ OperatorWindow* HomeWindow::operatorWindow() const noexcept {
 
 void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> session) {
   if (open_) return;
-  askForKeyOf(folder.toStdString(), this);
-  askForNamesOf(folder.toStdString(), this);
+  askForPassphraseOfKey(folder.toStdString(), this);
+  askForPassphraseOfNames(folder.toStdString(), this);
   const bool isOpen = attempt(this, Matter::StudyNotOpened, [&] {
     open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_);
   });
   if (!isOpen) return;
   const auto& title = open_->study.protocol().protocol.study.title;
-  rememberStudy(folder, QString::fromStdString(title));
+  addRecentStudy(folder, QString::fromStdString(title));
   open_->window.installEventFilter(this);
   open_->window.show();
   hide();

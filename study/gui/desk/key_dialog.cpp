@@ -50,7 +50,7 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   source_->startIn(folderBeside(folder_));
-  target_->setPath(newPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   findChild<QTextBrowser*>(QStringLiteral("more"))->setAccessibleName(tr("Where the key is"));
   showState();
   updateChoices();
@@ -112,8 +112,8 @@ void KeyDialog::saveKey() {
   });
   if (!isSaved) return clear();
   showState();
-  target_->setPath(newPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
-  showWritten(
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
+  showWrittenFile(
       target,
       tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target),
       state_);

@@ -25,7 +25,7 @@ void askUntilRight(
 
 }  // namespace
 
-void askForKeyOf(const std::string& folder, QWidget* parent) {
+void askForPassphraseOfKey(const std::string& folder, QWidget* parent) {
   attempt(parent, Matter::StudyNotOpened, [&] {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
@@ -35,7 +35,7 @@ void askForKeyOf(const std::string& folder, QWidget* parent) {
   });
 }
 
-void askForNamesOf(const std::string& folder, QWidget* parent) {
+void askForPassphraseOfNames(const std::string& folder, QWidget* parent) {
   attempt(parent, Matter::StudyNotOpened, [&] {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.identities().isLocked()) return;

@@ -10,10 +10,10 @@ namespace study::gui {
 /// protected by a passphrase: asks for the passphrase until it is right or the dialog is closed.
 /// The key is kept in memory until the program ends. Without the key, everything that needs no key
 /// is possible.
-void askForKeyOf(const std::string& folder, QWidget* parent);
+void askForPassphraseOfKey(const std::string& folder, QWidget* parent);
 
 /// Asks in the same way for the passphrase of the participants' names (docs/decisions/0062).
 /// Without it no session can be begun or resumed.
-void askForNamesOf(const std::string& folder, QWidget* parent);
+void askForPassphraseOfNames(const std::string& folder, QWidget* parent);
 
 }  // namespace study::gui

@@ -55,8 +55,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
       cut_(new QSpinBox(this)),
       slope_(new QDoubleSpinBox(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)),
-      picture_(new RecordingPicture(this)),
-      cutPicture_(new CutPicture(this)) {
+      picture_(new RecordingPlot(this)),
+      cutPicture_(new CutPlot(this)) {
   constexpr double kMostSlope = 1e6;  // [N/travel unit]
   const double usualSlope = haptics::recordings::ImportOptions{}.maxSlope;
   slope_->setRange(0.01, kMostSlope);
@@ -94,7 +94,7 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   connect(recording_, &PathField::pathChanged, this, lookAnew);
   connect(columns_, &PathField::pathChanged, this, lookAnew);
   connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::look);
-  connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPicture::choose);
+  connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPlot::choose);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   look();
@@ -105,7 +105,7 @@ std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() 
   return form_->isVisibleTo(this) ? std::optional(form_->columns()) : std::nullopt;
 }
 
-std::optional<RecordingLook> ImportCutDialog::readLook() {
+std::optional<RecordingPreview> ImportCutDialog::readLook() {
   const auto file = recording_->path().toStdString();
   try {
     return lookAt(file, columns());
@@ -166,9 +166,9 @@ void ImportCutDialog::work() {
   });
   if (!said) return clear();
   if (!report.isAltered()) {
-    return showWritten(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
+    return showWrittenFile(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
   }
-  showWritten(
+  showWrittenFile(
       target_->path(),
       tr("Cut saved, but it is not what was recorded: %1").arg(peakInWords(report)),
       *said,
@@ -205,7 +205,7 @@ void FitMaterialDialog::work() {
         return fitMaterialTo(series, title, target, progress);
       });
   if (!said) return clear();
-  showWritten(target_->path(), tr("Material saved: %1").arg(target_->path()), *said);
+  showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), *said);
 }
 
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
@@ -240,7 +240,7 @@ void BuildBoneDialog::work() {
     return buildBoneTo(spheres, seed, target, progress);
   });
   if (!said) return clear();
-  showWritten(target_->path(), tr("Bone saved: %1").arg(target_->path()), *said);
+  showWrittenFile(target_->path(), tr("Bone saved: %1").arg(target_->path()), *said);
 }
 
 }  // namespace study::gui

@@ -26,7 +26,7 @@ class ImportCutDialog final : public WorkDialog {
   /// Shows the chosen recording before it is imported; asks for its columns if the punch's recorder
   /// did not write it.
   void look();
-  std::optional<RecordingLook> readLook();
+  std::optional<RecordingPreview> readLook();
   std::optional<haptics::recordings::RecordingColumns> columns() const;
   /// Shows the cut that an import would make of it.
   void preview();
@@ -38,8 +38,8 @@ class ImportCutDialog final : public WorkDialog {
   QSpinBox* cut_;
   QDoubleSpinBox* slope_;
   PathField* target_;
-  RecordingPicture* picture_;
-  CutPicture* cutPicture_;
+  RecordingPlot* picture_;
+  CutPlot* cutPicture_;
 };
 
 /// Fits a reaming material to a folder of measured series.

@@ -108,11 +108,11 @@ haptics::recordings::ImportReport importCutTo(
     const Progress& progress) {
   requireNewFile(out, ".json");
   tell(progress, 0.0, "reading the recording");
-  const auto read = recordingIn(recording, columns);
+  const auto read = readRecordingWithColumns(recording, columns);
   tell(progress, 0.5, "taking the cut");
   auto imported = importRecording(read, options);
   tell(progress, 0.9, "writing it");
-  writeNewFile(out, cutAsJsonFrom(recording, imported.cut));
+  writeNewFile(out, cutAsJsonWithSource(recording, imported.cut));
   return std::move(imported.report);
 }
 
@@ -153,7 +153,7 @@ std::string fitMaterialTo(
 
 std::string buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress) {
-  requireNewFile(out, protocols::kPackingEnding);
+  requireNewFile(out, protocols::kPackingExtension);
   const reaming::Acetabulum body;
   reaming::PackedBone bone{
       .name = fs::path(out).stem().string(), .title = "A cup of spheres", .isSynthetic = true};

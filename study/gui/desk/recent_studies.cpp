@@ -69,7 +69,7 @@ std::vector<RecentStudy> recentStudies() {
   return studies;
 }
 
-void rememberStudy(const QString& folder, const QString& title) {
+void addRecentStudy(const QString& folder, const QString& title) {
   const QString plain = plainFolder(folder);
   auto studies = without(plain);
   studies.insert(
@@ -78,7 +78,7 @@ void rememberStudy(const QString& folder, const QString& title) {
   store(studies);
 }
 
-void forgetStudy(const QString& folder) {
+void removeRecentStudy(const QString& folder) {
   store(without(plainFolder(folder)));
 }
 

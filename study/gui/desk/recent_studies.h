@@ -18,10 +18,10 @@ struct RecentStudy {
 std::vector<RecentStudy> recentStudies();
 
 /// Puts a study at the top of the list.
-void rememberStudy(const QString& folder, const QString& title);
+void addRecentStudy(const QString& folder, const QString& title);
 
 /// Removes a study from the list. Its folder is not changed.
-void forgetStudy(const QString& folder);
+void removeRecentStudy(const QString& folder);
 
 /// A report or an export that was written for a study on this computer.
 struct WrittenDocument {

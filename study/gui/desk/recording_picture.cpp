@@ -17,50 +17,50 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-QString sourceOfForce(const RecordingLook& look) {
-  if (look.recording.readingUnit == "N") return RecordingPicture::tr("force in newtons");
-  return RecordingPicture::tr("force from %1 by calibration %2")
+QString sourceOfForce(const RecordingPreview& look) {
+  if (look.recording.readingUnit == "N") return RecordingPlot::tr("force in newtons");
+  return RecordingPlot::tr("force from %1 by calibration %2")
       .arg(
           QString::fromStdString(look.recording.readingUnit),
           QString::fromStdString(look.trace.calibration.name));
 }
 
-QString describe(const RecordingLook& look) {
+QString describe(const RecordingPreview& look) {
   const auto& [recording, trace, survey] = look;
-  QString words = RecordingPicture::tr("%1 rows at %2 Hz; %3; %4 cuts")
+  QString words = RecordingPlot::tr("%1 rows at %2 Hz; %3; %4 cuts")
                       .arg(survey.rows)
                       .arg(survey.sampling.rate, 0, 'f', 0)
                       .arg(sourceOfForce(look))
                       .arg(survey.closures.size());
-  words += RecordingPicture::tr("; largest force %1 N").arg(survey.maxForce, 0, 'f', 2);
+  words += RecordingPlot::tr("; largest force %1 N").arg(survey.maxForce, 0, 'f', 2);
   if (survey.saturatedRows > 0) {
-    words +=
-        RecordingPicture::tr("; in %1 rows the sensor was at its end, and the force was larger")
-            .arg(survey.saturatedRows);
+    words += RecordingPlot::tr("; in %1 rows the sensor was at its end, and the force was larger")
+                 .arg(survey.saturatedRows);
   }
   if (survey.uncalibratedRows > survey.saturatedRows) {
-    words += RecordingPicture::tr("; %1 rows are outside of the calibration")
-                 .arg(survey.uncalibratedRows);
+    words +=
+        RecordingPlot::tr("; %1 rows are outside of the calibration").arg(survey.uncalibratedRows);
   }
   if (survey.refusedLines > 0) {
-    words += RecordingPicture::tr("; %1 lines could not be read").arg(survey.refusedLines);
+    words += RecordingPlot::tr("; %1 lines could not be read").arg(survey.refusedLines);
   }
   return words + QLatin1Char('.');
 }
 
 }  // namespace
 
-RecordingLook lookAt(
+RecordingPreview lookAt(
     const std::string& recording,
     const std::optional<haptics::recordings::RecordingColumns>& columns) {
-  RecordingLook look{.recording = recordingIn(recording, columns), .trace = {}, .survey = {}};
+  RecordingPreview look{
+      .recording = readRecordingWithColumns(recording, columns), .trace = {}, .survey = {}};
   look.trace = haptics::recordings::traceOf(
       look.recording, haptics::recordings::calibrationFor(look.recording), {});
   look.survey = haptics::recordings::summariseCuts(look.recording, look.trace);
   return look;
 }
 
-RecordingPicture::RecordingPicture(QWidget* parent)
+RecordingPlot::RecordingPlot(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), words_(quietLabel({}, this)) {
   words_->setObjectName(QStringLiteral("recording-words"));
   plot_->setMinimumHeight(220);
@@ -77,23 +77,23 @@ RecordingPicture::RecordingPicture(QWidget* parent)
   show(std::nullopt);
 }
 
-void RecordingPicture::show(std::optional<RecordingLook> look) {
+void RecordingPlot::show(std::optional<RecordingPreview> look) {
   look_ = std::move(look);
   words_->setText(look_ ? describe(*look_) : QString());
   setVisible(look_.has_value());
   draw();
 }
 
-void RecordingPicture::choose(int cut) {
+void RecordingPlot::choose(int cut) {
   chosen_ = cut;
   draw();
 }
 
-int RecordingPicture::cuts() const {
+int RecordingPlot::cuts() const {
   return look_ ? static_cast<int>(look_->survey.closures.size()) : 0;
 }
 
-void RecordingPicture::draw() {
+void RecordingPlot::draw() {
   plot_->clearPlottables();
   plot_->clearItems();
   const auto& colours = themeOf(*this);
@@ -134,7 +134,7 @@ void RecordingPicture::draw() {
   plot_->replot();
 }
 
-void RecordingPicture::changeEvent(QEvent* event) {
+void RecordingPlot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::StyleChange) draw();
   QWidget::changeEvent(event);
 }
@@ -144,32 +144,32 @@ namespace {
 using haptics::recordings::CurvePoint;
 using haptics::recordings::CutLandmarks;
 
-/// The graphs of a CutPicture, in the order in which it adds them.
+/// The graphs of a CutPlot, in the order in which it adds them.
 enum Graph { Recorded, Rendered, Landmarks };
 
 QString landmark(const QString& name, const std::optional<CurvePoint>& point) {
-  if (!point) return CutPicture::tr("%1 not found").arg(name);
-  return CutPicture::tr("%1 %2 N at %3")
+  if (!point) return CutPlot::tr("%1 not found").arg(name);
+  return CutPlot::tr("%1 %2 N at %3")
       .arg(name)
       .arg(point->force, 0, 'f', 2)
       .arg(point->travel, 0, 'f', 2);
 }
 
 QString describe(const CutLandmarks& landmarks) {
-  return CutPicture::tr("Landmarks, at travels from 0 (open) to 10 (closed): %1, %2, %3, %4.")
+  return CutPlot::tr("Landmarks, at travels from 0 (open) to 10 (closed): %1, %2, %3, %4.")
       .arg(
-          landmark(CutPicture::tr("interception"), landmarks.interception),
-          landmark(CutPicture::tr("yield"), landmarks.yield),
-          landmark(CutPicture::tr("bottom-out"), landmarks.bottomOut),
-          landmark(CutPicture::tr("opening"), landmarks.opening));
+          landmark(CutPlot::tr("interception"), landmarks.interception),
+          landmark(CutPlot::tr("yield"), landmarks.yield),
+          landmark(CutPlot::tr("bottom-out"), landmarks.bottomOut),
+          landmark(CutPlot::tr("opening"), landmarks.opening));
 }
 
 QString describeChange(const haptics::recordings::ImportedCut& imported) {
   const auto& [cut, report] = imported;
   if (!report.isAltered()) {
-    return CutPicture::tr("The cut keeps the shape of the recording: %1.").arg(peakInWords(report));
+    return CutPlot::tr("The cut keeps the shape of the recording: %1.").arg(peakInWords(report));
   }
-  return CutPicture::tr(
+  return CutPlot::tr(
              "The cut is not what was recorded: %1. Slopes above %2 N per travel unit are limited; "
              "the recording rises by up to %3.")
       .arg(peakInWords(report))
@@ -181,14 +181,14 @@ QString describeChange(const haptics::recordings::ImportedCut& imported) {
 
 QString peakInWords(const haptics::recordings::ImportReport& report) {
   const double change = report.peakAfter - report.peakBefore;
-  const QString words = CutPicture::tr("peak %1 → %2 N")
+  const QString words = CutPlot::tr("peak %1 → %2 N")
                             .arg(report.peakBefore, 0, 'f', 2)
                             .arg(report.peakAfter, 0, 'f', 2);
   if (!(report.peakBefore > 0.0)) return words;
   return words + QStringLiteral(" (%1 %)").arg(100.0 * change / report.peakBefore, 0, 'f', 1);
 }
 
-CutPicture::CutPicture(QWidget* parent)
+CutPlot::CutPlot(QWidget* parent)
     : QWidget(parent),
       plot_(new QCustomPlot(this)),
       change_(bodyLabel({}, this)),
@@ -220,7 +220,7 @@ CutPicture::CutPicture(QWidget* parent)
   layout->addStretch(1);
 }
 
-void CutPicture::show(
+void CutPlot::show(
     const haptics::recordings::Trace& trace, const haptics::recordings::ImportedCut& imported) {
   const auto& [cut, report] = imported;
   for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
@@ -247,7 +247,7 @@ void CutPicture::show(
   paint();
 }
 
-void CutPicture::paint() {
+void CutPlot::paint() {
   const auto& colours = themeOf(*this);
   paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis});
   constexpr double kWidth = 2.0;  // [px]
@@ -260,7 +260,7 @@ void CutPicture::paint() {
   plot_->replot();
 }
 
-void CutPicture::changeEvent(QEvent* event) {
+void CutPlot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::StyleChange) paint();
   QWidget::changeEvent(event);
 }

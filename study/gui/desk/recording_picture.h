@@ -16,33 +16,33 @@ class QCustomPlot;
 namespace study::gui {
 
 /// A recording as it was read, to be shown before it is imported.
-struct RecordingLook {
+struct RecordingPreview {
   haptics::recordings::Recording recording;
   haptics::recordings::Trace trace;
   haptics::recordings::RecordingSurvey survey;
 };
 
-/// Reads a recording. Throws as recordingIn() does.
-RecordingLook lookAt(
+/// Reads a recording. Throws as readRecordingWithColumns() does.
+RecordingPreview lookAt(
     const std::string& recording,
     const std::optional<haptics::recordings::RecordingColumns>& columns);
 
 /// Draws force and travel over time with the cuts shaded, the chosen one darker. A text below
 /// states rows, rate, unit, calibration, and the samples in which the sensor was saturated.
-class RecordingPicture final : public QWidget {
+class RecordingPlot final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit RecordingPicture(QWidget* parent = nullptr);
+  explicit RecordingPlot(QWidget* parent = nullptr);
 
   /// Shows a recording; std::nullopt: shows none.
-  void show(std::optional<RecordingLook> look);
+  void show(std::optional<RecordingPreview> look);
   using QWidget::show;
   /// Marks a cut, from 1; 0: none.
   void choose(int cut);
   int cuts() const;
   QString words() const { return words_->text(); }
-  const std::optional<RecordingLook>& look() const noexcept { return look_; }
+  const std::optional<RecordingPreview>& look() const noexcept { return look_; }
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -50,7 +50,7 @@ class RecordingPicture final : public QWidget {
  private:
   void draw();
 
-  std::optional<RecordingLook> look_;
+  std::optional<RecordingPreview> look_;
   int chosen_ = 0;
   QCustomPlot* plot_;
   QLabel* words_;
@@ -58,11 +58,11 @@ class RecordingPicture final : public QWidget {
 
 /// Draws the cut that an import makes over the samples that it was taken from, with the landmarks,
 /// and says in words what was changed.
-class CutPicture final : public QWidget {
+class CutPlot final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CutPicture(QWidget* parent = nullptr);
+  explicit CutPlot(QWidget* parent = nullptr);
 
   /// @param trace  of the recording that the cut was taken from.
   void show(

@@ -43,8 +43,8 @@ void write(const ReportRequest& order, const Progress& progress) {
         " participant has taken part yet. Choose other "
         "sessions.");
   }
-  noteUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
-  if (!order.figures.empty()) noteReport(study, order.mode, "figures", order.figures);
+  recordUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
+  if (!order.figures.empty()) recordReportPath(study, order.mode, "figures", order.figures);
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
@@ -58,7 +58,7 @@ void write(const ReportRequest& order, const Progress& progress) {
   const auto page =
       isPdf ? report::asPdf(html, sections.front().protocol.study.title, order.paper) : html;
   tell(progress, 3 * kStep, "writing it");
-  noteReport(study, order.mode, "report", order.out, page);
+  recordReportPath(study, order.mode, "report", order.out, page);
   writeNewFile(order.out, page);
   if (order.figures.empty()) return;
   std::filesystem::create_directories(order.figures);

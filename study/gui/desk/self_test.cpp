@@ -41,7 +41,7 @@ std::vector<FindingLine> testDevices(const SelfTestOptions& order, const Progres
          false}};
   }
   std::vector<FindingLine> lines;
-  const auto anyHand = [](const protocols::DeviceNeed& need) {
+  const auto anyHand = [](const protocols::DeviceRequirement& need) {
     return simulatedHandFor(need, 1, {}, 0);
   };
   try {
@@ -68,12 +68,12 @@ FindingLine testClock(double seconds) {
   });
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   const bool isRealtime = loop.isRealtime();
-  return judgeClock(loop.finish(), isRealtime, kRate);
+  return evaluateTiming(loop.finish(), isRealtime, kRate);
 }
 
 FindingLine testCommits(const std::filesystem::path& folder) {
   try {
-    return judgeCommits(storage::measureCommits(folder, kCommits), folder.string());
+    return evaluateCommitTimes(storage::measureCommits(folder, kCommits), folder.string());
   } catch (const storage::StorageError& error) {
     return {
         "saving",
@@ -87,8 +87,8 @@ FindingLine testFile(
   const auto name = std::filesystem::path(file).filename().string();
   std::string problems;
   try {
-    problems =
-        storage::Database::open(file, schema, storage::Database::Access::ReadOnly).quickProblems();
+    problems = storage::Database::open(file, schema, storage::Database::Access::ReadOnly)
+                   .quickCheckProblems();
   } catch (const storage::StorageError& error) {
     problems = error.what();
   }
@@ -127,7 +127,7 @@ FindingLine judgeScreen(const QScreen& screen) {
 
 /// Tests which renderer is available by opening one.
 FindingLine judgeGraphics() {
-  const auto graphics = scene::openGraphics();
+  const auto graphics = scene::makeRenderer();
   const bool isFast = graphics.remark.isEmpty();
   return {
       "screen",
@@ -140,7 +140,7 @@ FindingLine judgeGraphics() {
 
 }  // namespace
 
-FindingLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, double rate) {
+FindingLine evaluateTiming(const RealtimeLoop::Report& report, bool isRealtime, double rate) {
   constexpr double kRoughShare = 0.05;
   const auto ticks = static_cast<std::int64_t>(report.ticks);
   const auto late = static_cast<std::int64_t>(report.lateTicks);
@@ -175,7 +175,7 @@ FindingLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, doub
           said(isRealtime ? "real-time priority" : "ordinary priority"))};
 }
 
-FindingLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
+FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::string& folder) {
   CheckResult found{.what = "saving an answer", .measured = "", .fix = ""};
   const char* words = "fast: {:.1f} ms";
   if (times.median > kSlowCommit) {

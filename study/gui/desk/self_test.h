@@ -26,8 +26,8 @@ std::vector<FindingLine> testComputer(const SelfTestOptions& order, const Progre
 std::vector<FindingLine> testScreens();
 
 /// Compare measurements with what a study needs.
-FindingLine judgeClock(
+FindingLine evaluateTiming(
     const haptics::engine::RealtimeLoop::Report& report, bool isRealtime, double rate);
-FindingLine judgeCommits(const storage::CommitTimes& times, const std::string& folder);
+FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::string& folder);
 
 }  // namespace study::gui

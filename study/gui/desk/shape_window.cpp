@@ -38,7 +38,7 @@ QWidget* boneWindow(std::shared_ptr<const haptics::reaming::PackedBone> bone, QW
 QWidget* kneeWindow(const protocols::Anatomy* knee, QWidget* parent) {
   auto* view = new scene::SimulationView(
       std::make_unique<scene::KneeScene>(knee),
-      scene::openGraphics(),
+      scene::makeRenderer(),
       scene::SimulationView::Pace::Display,
       parent);
   view->setWindowFlag(Qt::Window);
@@ -49,8 +49,8 @@ QWidget* kneeWindow(const protocols::Anatomy* knee, QWidget* parent) {
 
 QWidget* windowOfFile(const std::string& path, QWidget* parent) {
   questionnaires::Problems problems;
-  const bool isBone = path.ends_with(protocols::kPackingEnding);
-  const auto largest = isBone ? protocols::kLargestPacking : protocols::kLargestAnatomy;
+  const bool isBone = path.ends_with(protocols::kPackingExtension);
+  const auto largest = isBone ? protocols::kMaxPackingBytes : protocols::kMaxAnatomyBytes;
   const auto text = questionnaires::readTextFile(path, largest);
   if (isBone) {
     if (auto bone = protocols::readPacking(text, problems)) {
@@ -71,7 +71,7 @@ QWidget* shown(QWidget* window, const QString& title) {
 
 }  // namespace
 
-QWidget* openShape(const QString& path, QWidget* parent) {
+QWidget* openShapeWindow(const QString& path, QWidget* parent) {
   return shown(windowOfFile(path.toStdString(), parent), QFileInfo(path).fileName());
 }
 
@@ -89,7 +89,8 @@ void chooseAndOpenShape(QWidget* parent) {
       QFileDialog::tr("Look at a bone or a knee"),
       QDir::homePath(),
       QFileDialog::tr("Bones of spheres, and knees (*.packing *.obj)"));
-  if (!path.isEmpty()) attempt(parent, Matter::FileNotShown, [&] { openShape(path, parent); });
+  if (!path.isEmpty())
+    attempt(parent, Matter::FileNotShown, [&] { openShapeWindow(path, parent); });
 }
 
 }  // namespace study::gui

@@ -8,7 +8,7 @@ namespace study::gui {
 /// Opens a window with a bone (a packing, coloured by density) or a knee (an anatomy as OBJ,
 /// together with the punch), drawn as in a trial.
 /// @throws UserError  with a message for the user, if the file contains neither.
-QWidget* openShape(const QString& path, QWidget* parent);
+QWidget* openShapeWindow(const QString& path, QWidget* parent);
 
 /// Open a window with the built-in bone or knee.
 QWidget* openBuiltInBone(QWidget* parent);

@@ -36,7 +36,7 @@ QString describe(const Verification& verification) {
   return words;
 }
 
-QComboBox* runModeChoice(const StudySummary& study, QWidget* parent) {
+QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent) {
   auto* choice = new QComboBox(parent);
   choice->setAccessibleName(QObject::tr("Which sessions"));
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
@@ -56,7 +56,7 @@ RunMode chosenMode(const QComboBox& choice) {
   return static_cast<RunMode>(choice.currentData().toInt());
 }
 
-QString newPathBeside(const std::string& folder, const QString& what, const QString& extension) {
+QString unusedPathBeside(const std::string& folder, const QString& what, const QString& extension) {
   const QFileInfo study(QDir::cleanPath(QString::fromStdString(folder)));
   const auto name = study.fileName() + QLatin1Char('-') + what + QLatin1Char('-') +
                     QDate::currentDate().toString(Qt::ISODate);
@@ -79,7 +79,7 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
           parent),
       folder_(study.folder),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
-  target_->setPath(newPathBeside(folder_, QStringLiteral("backup")));
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
 }
 
@@ -95,11 +95,11 @@ void BackupDialog::work() {
   const QString checks = describe(backup.verification);
   if (backup.verification.isSound()) {
     const QString path = target_->path();
-    showWritten(
+    showWrittenFile(
         path,
         tr("Backup saved and verified: %1 (%2 MB)").arg(path).arg(megabytes, 0, 'f', 1),
         checks);
-    target_->setPath(newPathBeside(folder_, QStringLiteral("backup")));
+    target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
   } else {
     showOutcome(Outcome::Bad, tr("The study is damaged, and so is the copy."), checks);
   }
@@ -126,7 +126,7 @@ void VerifyDialog::recordRestoredBackup() {
   if (!reason) return;
   const bool isNoted = attempt(this, Matter::BackupNotNoted, [&] {
     auto study = Study::open(folder_);
-    noteRestoredCopy(study, reason->trimmed().toStdString());
+    recordRestoredCopy(study, reason->trimmed().toStdString());
   });
   if (isNoted) work();
 }
@@ -163,7 +163,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
           tr("Write"),
           parent),
       folder_(study.folder),
-      mode_(runModeChoice(study, this)),
+      mode_(makeRunModeBox(study, this)),
       language_(new QComboBox(this)),
       wording_(new QComboBox(this)),
       paper_(new QComboBox(this)),
@@ -189,7 +189,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   paper_->addItem(QStringLiteral("Letter"), static_cast<int>(report::Paper::Letter));
   quotes_->setObjectName(QStringLiteral("quotes"));
   quotes_->setChecked(true);
-  target_->setPath(newPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
   form().addRow(tr("Sessions"), mode_);
   auto* pages = new QWidget(this);
   auto* side = new QHBoxLayout(pages);
@@ -255,7 +255,7 @@ void ReportDialog::work() {
       .hasQuotes = quotes_->isChecked(),
       .out = target_->path().toStdString(),
       .figures = figures_->isChecked()
-                     ? newPathBeside(folder_, QStringLiteral("figures")).toStdString()
+                     ? unusedPathBeside(folder_, QStringLiteral("figures")).toStdString()
                      : std::string(),
       .format = {.width = width_->value(), .font = font_->value()},
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
@@ -270,12 +270,12 @@ void ReportDialog::work() {
   rememberDocument(QString::fromStdString(folder_), path);
   const QString figures = QString::fromStdString(order.figures);
   if (!figures.isEmpty()) rememberDocument(QString::fromStdString(folder_), figures);
-  showWritten(
+  showWrittenFile(
       path,
       figures.isEmpty() ? tr("Report saved: %1").arg(path)
                         : tr("Report saved: %1; figures: %2").arg(path, figures));
   const auto extension = QLatin1Char('.') + QFileInfo(path).suffix();
-  target_->setPath(newPathBeside(folder_, QStringLiteral("report"), extension));
+  target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), extension));
 }
 
 }  // namespace study::gui

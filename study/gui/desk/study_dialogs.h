@@ -85,12 +85,12 @@ class ReportDialog final : public WorkDialog {
 QString describe(const Verification& verification);
 
 /// A list of run modes to choose from, each with its number of sessions.
-QComboBox* runModeChoice(const StudySummary& study, QWidget* parent);
+QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent);
 RunMode chosenMode(const QComboBox& choice);
 
 /// An unused path for a new file or folder next to a study, with today's date:
 /// "/home/a/my-study-report-2026-11-23.html", "…-2026-11-23-2.html".
-QString newPathBeside(
+QString unusedPathBeside(
     const std::string& folder, const QString& what, const QString& extension = {});
 
 /// The folder in which a study is; the user's documents if nothing can be written there.

@@ -135,7 +135,7 @@ SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
 }
 
 void SimulateDialog::work() {
-  std::vector<SimulatedEnding> endings;
+  std::vector<SimulatedSessionResult> endings;
   const int wanted = participants_->value();
   const int more = wanted - participants_->minimum() + 1;
   const bool isDone = BackgroundTask::run(
@@ -144,14 +144,14 @@ void SimulateDialog::work() {
         auto study = Study::open(folder_, clock);
         int begun = 0;
         const auto seed = simulationSeed(study);
-        endings = simulateCohorts(study, clock, wanted, seed, [&](const Acknowledged& done) {
-          if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
+        endings = simulateCohorts(study, clock, wanted, seed, [&](const SimulationEvent& done) {
+          if (done.kind == SimulationEvent::Kind::Enrolment) ++begun;
           tell(progress, static_cast<double>(std::max(0, begun - 1)) / more, done.what);
         });
       });
   emit simulated();
   if (!isDone) return clear();
-  const auto completed = std::ranges::count_if(endings, [](const SimulatedEnding& ending) {
+  const auto completed = std::ranges::count_if(endings, [](const SimulatedSessionResult& ending) {
     return ending.state == SessionState::Completed;
   });
   showOutcome(
@@ -178,12 +178,12 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   effect_->setAccessibleName(tr("Effect to find (Cohen's d_z)"));
   effect_->setRange(0.05, 10.0);
   effect_->setSingleStep(0.1);
-  effect_->setValue(PlanQuestion().dz);
+  effect_->setValue(StudyPlanOptions().dz);
   power_->setObjectName(QStringLiteral("power"));
   power_->setAccessibleName(tr("Power to reach"));
   power_->setRange(0.5, 0.99);
   power_->setSingleStep(0.05);
-  power_->setValue(PlanQuestion().power);
+  power_->setValue(StudyPlanOptions().power);
   form().addRow(tr("Participants of each cohort"), participants_);
   form().addRow(tr("Effect to find (Cohen's d_z)"), effect_);
   form().addRow(tr("Power to reach"), power_);
@@ -192,7 +192,7 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
 }
 
 void PlanDialog::work() {
-  PlanQuestion question{.dz = effect_->value(), .power = power_->value()};
+  StudyPlanOptions question{.dz = effect_->value(), .power = power_->value()};
   if (participants_->value() > 0) {
     question.participants = static_cast<std::uint64_t>(participants_->value());
   }
@@ -215,7 +215,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
           tr("Show"),
           parent),
       folder_(study.folder),
-      mode_(runModeChoice(study, this)),
+      mode_(makeRunModeBox(study, this)),
       profile_(new QComboBox(this)),
       reason_(new QLineEdit(this)) {
   profile_->setAccessibleName(tr("Which tests"));
@@ -254,7 +254,7 @@ void StatisticsDialog::work() {
       this, tr("Computing"), Matter::StatisticsNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "computing the tables");
         auto study = Study::open(folder_, accessForUnblinding(reason));
-        noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
+        recordUnblinding(study, mode, EventKind::UnblindedResults, reason);
         tables = resultsAsText(study, computeResults(study, mode), profile);
       });
   if (!isDone) return clear();

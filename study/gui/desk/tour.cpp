@@ -143,7 +143,7 @@ QWidget* Tour::makeTrialDemonstration() {
   auto* step = new QWidget(this);
   auto* picture = new scene::SimulationView(
       std::make_unique<scene::KneeScene>(),
-      scene::openGraphics(),
+      scene::makeRenderer(),
       scene::SimulationView::Pace::Display);
   picture->setLookSource([this] {
     const auto status = punch_.status();

@@ -4,11 +4,12 @@
 
 namespace study::gui {
 
-VirtualPunch::VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene)
+VirtualPunch::VirtualPunch(protocols::DeviceRequirement need, haptics::engine::SceneSpec scene)
     : need_(std::move(need)),
       scene_(std::move(scene)),
       deviceSet_(
-          [this](const protocols::DeviceNeed& wanted) -> std::unique_ptr<haptics::devices::Hand> {
+          [this](const protocols::DeviceRequirement& wanted)
+              -> std::unique_ptr<haptics::devices::Hand> {
             auto hand = pointerHandFor(wanted);
             hand_ = hand.get();
             return hand;

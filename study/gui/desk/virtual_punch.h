@@ -15,7 +15,7 @@ namespace study::gui {
 class VirtualPunch {
  public:
   /// @param need, scene  from a sound protocol.
-  VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene);
+  VirtualPunch(protocols::DeviceRequirement need, haptics::engine::SceneSpec scene);
   ~VirtualPunch();
 
   const haptics::devices::DeviceKind& kind() const noexcept { return *need_.kind; }
@@ -34,7 +34,7 @@ class VirtualPunch {
   const std::vector<storage::TraceSample>& samples() const noexcept { return samples_; }
 
  private:
-  protocols::DeviceNeed need_;
+  protocols::DeviceRequirement need_;
   haptics::engine::SceneSpec scene_;
   haptics::devices::PointerHand* hand_ = nullptr;
   SimulatedDeviceSet deviceSet_;

@@ -94,7 +94,7 @@ void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString
   showDetails(more);
 }
 
-void WorkDialog::showWritten(
+void WorkDialog::showWrittenFile(
     const QString& path, const QString& line, const QString& more, Outcome outcome) {
   showOutcome(outcome, line, more);
   written_->show(path);

@@ -35,7 +35,7 @@ class WorkDialog : public QDialog {
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
   /// The same for something that was written, which can be opened from here. The button that wrote
   /// it is no longer the main one.
-  void showWritten(
+  void showWrittenFile(
       const QString& path,
       const QString& line,
       const QString& more = {},

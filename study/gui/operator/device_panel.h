@@ -28,7 +28,7 @@ class DevicePanel final : public QWidget {
   /// Protocol and device set must outlive the panel.
   DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceSet, QWidget* parent = nullptr);
 
-  bool isVirtual() const noexcept { return deviceSet_ == nullptr; }
+  bool usesVirtualDevices() const noexcept { return deviceSet_ == nullptr; }
 
   /// Disables checking while a trial runs.
   void setBusy(bool isBusy);

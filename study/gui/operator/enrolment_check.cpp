@@ -29,7 +29,7 @@ QString listOf(const std::vector<protocols::Placeholder>& blanks) {
 
 bool confirmTexts(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment, QWidget* parent) {
-  const auto blanks = protocols::placeholdersIn(protocol);
+  const auto blanks = protocols::unfilledPlaceholdersIn(protocol);
   if (blanks.empty()) return true;
   const QStringList count{QString::number(blanks.size())};
   if (enrolment.runMode == RunMode::Pilot) {

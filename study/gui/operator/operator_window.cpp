@@ -49,7 +49,8 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
       deviceSet_(deviceSetFor(
           deviceFile,
           study.folder(),
-          [this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
+          [this](
+              const protocols::DeviceRequirement& need) -> std::unique_ptr<haptics::devices::Hand> {
             auto hand = pointerHandFor(need);
             hands_[need.id] = hand.get();
             return hand;
@@ -78,7 +79,7 @@ void OperatorWindow::makeContents() {
   controls_ = new ControlPanel(this);
   trial_ = new TrialPanel(this);
   devices_ = new DevicePanel(study_.protocol().protocol, *deviceSet_, this);
-  if (devices_->isVirtual()) sessions_->offerPilot();
+  if (devices_->usesVirtualDevices()) sessions_->offerPilot();
   delete mirror_;  // a window of its own, which the contents do not hold
   mirror_ = new PageMirror(this);
   menuBar()->clear();
@@ -305,7 +306,7 @@ void OperatorWindow::showParticipant() {
 
 /// Puts both windows side by side if one screen has room for them.
 void OperatorWindow::tile() {
-  const auto places = placesOn(screen()->availableGeometry());
+  const auto places = windowGeometriesOn(screen()->availableGeometry());
   const bool isFree = participant_ && !participant_->lock().isLocked();
   if (!isFree || !places) return;
   const QSize frame = frameSize() - size();  // size of the frame that the desktop adds to a window
@@ -374,7 +375,7 @@ void OperatorWindow::showInterview() {
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  if (!controller_->saveAll() && !ask(this, Matter::CloseWithLoss)) return;
+  if (!controller_->savePendingAnswers() && !ask(this, Matter::CloseWithLoss)) return;
   trial_->setController(nullptr);
   controls_->setController(nullptr);
   mirror_->setPage(nullptr);

@@ -128,15 +128,15 @@ void TrialPanel::clearBeforeNextTrial() {
 
 void TrialPanel::showState() {
   if (controller_ == nullptr) {
-    showHealth(tr("no session"), Health::Resting);
+    showHealth(tr("no session"), Health::NoForce);
     return;
   }
   const QString device = controller_->deviceName();
   const auto& session = controller_->session();
   if (session.isOver()) {
-    showHealth(tr("this session is over: %1").arg(statusInWords(session.state())), Health::Resting);
+    showHealth(tr("this session is over: %1").arg(statusInWords(session.state())), Health::NoForce);
   } else if (session.state() == SessionState::Paused) {
-    showHealth(tr("‖ paused: no force"), Health::Resting);
+    showHealth(tr("‖ paused: no force"), Health::NoForce);
   } else if (session.state() == SessionState::Interrupted) {
     showHealth(tr("✖ trial broke off: no force"), Health::Bad);
   } else if (wasRunning_) {
@@ -148,7 +148,7 @@ void TrialPanel::showState() {
   } else {
     showHealth(
         device.isEmpty() ? tr("no device needed now") : tr("%1: no force yet").arg(device),
-        Health::Resting);
+        Health::NoForce);
   }
 }
 

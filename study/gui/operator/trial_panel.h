@@ -34,7 +34,7 @@ class TrialPanel final : public QWidget {
 
  private:
   /// How a trial is, by the colour of its line: runs well, gives no force on purpose, broke off.
-  enum class Health { Good, Resting, Bad };
+  enum class Health { Good, NoForce, Bad };
 
   void beginTrial();
   /// Removes the curves of a trial that is over, once another one is next.

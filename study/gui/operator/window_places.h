@@ -7,19 +7,19 @@
 namespace study::gui {
 
 /// The places of the operator's and the participant's window, side by side on one screen.
-struct WindowPlaces {
+struct WindowGeometries {
   QRect own;  ///< of the operator's window, which needs more room
   QRect participant;
 };
 
 /// @param screen  without the desktop's bars
 /// @return std::nullopt if it has no room for two windows.
-inline std::optional<WindowPlaces> placesOn(const QRect& screen) {
+inline std::optional<WindowGeometries> windowGeometriesOn(const QRect& screen) {
   constexpr int kRoomForTwo = 1800;  // [px]
   constexpr int kOperatorPercent = 56;
   if (screen.width() < kRoomForTwo) return std::nullopt;
   const int own = screen.width() * kOperatorPercent / 100;
-  return WindowPlaces{
+  return WindowGeometries{
       .own = {screen.left(), screen.top(), own, screen.height()},
       .participant = {screen.left() + own, screen.top(), screen.width() - own, screen.height()}};
 }

@@ -22,7 +22,7 @@ AnswerSlider::AnswerSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   });
 }
 
-void AnswerSlider::answerWith(int position) {
+void AnswerSlider::setAnswer(int position) {
   isTouched_ = true;
   const QSignalBlocker quiet(this);
   setValue(position);

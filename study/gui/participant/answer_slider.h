@@ -13,7 +13,7 @@ class AnswerSlider final : public QSlider {
 
   bool isTouched() const noexcept { return isTouched_; }
   /// Shows @p position as the answer.
-  void answerWith(int position);
+  void setAnswer(int position);
 
  signals:
   void answered(int position);

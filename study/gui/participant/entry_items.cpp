@@ -55,7 +55,7 @@ void SliderItem::show(const Response& response) {
   const auto* value = std::get_if<double>(&response);
   const QSignalBlocker quiet(this);
   if (value != nullptr) {
-    slider_->answerWith(static_cast<int>(std::lround((*value - item().least) / step())));
+    slider_->setAnswer(static_cast<int>(std::lround((*value - item().least) / step())));
   }
 }
 

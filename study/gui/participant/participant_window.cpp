@@ -227,7 +227,7 @@ void ParticipantWindow::goOn() {
     return;
   }
   if (questions_->progress().open > 0) {
-    questions_->showFirstOpen();
+    questions_->scrollToFirstUnanswered();
     showUnanswered(true);
     return;
   }
@@ -315,7 +315,7 @@ static std::vector<Step> trialsBefore(const Session& session) {
   std::vector<Step> trials;
   for (int i = 0; i < session.stepIndex(); ++i) {
     const auto& step = session.plan()[static_cast<std::size_t>(i)];
-    if (step.kind == StepKind::Trial && !step.isOffered) trials.push_back(step);
+    if (step.kind == StepKind::Trial && !step.isOptionalTrial) trials.push_back(step);
   }
   return trials;
 }
@@ -327,7 +327,7 @@ static bool isLabelledByPosition(const Session& session) {
 /// Whether the step is the first trial of a block whose labels an earlier block had for its own.
 static bool isNumberedAnew(const Session& session) {
   const auto& step = session.step();
-  return isLabelledByPosition(session) && !step.isOffered && step.position == 1 &&
+  return isLabelledByPosition(session) && !step.isOptionalTrial && step.position == 1 &&
          !trialsBefore(session).empty();
 }
 
@@ -381,14 +381,14 @@ QWidget* ParticipantWindow::makeTrialPage() {
   trialPage_ = new TrialPage(
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
-       .isOffered = step.isOffered,
+       .isOptionalTrial = step.isOptionalTrial,
        .isNumberedAnew = isNumberedAnew(controller_.session()),
        .device = need->kind,
        .language = controller_.session().language()},
       viewOfTrial(controller_, this),
       this);
   connect(trialPage_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
-  connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::skipOfferedTrial);
+  connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::skipOptionalTrial);
   connect(trialPage_, &TrialPage::finishRequested, &controller_, &SessionController::finishTrial);
   connect(trialPage_, &TrialPage::reamerSwitched, &controller_, &SessionController::toggleReamer);
   connect(trialPage_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });

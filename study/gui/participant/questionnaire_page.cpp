@@ -216,7 +216,7 @@ void QuestionnairePage::mark(Entry& entry, bool isOpen) {
   entry.card->style()->polish(entry.card);
 }
 
-void QuestionnairePage::showFirstOpen() {
+void QuestionnairePage::scrollToFirstUnanswered() {
   const auto first = std::find_if(entries_.begin(), entries_.end(), [this](const Entry& entry) {
     return entry.sheet == sheet_ && isOpen(entry);
   });

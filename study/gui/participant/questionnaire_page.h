@@ -42,7 +42,7 @@ class QuestionnairePage final : public QWidget {
   Progress progress() const;
 
   /// Scrolls to the first question of the sheet that must still be answered, marks and focuses it.
-  void showFirstOpen();
+  void scrollToFirstUnanswered();
 
   /// Whether a part of the sheet is below the lower edge of the page.
   bool hasMoreBelow() const;

@@ -54,7 +54,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addWidget(picture, 1);
   }
   setCuts(0);
-  if (content.isOffered) {
+  if (content.isOptionalTrial) {
     count_->setCount(0, tr("Would you like to feel it once more before you choose?"));
     begin_->setText(tr("Feel it again"));
   }
@@ -112,7 +112,7 @@ void TrialPage::setRunning(bool isRunning) {
   begin_->setVisible(!isRunning);
   numbering_->setVisible(!isRunning && content_.isNumberedAnew);
   enough_->setVisible(isRunning);
-  decline_->setVisible(!isRunning && content_.isOffered);
+  decline_->setVisible(!isRunning && content_.isOptionalTrial);
   enough_->setEnabled(false);
   if (!isRunning) {
     begin_->setFocus();

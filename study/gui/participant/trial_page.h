@@ -27,8 +27,8 @@ class TrialPage final : public QWidget {
   struct Content {
     QString name;  ///< the alternative's label: "Alternative 2"
     int minimumCuts = 3;
-    bool isOffered = false;       ///< an optional further trial, which may be declined
-    bool isNumberedAnew = false;  ///< an earlier block had an alternative of this name
+    bool isOptionalTrial = false;  ///< an optional further trial, which may be declined
+    bool isNumberedAnew = false;   ///< an earlier block had an alternative of this name
     const haptics::devices::DeviceKind* device;  ///< whose words for strokes are shown
     std::string language = "en";
   };

@@ -108,7 +108,7 @@ void KneeScene::update(const Look& look, double seconds) {
   scene_.parts[Rod].pose = punch * rodPose(openness);
   scene_.parts[Lever].pose = punch * leverPose(openness);
 
-  Meniscus::Squeeze squeeze{.string = {}, .openness = openness};
+  Meniscus::TissueLoad squeeze{.string = {}, .openness = openness};
   if (look.mesh != nullptr) squeeze.string = look.mesh->at(look.travel, look.force);
   meniscus_.squeeze(squeeze);
   scene_.parts[Tissue].mesh = meniscus_.body();
@@ -138,7 +138,7 @@ void KneeScene::updateCut(const Look& look) {
 void KneeScene::movePiece(double seconds) {
   if (!isCut_ && meniscus_.hasPiece()) {
     released_ += seconds;
-    if (released_ > kPieceFloats) meniscus_.dropPiece();
+    if (released_ > kPieceFloats) meniscus_.removePiece();
   }
   if (remainingShift_ > 0.0F && !meniscus_.hasPiece()) {
     const float step = std::min(remainingShift_, kMovesOn * static_cast<float>(seconds));

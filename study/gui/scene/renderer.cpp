@@ -12,7 +12,7 @@ namespace study::gui::scene {
 
 namespace {
 
-Graphics onProcessor(const QString& why) {
+RendererWithRemark onProcessor(const QString& why) {
   return {
       std::make_unique<SoftwareRenderer>(),
       deskText(
@@ -24,7 +24,7 @@ Graphics onProcessor(const QString& why) {
 
 }  // namespace
 
-Graphics openGraphics(RendererChoice choice) {
+RendererWithRemark makeRenderer(RendererChoice choice) {
   if (choice == RendererChoice::Software) {
     return onProcessor(deskText("that was asked for"));
   }
@@ -35,7 +35,7 @@ Graphics openGraphics(RendererChoice choice) {
   }
   try {
     const bool isFinest = choice == RendererChoice::Finest;
-    Graphics graphics{
+    RendererWithRemark graphics{
         std::make_unique<GlRenderer>(
             isFinest ? GlRenderer::Detail::Finest : GlRenderer::Detail::Fitting),
         {}};

@@ -32,7 +32,7 @@ class Renderer {
 };
 
 /// The renderer for this computer, with a remark about it.
-struct Graphics {
+struct RendererWithRemark {
   std::unique_ptr<Renderer> renderer;
   /// A message for the operator: why no graphics card draws, the consequence, and what to do. Empty
   /// if a graphics card draws.
@@ -47,6 +47,6 @@ enum class RendererChoice {
 };
 
 /// Makes a renderer. Never fails: without OpenGL it is the software renderer.
-Graphics openGraphics(RendererChoice choice = RendererChoice::Best);
+RendererWithRemark makeRenderer(RendererChoice choice = RendererChoice::Best);
 
 }  // namespace study::gui::scene

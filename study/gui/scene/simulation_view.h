@@ -28,7 +28,7 @@ class SimulationView final : public QWidget {
 
   SimulationView(
       std::unique_ptr<SimulatedScene> scene,
-      Graphics graphics,
+      RendererWithRemark graphics,
       Pace pace = Pace::Display,
       QWidget* parent = nullptr);
 
@@ -60,7 +60,7 @@ class SimulationView final : public QWidget {
   void noteShown();
 
   std::unique_ptr<SimulatedScene> scene_;
-  Graphics graphics_;
+  RendererWithRemark graphics_;
   Pace pace_;
   std::function<Look()> look_;
   QTimer next_;

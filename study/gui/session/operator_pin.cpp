@@ -23,7 +23,7 @@ std::optional<QString> OperatorPin::pinProblem(const QString& digits) {
       .arg(kMostDigits);
 }
 
-bool OperatorPin::opensWith(const QString& digits) {
+bool OperatorPin::acceptsPin(const QString& digits) {
   if (secondsUntilNextTry() > 0) return false;
   if (isChosen() && digits == digits_) {
     wrong_ = 0;

@@ -29,7 +29,7 @@ class OperatorPin {
   void choose(const QString& digits) { digits_ = digits; }
 
   /// Whether @p digits are the PIN. Always false while secondsUntilNextTry() is not 0.
-  bool opensWith(const QString& digits);
+  bool acceptsPin(const QString& digits);
 
   /// The time until the next try is allowed [s].
   int secondsUntilNextTry() const;

@@ -99,7 +99,7 @@ void ScreenLock::ask() {
 }
 
 void ScreenLock::tryPin() {
-  const bool isRight = pin_.opensWith(digits_->text());
+  const bool isRight = pin_.acceptsPin(digits_->text());
   digits_->clear();
   if (isRight) {
     open();

@@ -32,7 +32,7 @@ bool SessionController::tryTo(Action&& action) {
   }
 }
 
-bool SessionController::saveAll() {
+bool SessionController::savePendingAnswers() {
   isAllSaved_ = true;
   emit aboutToLeave();
   return isAllSaved_;
@@ -40,12 +40,12 @@ bool SessionController::saveAll() {
 
 template <typename Action>
 void SessionController::leaveStep(Action&& action) {
-  if (saveAll() && tryTo(std::forward<Action>(action))) emit stepChanged();
+  if (savePendingAnswers() && tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
 template <typename Action>
 void SessionController::endSession(Action&& action) {
-  saveAll();
+  savePendingAnswers();
   if (tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
@@ -96,8 +96,8 @@ void SessionController::finishStep() {
   leaveStep([&] { session_.finishStep(); });
 }
 
-void SessionController::skipOfferedTrial() {
-  leaveStep([&] { session_.skipOfferedTrial(); });
+void SessionController::skipOptionalTrial() {
+  leaveStep([&] { session_.skipOptionalTrial(); });
 }
 
 void SessionController::beginTrial() {
@@ -206,7 +206,7 @@ bool SessionController::note(const QString& text) {
 }
 
 void SessionController::chooseLanguage(const QString& language) {
-  if (saveAll() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
+  if (savePendingAnswers() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
     emit languageChanged();
 }
 

@@ -77,7 +77,7 @@ class SessionController final : public QObject {
 
   /// Asks the page of the current step to emit its unsaved answers, and saves them.
   /// @return whether all were saved; failed() was emitted for each that was not.
-  bool saveAll();
+  bool savePendingAnswers();
 
  public slots:
   void answer(const study::GivenAnswer& answer);
@@ -86,7 +86,7 @@ class SessionController final : public QObject {
   void countBenchmarkCut();
   void finishStep();
   /// Skips the optional repetition of a trial.
-  void skipOfferedTrial();
+  void skipOptionalTrial();
   void beginTrial();
   /// Ends the trial if the participant has made enough cuts.
   void finishTrial();
@@ -143,7 +143,7 @@ class SessionController final : public QObject {
   std::function<scene::HipScene*()> bone_;
   QTimer watch_;
   bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
-  bool isAllSaved_ = true;  ///< of the answers received since the last saveAll()
+  bool isAllSaved_ = true;  ///< of the answers received since the last savePendingAnswers()
 };
 
 }  // namespace study::gui

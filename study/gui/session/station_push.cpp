@@ -47,7 +47,7 @@ std::string problemInWords(const std::string& problem) {
   return said("the server refused it; sending it from the command line says why");
 }
 
-bool isSame(const NotedPush& one, const NotedPush& other) {
+bool isSame(const PushRecord& one, const PushRecord& other) {
   return one.utc == other.utc && one.have == other.have && one.problem == other.problem;
 }
 

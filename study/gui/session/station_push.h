@@ -54,7 +54,7 @@ class StationPush final : public QObject {
   std::function<bool()> isBusy_;
   QTimer retry_;
   QTimer watching_;    ///< looks for the note that a push stores when it ends
-  NotedPush before_;   ///< the note of the previous push
+  PushRecord before_;  ///< the note of the previous push
   int looksLeft_ = 0;  ///< number of looks until a push without a note counts as ended
 };
 

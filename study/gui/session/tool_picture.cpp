@@ -53,7 +53,7 @@ void ToolPicture::resizeEvent(QResizeEvent* event) {
 
 void ToolPicture::draw() {
   if (!picture_.isNull() || width() < 1 || height() < 1) return;
-  const auto graphics = scene::openGraphics(scene::RendererChoice::Software);
+  const auto graphics = scene::makeRenderer(scene::RendererChoice::Software);
   const auto alone = instrumentOn(themeOf(*this).window.background);
   // Drawn at twice the size at which it is shown, for smooth edges.
   const QSize pixels = 2.0 * devicePixelRatioF() * size();

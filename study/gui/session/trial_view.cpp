@@ -52,7 +52,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
   const auto* condition = session.protocol().protocol.condition(session.step().condition);
   auto* view = new SimulationView(
       simulatedSceneOf(deviceFor(session).kind->view, spec, condition->knee.get()),
-      scene::openGraphics(),
+      scene::makeRenderer(),
       SimulationView::Pace::Display,
       &place);
   place.layout()->addWidget(view);
@@ -111,7 +111,7 @@ bool isAnyTrialVisualised(const protocols::Protocol& protocol) {
 
 QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
   if (!isAnyTrialVisualised(protocol)) return nullptr;
-  const QString remark = scene::openGraphics().remark;
+  const QString remark = scene::makeRenderer().remark;
   if (remark.isEmpty()) return nullptr;
   auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
   line->setToolTip(remark);  // includes advice

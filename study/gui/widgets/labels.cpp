@@ -126,7 +126,7 @@ QString describe(const Step& step, const protocols::Labels& labels) {
   const auto alternative =
       QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage()));
   const auto filled = [&](const char* words) { return deskText(words).arg(phase, alternative); };
-  if (step.isOffered) return filled("%1: %2 again?");
+  if (step.isOptionalTrial) return filled("%1: %2 again?");
   if (step.kind == StepKind::Trial) return filled("%1: %2");
   if (step.kind == StepKind::Questionnaire) return filled("%1: questions on %2");
   return phase;

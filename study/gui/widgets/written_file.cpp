@@ -20,7 +20,7 @@ void openOnDesktop(const QString& path) {
   QDesktopServices::openUrl(QUrl::fromLocalFile(path));
 }
 
-void announceWrittenFile(QWidget* parent, const QString& path) {
+void showWrittenFileMessage(QWidget* parent, const QString& path) {
   auto* box = new MessageBox(Matter::FileSaved, {shownPath(path)}, {}, parent);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* written = new WrittenFile(box);

@@ -13,7 +13,7 @@ void openOnDesktop(const QString& path);
 
 /// Shows a message that @p path was written, with buttons that open it or its folder. Returns at
 /// once.
-void announceWrittenFile(QWidget* parent, const QString& path);
+void showWrittenFileMessage(QWidget* parent, const QString& path);
 
 /// Two buttons for something that was written: *Open*, and *Show in folder*.
 class WrittenFile final : public QWidget {

@@ -31,7 +31,7 @@ QRectF feltPlotOf(const FigureFormat& format) {
   return {kLeft, kTop, width, width * kUsualHeight / kUsual};
 }
 
-bool isOf(const FeltCurve& curve, const std::string& device) {
+bool isOf(const RenderedForceCurve& curve, const std::string& device) {
   return curve.device == device && !curve.points.empty();
 }
 
@@ -60,11 +60,11 @@ class FeltPainter {
   void paint() {
     axes();
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      band(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
+      band(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      line(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
+      line(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      paintIntended(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
+      paintIntended(*curves_[i], categoryColour(section_.conditionIndex(curves_[i]->condition)));
     legend();
   }
 
@@ -119,7 +119,7 @@ class FeltPainter {
     painter_.drawLine(from, to);
   }
 
-  void band(const FeltCurve& curve, QColor colour) {
+  void band(const RenderedForceCurve& curve, QColor colour) {
     QPainterPath path(at(curve.points.front().travel, curve.points.front().low));
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.low));
     for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
@@ -131,7 +131,7 @@ class FeltPainter {
     painter_.drawPath(path);
   }
 
-  void line(const FeltCurve& curve, const QColor& colour) {
+  void line(const RenderedForceCurve& curve, const QColor& colour) {
     QPainterPath path(at(curve.points.front().travel, curve.points.front().median));
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.median));
     painter_.setBrush(Qt::NoBrush);
@@ -145,8 +145,8 @@ class FeltPainter {
 
   /// A mark of the condition, so that lines differ by more than their colour: a regular polygon of
   /// three corners for the first condition, four for the second, and so on.
-  void mark(const FeltCurve& curve, const QPointF& where) {
-    const int place = section_.conditionPlace(curve.condition);
+  void mark(const RenderedForceCurve& curve, const QPointF& where) {
+    const int place = section_.conditionIndex(curve.condition);
     const int corners = 3 + place % 5;
     QPolygonF polygon;
     for (int i = 0; i < corners; ++i) {
@@ -159,7 +159,7 @@ class FeltPainter {
     painter_.setBrush(Qt::NoBrush);
   }
 
-  void paintIntended(const FeltCurve& curve, const QColor& colour) {
+  void paintIntended(const RenderedForceCurve& curve, const QColor& colour) {
     if (curve.intended.empty()) return;
     QPainterPath path(at(curve.points.front().travel, curve.intended.front()));
     for (std::size_t i = 0; i < curve.intended.size(); ++i) {
@@ -173,7 +173,7 @@ class FeltPainter {
   void legendBelow() {
     double y = plot_.bottom() + kFeltAxis;
     for (const auto* curve : curves_) {
-      painter_.setPen(QPen(categoryColour(section_.conditionPlace(curve->condition)), 3));
+      painter_.setPen(QPen(categoryColour(section_.conditionIndex(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
       mark(*curve, {plot_.left() + 11, y + 11});
       painter_.setPen(Qt::black);
@@ -195,7 +195,7 @@ class FeltPainter {
     double y = plot_.top() + 6;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       const double x = plot_.right() + 18;
-      painter_.setPen(QPen(categoryColour(section_.conditionPlace(curves_[i]->condition)), 3));
+      painter_.setPen(QPen(categoryColour(section_.conditionIndex(curves_[i]->condition)), 3));
       painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
       mark(*curves_[i], {x + 13, y + 10});
       painter_.setPen(Qt::black);
@@ -219,7 +219,7 @@ class FeltPainter {
   const ReportSection& section_;
   FigureFormat format_;
   QRectF plot_;
-  std::vector<const FeltCurve*> curves_;
+  std::vector<const RenderedForceCurve*> curves_;
   double mostTravel_ = 0.0;
   double mostForce_ = 0.0;
   const haptics::devices::DeviceKind::TravelDisplay* shown_ = nullptr;  ///< unit of travel
@@ -231,7 +231,7 @@ QSizeF feltFigureSize(
     const ReportSection& section, const std::string& device, const FigureFormat& format) {
   if (!format.isNarrow()) return {format.layoutWidth(), kFeltHeight};
   const auto entries = std::ranges::count_if(
-      section.curves, [&](const FeltCurve& curve) { return isOf(curve, device); });
+      section.curves, [&](const RenderedForceCurve& curve) { return isOf(curve, device); });
   const double legend = kFeltEntry * static_cast<double>(entries);
   return {format.layoutWidth(), feltPlotOf(format).bottom() + kFeltAxis + legend + 6.0};
 }

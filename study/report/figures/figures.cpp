@@ -51,7 +51,7 @@ FamilyResult asFamily(const questionnaires::Item& item, const std::vector<ItemSu
     low = std::min(low, *one.least);
     high = std::max(high, *one.most);
     if (family.cohorts.empty() || family.cohorts.back().cohort != one.cohort) {
-      family.cohorts.push_back({.cohort = one.cohort, .table = {.isOfPoints = false}});
+      family.cohorts.push_back({.cohort = one.cohort, .table = {.isPointScale = false}});
     }
     auto& table = family.cohorts.back().table;
     for (std::size_t i = 0; i < one.values.size(); ++i) {
@@ -116,8 +116,8 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
         format);
   }
   for (const auto& device : section.protocol.devices) {
-    const bool wasFelt =
-        std::any_of(section.curves.begin(), section.curves.end(), [&](const FeltCurve& curve) {
+    const bool wasFelt = std::any_of(
+        section.curves.begin(), section.curves.end(), [&](const RenderedForceCurve& curve) {
           return curve.device == device.id && !curve.points.empty();
         });
     if (!wasFelt) continue;

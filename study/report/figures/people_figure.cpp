@@ -93,7 +93,7 @@ class PeoplePainter {
       canvas_.words(mean, y + kPeopleRows.height / 2 - 12, kPeopleRows.height / 2);
     }
     y = canvas_.drawingOf(y);
-    const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
+    const QColor colour = categoryColour(section_.conditionIndex(table.methods[method]));
     box(values, y + kTop + 4 + kBox / 2, colour);
     if (values.size() <= kMostDots) rain(values, y + kTop + kBox + 10, colour);
   }

@@ -42,7 +42,7 @@ std::vector<Shares> sharesOf(const ReportSection& section) {
             {.name = section.conditionTitle(shares[i].option),
              .times = shares[i].votes,
              .interval = i < vote.intervals.size() ? vote.intervals[i] : std::nullopt,
-             .colour = section.conditionPlace(shares[i].option)});
+             .colour = section.conditionIndex(shares[i].option)});
       }
     }
   }
@@ -65,7 +65,7 @@ std::vector<Shares> sharesOf(
           {.name = label.empty() ? id : label,
            .times = times,
            .interval = analysis::wilsonInterval(times, one.answers),
-           .colour = section.conditionPlace(one.condition)});
+           .colour = section.conditionIndex(one.condition)});
     }
   }
   return all;

@@ -42,7 +42,7 @@ std::optional<ListedErasure> listedErasureIn(const std::string& line) {
 
 std::vector<ListedErasure> listedErasures(const std::string& study) {
   std::vector<ListedErasure> listed;
-  const auto station = StationStore::find(StationStore::usualFolder());
+  const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return listed;
   for (const auto& line : station->lines(kList)) {
     auto erasure = listedErasureIn(line);
@@ -54,7 +54,7 @@ std::vector<ListedErasure> listedErasures(const std::string& study) {
 void list(const ListedErasure& erasure) {
   const auto known = listedErasures(erasure.study);
   if (std::find(known.begin(), known.end(), erasure) != known.end()) return;
-  StationStore::findOrMake(StationStore::usualFolder()).append(kList, asLine(erasure));
+  StationStore::openOrCreate(StationStore::defaultFolder()).append(kList, asLine(erasure));
 }
 
 std::vector<ListedErasure> erasuresToRepeat(

@@ -8,7 +8,7 @@
 namespace study::storage {
 namespace {
 
-std::string asWords(const NotedHead& noted) {
+std::string asWords(const RecordedHead& noted) {
   const auto& head = noted.head;
   return std::to_string(head.events) + " events, " + inGroupsOfFour(head.hash) + " (signed " +
          head.utc + ", " + head.purpose + (noted.folder.empty() ? "" : ", in " + noted.folder) +
@@ -16,7 +16,7 @@ std::string asWords(const NotedHead& noted) {
 }
 
 /// The reason why the trail lacks a head, as far as the trail shows it.
-std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
+std::string reasonFor(const TrailHeads& trail, const RecordedHead& noted) {
   const auto last = std::to_string(trail.lastEvent());
   if (trail.endsBefore(noted.head)) {
     return "the trail ends with event " + last + ", and had gone on to " + asWords(noted) +
@@ -27,7 +27,7 @@ std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
 }
 
 void addMissing(
-    const TrailHeads& trail, const std::vector<NotedHead>& missing, Findings& findings) {
+    const TrailHeads& trail, const std::vector<RecordedHead>& missing, Findings& findings) {
   if (missing.empty()) return;
   // The first missing head shows where the trail was cut off or changed, the last one how long it
   // was.
@@ -54,29 +54,29 @@ bool vouchesForTheBeginning(const SignedHead& head) {
 /// different trails, if a study was created again, collected, or sealed again.
 struct OwnHeads {
   /// Whether the trail began, or was accepted on purpose, at this station.
-  bool hasBeginning = false;
-  /// True with hasBeginning, and if the station's first noted head of this study belongs to this
-  /// trail, or none was noted. If false, the station signed a different trail.
+  bool beganAtThisStation = false;
+  /// True with beganAtThisStation, and if the station's first noted head of this study belongs to
+  /// this trail, or none was noted. If false, the station signed a different trail.
   bool isKnown = false;
-  std::vector<NotedHead> heads = {};  ///< heads that the trail must contain or explain
+  std::vector<RecordedHead> heads = {};  ///< heads that the trail must contain or explain
 };
 
-OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) {
-  const auto isOfTrail = [&](const NotedHead& each) {
+OwnHeads ownHeads(const TrailHeads& trail, const std::vector<RecordedHead>& noted) {
+  const auto isOfTrail = [&](const RecordedHead& each) {
     return each.head.first == trail.firstHash();
   };
   OwnHeads own;
-  own.hasBeginning = std::any_of(noted.begin(), noted.end(), [&](const auto& each) {
+  own.beganAtThisStation = std::any_of(noted.begin(), noted.end(), [&](const auto& each) {
     return isOfTrail(each) && vouchesForTheBeginning(each.head);
   });
-  own.isKnown = own.hasBeginning || noted.empty() || isOfTrail(noted.front());
+  own.isKnown = own.beganAtThisStation || noted.empty() || isOfTrail(noted.front());
   const auto last = std::find_if(noted.begin(), noted.end(), [&](const auto& each) {
     return trail.isLastOfPreviousTrail(each.head);
   });
   const auto before = last == noted.end() ? std::string() : last->head.first;
   std::copy_if(noted.begin(), noted.end(), std::back_inserter(own.heads), [&](const auto& each) {
     return !own.isKnown || isOfTrail(each) || each.head.first == before ||
-           trail.isGivenUp(each.head);
+           trail.isAbandoned(each.head);
   });
   return own;
 }
@@ -84,15 +84,15 @@ OwnHeads ownHeads(const TrailHeads& trail, const std::vector<NotedHead>& noted) 
 }  // namespace
 
 Findings checkHeads(
-    const TrailHeads& trail, const std::vector<NotedHead>& noted, bool isOlderCopy) {
+    const TrailHeads& trail, const std::vector<RecordedHead>& noted, bool isOlderCopy) {
   Findings findings;
-  std::vector<NotedHead> missing;
+  std::vector<RecordedHead> missing;
   std::size_t givenUp = 0;
   std::size_t later = 0;
   std::size_t before = 0;
   for (const auto& each : noted) {
     if (trail.holds(each.head)) continue;
-    if (trail.isGivenUp(each.head)) {
+    if (trail.isAbandoned(each.head)) {
       ++givenUp;
     } else if (trail.belongsToPreviousTrail(each.head)) {
       ++before;
@@ -122,7 +122,7 @@ Findings checkHeads(
 }
 
 Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy) {
-  const auto [all, unsound] = notedHeads(station, trail.study());
+  const auto [all, unsound] = readRecordedHeads(station, trail.study());
   const auto own = ownHeads(trail, all);
   const auto& noted = own.heads;
   if (!own.isKnown) {
@@ -139,7 +139,7 @@ Findings checkStation(const TrailHeads& trail, const StationStore& station, bool
     findings.remarks.push_back(
         "this station has noted nothing of this study: compare it with a head or a witness file "
         "from where it was made (--expect, --witness)");
-  } else if (!own.hasBeginning) {
+  } else if (!own.beganAtThisStation) {
     findings.remarks.push_back(
         "this station did not note how the study began. What was before " + asWords(all.front()) +
         " is proven only by a head or a witness file of then (--expect, --witness)");
@@ -163,11 +163,11 @@ Findings checkStation(const TrailHeads& trail, const StationStore& station, bool
 }
 
 std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore& station) {
-  const auto own = ownHeads(trail, notedHeads(station, trail.study()).heads);
+  const auto own = ownHeads(trail, readRecordedHeads(station, trail.study()).heads);
   std::vector<SignedHead> missing;
   for (const auto& [head, folder] : own.heads) {
     const bool isAccountedFor =
-        trail.holds(head) || trail.isGivenUp(head) || trail.belongsToPreviousTrail(head);
+        trail.holds(head) || trail.isAbandoned(head) || trail.belongsToPreviousTrail(head);
     if (!own.isKnown || !isAccountedFor) missing.push_back(head);
   }
   return missing;

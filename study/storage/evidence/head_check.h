@@ -13,7 +13,7 @@ namespace study::storage {
 /// @param isOlderCopy  whether the study is known to be an older copy: it may then lack heads that
 ///     were noted after its end
 Findings checkHeads(
-    const TrailHeads& trail, const std::vector<NotedHead>& noted, bool isOlderCopy = false);
+    const TrailHeads& trail, const std::vector<RecordedHead>& noted, bool isOlderCopy = false);
 
 /// checkHeads() for the heads that this station noted. If the station noted heads of a study with
 /// this uuid, and the oldest of them has another first event, a different trail is reported, even

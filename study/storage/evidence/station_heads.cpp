@@ -29,13 +29,13 @@ std::string onOneLine(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void noteHead(
+void recordHead(
     const StationStore& station, const SignedHead& head, const std::filesystem::path& folder) {
   station.append(listOf(head.study), head.asLine() + " " + onOneLine(folder));
 }
 
-NotedHeads notedHeads(const StationStore& station, const std::string& study) {
-  NotedHeads noted;
+RecordedHeads readRecordedHeads(const StationStore& station, const std::string& study) {
+  RecordedHeads noted;
   for (const auto& line : station.lines(listOf(study))) {
     std::string folder;
     auto head = headIn(line, &folder);

@@ -10,24 +10,24 @@
 namespace study::storage {
 
 /// A head that a station signed, and the folder of the study at that time.
-struct NotedHead {
+struct RecordedHead {
   SignedHead head;
   std::string folder;
 };
 
 /// Appends a head to the station's list of the study. The list is on the disk on return.
 /// @throws StorageError
-void noteHead(
+void recordHead(
     const StationStore& station, const SignedHead& head, const std::filesystem::path& folder);
 
 /// The heads in a station's list of a study.
-struct NotedHeads {
-  std::vector<NotedHead> heads = {};  ///< oldest first
+struct RecordedHeads {
+  std::vector<RecordedHead> heads = {};  ///< oldest first
   /// Number of lines without a valid signature of this station: changed, or cut off by a full disk.
   std::size_t unsound = 0;
 };
 
 /// @throws StorageError  if the list cannot be read
-NotedHeads notedHeads(const StationStore& station, const std::string& study);
+RecordedHeads readRecordedHeads(const StationStore& station, const std::string& study);
 
 }  // namespace study::storage

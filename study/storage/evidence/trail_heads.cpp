@@ -126,7 +126,7 @@ void TrailHeads::readAbandonedHeads() {
     });
     if (signature == signed_.end()) continue;
     std::istringstream names(textIn(event.second, "given_up"));
-    for (std::string name; names >> name;) givenUp_[signature->head.key].insert(name);
+    for (std::string name; names >> name;) abandonedHeads_[signature->head.key].insert(name);
   }
 }
 
@@ -170,9 +170,9 @@ bool TrailHeads::isLastOfPreviousTrail(const SignedHead& head) const {
          head.hash == previousTrailHead_;
 }
 
-bool TrailHeads::isGivenUp(const SignedHead& head) const {
-  const auto found = givenUp_.find(head.key);
-  return found != givenUp_.end() && found->second.count(nameOf(head)) > 0;
+bool TrailHeads::isAbandoned(const SignedHead& head) const {
+  const auto found = abandonedHeads_.find(head.key);
+  return found != abandonedHeads_.end() && found->second.count(nameOf(head)) > 0;
 }
 
 Findings TrailHeads::checkSignatures(const std::string& key) const {

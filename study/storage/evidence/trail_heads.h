@@ -46,7 +46,7 @@ class TrailHeads {
 
   /// Whether an event RestoredCopy lists @p head as given up, and the station of @p head signed
   /// this event.
-  bool isGivenUp(const SignedHead& head) const;
+  bool isAbandoned(const SignedHead& head) const;
 
   /// Reports signatures that are invalid or do not cover the events before them; remarks state how
   /// many events are signed.
@@ -76,7 +76,7 @@ class TrailHeads {
   std::size_t previousTrailHeads_ = 0;  ///< number of signed heads among previousTrailEvents_
   std::vector<Signed> signed_;
   /// nameOf() of the heads that were given up, by the public key of the station.
-  std::map<std::string, std::set<std::string>> givenUp_;
+  std::map<std::string, std::set<std::string>> abandonedHeads_;
 };
 
 /// The text that refers to a head in the event RestoredCopy: "812:1a2b3c4d…".

@@ -14,7 +14,7 @@ namespace {
 
 std::optional<StationStore> thisStation() {
   try {
-    return StationStore::findOrMake(StationStore::usualFolder());
+    return StationStore::openOrCreate(StationStore::defaultFolder());
   } catch (const StorageError&) {
     return std::nullopt;  // 'palpate study verify' reports why the store cannot be opened
   }
@@ -54,22 +54,22 @@ void TrailSigner::sign(Database& study, std::string_view purpose, const Moment& 
       {.when = now, .kind = EventKind::SignedHead, .values = signed_->asValues()});
 }
 
-bool TrailSigner::noteSigned() noexcept {
+bool TrailSigner::recordSignedHead() noexcept {
   const auto head = std::exchange(signed_, std::nullopt);
   if (!head) return true;
   try {
-    noteHead(StationStore::findOrMake(StationStore::usualFolder()), *head, folder_);
+    recordHead(StationStore::openOrCreate(StationStore::defaultFolder()), *head, folder_);
     return true;
   } catch (const std::exception&) {
     return false;
   }
 }
 
-void noteNewStudy(const Database& study, const std::filesystem::path& folder, const Moment& now) {
+void recordNewStudy(const Database& study, const std::filesystem::path& folder, const Moment& now) {
   const auto station = thisStation();
   if (!station) return;
   try {
-    noteHead(
+    recordHead(
         *station, signHead(study, *station, nameOf(EventKind::MadeStudy), asUtc(now.wall)), folder);
   } catch (const StorageError&) {
     return;  // the first signed head covers the event MadeStudy, too

@@ -27,7 +27,7 @@ class TrailSigner {
   /// Notes the signed head in the station's list. Call it after the commit, so that the list never
   /// has a head that the trail lacks.
   /// @return false if the head could not be noted
-  bool noteSigned() noexcept;
+  bool recordSignedHead() noexcept;
 
   /// Discards the head of a transaction that was rolled back.
   void forget() noexcept { signed_.reset(); }
@@ -40,6 +40,6 @@ class TrailSigner {
 
 /// Notes the first event of a new study in the station's list, as TrailSigner does. The study is
 /// not changed.
-void noteNewStudy(const Database& study, const std::filesystem::path& folder, const Moment& now);
+void recordNewStudy(const Database& study, const std::filesystem::path& folder, const Moment& now);
 
 }  // namespace study::storage

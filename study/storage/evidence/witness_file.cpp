@@ -24,7 +24,7 @@ constexpr const char* kPreface =
 }  // namespace
 
 void writeWitness(const Database& study, const std::string& path, const std::string& utc) {
-  const auto station = StationStore::findOrMake(StationStore::usualFolder());
+  const auto station = StationStore::openOrCreate(StationStore::defaultFolder());
   const TrailHeads trail(study);
   std::string text = kPreface;
   for (const auto& each : trail.all()) {
@@ -33,13 +33,13 @@ void writeWitness(const Database& study, const std::string& path, const std::str
   writeNewFile(path, text + signHead(study, station, kWitness, utc).asLine() + "\n");
 }
 
-std::vector<NotedHead> readWitness(const std::string& path) {
+std::vector<RecordedHead> readWitness(const std::string& path) {
   std::error_code error;
   const bool isFile = std::filesystem::is_regular_file(path, error) &&
                       std::filesystem::file_size(path, error) <= kLargestFile;
   std::ifstream stream(path);
   if (error || !isFile || !stream) throw UserError(path + " cannot be read as a witness file.");
-  std::vector<NotedHead> heads;
+  std::vector<RecordedHead> heads;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
@@ -56,8 +56,8 @@ std::vector<NotedHead> readWitness(const std::string& path) {
   return heads;
 }
 
-Findings checkWitness(const TrailHeads& trail, const std::vector<NotedHead>& witness) {
-  std::vector<NotedHead> sound;
+Findings checkWitness(const TrailHeads& trail, const std::vector<RecordedHead>& witness) {
+  std::vector<RecordedHead> sound;
   std::set<std::string> keys;
   Findings unsound;
   for (const auto& each : witness) {

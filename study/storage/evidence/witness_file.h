@@ -14,13 +14,13 @@ namespace study::storage {
 /// @throws StorageError  if the file exists or cannot be written, or this station has no key.
 void writeWitness(const Database& study, const std::string& path, const std::string& utc);
 
-/// The heads in a witness file; NotedHead::folder is the name of the file. Signatures are not
+/// The heads in a witness file; RecordedHead::folder is the name of the file. Signatures are not
 /// checked.
 /// @throws UserError  if the file is no witness file, or cannot be read.
-std::vector<NotedHead> readWitness(const std::string& path);
+std::vector<RecordedHead> readWitness(const std::string& path);
 
 /// Checks that the heads of a witness file are signed and belong to this study, and that the trail
 /// contains the events up to each of them.
-Findings checkWitness(const TrailHeads& trail, const std::vector<NotedHead>& witness);
+Findings checkWitness(const TrailHeads& trail, const std::vector<RecordedHead>& witness);
 
 }  // namespace study::storage

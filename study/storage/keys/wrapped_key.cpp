@@ -11,7 +11,7 @@ namespace study::storage {
 namespace {
 
 constexpr std::string_view kPlace = "a key behind a passphrase";
-static_assert(WrappedKey::kSalt == crypto_pwhash_SALTBYTES);
+static_assert(WrappedKey::kSaltBytes == crypto_pwhash_SALTBYTES);
 
 // Upper limits of PassphraseCost, because a file from another person must not keep the program busy
 // or take all memory.

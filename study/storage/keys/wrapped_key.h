@@ -23,9 +23,9 @@ struct PassphraseCost {
 /// A key, sealed with another key that is derived from a passphrase. The sealed key may be public
 /// as long as the passphrase cannot be guessed.
 struct WrappedKey {
-  static constexpr std::size_t kSalt = 16;
+  static constexpr std::size_t kSaltBytes = 16;
 
-  std::array<unsigned char, kSalt> salt{};
+  std::array<unsigned char, kSaltBytes> salt{};
   PassphraseCost cost;
   std::vector<std::byte> sealed;
 

@@ -50,7 +50,7 @@ std::optional<BlindingSecret> keyIn(const std::string& line, const std::string& 
 }
 
 std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
-  const auto station = StationStore::find(StationStore::usualFolder());
+  const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return std::nullopt;
   for (const auto& line : station->lines(kList)) {
     if (auto key = keyIn(line, commitment)) return key;
@@ -60,13 +60,13 @@ std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
 
 /// The keys that this program holds in memory, by commitment (key of a study) or salt (key of
 /// names). Used by several threads.
-struct HeldKeys {
+struct CachedKeys {
   std::mutex mutex;
   std::map<std::string, BlindingSecret> keys;
 };
 
-HeldKeys& heldKeys() {
-  static HeldKeys held;
+CachedKeys& heldKeys() {
+  static CachedKeys held;
   return held;
 }
 
@@ -77,24 +77,24 @@ std::string saltOf(const WrappedKey& wrapped) {
 
 }  // namespace
 
-void holdStudyKey(const BlindingSecret& key) {
+void cacheStudyKey(const BlindingSecret& key) {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.insert_or_assign(key.commitment(), key);
 }
 
-void holdNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
+void cacheNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.insert_or_assign(saltOf(wrapped), BlindingSecret(key));
 }
 
-std::optional<SealingKey> heldNamesKey(const WrappedKey& wrapped) {
+std::optional<SealingKey> cachedNamesKey(const WrappedKey& wrapped) {
   const std::scoped_lock lock(heldKeys().mutex);
   const auto held = heldKeys().keys.find(saltOf(wrapped));
   if (held == heldKeys().keys.end()) return std::nullopt;
   return SealingKey(held->second.bytes());
 }
 
-void clearHeldKeys() {
+void clearCachedKeys() {
   const std::scoped_lock lock(heldKeys().mutex);
   heldKeys().keys.clear();
 }
@@ -102,7 +102,7 @@ void clearHeldKeys() {
 bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folder) {
   const auto commitment = key.commitment();
   if (keyOnStation(commitment)) return false;
-  const auto station = StationStore::findOrMake(StationStore::usualFolder());
+  const auto station = StationStore::openOrCreate(StationStore::defaultFolder());
   std::string where = std::filesystem::absolute(folder).string();
   std::replace(where.begin(), where.end(), '\n', ' ');
   station.append(kList, commitment + " " + inHex(key) + " " + where);
@@ -123,7 +123,7 @@ bool dropKey(const std::string& commitment) {
     const std::scoped_lock lock(heldKeys().mutex);
     heldKeys().keys.erase(commitment);
   }
-  const auto station = StationStore::find(StationStore::usualFolder());
+  const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return false;
   auto lines = station->lines(kList);
   const auto isOfStudy = [&](const std::string& line) {

@@ -19,15 +19,15 @@ bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folde
 
 /// Holds a key in memory until this program ends. findStudyKey() then finds it when a window opens
 /// the study again.
-void holdStudyKey(const BlindingSecret& key);
+void cacheStudyKey(const BlindingSecret& key);
 
 /// Holds the key of names, which a passphrase opened, in memory until this program ends.
-/// heldNamesKey() returns it for @p wrapped.
-void holdNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key);
-std::optional<SealingKey> heldNamesKey(const WrappedKey& wrapped);
+/// cachedNamesKey() returns it for @p wrapped.
+void cacheNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key);
+std::optional<SealingKey> cachedNamesKey(const WrappedKey& wrapped);
 
 /// For tests: clears all keys held in memory, as a restart does.
-void clearHeldKeys();
+void clearCachedKeys();
 
 /// The study's key with that commitment; std::nullopt if neither this program holds it nor this
 /// station has stored it.

@@ -36,20 +36,20 @@ constexpr std::string_view kSessionColumns =
     "number, run_mode, cohort, language, slot, slot_state, state, step, attempt, app_version, "
     "started_utc, ended_utc, end_reason, site, station";
 
-const FactRow& onlyRow(const SessionFacts& facts, const std::string& table) {
+const NamedRow& onlyRow(const SessionTables& facts, const std::string& table) {
   const auto& rows = rowsIn(facts, table);
-  if (rows.size() != 1) refuseFacts("it has no row of " + table);
+  if (rows.size() != 1) refuseRows("it has no row of " + table);
   return rows.front();
 }
 
-std::string textIn(const FactRow& row, const std::string& column) {
+std::string textIn(const NamedRow& row, const std::string& column) {
   const auto found = row.find(column);
   const auto* text = found == row.end() ? nullptr : std::get_if<std::string>(&found->second);
-  if (text == nullptr) refuseFacts("it has no " + column);
+  if (text == nullptr) refuseRows("it has no " + column);
   return *text;
 }
 
-std::int64_t participantIn(Database& database, const FactRow& participant) {
+std::int64_t participantIn(Database& database, const NamedRow& participant) {
   const auto code = textIn(participant, "code");
   Statement select(database, "SELECT id FROM participant WHERE code = ?");
   select.bind(1, code);
@@ -61,7 +61,7 @@ std::int64_t participantIn(Database& database, const FactRow& participant) {
 std::int64_t protocolIn(const Database& database, const std::string& hash) {
   Statement select(database, "SELECT id FROM protocol WHERE sha256 = ?");
   select.bind(1, hash);
-  if (!select.step()) refuseFacts("the study has not its protocol " + hash);
+  if (!select.step()) refuseRows("the study has not its protocol " + hash);
   return select.number(0);
 }
 
@@ -81,13 +81,13 @@ std::vector<std::pair<int, std::string>> openAllocation(const Database& study, S
 
 /// @param key  seals the conditions; nullptr: they are stored unsealed
 void addAllocation(
-    Database& study, SessionId session, const SessionFacts& facts, const SealingKey* key) {
+    Database& study, SessionId session, const SessionTables& facts, const SealingKey* key) {
   Statement insert(
       study, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
   for (const auto& row : rowsIn(facts, "allocation")) {
     const auto place = row.find("step");
     const auto* step = place == row.end() ? nullptr : std::get_if<std::int64_t>(&place->second);
-    if (step == nullptr) refuseFacts("a row of allocation has no step");
+    if (step == nullptr) refuseRows("a row of allocation has no step");
     const auto condition = textIn(row, "condition");
     insert.bind(1, static_cast<std::int64_t>(session)).bind(2, *step);
     if (key == nullptr) {
@@ -103,11 +103,11 @@ void addAllocation(
 /// @param as  number of the session's row; std::nullopt: the next free one
 SessionId addRows(
     Database& study,
-    const SessionFacts& facts,
+    const SessionTables& facts,
     std::optional<SessionId> as,
     const SealingKey* key,
     const std::set<VisitKey>& openTrials) {
-  FactRow session = onlyRow(facts, "session");
+  NamedRow session = onlyRow(facts, "session");
   const auto protocol = protocolIn(study, textIn(session, "protocol"));
   session.erase("protocol");
   const auto participant = participantIn(study, onlyRow(facts, "participant"));
@@ -132,13 +132,14 @@ SessionId addRows(
 
 }  // namespace
 
-const std::vector<FactRow>& rowsIn(const SessionFacts& facts, std::string_view table) {
+const std::vector<NamedRow>& rowsIn(const SessionTables& facts, std::string_view table) {
   const auto rows = facts.find(std::string(table));
-  if (rows == facts.end()) refuseFacts("it has no rows of " + std::string(table));
+  if (rows == facts.end()) refuseRows("it has no rows of " + std::string(table));
   return rows->second;
 }
 
-std::string textIn(const SessionFacts& facts, const std::string& table, const std::string& column) {
+std::string textIn(
+    const SessionTables& facts, const std::string& table, const std::string& column) {
   const auto rows = facts.find(table);
   if (rows == facts.end() || rows->second.empty()) return {};
   const auto found = rows->second.front().find(column);
@@ -147,8 +148,8 @@ std::string textIn(const SessionFacts& facts, const std::string& table, const st
   return text == nullptr ? std::string() : *text;
 }
 
-SessionFacts factsOf(const Database& study, SessionId session) {
-  SessionFacts facts;
+SessionTables factsOf(const Database& study, SessionId session) {
+  SessionTables facts;
   facts["participant"] = rowsOf(
       study,
       "SELECT p.code, p.cohort, p.run_mode, p.created_utc FROM participant AS p "
@@ -182,14 +183,14 @@ SessionFacts factsOf(const Database& study, SessionId session) {
   return facts;
 }
 
-SessionId addFacts(Database& study, const SessionFacts& facts) {
+SessionId addSessionTables(Database& study, const SessionTables& facts) {
   const bool isSealed = textIn(onlyRow(facts, "session"), "run_mode") != nameOf(RunMode::Simulated);
   return addRows(study, facts, {}, isSealed ? study.key() : nullptr, {});
 }
 
-void addFactsAs(
+void addSessionTablesAs(
     Database& study,
-    const SessionFacts& facts,
+    const SessionTables& facts,
     SessionId session,
     const SealingKey* key,
     const std::set<VisitKey>& openTrials) {

@@ -36,9 +36,9 @@ TEST(AnswerTable, CountsAllAnswersAboutAMethod) {
 }
 
 TEST(AnswerTable, LeavesOutParticipantsWhoLackAMethod) {
-  const auto complete = analysis::completeMeans(three(), {1, 0});
+  const auto complete = analysis::completeCaseMeans(three(), {1, 0});
   EXPECT_EQ(complete.participants, (std::vector<std::size_t>{0, 2}));
-  EXPECT_EQ(complete.leftOut, std::vector<std::size_t>{1});
+  EXPECT_EQ(complete.excludedParticipants, std::vector<std::size_t>{1});
   EXPECT_EQ(complete.of(0), (std::vector<double>{5.0, 4.0}));
   EXPECT_EQ(complete.of(1), (std::vector<double>{5.0 / 3.0, 3.0}));
 }

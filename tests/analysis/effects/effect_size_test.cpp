@@ -43,7 +43,7 @@ TEST(EffectSizes, FollowFromTheirDefinition) {
   EXPECT_DOUBLE_EQ(
       effects.hedgesG.value.value(), 2.0 / std::sqrt(2.5) * std::sqrt(2.0 / std::numbers::pi));
   // Φ(2/√5): R: pnorm(2 / sqrt(5))
-  EXPECT_NEAR(effects.commonLanguage.value(), 0.81445331, 1e-8);
+  EXPECT_NEAR(effects.commonLanguageEffectSize.value(), 0.81445331, 1e-8);
   EXPECT_TRUE(effects.reason.empty());
 }
 
@@ -77,7 +77,7 @@ TEST(EffectSizes, GiveAReasonForMissingValues) {
   const auto constant = effectSizes(Values{5.0, 5.0}, Values{1.0, 1.0});
   EXPECT_FALSE(constant.cohenD.value.has_value());
   EXPECT_FALSE(constant.cohenD.interval.has_value());
-  EXPECT_FALSE(constant.commonLanguage.has_value());
+  EXPECT_FALSE(constant.commonLanguageEffectSize.has_value());
   EXPECT_FALSE(constant.reason.empty());
 
   const auto single = effectSizes(Values{5.0}, Values{1.0, 2.0, 4.0});

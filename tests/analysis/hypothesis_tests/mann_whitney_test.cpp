@@ -81,7 +81,7 @@ TEST(MannWhitneyTest, CountsTiesAsGoingThroughAllChoices) {
     const Slow truth = slow(x, y);
     EXPECT_DOUBLE_EQ(result.pLess.value(), truth.less);
     EXPECT_DOUBLE_EQ(result.pGreater.value(), truth.greater);
-    EXPECT_DOUBLE_EQ(result.pAbs.value(), truth.abs);
+    EXPECT_DOUBLE_EQ(result.pByDistance.value(), truth.abs);
     EXPECT_DOUBLE_EQ(result.p.value(), std::min(1.0, 2.0 * std::min(truth.less, truth.greater)));
     EXPECT_EQ(result.u, slowU(x, y));
   }
@@ -91,7 +91,7 @@ TEST(MannWhitneyTest, MirrorsWithTheGroups) {
   const auto result = mannWhitneyTest(kPain1, kPain2);
   const auto mirror = mannWhitneyTest(kPain2, kPain1);
   EXPECT_DOUBLE_EQ(result.p.value(), mirror.p.value());
-  EXPECT_DOUBLE_EQ(result.pAbs.value(), mirror.pAbs.value());
+  EXPECT_DOUBLE_EQ(result.pByDistance.value(), mirror.pByDistance.value());
   EXPECT_DOUBLE_EQ(result.pLess.value(), mirror.pGreater.value());
   EXPECT_EQ(result.z.value(), -mirror.z.value());
   EXPECT_EQ(result.u.value() + mirror.u.value(), 14.0 * 11.0);

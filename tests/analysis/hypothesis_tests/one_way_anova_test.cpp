@@ -21,7 +21,7 @@ TEST(OneWayAnova, FollowsFromItsSquares) {
   EXPECT_EQ(result.degreesOfFreedom1, 2.0);
   EXPECT_EQ(result.degreesOfFreedom2, 6.0);
   EXPECT_DOUBLE_EQ(result.rSquared.value(), 0.875);
-  EXPECT_DOUBLE_EQ(result.residualDeviation.value(), 1.0);
+  EXPECT_DOUBLE_EQ(result.residualStandardDeviation.value(), 1.0);
   // P(F ≥ f) with 2 and 6 degrees of freedom is (1 + f/3)⁻³
   EXPECT_DOUBLE_EQ(result.p.value(), 1.0 / 512.0);
   EXPECT_TRUE(result.reason.empty());

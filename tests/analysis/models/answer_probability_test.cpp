@@ -162,7 +162,7 @@ TEST_P(StudyProbability, MatchesTheReferenceWithRandomIntercepts) {
   fixed.add(answers.method);
   fixed.add(answers.round);
   const std::vector<Factor> random{
-      answers.participant, crossing(answers.participant, answers.method)};
+      answers.participant, interactionOf(answers.participant, answers.method)};
   const auto golden = tests::statsJson("study/study_golden.json");
   check(
       fitted(levelsOf(answers), fixed, random),

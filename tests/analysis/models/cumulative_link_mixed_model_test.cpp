@@ -64,7 +64,7 @@ TEST_P(StudyOrdinal, MatchesTheReferenceWithRandomIntercepts) {
   fixed.add(answers.round);
 
   const std::vector<Factor> random{
-      crossing(answers.participant, answers.method), answers.participant};
+      interactionOf(answers.participant, answers.method), answers.participant};
   const auto result = analysis::fitCumulativeLinkMixedModel(levelsOf(answers), fixed, random);
 
   ASSERT_TRUE(result.fit) << base::describe(result.reason);

@@ -39,11 +39,11 @@ TEST(Factor, KeepsTheOrderOfAppearanceOrADeclaredOne) {
 
 TEST(Factor, CrossesOnlyCombinationsThatOccur) {
   const auto cells =
-      crossing(analysis::factorOf("method", kMethod), analysis::factorOf("round", kRound));
+      interactionOf(analysis::factorOf("method", kMethod), analysis::factorOf("round", kRound));
   EXPECT_EQ(cells.name, "method:round");
   EXPECT_EQ(
       cells.levels, (std::vector<std::string>{"kalman:1", "fem:1", "interpolation:2", "fem:2"}));
-  EXPECT_THROW(crossing(cells, analysis::Factor{}), std::invalid_argument);
+  EXPECT_THROW(interactionOf(cells, analysis::Factor{}), std::invalid_argument);
 }
 
 TEST(FixedEffects, AreCodedByTreatment) {

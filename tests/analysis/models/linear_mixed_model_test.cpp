@@ -188,7 +188,7 @@ TEST(LinearMixedModel, FitsAStudyOfHundredParticipants) {
   const auto participant = blocks("participant", kPeople, kEach);
   const auto method = turns("method", 3, kPeople * kEach);
   const auto statement = turns("statement", 10, kPeople * kEach);
-  const auto cell = crossing(participant, method);
+  const auto cell = interactionOf(participant, method);
   const auto draw = [&](std::size_t levels, double size) {
     std::vector<double> effects;
     for (std::size_t i = 0; i < levels; ++i) effects.push_back(size * noise.next());

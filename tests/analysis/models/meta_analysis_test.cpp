@@ -49,7 +49,7 @@ TEST(MetaAnalysis, AgreesWithMetafor) {
     const auto all = analysis::pooled(sites, 0.95);
     EXPECT_EQ(all.sites, sites.size());
     expectSame(all.q, set["q"], name + " Q");
-    expectSame(all.qP, set["q_p"], name + " p of Q");
+    expectSame(all.heterogeneityP, set["q_p"], name + " p of Q");
     expectSame(all.common, set["common"], name + " common");
     expectSame(all.derSimonianLaird, set["dl"], name + " DL");
     expectSame(all.reml, set["reml"], name + " REML");

@@ -94,7 +94,7 @@ TEST(SitePower, ComparesAndPoolsAsTheStatisticsOfAStudyDo) {
       .methods = {"a", "b"}, .rounds = {"1"}, .statements = std::vector<std::string>(6, "s")};
   std::vector<std::string> sites;
   for (const int people : {4, 4, 3}) {
-    const auto shifts = cohort.shiftsOfSite(plan.deviation);
+    const auto shifts = cohort.drawSiteShifts(plan.deviation);
     for (int i = 0; i < people; ++i) {
       const auto answers = cohort.next(shifts);
       for (std::size_t method = 0; method < 2; ++method) {

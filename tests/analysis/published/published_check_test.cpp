@@ -48,7 +48,7 @@ void expectIntervals(
     std::uint64_t n,
     const std::vector<Interval>& wanted,
     double tolerance) {
-  const auto check = checkAt(table, GroupSizes(3, n), kWelch);
+  const auto check = checkConvention(table, GroupSizes(3, n), kWelch);
   ASSERT_EQ(check.comparisons.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_NEAR(check.comparisons[i].attainable.low, wanted[i].low, tolerance) << n << ", " << i;
@@ -63,22 +63,24 @@ TEST(PublishedCheck, BoundsEveryPOfThePunchPaper) {
   expectIntervals(professionals(), 30, {{0, .0003}, {.0056, .0287}, {.089, .230}}, 5e-4);
   expectIntervals(others(), 30, {{.001, .0067}, {.0155, .0633}, {.278, .595}}, 5e-4);
   EXPECT_NEAR(
-      checkAt(professionals(), {36, 36, 36}, kWelch).comparisons[1].attainable.high, .0165, 5e-5);
+      checkConvention(professionals(), {36, 36, 36}, kWelch).comparisons[1].attainable.high,
+      .0165,
+      5e-5);
 }
 
 TEST(PublishedCheck, FindsThatThePrintedPIsImpossible) {
-  const auto all = checkAt(professionals(), {36, 36, 36}, kWelch);
+  const auto all = checkConvention(professionals(), {36, 36, 36}, kWelch);
   EXPECT_TRUE(all.comparisons[0].isAttainable);
   EXPECT_FALSE(all.comparisons[1].isAttainable);  // .021, and at most .0165
   EXPECT_TRUE(all.comparisons[2].isAttainable);
   EXPECT_FALSE(all.row);
-  EXPECT_TRUE(checkAt(professionals(), {30, 30, 30}, kWelch).allAttainable());
-  EXPECT_TRUE(checkAt(others(), {30, 30, 30}, kWelch).allAttainable());
+  EXPECT_TRUE(checkConvention(professionals(), {30, 30, 30}, kWelch).allAttainable());
+  EXPECT_TRUE(checkConvention(others(), {30, 30, 30}, kWelch).allAttainable());
 }
 
 TEST(PublishedCheck, FindsARowOfRealNumbersThatGivesEveryP) {
   const auto table = professionals();
-  const auto check = checkAt(table, {30, 30, 30}, kWelch);
+  const auto check = checkConvention(table, {30, 30, 30}, kWelch);
   ASSERT_TRUE(check.row);
   for (const auto& [first, second, p] : table.comparisons) {
     const auto& a = (*check.row)[first];
@@ -160,7 +162,7 @@ TEST(PublishedCheck, RealAnswersFitByTheConventionTheyWerePrintedWith) {
             "," + spread(*a.variance1) + "\nb," + printed(*a.mean2, 2) + "," +
             spread(*a.variance2) + "\n",
         "group1,group2,p\na,b," + printed(*a.p, 4) + "\n");
-    EXPECT_TRUE(checkAt(table, {12, 12}, kWelch).row) << isSd;
+    EXPECT_TRUE(checkConvention(table, {12, 12}, kWelch).row) << isSd;
     const AnswerLattice lattice({.lowest = 1, .highest = 5, .parts = 1}, 14);
     const std::vector<std::vector<std::uint64_t>> sizes(2, from(10, 14));
     EXPECT_EQ(
@@ -200,8 +202,8 @@ TEST(PublishedCheck, CoversEveryConvention) {
   EXPECT_EQ(conventions.size(), 24U);
   EXPECT_EQ(describe(conventions.front()), "Welch, two-sided, variances with n − 1, rounded");
   const auto table = professionals();
-  const auto two = checkAt(table, {36, 36, 36}, kWelch).comparisons[2].attainable;
-  const auto one = checkAt(table, {36, 36, 36}, {.tails = PublishedConvention::Tails::One})
+  const auto two = checkConvention(table, {36, 36, 36}, kWelch).comparisons[2].attainable;
+  const auto one = checkConvention(table, {36, 36, 36}, {.tails = PublishedConvention::Tails::One})
                        .comparisons[2]
                        .attainable;
   EXPECT_DOUBLE_EQ(one.low, two.low / 2);
@@ -211,11 +213,11 @@ TEST(PublishedCheck, CoversEveryConvention) {
 TEST(PublishedCheck, AllowsVariancesOfZero) {
   const auto table = readPublishedTable(
       "group,mean,variance\na,3,0\nb,3,0\nc,5,0\n", "group1,group2,p\na,b,.9\na,c,< .001\n");
-  const auto check = checkAt(table, {5, 5, 5}, kWelch);
+  const auto check = checkConvention(table, {5, 5, 5}, kWelch);
   EXPECT_EQ(check.comparisons[0].attainable.low, 0.0);
   EXPECT_EQ(check.comparisons[0].attainable.high, 1.0);
   EXPECT_TRUE(check.row);
-  EXPECT_THROW(checkAt(table, {5, 5}, kWelch), std::invalid_argument);
+  EXPECT_THROW(checkConvention(table, {5, 5}, kWelch), std::invalid_argument);
 }
 
 }  // namespace published_check_test

@@ -159,7 +159,7 @@ TEST(TestData, CountsHowOftenNamesOccurTogether) {
       "before,after,people\nfem,kalman,3\nkalman,fem,1\nfem,fem,2\n",
       DataShape::BeforeAfter,
       {{"count", {"people"}}});
-  const auto table = analysis::crossTableOf(data, true);
+  const auto table = analysis::contingencyTableOf(data, true);
   EXPECT_EQ(table.rows, (Names{"fem", "kalman"}));
   EXPECT_EQ(table.counts, (std::vector<std::vector<std::uint64_t>>{{2, 3}, {1, 0}}));
 }
@@ -167,7 +167,7 @@ TEST(TestData, CountsHowOftenNamesOccurTogether) {
 TEST(TestData, HasRowsAndColumnsForDifferentNames) {
   const auto data =
       readTestData("who,said\nstudent,no\nsurgeon,yes\nstudent,yes\n", DataShape::Categories, {});
-  const auto table = analysis::crossTableOf(data, false);
+  const auto table = analysis::contingencyTableOf(data, false);
   EXPECT_EQ(table.rows, (Names{"student", "surgeon"}));
   EXPECT_EQ(table.columns, (Names{"no", "yes"}));
   EXPECT_EQ(table.counts, (std::vector<std::vector<std::uint64_t>>{{1, 1}, {0, 1}}));

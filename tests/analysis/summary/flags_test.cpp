@@ -75,7 +75,7 @@ TEST(Flags, NameStatementsThatDiffer) {
 
 TEST(Flags, NameStatementsThatCompare) {
   auto facts = kSound;
-  facts.relativeStatements = {1};
+  facts.comparativeStatements = {1};
   const auto flags = analysis::flagsOf(balanced(), facts);
   ASSERT_EQ(flags.size(), 1U);
   EXPECT_EQ(flags[0].id, "relative_item_without_referent");

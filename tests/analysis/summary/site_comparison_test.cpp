@@ -58,7 +58,7 @@ TEST(SiteComparison, ComparesWithinPeopleSiteBySiteAndPools) {
   ASSERT_TRUE(row.pooled.has_value());
   EXPECT_NEAR(row.pooled->reml.estimate, 1.06667, 0.02);
   EXPECT_NEAR(row.sites[0].weight + row.sites[1].weight, 1.0, 1e-12);
-  EXPECT_LT(row.pooled->qP, 1e-6);
+  EXPECT_LT(row.pooled->heterogeneityP, 1e-6);
   EXPECT_TRUE(row.leaveOneOut.empty());  // of two sites, one is left
 }
 

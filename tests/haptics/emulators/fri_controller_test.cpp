@@ -93,7 +93,7 @@ TEST(FriController, EndsTheMotionWhenElevenAnswersAreMissing) {
   EXPECT_EQ(report.quality, Level::Poor);
   EXPECT_FALSE(report.hasOverlay);
   EXPECT_EQ(report.force, 0.0);
-  EXPECT_EQ(report.zeroAt, time());
+  EXPECT_EQ(report.overlayZeroAt, time());
   EXPECT_EQ(report.endAt, time());
 }
 
@@ -131,7 +131,7 @@ TEST(FriController, NeedsTorqueEveryFiveMilliseconds) {
   EXPECT_EQ(session.report().state, State::CommandingActive);
   session.goSilently(1);
   EXPECT_EQ(session.report().lastEnd, FriEndReason::CommandsTooRare);
-  EXPECT_EQ(session.report().zeroAt, time());
+  EXPECT_EQ(session.report().overlayZeroAt, time());
 }
 
 struct Wrong {
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{FriEndReason::PositionMissing, 0, [](Data& d) { d.jointPosition.reset(); }},
         Wrong{FriEndReason::WrenchMissing, 0, [](Data& d) { d.wrench.reset(); }},
         Wrong{FriEndReason::TorqueMissing, 0, [](Data& d) { d.jointTorque.reset(); }, true},
-        Wrong{FriEndReason::PositionLeap, 3, [](Data& d) { (*d.jointPosition)[2] += 0.003; }},
+        Wrong{FriEndReason::PositionJump, 3, [](Data& d) { (*d.jointPosition)[2] += 0.003; }},
         Wrong{FriEndReason::PositionLimit, 2, [](Data& d) { (*d.jointPosition)[1] = 2.2; }},
         Wrong{FriEndReason::WrenchLimit, 0, [](Data& d) { (*d.wrench)[2] = -140.1; }},
         Wrong{FriEndReason::WrenchLimit, 0, [](Data& d) { (*d.wrench)[4] = 40.1; }},

@@ -187,7 +187,7 @@ TEST_F(FriFaults, SafetyStopIsReportedAndEndsTheMotion) {
   session_.order("safety-stop");
   session_.go(1);
   EXPECT_EQ(session_.report().lastEnd, FriEndReason::SafetyStop);
-  EXPECT_EQ(session_.report().zeroAt, time());
+  EXPECT_EQ(session_.report().overlayZeroAt, time());
   const auto info = *session_.client.message().robotInfo;
   EXPECT_EQ(info.safetyState, wire::fri::SafetyState::StopLevel1);
   EXPECT_EQ(info.driveStates.items[0], wire::fri::DriveState::Off);

@@ -105,7 +105,7 @@ TEST(IiwaArm, GivesWayByForceOverStiffness) {
   run(arm, 10.0);
   const Eigen::Vector3d moved = start.rotation.transpose() * (arm.tool().position - start.position);
   EXPECT_LT((moved - Eigen::Vector3d(0.005, -0.002, 0.002)).norm(), 1e-9);
-  EXPECT_LT(devices::turnBetween(start.rotation, arm.tool().rotation).norm(), 1e-9);
+  EXPECT_LT(devices::rotationVectorBetween(start.rotation, arm.tool().rotation).norm(), 1e-9);
 }
 
 TEST(IiwaArm, TurnsByMomentOverStiffness) {
@@ -118,7 +118,8 @@ TEST(IiwaArm, TurnsByMomentOverStiffness) {
   moment.tail<3>() = 3.0 * start.rotation.col(0);
   arm.setExternalWrench(moment);
   run(arm, 10.0);
-  const Eigen::Vector3d turned = devices::turnBetween(start.rotation, arm.tool().rotation);
+  const Eigen::Vector3d turned =
+      devices::rotationVectorBetween(start.rotation, arm.tool().rotation);
   EXPECT_LT((turned - 3.0 / 50.0 * start.rotation.col(0)).norm(), 1e-9);
 }
 
@@ -144,7 +145,8 @@ TEST(IiwaArm, PullsDownTheSlopeOfItsEnergy) {
   arm.step(1e-12);
   EXPECT_LT((arm.measuredTorque() + slope / (2.0 * kStep)).norm(), 1e-7);
   EXPECT_GT(
-      devices::turnBetween(arm.tool().rotation, arm.kinematics().tool(elsewhere).rotation).norm(),
+      devices::rotationVectorBetween(arm.tool().rotation, arm.kinematics().tool(elsewhere).rotation)
+          .norm(),
       1.0);
 }
 

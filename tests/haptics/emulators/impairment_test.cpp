@@ -88,7 +88,7 @@ void passAll(Impairment& impairment, Receiver& receiver, std::uint32_t frames) {
   for (std::uint32_t i = 0; i < frames; ++i) impairment.pass(frameOf(i), receiver);
 }
 
-void expectSeen(const Injected& injected, const Receiver& receiver) {
+void expectSeen(const InjectedCounts& injected, const Receiver& receiver) {
   EXPECT_EQ(receiver.missing(), injected[Fault::Drop] + injected[Fault::Damage]);
   EXPECT_EQ(receiver.doubled, injected[Fault::Double]);
   EXPECT_EQ(receiver.late, injected[Fault::Reorder] + injected[Fault::Delay]);
@@ -105,7 +105,7 @@ TEST_P(ImpairmentSeeds, CountsExactlyWhatTheReceiverSees) {
   Receiver receiver(kFrames);
   passAll(impairment, receiver, kFrames);
   impairment.flush(receiver);
-  const Injected injected = impairment.counts();
+  const InjectedCounts injected = impairment.counts();
   EXPECT_EQ(injected.passed, kFrames);
   expectSeen(injected, receiver);
   for (const std::uint64_t count : injected.of) EXPECT_GT(count, 100U);
@@ -131,7 +131,7 @@ TEST(Impairment, ServesEveryOrderOnceAndOneToAFrame) {
   }
   Receiver receiver(1000);
   passAll(impairment, receiver, 1000);
-  const Injected injected = impairment.counts();
+  const InjectedCounts injected = impairment.counts();
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
     EXPECT_EQ(injected.of[i], 10 + i) << kFaultNames[i];
     EXPECT_EQ(impairment.waiting(static_cast<Fault>(i)), 0);
@@ -206,7 +206,7 @@ TEST(Impairment, ChangesNoFrameTwice) {
   Impairment impairment;
   impairment.order(Fault::Drop, 1);
   Receiver receiver(1);
-  impairment.passUnimpaired(frameOf(0), receiver);
+  impairment.passWithoutFault(frameOf(0), receiver);
   EXPECT_EQ(receiver.order.size(), 1U);
   EXPECT_EQ(impairment.waiting(Fault::Drop), 1);
 }
@@ -231,7 +231,7 @@ TEST(Impairment, SpoilsOneFrameOfASerialLineAndNotItsNeighbours) {
     receiver(std::span(begin, end));
     begin = end + 1;
   }
-  const Injected injected = impairment.counts();
+  const InjectedCounts injected = impairment.counts();
   EXPECT_GT(injected[Fault::Garbage], 1500U);
   EXPECT_GT(injected[Fault::Damage], 1500U);
   expectSeen(injected, receiver);

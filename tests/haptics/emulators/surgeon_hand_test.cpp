@@ -69,7 +69,7 @@ TEST(SurgeonHand, PushesAlongItsAxisAndHoldsAcrossIt) {
 
 TEST(SurgeonHand, TurnsTheToolBack) {
   SteadyHand push(0.0);
-  SurgeonHand hand({.turnStiffness = 10.0, .turnDamping = 0.3}, push);
+  SurgeonHand hand({.rotationalStiffness = 10.0, .rotationalDamping = 0.3}, push);
   devices::Pose tool;
   tool.rotation << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;  // a quarter about z
   devices::Twist twist = devices::Twist::Zero();
@@ -78,7 +78,7 @@ TEST(SurgeonHand, TurnsTheToolBack) {
   EXPECT_NEAR(wrench[3], -0.6, 1e-12);
   EXPECT_NEAR(wrench[5], -10.0 * 90.0 * kDegree, 1e-12);
   EXPECT_THROW(SurgeonHand({.axis = Eigen::Vector3d::Zero()}, push), std::invalid_argument);
-  EXPECT_THROW(SurgeonHand({.turnDamping = -1.0}, push), std::invalid_argument);
+  EXPECT_THROW(SurgeonHand({.rotationalDamping = -1.0}, push), std::invalid_argument);
 }
 
 TEST(SurgeonHand, BalancesAHandByAnEqualAndOppositeWrench) {

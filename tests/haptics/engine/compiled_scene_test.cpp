@@ -78,7 +78,7 @@ TEST(MeshView, OfARecordedCutBeginsAndIsStiffAsTheCut) {
   const CompiledScene seen(
       {.model = publishedInterpolation(),
        .isVisualised = true,
-       .seenTissue = TissueDrawing::Force});
+       .tissueDrawing = TissueDrawing::Force});
   const double slope = 4.4 / (7.2 - like.parameters.contact);
   EXPECT_NEAR(seenAtTheTool(*seen.mesh(), 1.5, 7.2, 4.4), 4.4 / slope, 0.05);
   const CompiledScene follows({.model = publishedInterpolation(), .isVisualised = true});
@@ -122,7 +122,7 @@ TEST(CompiledScene, CountsTheWayFromOneBranchToTheOtherAsSteep) {
       .options = {.rampLength = 3.0},
       .branches = Branches::Hysteresis,
       .opening = {{0.0, 0.0}, {1.0, 2.0}, {2.0, 8.0}},
-      .turningWidth = 0.5};
+      .transitionWidth = 0.5};
   const CompiledScene scene(SceneSpec{.model = spec});
   // The steeper branch has 6; at a travel of 1 they are 2 apart, which is crossed in half a unit.
   EXPECT_DOUBLE_EQ(scene.largestStiffness(), 6.0 + 2.0 / 0.5);
@@ -167,9 +167,9 @@ TEST(MaterialModel, NeverOvershootsItsNodes) {
 
 TEST(CompiledScene, NamesTheInterpretationOfThePaper) {
   FiniteElementsSpec elements;
-  elements.parameters.boundary = models::Boundary::B;
-  elements.parameters.weights = models::ToolWeights::AuthorsFirmware;
-  elements.parameters.yielding = models::Yielding::ReturnMap;
+  elements.parameters.boundary = models::BoundaryCondition::B;
+  elements.parameters.weights = models::ToolInterpolation::AuthorsFirmware;
+  elements.parameters.yielding = models::YieldLaw::ReturnMap;
   const KalmanSpec fused{
       .interpolation = {.curve = {{0.0, 0.0}, {10.0, 4.0}}},
       .finiteElements = elements,

@@ -66,7 +66,7 @@ TEST_F(ForceEngineTest, RendersTheScene) {
 
 TEST_F(ForceEngineTest, GivesNoForceWithoutAScene) {
   EXPECT_EQ(feelAt(5.0), 0.0);
-  EXPECT_TRUE((engine_.tick(kDt).marks & TickSample::Bare) != 0);
+  EXPECT_TRUE((engine_.tick(kDt).marks & TickSample::NoScene) != 0);
 }
 
 TEST_F(ForceEngineTest, ReportsSaturation) {
@@ -133,12 +133,12 @@ TEST_F(ForceEngineTest, StartsSoftlyInAnotherScene) {
 TEST_F(ForceEngineTest, FadesWhileTheSwitchIsReleased) {
   engine_.setScene(&scene_);
   feelAt(6.0);
-  device_.sample.isHeld = false;
+  device_.sample.isDeadManHeld = false;
   const auto fading = stayAt(6.0, 50);
   EXPECT_NEAR(fading.force, 0.5 * 3.428, 0.05);
-  EXPECT_TRUE((fading.marks & TickSample::Released) != 0);
+  EXPECT_TRUE((fading.marks & TickSample::DeadManReleased) != 0);
   EXPECT_EQ(stayAt(6.0, 60).force, 0.0);
-  device_.sample.isHeld = true;
+  device_.sample.isDeadManHeld = true;
   EXPECT_EQ(stayAt(6.0, 100).force, 0.0);  // and comes back softly
   EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);
 }

@@ -75,7 +75,7 @@ const Attack kAttacks[] = {
      [](auto& s, int t, double, auto&) { s.velocity = t % 2 == 0 ? 1e300 : -1e300; }},
     {"FlickeringSwitches",
      [](auto& s, int t, double most, auto&) {
-       s.isHeld = t % 3 != 0;
+       s.isDeadManHeld = t % 3 != 0;
        s.isReamerOn = t % 5 != 0;
        s.travel = t % 7 < 3 ? 0.0 : most;
      }},
@@ -88,7 +88,7 @@ const Attack kAttacks[] = {
            .travel = any(),
            .velocity = any(),
            .turn = any(),
-           .isHeld = random.bits() % 2 == 0,
+           .isDeadManHeld = random.bits() % 2 == 0,
            .isReamerOn = random.bits() % 2 == 0};
      },
      false,

@@ -116,7 +116,7 @@ TYPED_TEST(ReamerTest, HasNoFeedLimitInStudiesOfRelease01) {
   // The spring's law alone: 10 N / K / (1 + 0.15 · 2000 N·s/m / (K · 1 ms)) in a tick, 28.6 mm/s.
   const double wanted = 10.0 / kCoupling / (1.0 + kScale * 2000.0 / (kCoupling * kTick)) / kTick;
   EXPECT_NEAR(wanted, 0.0286, 1e-4);
-  TypeParam bone(Reamer::withoutLimit());
+  TypeParam bone(Reamer::withoutFeedLimit());
   for (int i = 0; i < 10'000 && bone.depth() < 0.004; ++i) push(bone, bone.resistance() + 10.0);
   const double before = bone.depth();
   push(bone, bone.resistance() + 10.0);
@@ -299,7 +299,7 @@ TEST(CompiledScene, DescribesTheFeedLimitOfTheReamer) {
       removalOf(scene),
       "in: the reamer goes on as it removes bone; the reamer stands still, and removes nothing");
   scene.model = PackingSpec{.bone = parametricBone()};
-  scene.reamer = Reamer::withoutLimit();
+  scene.reamer = Reamer::withoutFeedLimit();
   EXPECT_EQ(removalOf(scene), "in: what the reamer goes through is taken away");
 }
 

@@ -195,18 +195,19 @@ TEST(Torque, OfSpheresIsThatOfTheCupOnceTheirDensitiesWereFittedToForceAndTorque
   EXPECT_LT(alike.error, 0.25);
 
   constexpr std::size_t kDepths = 100;
-  reaming::fitTo(bone, cup().force, {}, {.depths = kDepths});
+  reaming::fitBoneToMaterial(bone, cup().force, {}, {.depths = kDepths});
   EXPECT_GT(reaming::fitFriction(bone, cup().torque).error, 0.4) << "by the force alone";
 
-  const auto both = reaming::fitTo(bone, cup().force, cup().torque, {.depths = kDepths});
+  const auto both =
+      reaming::fitBoneToMaterial(bone, cup().force, cup().torque, {.depths = kDepths});
   EXPECT_LT(both.curves[1].fit.spheres.error, 0.06);
   EXPECT_LT(both.curves[1].torqueError.value(), 0.06);
   EXPECT_LT(both.curves[1].fit.spheres.gap, 1e-6);
   EXPECT_EQ(bone.friction, both.friction);
 
   // With the friction that the cup has, spheres cannot fill its rim well enough for less.
-  const auto known =
-      reaming::fitTo(bone, cup().force, cup().torque, {.depths = kDepths, .friction = kFriction});
+  const auto known = reaming::fitBoneToMaterial(
+      bone, cup().force, cup().torque, {.depths = kDepths, .friction = kFriction});
   EXPECT_EQ(bone.friction, kFriction);
   EXPECT_LT(known.curves[1].fit.spheres.error, 0.12);
   EXPECT_LT(known.curves[1].torqueError.value(), 0.07);
@@ -357,7 +358,7 @@ TEST(ForceEngine, GivesNoTorqueToADeviceThatRendersNone) {
 TEST(ForceEngine, ObservesTheEnergyOfTheTurn) {
   Rendering rendering(5.0);
   const double torque = rendering.stayAt(0.014, 200).torque;
-  const double before = rendering.stayAt(0.014, 1).turnEnergy;
+  const double before = rendering.stayAt(0.014, 1).rotationEnergy;
   EXPECT_EQ(before, 0.0) << "a wrist that does not yield takes up nothing";
   // A wrist that yields by 0.1 rad the way that it is turned is given |torque| · 0.1 J.
   TickSample sample;
@@ -365,7 +366,7 @@ TEST(ForceEngine, ObservesTheEnergyOfTheTurn) {
     rendering.device.sample.turn += std::copysign(0.001, torque);
     sample = rendering.engine.tick(kDt);
   }
-  EXPECT_NEAR(sample.turnEnergy, -0.1 * std::abs(torque), 1e-9);
+  EXPECT_NEAR(sample.rotationEnergy, -0.1 * std::abs(torque), 1e-9);
   EXPECT_NE(sample.interventions & ForceLimiter::TorqueActive, 0);
   EXPECT_EQ(sample.interventions & ForceLimiter::Active, 0);
 }

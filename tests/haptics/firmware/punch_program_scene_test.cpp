@@ -174,7 +174,7 @@ TEST_F(PunchRendersTest, RefusesAModelThatIsUnsound) {
   auto backwards = cut_;
   std::swap(backwards[3], backwards[4]);
   teach(modelOf(ModelKind::Interpolation, cut_.size()), backwards);
-  EXPECT_EQ(said_.taken.back().verdict, ModelVerdict::Unsound);
+  EXPECT_EQ(said_.taken.back().verdict, ModelVerdict::InvalidModel);
 
   const auto verdictOn = [&](const auto& spoil) {
     Model model = modelOf(ModelKind::Kalman, cut_.size());
@@ -183,13 +183,13 @@ TEST_F(PunchRendersTest, RefusesAModelThatIsUnsound) {
     return said_.taken.back().verdict;
   };
   EXPECT_EQ(verdictOn([](Model&) {}), ModelVerdict::Accepted);
-  EXPECT_EQ(verdictOn([](Model& m) { m.toolPosition = m.end; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.elements = 0; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.readings = 3U << 1U; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.rampLength = 0.0F; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.largestForce = -1.0F; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.noise[0] = -1.0F; }), ModelVerdict::Unsound);
-  EXPECT_EQ(verdictOn([](Model& m) { m.noise[1] = 100.0F; }), ModelVerdict::Unsound);
+  EXPECT_EQ(verdictOn([](Model& m) { m.toolPosition = m.end; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.elements = 0; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.readings = 3U << 1U; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.rampLength = 0.0F; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.largestForce = -1.0F; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.noise[0] = -1.0F; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.noise[1] = 100.0F; }), ModelVerdict::InvalidModel);
 }
 
 TEST_F(PunchRendersTest, TakesNoModelWhileItIsArmed) {
@@ -317,7 +317,7 @@ TEST_P(PunchRendersAsTheEngine, InSinglePrecisionToTheLastBit) {
 }
 
 TEST_P(PunchRendersAsTheEngine, AndInDoublePrecisionToATenThousandth) {
-  ChipScene scene;
+  OnDeviceScene scene;
   const auto nodes =
       GetParam() == ModelKind::FiniteElements ? std::vector<models::CurveNode<float>>() : cut_;
   const Model model = modelOf(GetParam(), nodes.size());

@@ -177,7 +177,7 @@ TEST(CutDetector, HasNoOpeningIfTheForceNeverRisesAgain) {
 }
 
 TEST(CutDetector, PassesOverFrictionInTheHinge) {
-  // 0.4 N per travel unit, less than the creep of 0.5.
+  // 0.4 N per travel unit, less than the frictionSlope of 0.5.
   const Detector::Cut cut = cutAlong(
       {{0.0, 0.0}, {6.0, 2.4}, {8.0, 6.0}, {10.0, 5.0}, {10.5, 7.0}, {9.0, 0.0}, {0.0, 0.0}});
   expectAt(cut.interception, 6.0, 2.4);
@@ -329,12 +329,12 @@ TEST(CutDetector, FindsTheStrokesOfAnotherToolByItsOwnMeasures) {
       .closedAbove = 0.010,
       .openBelow = 0.002,
       .contactForce = 10.0,
-      .creep = 0.0,
+      .frictionSlope = 0.0,
       .yieldDrop = 20.0,
       .yieldDropRatio = 0.1,
       .advance = 0.0005,
-      .bottomAbove = 0.015,
-      .bottomRise = 20.0,
+      .bottomOutAbove = 0.015,
+      .bottomOutRise = 20.0,
       .retreat = 0.002,
   });
   std::vector<Sample> stroke =
@@ -361,10 +361,10 @@ TEST(CutDetector, RefusesUnsoundParameters) {
   EXPECT_TRUE(Detector::isSound({}));
   EXPECT_FALSE(Detector::isSound({.closedAbove = 4.0, .openBelow = 4.0}));
   EXPECT_FALSE(Detector::isSound({.contactForce = 0.0}));
-  EXPECT_FALSE(Detector::isSound({.creep = -0.1}));
+  EXPECT_FALSE(Detector::isSound({.frictionSlope = -0.1}));
   EXPECT_FALSE(Detector::isSound({.yieldLoad = -0.1}));
   EXPECT_FALSE(Detector::isSound({.leastLoadAfterYield = 1.0}));
-  EXPECT_FALSE(Detector::isSound({.bottomAbove = std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(Detector::isSound({.bottomOutAbove = std::numeric_limits<double>::infinity()}));
   EXPECT_FALSE(Detector::isSound({.retreat = std::numeric_limits<double>::quiet_NaN()}));
 }
 

@@ -146,7 +146,7 @@ TEST(FiniteElementContrast, LosesNoDigitInFloat) {
 
 using Elements = FiniteElements<double>;
 
-double stiffnessOf(const std::vector<double>& stiffnesses, double tool, ToolWeights weights) {
+double stiffnessOf(const std::vector<double>& stiffnesses, double tool, ToolInterpolation weights) {
   const int count = static_cast<int>(stiffnesses.size());
   return Elements({.start = 0,
                    .end = static_cast<double>(count),
@@ -159,7 +159,7 @@ double stiffnessOf(const std::vector<double>& stiffnesses, double tool, ToolWeig
 
 TEST(FiniteElementContrast, AllowsZeroAndInfiniteStiffness) {
   const double endless = std::numeric_limits<double>::infinity();
-  for (const auto weights : {ToolWeights::Paper, ToolWeights::ExactKink}) {
+  for (const auto weights : {ToolInterpolation::Paper, ToolInterpolation::ExactKink}) {
     // Three elements, the tool at the middle of the second one: 1.5 of flexibility on each side.
     EXPECT_DOUBLE_EQ(stiffnessOf({1, 1, 1}, 1.5, weights), 2.0 / 1.5 / 2.0 * 1.0);
     // Torn on the left, it hangs on the right side alone; torn on both, on nothing.

@@ -36,29 +36,30 @@ struct Assembled {
 };
 
 /// Of the paper's string, at its tool.
-double stiffness(int elements, Boundary boundary, ToolWeights weights) {
+double stiffness(int elements, BoundaryCondition boundary, ToolInterpolation weights) {
   return Elements({.elements = elements, .boundary = boundary, .weights = weights}).stiffness();
 }
 
 TEST(FiniteElements, ReproduceReadingAOfThePaper) {
   // Solved from eq. (3) to (11) of the punch paper, tool at 1.5.
-  EXPECT_NEAR(stiffness(5, Boundary::A, ToolWeights::Paper), 1.714, 5e-4);
-  EXPECT_NEAR(stiffness(10, Boundary::A, ToolWeights::Paper), 1.600, 5e-4);
-  EXPECT_NEAR(stiffness(15, Boundary::A, ToolWeights::Paper), 1.622, 5e-4);
-  EXPECT_NEAR(stiffness(100, Boundary::A, ToolWeights::Paper), 1.509, 5e-4);
+  EXPECT_NEAR(stiffness(5, BoundaryCondition::A, ToolInterpolation::Paper), 1.714, 5e-4);
+  EXPECT_NEAR(stiffness(10, BoundaryCondition::A, ToolInterpolation::Paper), 1.600, 5e-4);
+  EXPECT_NEAR(stiffness(15, BoundaryCondition::A, ToolInterpolation::Paper), 1.622, 5e-4);
+  EXPECT_NEAR(stiffness(100, BoundaryCondition::A, ToolInterpolation::Paper), 1.509, 5e-4);
 }
 
 TEST(FiniteElements, ReproduceReadingB) {
-  EXPECT_NEAR(stiffness(5, Boundary::B, ToolWeights::Paper), 1.338, 5e-4);
-  EXPECT_NEAR(stiffness(10, Boundary::B, ToolWeights::Paper), 1.413, 5e-4);
-  EXPECT_NEAR(stiffness(15, Boundary::B, ToolWeights::Paper), 1.488, 5e-4);
-  EXPECT_NEAR(stiffness(100, Boundary::B, ToolWeights::Paper), 1.491, 5e-4);
+  EXPECT_NEAR(stiffness(5, BoundaryCondition::B, ToolInterpolation::Paper), 1.338, 5e-4);
+  EXPECT_NEAR(stiffness(10, BoundaryCondition::B, ToolInterpolation::Paper), 1.413, 5e-4);
+  EXPECT_NEAR(stiffness(15, BoundaryCondition::B, ToolInterpolation::Paper), 1.488, 5e-4);
+  EXPECT_NEAR(stiffness(100, BoundaryCondition::B, ToolInterpolation::Paper), 1.491, 5e-4);
 }
 
 TEST(FiniteElements, ReproduceWhatTheAuthorsFirmwareRenders) {
-  EXPECT_NEAR(stiffness(5, Boundary::B, ToolWeights::AuthorsFirmware), 1.055718, 1e-6);
-  EXPECT_NEAR(stiffness(10, Boundary::B, ToolWeights::AuthorsFirmware), 1.413, 5e-4);
-  EXPECT_NEAR(stiffness(15, Boundary::B, ToolWeights::AuthorsFirmware), 1.147, 5e-4);
+  EXPECT_NEAR(
+      stiffness(5, BoundaryCondition::B, ToolInterpolation::AuthorsFirmware), 1.055718, 1e-6);
+  EXPECT_NEAR(stiffness(10, BoundaryCondition::B, ToolInterpolation::AuthorsFirmware), 1.413, 5e-4);
+  EXPECT_NEAR(stiffness(15, BoundaryCondition::B, ToolInterpolation::AuthorsFirmware), 1.147, 5e-4);
 }
 
 TEST(FiniteElements, HaveNoRippleWithExactKink) {
@@ -68,7 +69,7 @@ TEST(FiniteElements, HaveNoRippleWithExactKink) {
   for (int i = 1; i < 1000; ++i) {
     const double x = 0.5 + 1.5 * i / 1000.0;
     const double string = 0.5 * 1.5 / ((x - 0.5) * (2.0 - x));
-    const Elements exact({.toolPosition = x, .weights = ToolWeights::ExactKink});
+    const Elements exact({.toolPosition = x, .weights = ToolInterpolation::ExactKink});
     EXPECT_NEAR(exact.stiffness() / string, 1.0, 1e-13);
     if (x < 0.65 || x > 1.85) continue;
     ripple = std::max(ripple, Elements({.toolPosition = x}).stiffness() / string - 1.0);
@@ -117,7 +118,7 @@ TEST(FiniteElements, MeshFollowsTheTool) {
 }
 
 TEST(FiniteElements, BendTheMeshAsAStringWhereTheToolIsANodeOfItsOwn) {
-  const Elements::Parameters p{.elements = 15, .weights = ToolWeights::ExactKink};
+  const Elements::Parameters p{.elements = 15, .weights = ToolInterpolation::ExactKink};
   const Elements elements(p);
   const auto shape = shapeOf(elements);
   for (int node = 1; node <= p.elements; ++node) {
@@ -152,7 +153,7 @@ TEST(FiniteElements, ReplayTheCutOnOpeningWithClip) {
 }
 
 TEST(FiniteElements, DeformPermanentlyWithReturnMap) {
-  const Elements elements({.yielding = Yielding::ReturnMap});
+  const Elements elements({.yielding = YieldLaw::ReturnMap});
   Elements::State state;
   elements.at(10.0, state);
   EXPECT_NEAR(state.offset, 6.0 - 7.0 / elements.stiffness(), 1e-14);
@@ -164,7 +165,7 @@ TEST(FiniteElements, DeformPermanentlyWithReturnMap) {
 }
 
 TEST(FiniteElements, DissipateTheEnergyOfACutWithReturnMap) {
-  const auto energyOf = [](Yielding yielding) {
+  const auto energyOf = [](YieldLaw yielding) {
     const Elements elements({.yielding = yielding});
     Elements::State state;
     double energy = 0.0;
@@ -175,8 +176,8 @@ TEST(FiniteElements, DissipateTheEnergyOfACutWithReturnMap) {
     return energy;
   };
   const double stiffness = Elements({}).stiffness();
-  EXPECT_NEAR(energyOf(Yielding::Clip), 0.0, 0.01);
-  EXPECT_NEAR(energyOf(Yielding::ReturnMap), 7.0 * (6.0 - 7.0 / stiffness), 0.02);
+  EXPECT_NEAR(energyOf(YieldLaw::Clip), 0.0, 0.01);
+  EXPECT_NEAR(energyOf(YieldLaw::ReturnMap), 7.0 * (6.0 - 7.0 / stiffness), 0.02);
 }
 
 TEST(FiniteElements, HaveNoForceForNaN) {
@@ -195,7 +196,7 @@ TEST(FiniteElements, KnowUnsoundParameters) {
   EXPECT_FALSE(Elements::isSound({.yieldForce = -1.0}));
   EXPECT_FALSE(Elements::isSound({.contact = std::nan("")}));
   const Elements::Parameters inTheLast{
-      .toolPosition = 1.75, .weights = ToolWeights::AuthorsFirmware};
+      .toolPosition = 1.75, .weights = ToolInterpolation::AuthorsFirmware};
   EXPECT_FALSE(Elements::isSound(inTheLast));
 }
 

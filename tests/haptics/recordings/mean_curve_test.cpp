@@ -34,12 +34,14 @@ TEST(MeanCurve, OfOneCurveHasNoDeviation) {
 TEST(MeanCurve, IsNothingWhereNothingIsShared) {
   EXPECT_FALSE(meanCurve(Curves{}));
   EXPECT_FALSE(meanCurve(Curves{line(0.0, 4.0, 1.0), line(4.0, 9.0, 1.0)}));
-  EXPECT_FALSE(mostTypical(Curves{line(0.0, 4.0, 1.0), line(5.0, 9.0, 1.0)}));
+  EXPECT_FALSE(indexOfMostTypical(Curves{line(0.0, 4.0, 1.0), line(5.0, 9.0, 1.0)}));
 }
 
 TEST(MeanCurve, KnowsItsNearestCurve) {
-  EXPECT_EQ(mostTypical(Curves{line(0.0, 9.0, 0.5), line(0.0, 9.0, 1.1), line(0.0, 9.0, 2.0)}), 1U);
-  EXPECT_EQ(mostTypical(Curves{line(0.0, 9.0, 1.0), line(0.0, 9.0, 1.0)}), 0U);
+  EXPECT_EQ(
+      indexOfMostTypical(Curves{line(0.0, 9.0, 0.5), line(0.0, 9.0, 1.1), line(0.0, 9.0, 2.0)}),
+      1U);
+  EXPECT_EQ(indexOfMostTypical(Curves{line(0.0, 9.0, 1.0), line(0.0, 9.0, 1.0)}), 0U);
 }
 
 }  // namespace mean_curve_test

@@ -60,7 +60,7 @@ TEST_P(PublishedRecording, HasTheRowsThatWereMeasured) {
   EXPECT_EQ(recording.rows.size(), expected.at("rows").get<std::size_t>());
   EXPECT_EQ(recording.refusedCount, expected.at("rejected_lines").get<std::size_t>());
   EXPECT_EQ(recording.refusedCount, GetParam().refused);
-  EXPECT_EQ(recording.gluedBraces, expected.at("rows_with_glued_brace").get<std::size_t>());
+  EXPECT_EQ(recording.rowsWithBrace, expected.at("rows_with_glued_brace").get<std::size_t>());
   EXPECT_EQ(recording.rows.front().time, expected.at("first_ms").get<double>());
   EXPECT_EQ(recording.rows.back().time, expected.at("last_ms").get<double>());
 }

@@ -63,12 +63,12 @@ TEST(RecordingText, ReadsALastRowWithoutAnEnd) {
 TEST(RecordingText, TakesOffAClosingBrace) {
   const Recording alone = readRecording(kRow + "\r\\\n}");
   EXPECT_EQ(alone.rows.size(), 1U);
-  EXPECT_EQ(alone.gluedBraces, 0U);
+  EXPECT_EQ(alone.rowsWithBrace, 0U);
   EXPECT_EQ(alone.refusedCount, 0U);
 
   const Recording glued = readRecording(kRow + "\n" + kNextRow + "}");
   EXPECT_EQ(glued.rows.size(), 2U);
-  EXPECT_EQ(glued.gluedBraces, 1U);
+  EXPECT_EQ(glued.rowsWithBrace, 1U);
   EXPECT_EQ(glued.refusedCount, 0U);
 }
 

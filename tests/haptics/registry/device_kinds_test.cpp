@@ -35,14 +35,14 @@ TEST_P(EveryDeviceKind, HasFactsThatFitTogether) {
   EXPECT_GT(kind().shown.factor, 0.0);
   EXPECT_GT(kind().plot.force, 0.0);
   EXPECT_GE(kind().plot.travel, kind().shown.factor * kind().travel.most);
-  EXPECT_GT(kind().simulatedForce, 0.0);
+  EXPECT_GT(kind().simulatedMaxForce, 0.0);
   EXPECT_LT(kind().stroke.openBelow, kind().stroke.closedAbove);
   EXPECT_LT(kind().stroke.closedAbove, kind().travel.most);
-  EXPECT_GT(kind().hand.ordinaryReach, kind().travel.most);
+  EXPECT_GT(kind().hand.typicalReach, kind().travel.most);
   if (kind().wire != devices::Wire::Serial) return;
   EXPECT_NE(kind().serial.travelPerCount, 0.0);
-  EXPECT_LE(kind().serial.believable.least, kind().travel.least);
-  EXPECT_GE(kind().serial.believable.most, kind().travel.most);
+  EXPECT_LE(kind().serial.plausibleTravel.least, kind().travel.least);
+  EXPECT_GE(kind().serial.plausibleTravel.most, kind().travel.most);
 }
 
 TEST_P(EveryDeviceKind, HasItsWordsAlsoInOtherLanguages) {
@@ -56,7 +56,7 @@ TEST_P(EveryDeviceKind, HasItsWordsAlsoInOtherLanguages) {
 
 TEST_P(EveryDeviceKind, CountsTheStrokesOfAnOrdinaryHand) {
   devices::SimulatedHand hand(
-      {.closed = kind().hand.ordinaryReach,
+      {.closed = kind().hand.typicalReach,
        .pauseTime = 0.3,
        .closeTime = 1.0,
        .holdTime = 0.2,

@@ -12,7 +12,7 @@ namespace cobs_test {
 using Bytes = std::vector<uint8_t>;
 
 Bytes stuffed(const Bytes& plain) {
-  Bytes out(largestCobs(plain.size()));
+  Bytes out(largestCobsSize(plain.size()));
   out.resize(cobsEncode(plain.data(), plain.size(), out.data()));
   return out;
 }
@@ -55,7 +55,7 @@ TEST(Cobs, RoundTripsEveryLengthWithManyZerosAndNone) {
         byte = isZero ? uint8_t{0} : static_cast<uint8_t>(1 + random() % 255);
       }
       const Bytes coded = stuffed(plain);
-      ASSERT_LE(coded.size(), largestCobs(length));
+      ASSERT_LE(coded.size(), largestCobsSize(length));
       for (const auto byte : coded) ASSERT_NE(byte, 0);
       ASSERT_EQ(plainOf(coded), plain) << length << " bytes, " << share << " % zeros";
     }

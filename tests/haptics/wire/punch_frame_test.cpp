@@ -87,7 +87,8 @@ TEST(PunchCodec, RoundTripsEveryMessage) {
   ModelTable table{.first = 16, .count = 16};
   table.force[15] = 4.25F;
   EXPECT_EQ(roundTrip(table).force[15], 4.25F);
-  EXPECT_EQ(roundTrip(ModelReply{ModelVerdict::Unsound, 5}).verdict, ModelVerdict::Unsound);
+  EXPECT_EQ(
+      roundTrip(ModelReply{ModelVerdict::InvalidModel, 5}).verdict, ModelVerdict::InvalidModel);
   EXPECT_EQ(roundTrip(Render{.hash = 0xDEADBEEF, .expiry = 20}).hash, 0xDEADBEEFU);
   EXPECT_EQ(roundTrip(Stop{StopReason::HostFault}).reason, StopReason::HostFault);
 }

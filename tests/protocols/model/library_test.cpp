@@ -130,23 +130,23 @@ TEST(ProtocolLibrary, HasNoRecordedCutThatEndsAtOnce) {
 }
 
 TEST(ProtocolLibrary, RendersThePublishedStudyByItsCodeAndByItsEquations) {
-  using haptics::models::Boundary;
-  using haptics::models::ToolWeights;
+  using haptics::models::BoundaryCondition;
+  using haptics::models::ToolInterpolation;
   const auto partsOf = [](const Protocol& protocol) {
     return std::get<haptics::engine::KalmanSpec>(*protocol.condition("kalman")->model);
   };
   const auto code = partsOf(read("punch-face-validity").loaded.protocol);
   EXPECT_EQ(code.scheme, haptics::models::KalmanScheme::AuthorsFirmware);
   EXPECT_EQ(code.smoothing, haptics::models::Smoothing::AuthorsFirmware);
-  EXPECT_EQ(code.finiteElements.parameters.boundary, Boundary::B);
-  EXPECT_EQ(code.finiteElements.parameters.weights, ToolWeights::AuthorsFirmware);
+  EXPECT_EQ(code.finiteElements.parameters.boundary, BoundaryCondition::B);
+  EXPECT_EQ(code.finiteElements.parameters.weights, ToolInterpolation::AuthorsFirmware);
   EXPECT_EQ(code.interpolation.options.extrapolation, haptics::models::Extrapolation::AuthorsClamp);
   EXPECT_TRUE(code.isProcessAsPrinted);
   const auto paper = partsOf(read("punch-paper-equations").loaded.protocol);
   EXPECT_EQ(paper.scheme, haptics::models::KalmanScheme::PaperText);
   EXPECT_EQ(paper.smoothing, haptics::models::Smoothing::TwoPoint);
-  EXPECT_EQ(paper.finiteElements.parameters.boundary, Boundary::A);
-  EXPECT_EQ(paper.finiteElements.parameters.weights, ToolWeights::Paper);
+  EXPECT_EQ(paper.finiteElements.parameters.boundary, BoundaryCondition::A);
+  EXPECT_EQ(paper.finiteElements.parameters.weights, ToolInterpolation::Paper);
   EXPECT_EQ(paper.interpolation.options.extrapolation, haptics::models::Extrapolation::Absent);
 }
 

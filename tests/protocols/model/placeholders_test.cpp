@@ -10,7 +10,7 @@ namespace placeholders_test {
 std::vector<Placeholder> placeholdersOf(const std::string& json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
   EXPECT_TRUE(loading.loaded) << loading.describe();
-  return loading.loaded ? placeholdersIn(*loading.loaded) : std::vector<Placeholder>();
+  return loading.loaded ? unfilledPlaceholdersIn(*loading.loaded) : std::vector<Placeholder>();
 }
 
 TEST(Placeholders, AreFoundInTheInstrumentsThatAreUsed) {

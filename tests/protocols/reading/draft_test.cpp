@@ -33,20 +33,20 @@ std::string mine() {
   return tests::with(tests::corpusText("good", "instruments/comfort"), "\"comfort\"", "\"mine\"");
 }
 
-TEST(Draft, ReportsNoMissingInstrumentIfItsFileIsMissing) {
+TEST(UnvalidatedProtocol, ReportsNoMissingInstrumentIfItsFileIsMissing) {
   EXPECT_EQ(
       saidAbout(askingMine(R"(["mine.json"])")),
       Words{"$.instrument_files[0]: there is no file 'mine.json'"});
 }
 
-TEST(Draft, ReadsAFileThatIsListedTwiceOnce) {
+TEST(UnvalidatedProtocol, ReadsAFileThatIsListedTwiceOnce) {
   const FileFinder find = [](const std::string&) { return std::optional(mine()); };
   EXPECT_EQ(
       saidAbout(askingMine(R"(["mine.json", "mine.json"])"), find),
       Words{"$.instrument_files[1]: 'mine.json' stands in this list twice"});
 }
 
-TEST(Draft, LooksOnceForAFileThatIsAnInstrumentHereAndACutThere) {
+TEST(UnvalidatedProtocol, LooksOnceForAFileThatIsAnInstrumentHereAndACutThere) {
   int asked = 0;
   const FileFinder find = [&](const std::string&) {
     ++asked;
@@ -62,7 +62,7 @@ TEST(Draft, LooksOnceForAFileThatIsAnInstrumentHereAndACutThere) {
   for (const auto& words : said) EXPECT_TRUE(words.starts_with("mine.json $")) << words;
 }
 
-TEST(Draft, KeepsBackTheWarningsOfAFileWhileSomethingIsWrong) {
+TEST(UnvalidatedProtocol, KeepsBackTheWarningsOfAFileWhileSomethingIsWrong) {
   const auto blank = tests::with(mine(), "\"title\": \"", "\"title\": \"[[whose]] ");
   const FileFinder find = [&](const std::string&) { return std::optional(blank); };
   const auto sound = tests::load(askingMine(R"(["mine.json"])"), find);
@@ -72,14 +72,14 @@ TEST(Draft, KeepsBackTheWarningsOfAFileWhileSomethingIsWrong) {
       saidAbout(text, find), Words{"$.analysis.families[0].alpha: this number is out of range"});
 }
 
-TEST(Draft, MakesNoModelOfParametersThatCouldNotBeRead) {
+TEST(UnvalidatedProtocol, MakesNoModelOfParametersThatCouldNotBeRead) {
   const auto text = tests::with(
       tests::usualProtocol(), R"({ "yield_force_n": 6 })", R"({"tool_position": 3, "colour": 1})");
   EXPECT_EQ(
       saidAbout(text), Words{"$.conditions[1].scene.parameters.colour: unknown key 'colour'"});
 }
 
-TEST(Draft, ReportsNoMissingBlockIfAPhasesTypeCannotBeRead) {
+TEST(UnvalidatedProtocol, ReportsNoMissingBlockIfAPhasesTypeCannotBeRead) {
   const auto text = tests::withPhases(
       {R"({"id": "seen", "type": "blok", "conditions": ["soft", "firm"]})",
        R"({"id": "best", "type": "preference", "instrument": "preference", "block": "seen"})",
@@ -88,7 +88,7 @@ TEST(Draft, ReportsNoMissingBlockIfAPhasesTypeCannotBeRead) {
   EXPECT_EQ(saidAbout(text), Words{"$.phases[2].type: unknown word 'blok'"});
 }
 
-TEST(Draft, ReportsNoMissingConditionOrDeviceIfANameCannotBeRead) {
+TEST(UnvalidatedProtocol, ReportsNoMissingConditionOrDeviceIfANameCannotBeRead) {
   const auto text = tests::with(tests::usualProtocol(), R"("id": "firm")", R"("id": "fi rm")");
   EXPECT_EQ(saidAbout(text), Words{"$.conditions[1].id: 'fi rm' cannot be an id"});
   const auto other = tests::with(tests::usualProtocol(), R"("kind": "punch")", R"("kind": "pnch")");

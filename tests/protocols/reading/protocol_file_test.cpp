@@ -198,8 +198,8 @@ TEST(ProtocolFile, ReadsAProtocolWithErrorsAsFarAsItCan) {
   Problems problems;
   const auto text = tests::with(tests::usualProtocol(), "random", "by chance");
   EXPECT_FALSE(loadProtocol(text, nothing, problems).has_value());
-  EXPECT_TRUE(readDraft(text, nothing, problems).has_value());
-  EXPECT_FALSE(readDraft("[]", nothing, problems).has_value());
+  EXPECT_TRUE(readUnvalidatedProtocol(text, nothing, problems).has_value());
+  EXPECT_FALSE(readUnvalidatedProtocol("[]", nothing, problems).has_value());
 }
 
 }  // namespace protocol_file_test

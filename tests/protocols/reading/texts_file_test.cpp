@@ -47,7 +47,7 @@ TEST(BlankTexts, FillEveryShippedProtocolOnce) {
     const std::string name(file.name);
     if (name.ends_with(".schema.json")) continue;
     const auto protocol = loaded(name.substr(0, name.size() - 5));
-    EXPECT_FALSE(placeholdersIn(protocol).empty()) << name << ": templates have blanks";
+    EXPECT_FALSE(unfilledPlaceholdersIn(protocol).empty()) << name << ": templates have blanks";
     BlankTexts texts;
     for (const auto& blank : blanksOf(protocol)) {
       EXPECT_TRUE(blank.text.isEmpty());
@@ -55,7 +55,7 @@ TEST(BlankTexts, FillEveryShippedProtocolOnce) {
       texts[blank.key] = english("x");
     }
     EXPECT_EQ(texts.size(), 10U) << name;
-    EXPECT_TRUE(placeholdersIn(filled(protocol, texts)).empty()) << name;
+    EXPECT_TRUE(unfilledPlaceholdersIn(filled(protocol, texts)).empty()) << name;
     EXPECT_EQ(blanksOf(filled(protocol, texts)).size(), 10U) << "a filled blank can be changed";
   }
 }

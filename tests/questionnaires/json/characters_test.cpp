@@ -8,13 +8,13 @@ namespace questionnaires {
 namespace characters_test {
 
 TEST(CharactersIn, CountsCodePoints) {
-  EXPECT_EQ(charactersIn(""), 0U);
-  EXPECT_EQ(charactersIn("abc"), 3U);
-  EXPECT_EQ(charactersIn("größe"), 5U);
-  EXPECT_EQ(charactersIn("e\xCC\x81"), 2U);  // e and a combining accent
-  EXPECT_EQ(charactersIn("مرحبا"), 5U);
-  EXPECT_EQ(charactersIn("👍🏽"), 2U);  // a thumb and its skin tone
-  EXPECT_EQ(charactersIn(std::string_view("a\0b", 3)), 3U);
+  EXPECT_EQ(utf8CharacterCount(""), 0U);
+  EXPECT_EQ(utf8CharacterCount("abc"), 3U);
+  EXPECT_EQ(utf8CharacterCount("größe"), 5U);
+  EXPECT_EQ(utf8CharacterCount("e\xCC\x81"), 2U);  // e and a combining accent
+  EXPECT_EQ(utf8CharacterCount("مرحبا"), 5U);
+  EXPECT_EQ(utf8CharacterCount("👍🏽"), 2U);  // a thumb and its skin tone
+  EXPECT_EQ(utf8CharacterCount(std::string_view("a\0b", 3)), 3U);
 }
 
 TEST(CharactersIn, TakesTheEndsOfEveryLength) {
@@ -28,7 +28,7 @@ TEST(CharactersIn, TakesTheEndsOfEveryLength) {
         "\xEF\xBF\xBF",
         "\xF0\x90\x80\x80",
         "\xF4\x8F\xBF\xBF"}) {
-    EXPECT_EQ(charactersIn(text), 1U);
+    EXPECT_EQ(utf8CharacterCount(text), 1U);
   }
 }
 
@@ -47,7 +47,7 @@ TEST(CharactersIn, KnowsWhatIsNoUnicode) {
         "\xF5\x80\x80\x80",
         "\xFF",
         "ab\xE9"}) {
-    EXPECT_FALSE(charactersIn(text).has_value());
+    EXPECT_FALSE(utf8CharacterCount(text).has_value());
   }
 }
 

@@ -49,21 +49,21 @@ class UnblindingTest : public testing::Test {
 TEST_F(UnblindingTest, NeedsAReasonForSessionsOfPeopleOnly) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot}) {
     EXPECT_THROW(
-        noteUnblinding(*study_, mode, EventKind::UnblindedReport, ""), storage::StorageError);
+        recordUnblinding(*study_, mode, EventKind::UnblindedReport, ""), storage::StorageError);
   }
-  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, EventKind::UnblindedReport, ""));
-  noteUnblinding(
+  EXPECT_NO_THROW(recordUnblinding(*study_, RunMode::Simulated, EventKind::UnblindedReport, ""));
+  recordUnblinding(
       *study_, RunMode::Simulated, EventKind::UnblindedReport, "said though nobody asked");
   EXPECT_TRUE(reasonsOf("unblinded_report").empty());
-  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
-  noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "pilot done");
+  recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
+  recordUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "pilot done");
   EXPECT_EQ(reasonsOf("unblinded_report"), (std::vector<std::string>{"plan signed", "pilot done"}));
 }
 
 TEST_F(UnblindingTest, KeepsTheReasonWhyAnOlderCopyWasPutBack) {
   const auto copy = study_.scratch() / "copy";
   backUp(study_.folder(), copy);
-  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "signed after the copy");
+  recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "signed after the copy");
   study_.close();
   std::filesystem::remove_all(study_.folder());
   std::filesystem::rename(copy, study_.folder());
@@ -83,9 +83,9 @@ TEST(OpenStudy, NeedsNoReasonAndIsCalledBlindedNowhere) {
   json.insert(json.find("\"languages\""), "\"blinding\": \"open\", ");
   tests::MadeStudy study(tests::protocolFrom(json));
   const auto events = study->events().last();
-  EXPECT_NO_THROW(noteUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, ""));
+  EXPECT_NO_THROW(recordUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, ""));
   EXPECT_EQ(study->events().last(), events);
-  noteUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, "said all the same");
+  recordUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, "said all the same");
   EXPECT_GT(study->events().last(), events);
   EXPECT_NE(blindingInWords(*study, {.runMode = RunMode::Live}), "blinded");
   ASSERT_EQ(disclosuresOf(*study).size(), 1U);

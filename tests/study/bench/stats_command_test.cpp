@@ -34,7 +34,7 @@ TEST(SyntheticStudy, HasItsCountsInItsResults) {
     }
   }
   EXPECT_EQ(total, static_cast<std::uint64_t>(kAnswers));
-  EXPECT_EQ(study.database().integrityProblems(), "");
+  EXPECT_EQ(study.database().integrityCheckProblems(), "");
 }
 
 TEST(StatsCommand, CountsEveryAnswerAndLeavesNoFiles) {

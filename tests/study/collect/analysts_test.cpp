@@ -87,7 +87,7 @@ TEST_F(Analysts, CodesAreDrawnForEachStudyAndRunMode) {
   auto owner = admin();
   std::set<std::string> drawn;
   for (int i = 0; i < 20; ++i) {
-    study::collect::putStudy(
+    study::collect::addStudyOrVersion(
         owner, "again-" + std::to_string(i), tests::protocolFrom(tests::shortProtocol()), 100 + i);
   }
   const auto rows = owner.query(
@@ -107,7 +107,7 @@ TEST_F(Analysts, CodesStayWhenTheProtocolGetsAnotherCondition) {
       "SELECT string_agg(run_mode || condition || code, ' ' ORDER BY run_mode, condition) "
       "FROM palpate.condition_code WHERE condition <> 'none'";
   const auto before = owner.query(map).text(0, 0);
-  study::collect::putStudy(
+  study::collect::addStudyOrVersion(
       owner,
       "short",
       tests::protocolFrom(tests::shortProtocol(
@@ -123,10 +123,10 @@ TEST_F(Analysts, CodesStayWhenTheProtocolGetsAnotherCondition) {
 TEST_F(Analysts, SeeBackgroundsInTheBandsOfAnExport) {
   auto owner = admin();
   const auto protocol = tests::protocolFrom(tests::shortProtocol({.form = "background"}));
-  study::collect::putStudy(owner, "with-form", protocol, 2);
+  study::collect::addStudyOrVersion(owner, "with-form", protocol, 2);
   const auto account = accountOf("oslo");
   const auto station =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
   const auto enrolled = study::collect::enrolStation(
       owner, {.study = "with-form", .site = "oslo", .key = station.publicKey()});
   study::collect::join(scratch_.write("oslo.enrolment", enrolled.file), folderOf("oslo"), clock_);
@@ -143,14 +143,14 @@ TEST_F(Analysts, SeeBackgroundsInTheBandsOfAnExport) {
         "JOIN step AS t ON t.session_id = a.session_id AND t.step = a.step WHERE t.phase = 'form'");
     while (select.step()) {
       const auto* item = protocol.instrument("background")->item(select.text(1));
-      if (!study::isAboutThePerson(*item)) continue;
+      if (!study::isQuasiIdentifier(*item)) continue;
       const auto response = study::storage::restored(
           {.kind = select.text(2),
            .point = select.optionalNumber(3),
            .number = select.optionalReal(4),
            .text = select.optionalText(5)});
       told[select.text(0) + " " + item->id] =
-          study::Coarsening(*item, "en").releasedValue(0, response);
+          study::GeneralisationHierarchy(*item, "en").releasedValue(0, response);
     }
   }
   auto ada = analyst();
@@ -184,7 +184,7 @@ TEST_F(Analysts, BandsHaveTheWordsOfAnExport) {
     item.least = least;
     item.most = most;
     item.step = step;
-    const study::Coarsening bands(item, "en");
+    const study::GeneralisationHierarchy bands(item, "en");
     for (int i = 0; i <= 20; ++i) {
       const double value = least + (most - least) * i / 20.0;
       const auto told = owner.query(

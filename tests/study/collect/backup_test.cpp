@@ -40,7 +40,7 @@ TEST_F(Backups, ADumpAndItsRolesMakeTheSameServerElsewhere) {
   run(postgres(), "pg_dumpall", {"--roles-only", "--file", scratch_ / "roles.sql"});
   run(postgres(), "pg_dump", {"--format=custom", "--file", scratch_ / "study.dump", database()});
 
-  const PrivateServer other(PrivateServer::Disk::Unflushed);
+  const PrivateServer other(PrivateServer::Disk::WithoutFsync);
   // The superuser is there already, which psql says and passes over.
   run(other, "psql", {"--quiet", "--file", scratch_ / "roles.sql", "postgres"});
   run(other, "createdb", {"study"});

@@ -23,7 +23,7 @@ class Bundles : public tests::CollectTest {
     const auto account = accountOf(label);
     study::collect::Outbox outbox(folderOf(label), clock_);
     const auto station =
-        study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+        study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
     const auto home = study::collect::serverSettingsOf(folderOf(label));
     last_ =
         study::collect::writeBundle(outbox, station, home.bundleKey, after, scratch_ / name).last;
@@ -92,7 +92,7 @@ TEST_F(Bundles, OfAnotherStationsKeyAreRefused) {
   runSession("oslo");
   const auto account = accountOf("oslo");
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
-  const auto other = study::storage::StationStore::findOrMake(scratch_ / "somebody else");
+  const auto other = study::storage::StationStore::openOrCreate(scratch_ / "somebody else");
   const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   study::collect::writeBundle(outbox, other, home.bundleKey, 0, scratch_ / "forged");
   expectRefused(scratch_ / "forged");
@@ -138,7 +138,7 @@ TEST_F(Bundles, ThatDoNotFitOnTheDiskAreRemoved) {
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   const auto station =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);

@@ -229,7 +229,7 @@ class Campaign : public tests::CollectTest {
         owner.query("SELECT have FROM palpate.station WHERE label = $1", {label}).number(0, 0);
     const auto account = accountOf(label);
     const auto station =
-        study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+        study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
     const auto home = study::collect::serverSettingsOf(folderOf(label));
     const auto write = [&](std::int64_t after) {
       const auto file = scratch_ / ("bundle-" + std::to_string(++bundles_));

@@ -235,7 +235,7 @@ TEST_F(Enrolments, TakeNoAddressWithAPassword) {
   const auto before = stations();
   const auto account = accountOf("tromso");
   const auto key =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder())
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder())
           .publicKey();
   EXPECT_THROW(
       study::collect::enrolStation(

@@ -30,7 +30,7 @@ std::unique_ptr<PrivateServer>& server() {
   return made;
 }
 
-std::string nameOf(const study::storage::SessionFacts& facts) {
+std::string nameOf(const study::storage::SessionTables& facts) {
   return std::get<std::string>(facts.at("participant").front().at("code")) + "/" +
          std::to_string(std::get<std::int64_t>(facts.at("session").front().at("number")));
 }
@@ -52,7 +52,7 @@ std::string digestOf(
 
 PrivateServer& CollectTest::postgres() {
   if (server() == nullptr)
-    server() = std::make_unique<PrivateServer>(PrivateServer::Disk::Unflushed);
+    server() = std::make_unique<PrivateServer>(PrivateServer::Disk::WithoutFsync);
   return *server();
 }
 
@@ -63,7 +63,7 @@ void CollectTest::SetUp() {
   Connection(postgres().server()).execute("CREATE DATABASE " + database_);
   auto owner = admin();
   study::collect::installSchema(owner);
-  study::collect::putStudy(owner, kStudy, protocolFrom(shortProtocol()), 1);
+  study::collect::addStudyOrVersion(owner, kStudy, protocolFrom(shortProtocol()), 1);
 }
 
 Connection CollectTest::admin() const {
@@ -78,7 +78,7 @@ void CollectTest::addStation(const std::string& site, const std::string& label) 
   const auto name = label.empty() ? site : label;
   const auto account = accountOf(name);
   const auto station =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
   auto owner = admin();
   const auto enrolled = study::collect::enrolStation(
       owner, {.study = kStudy, .site = site, .label = label, .key = station.publicKey()});

@@ -40,7 +40,9 @@ class JoinTest : public testing::Test {
         .protocols = {{.text = protocol.text, .files = protocol.files}}};
   }
 
-  static StationStore station() { return StationStore::findOrMake(StationStore::usualFolder()); }
+  static StationStore station() {
+    return StationStore::openOrCreate(StationStore::defaultFolder());
+  }
 
   std::string fileFor(const std::string& label, const std::string& key) const {
     return scratch_.write(
@@ -275,22 +277,23 @@ TEST(OrdersOfStations, ASecretOfAStationTellsNothingOfTheOthers) {
   EXPECT_EQ(secret.of("oslo").bytes(), secret.of("oslo").bytes());
 }
 
-TEST(SessionFacts, ComeBackAsTheyWere) {
+TEST(SessionTables, ComeBackAsTheyWere) {
   tests::MadeStudy made;
   auto session = tests::consenting(*made, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
   const auto facts = study::storage::factsOf(made->database(), session.id());
   const auto text = study::collect::asText(facts);
-  EXPECT_EQ(study::collect::asText(study::collect::factsIn(text)), text);
-  EXPECT_EQ(study::collect::factsIn(text), facts);
+  EXPECT_EQ(study::collect::asText(study::collect::sessionTablesIn(text)), text);
+  EXPECT_EQ(study::collect::sessionTablesIn(text), facts);
 }
 
-TEST(SessionFacts, AColumnThatThisProgramDoesNotKnowIsRefused) {
+TEST(SessionTables, AColumnThatThisProgramDoesNotKnowIsRefused) {
   tests::MadeStudy made;
   auto session = tests::consenting(*made, {.cohort = "surgeons"});
   auto facts = study::storage::factsOf(made->database(), session.id());
   facts["visit"].front()["mood"] = std::string("good");
-  EXPECT_THROW(study::storage::addFacts(made->database(), facts), study::storage::StorageError);
+  EXPECT_THROW(
+      study::storage::addSessionTables(made->database(), facts), study::storage::StorageError);
 }
 
 TEST(ServerAddress, APasswordInItIsRefused) {

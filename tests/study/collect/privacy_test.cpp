@@ -86,7 +86,7 @@ class Privacy : public tests::CollectTest {
     const auto account = accountOf("oslo");
     Outbox outbox(folderOf("oslo"), clock_);
     const auto station =
-        study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+        study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
     const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
     study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / name);
     return scratch_ / name;
@@ -293,11 +293,11 @@ TEST_F(Privacy, AReceiptOfASessionIsListedOnce) {
   const auto account = accountOf("oslo");
   const study::ErasureReceipt receipt{
       .session = 3, .participant = "oslo_P 1", .utc = "2026-11-25T10:00:00.000Z", .left = 0};
-  study::noteReceipt("study", "station", receipt);
-  study::noteReceipt("study", "station", receipt);
+  study::recordErasureReceipt("study", "station", receipt);
+  study::recordErasureReceipt("study", "station", receipt);
   auto again = receipt;  // of a server that was restored
   again.utc = "2026-11-26T10:00:00.000Z";
-  study::noteReceipt("study", "station", again);
+  study::recordErasureReceipt("study", "station", again);
   const auto kept = study::receiptsOf("study", "station");
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(kept[0].participant, "oslo_P 1");

@@ -167,7 +167,7 @@ TEST_F(ServerFaults, AServerOfAnOlderSchemaIsBroughtUpToDateWithWhatIsInIt) {
     owner.query("INSERT INTO schema_step (step) VALUES ($1)", {std::int64_t{step}});
   }
   owner.execute("RESET ROLE; RESET search_path");
-  study::collect::putStudy(owner, "short", tests::protocolFrom(tests::shortProtocol()), 1);
+  study::collect::addStudyOrVersion(owner, "short", tests::protocolFrom(tests::shortProtocol()), 1);
   addStation("oslo");
   runSession("oslo");
   {
@@ -198,7 +198,7 @@ TEST_F(ServerFaults, AStationThatIsEnrolledAfterTheProtocolWasChangedHasTheNewes
   text.replace(text.find(version), version.size(), R"("version": "2")");
   const auto newest = tests::protocolFrom(text);
   auto owner = admin();
-  EXPECT_FALSE(study::collect::putStudy(owner, "short", newest, std::nullopt));
+  EXPECT_FALSE(study::collect::addStudyOrVersion(owner, "short", newest, std::nullopt));
   addStation("bergen");
   runSession("bergen");
   push("bergen");
@@ -229,12 +229,12 @@ TEST_F(ServerFaults, AnotherStudysProtocolIsNoVersionAndTheLastOneAddedIsNewest)
   };
   auto owner = admin();
   EXPECT_THROW(
-      study::collect::putStudy(
+      study::collect::addStudyOrVersion(
           owner, "short", changed(R"("id": "short")", R"("id": "another")"), std::nullopt),
       study::UserError);
   const auto second = changed(R"("version": "1")", R"("version": "2")");
-  study::collect::putStudy(owner, "short", second, std::nullopt);
-  study::collect::putStudy(
+  study::collect::addStudyOrVersion(owner, "short", second, std::nullopt);
+  study::collect::addStudyOrVersion(
       owner, "short", tests::protocolFrom(tests::shortProtocol()), std::nullopt);
   const auto study = study::collect::findStudy(owner, "short").uuid;
   EXPECT_NE(study::collect::protocolsOf(owner, study).back().text, second.text);
@@ -261,7 +261,7 @@ TEST_F(ServerFaults, AClockThatIsAYearOffChangesNoOrder) {
 TEST_F(ServerFaults, AnEnrolmentThatIsTooOldSaysWhatTheClockShows) {
   const auto account = accountOf("oslo");
   const auto station =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
   auto owner = admin();
   const auto enrolled =
       study::collect::enrolStation(owner, {.site = "oslo", .key = station.publicKey()});
@@ -303,7 +303,7 @@ TEST_F(ServerFaults, OfTwoComputersFromOneBackupOneIsEnrolledAgain) {
   {
     const auto account = accountOf("twin");
     const auto station =
-        study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+        study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
     auto owner = admin();
     const auto enrolled = study::collect::enrolStation(
         owner, {.site = "oslo", .label = "oslo-2", .key = station.publicKey()});
@@ -361,7 +361,7 @@ TEST_F(ServerFaults, ABundleThatIsNotTheStationsIsKeptAsAnIncident) {
   const auto account = accountOf("oslo");
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   const auto station =
-      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+      study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
   const auto home = study::collect::serverSettingsOf(folderOf("oslo"));
   study::collect::writeBundle(outbox, station, home.bundleKey, 0, scratch_ / "a.bundle");
   auto changed = tests::contentOf(scratch_ / "a.bundle");
@@ -374,7 +374,7 @@ TEST_F(ServerFaults, ABundleThatIsNotTheStationsIsKeptAsAnIncident) {
 
 TEST_F(ServerFaults, WhatIsDeniedToARoleIsInTheLogWithItsName) {
   auto owner = admin();
-  EXPECT_EQ(study::collect::logProblem(owner), std::nullopt);
+  EXPECT_EQ(study::collect::logPrivacyProblem(owner), std::nullopt);
   addStation("oslo");
   auto station = as("station_oslo");
   for (const std::string denied :
@@ -390,7 +390,7 @@ TEST_F(ServerFaults, WhatIsDeniedToARoleIsInTheLogWithItsName) {
     EXPECT_NE(log.rfind("permission denied"), std::string::npos);
   }
   owner.execute("SET log_min_error_statement = panic");
-  EXPECT_NE(study::collect::logProblem(owner), std::nullopt);
+  EXPECT_NE(study::collect::logPrivacyProblem(owner), std::nullopt);
 }
 
 }  // namespace server_faults_test

@@ -79,7 +79,8 @@ using Names = std::vector<std::string>;
 TEST(Column, DeclaresItsReaders) {
   EXPECT_EQ(namesFor({.isBlinded = false}), (Names{"code", "count", "secret", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = true}), (Names{"code", "count", "seconds_s"}));
-  EXPECT_EQ(namesFor({.isBlinded = true, .needParticipant = false}), (Names{"count", "seconds_s"}));
+  EXPECT_EQ(
+      namesFor({.isBlinded = true, .needParticipantColumn = false}), (Names{"count", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = false, .isPublic = true}), (Names{"secret"}));
   EXPECT_EQ(
       namesFor({.isBlinded = true, .isPublic = true, .told = {"haste"}}), (Names{"seconds_s"}));
@@ -87,15 +88,15 @@ TEST(Column, DeclaresItsReaders) {
 
 TEST(Column, IsDescribedForItsReaders) {
   const auto secret = table().columns[2];
-  EXPECT_EQ(secret.headFor({}).description, "Which rendering it was");
-  EXPECT_TRUE(secret.headFor({}).isFreeText);
-  EXPECT_EQ(secret.headFor({.isPublic = true}).description, "Which rendering, coded");
-  EXPECT_FALSE(secret.headFor({.isPublic = true}).isFreeText);
+  EXPECT_EQ(secret.exportedColumnFor({}).description, "Which rendering it was");
+  EXPECT_TRUE(secret.exportedColumnFor({}).isFreeText);
+  EXPECT_EQ(secret.exportedColumnFor({.isPublic = true}).description, "Which rendering, coded");
+  EXPECT_FALSE(secret.exportedColumnFor({.isPublic = true}).isFreeText);
 
   const Readers readers{.lists = {{ValueList::Cohorts, {{"novices", "Novices"}}}}};
-  ASSERT_EQ(table().columns[0].headFor(readers).levels.size(), 1U);
-  EXPECT_EQ(table().columns[0].headFor(readers).levels[0].label, "Novices");
-  EXPECT_EQ(table().columns[3].headFor(readers).unit, "s");
+  ASSERT_EQ(table().columns[0].exportedColumnFor(readers).levels.size(), 1U);
+  EXPECT_EQ(table().columns[0].exportedColumnFor(readers).levels[0].label, "Novices");
+  EXPECT_EQ(table().columns[3].exportedColumnFor(readers).unit, "s");
 }
 
 TEST(ExportedTable, HasACellForEachColumnAndAnEmptyOneForAMissingValue) {

@@ -131,8 +131,8 @@ questionnaires::Item years() {
   return item;
 }
 
-TEST(Coarsening, NeverReleasesAnExactAge) {
-  const Coarsening coarsening(years(), "en");
+TEST(GeneralisationHierarchy, NeverReleasesAnExactAge) {
+  const GeneralisationHierarchy coarsening(years(), "en");
   ASSERT_EQ(coarsening.levelCount(), 4U);
   EXPECT_EQ(coarsening.releasedValue(0, 37.0), "35 to 39");
   EXPECT_EQ(coarsening.releasedValue(1, 37.0), "30 to 39");
@@ -143,22 +143,22 @@ TEST(Coarsening, NeverReleasesAnExactAge) {
   EXPECT_EQ(coarsening.values(0).size(), 15U);
 }
 
-TEST(Coarsening, ReleasesFractionsAsHalfOpenBands) {
+TEST(GeneralisationHierarchy, ReleasesFractionsAsHalfOpenBands) {
   auto item = years();
   item.step = 0.1;
-  EXPECT_EQ(Coarsening(item, "en").releasedValue(0, 4.9), "0 to <5");
+  EXPECT_EQ(GeneralisationHierarchy(item, "en").releasedValue(0, 4.9), "0 to <5");
   item.most = 2.0;
-  EXPECT_EQ(Coarsening(item, "en").releasedValue(0, 1.3), "1 to <1.5");
+  EXPECT_EQ(GeneralisationHierarchy(item, "en").releasedValue(0, 1.3), "1 to <1.5");
 }
 
-TEST(Coarsening, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
+TEST(GeneralisationHierarchy, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
   questionnaires::Item item;
   item.type = questionnaires::ItemType::SingleChoice;
   for (const auto* id : {"none", "1-9", "10-59", "60-plus", "no-answer"}) {
     const std::map<std::string, std::string> text{{"en", id}};
     item.options.push_back({id, questionnaires::LocalizedText(text)});
   }
-  const Coarsening coarsening(item, "en");
+  const GeneralisationHierarchy coarsening(item, "en");
   ASSERT_EQ(coarsening.levelCount(), 3U);
   EXPECT_EQ(coarsening.releasedValue(0, std::string("10-59")), "10-59");
   EXPECT_EQ(coarsening.releasedValue(1, std::string("10-59")), "1-9 to 10-59");

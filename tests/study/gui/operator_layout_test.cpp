@@ -246,7 +246,7 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
 }
 
 TEST_F(OperatorLayoutWithInterview, HasAllOfItsRightColumnBesideAParticipantsWindow) {
-  const auto places = placesOn({0, 0, 1920, 1080});
+  const auto places = windowGeometriesOn({0, 0, 1920, 1080});
   ASSERT_TRUE(places);
   enrol();
   show(places->own.size());
@@ -288,15 +288,15 @@ TEST_F(OperatorLayoutWithInterview, HasAllOfItsRightColumnBesideAParticipantsWin
       << "Enter would press one of its buttons";
 }
 
-TEST(WindowPlaces, AreSideBySideOnAScreenWithRoomForTwo) {
+TEST(WindowGeometries, AreSideBySideOnAScreenWithRoomForTwo) {
   for (const QRect screen : {QRect(0, 30, 1920, 1050), QRect(1920, 0, 3840, 2160)}) {
-    const auto places = placesOn(screen);
+    const auto places = windowGeometriesOn(screen);
     ASSERT_TRUE(places);
     EXPECT_FALSE(places->own.intersects(places->participant));
     EXPECT_EQ(places->own.united(places->participant), screen);
     EXPECT_GT(places->own.width(), places->participant.width());
   }
-  EXPECT_FALSE(placesOn({0, 0, 1366, 768}));
+  EXPECT_FALSE(windowGeometriesOn({0, 0, 1366, 768}));
 }
 
 TEST(FindingsDialog, ChecksAgainOnRequest) {

@@ -69,7 +69,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::SwitchedReamer, "switched_reamer"},
     {EventKind::View, "view"},
     {kindOf(SafetyKind::TooFast), "safety_too_fast"},
-    {kindOf(SafetyKind::Released), "safety_released"},
+    {kindOf(SafetyKind::DeadManReleased), "safety_released"},
     {kindOf(SafetyKind::NoSample), "safety_no_sample"},
     {kindOf(SafetyKind::MissedPeriods), "safety_lost_beats"},
     {kindOf(SafetyKind::SoftStart), "safety_soft_start"},

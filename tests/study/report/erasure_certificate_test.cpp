@@ -66,7 +66,7 @@ TEST(ErasureCertificate, IsTranslatedWithoutARest) {
         if (number == 0) made.report.texts = {};
         if (number == 2) {
           made.report.filesWithTexts = {"study.db"};
-          made.copies.push_back({.folder = "/disk/no", .outcome = ErasedCopy::Outcome::NotInIt});
+          made.copies.push_back({.folder = "/disk/no", .outcome = ErasedCopy::Outcome::NotInCopy});
           made.report.whyNotListed = "why";
         }
         const auto text = asText(made, words);

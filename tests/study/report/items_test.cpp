@@ -157,7 +157,7 @@ TEST(FamilyOfASlider, ComparesItsAnswersAsPointsOfAScale) {
     study.add(static_cast<int>(i) + 1, "kalman", "why", std::string("no number"));
   }
   study.add(1, "kalman", "vas", 40.5);  // between the points: of another version's slider
-  std::vector<OwnedAnswer> owned;
+  std::vector<ParticipantAnswer> owned;
   for (auto& answer : study.answers) {
     answer.step.kind = StepKind::Questionnaire;
     owned.push_back({&study.sessions.at(answer.step.visit.session).participant, &answer});
@@ -167,7 +167,7 @@ TEST(FamilyOfASlider, ComparesItsAnswersAsPointsOfAScale) {
   EXPECT_EQ(table.lowest, 0);
   EXPECT_EQ(table.highest, 100);
   EXPECT_EQ(table.answers.size(), 6U);
-  EXPECT_EQ(expectedAnswers(study.loaded, family, table), (std::vector<std::size_t>{1, 1}));
+  EXPECT_EQ(completeAnswerCounts(study.loaded, family, table), (std::vector<std::size_t>{1, 1}));
   const std::vector<analysis::DeclaredPair> pairs{{"interpolation", "kalman"}};
   const auto within = analysis::compareWithin(table, pairs, {});
   // R: t.test(c(60, 70, 83), c(40, 65, 60), paired = TRUE)
@@ -186,7 +186,7 @@ struct Compared {
   Compared(Answered& study, const protocols::Family& family) {
     std::vector<std::string> people;
     for (const auto& [id, session] : study.sessions) people.push_back(session.participant);
-    std::vector<OwnedAnswer> owned;
+    std::vector<ParticipantAnswer> owned;
     for (auto& answer : study.answers) {
       answer.step.kind = StepKind::Questionnaire;
       owned.push_back({&study.sessions.at(answer.step.visit.session).participant, &answer});
@@ -209,7 +209,7 @@ TEST(FamilyOfASlider, ComparesNumbersBetweenPoints) {
     study.add(static_cast<int>(i) + 1, "kalman", "vas", given[i].second);
   }
   const Compared compared(study, familyOfSlider());
-  EXPECT_FALSE(compared.table.isOfPoints);
+  EXPECT_FALSE(compared.table.isPointScale);
   EXPECT_EQ(compared.table.answers.size(), 6U);
   EXPECT_FALSE(compared.table.sampleOf(0).points());
   EXPECT_DOUBLE_EQ(*compared.table.sampleOf(0).mean(), 0.5);
@@ -246,11 +246,11 @@ TEST(FamilyOfAScore, ComparesWhatEachFormComesTo) {
   EXPECT_EQ(compared.table.lowest, 0.0);
   EXPECT_EQ(compared.table.highest, 100.0);
   EXPECT_EQ(
-      expectedAnswers(study.loaded, family, compared.table), (std::vector<std::size_t>{1, 1}));
+      completeAnswerCounts(study.loaded, family, compared.table), (std::vector<std::size_t>{1, 1}));
   const auto& test = compared.within.rows.at(0).test("paired_t");
   EXPECT_EQ(test.n1, 2U);
   EXPECT_DOUBLE_EQ(*test.estimate.value, 21.25);
-  EXPECT_TRUE(relativeStatements(study.loaded, family, compared.table).empty());
+  EXPECT_TRUE(comparativeStatements(study.loaded, family, compared.table).empty());
 }
 
 TEST(ComparedScale, IsOfPointsForSlidersAndNumbersInWholeSteps) {

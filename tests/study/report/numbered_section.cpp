@@ -271,9 +271,10 @@ study::InstrumentSummary instrumentSummary() {
 
 /// Two curves that differ by 3 N over all samples, and by 1 N, 2 N and 4.5 N for three
 /// participants.
-std::vector<study::FeltCurve> feltCurves() {
+std::vector<study::RenderedForceCurve> renderedForceCurves() {
   const auto curve = [](const char* condition, double force, const std::vector<double>& own) {
-    study::FeltCurve made{.condition = condition, .device = "punch", .trials = 4, .points = {}};
+    study::RenderedForceCurve made{
+        .condition = condition, .device = "punch", .trials = 4, .points = {}};
     for (const int bin : {1, 2}) {
       made.points.push_back({1.0 * bin, force - 0.5, force, force + 0.5, bin});
     }
@@ -317,7 +318,7 @@ study::report::ReportSection numberedSection() {
        .between = {betweenResult()}}};
   section.results.votes = {voteResult()};
   section.results.instruments = {instrumentSummary()};
-  section.curves = feltCurves();
+  section.curves = renderedForceCurves();
   section.quality = {
       .trials = 101,
       .optionalTrials = 102,
@@ -340,7 +341,7 @@ analysis::SiteAnalysis numberedSites() {
   graz.test.t = 8.04;
   graz.test.degreesOfFreedom = 8.05;
   graz.test.p = 0.806;
-  analysis::MetaAnalysis pooled{.sites = 84, .q = 8.11, .qP = 0.812};
+  analysis::MetaAnalysis pooled{.sites = 84, .q = 8.11, .heterogeneityP = 0.812};
   pooled.common = {.estimate = 8.13, .interval = {8.14, 8.15}, .p = 0.816};
   pooled.derSimonianLaird = {
       .estimate = 8.17, .interval = {8.18, 8.19}, .p = 0.821, .tauSquared = 8.22};

@@ -19,11 +19,11 @@ namespace report_section_test {
 TEST(ReportSection, CountsOptionalTrialsSeparately) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.offersAgain = true})));
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
-  tests::walkUntil(session, [](const Step& step) { return step.isOffered; });
-  session.skipOfferedTrial();
+  tests::walkUntil(session, [](const Step& step) { return step.isOptionalTrial; });
+  session.skipOptionalTrial();
   session.beginTrial();
   session.finishTrial(tests::feltTrial(4));
-  session.skipOfferedTrial();
+  session.skipOptionalTrial();
   tests::walkToTheEnd(session);
 
   const auto section = gather(*study, RunMode::Live);

@@ -67,7 +67,7 @@ CohortResult cohort(
       result.table,
       {.isDeclared = false,
        .tests = 3,
-       .relativeStatements = {1},
+       .comparativeStatements = {1},
        .pValues = {0.01668},
        .expected = {7, 7, 7},
        .trials = 9,
@@ -76,8 +76,9 @@ CohortResult cohort(
   return result;
 }
 
-study::FeltCurve curve(const std::string& condition, double force) {
-  study::FeltCurve curve{.condition = condition, .device = "punch", .trials = 4, .points = {}};
+study::RenderedForceCurve curve(const std::string& condition, double force) {
+  study::RenderedForceCurve curve{
+      .condition = condition, .device = "punch", .trials = 4, .points = {}};
   for (int i = 0; i < 20; ++i) {
     curve.points.push_back({0.5 * i, force - 0.2, force, force + 0.2});
   }
@@ -110,7 +111,7 @@ study::report::ReportSection madeUpSection() {
   loaded.protocol.study.title = "Cut & <script>alert(1)</script>";
   study::report::ReportSection section;
   for (auto& phase : loaded.protocol.phases) {
-    phase.mayFeelAgain = phase.id == "preference-2";
+    phase.hasOptionalTrials = phase.id == "preference-2";
   }
   section.protocol = loaded.protocol;
   section.instruments = loaded.instruments;

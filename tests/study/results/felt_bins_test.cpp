@@ -33,9 +33,9 @@ haptics::engine::SceneSpec bone() {
   return {.model = MaterialSpec{.nodes = haptics::engine::parametricMaterial()}};
 }
 
-TEST(FeltBins, CountReamingAtTheMeasuredSpeeds) {
+TEST(RenderedForceBins, CountReamingAtTheMeasuredSpeeds) {
   for (const double feed : {0.01e-3, 0.03e-3}) {  // reaming paper, "Experimental setup"
-    FeltBins bins(reamerKind(), bone());
+    RenderedForceBins bins(reamerKind(), bone());
     bins.add(advancing(0.0051, feed, 2000));
     const auto points = bins.points();
     ASSERT_EQ(points.size(), 1U) << feed;
@@ -43,8 +43,8 @@ TEST(FeltBins, CountReamingAtTheMeasuredSpeeds) {
   }
 }
 
-TEST(FeltBins, LeaveOutAHandAtRest) {
-  FeltBins bins(reamerKind(), bone());
+TEST(RenderedForceBins, LeaveOutAHandAtRest) {
+  RenderedForceBins bins(reamerKind(), bone());
   auto samples = advancing(0.0, 0.03, 100);            // 3 mm, fast
   const auto resting = advancing(0.0105, 1e-5, 5000);  // a trembling hand at rest
   samples.insert(samples.end(), resting.begin(), resting.begin() + 4);
@@ -54,9 +54,9 @@ TEST(FeltBins, LeaveOutAHandAtRest) {
   EXPECT_EQ(medians.size(), 12U);
 }
 
-TEST(FeltBins, CountFastMovementFromAFixedSpeedOn) {
+TEST(RenderedForceBins, CountFastMovementFromAFixedSpeedOn) {
   // A punch: bins of an eightieth of 11 travel units; below 0.6875 units/s it is at rest.
-  FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+  RenderedForceBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
   std::vector<TraceSample> samples;
   for (int i = 0; i < 100; ++i)
     samples.push_back({.travel = 5.0F, .velocity = 20.0F, .force = 2.0F});
@@ -83,10 +83,10 @@ std::vector<TraceSample> closing(double speed, Force force) {
   return samples;
 }
 
-TEST(FeltBins, GiveACurveOfOneStrokeHoweverFastItWas) {
+TEST(RenderedForceBins, GiveACurveOfOneStrokeHoweverFastItWas) {
   const auto linear = [](double travel) { return 0.5 * travel; };
   for (const double speed : {2.0, 45.0, 400.0}) {  // 400: three bins a sample
-    FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+    RenderedForceBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
     bins.add(closing(speed, linear));
     const auto points = bins.points();
     ASSERT_GE(points.size(), 70U) << speed;
@@ -97,8 +97,8 @@ TEST(FeltBins, GiveACurveOfOneStrokeHoweverFastItWas) {
   }
 }
 
-TEST(FeltBins, CountEveryStrokeOnce) {
-  FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+TEST(RenderedForceBins, CountEveryStrokeOnce) {
+  RenderedForceBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
   auto samples = closing(5.0, [](double) { return 1.0; });  // 2,000 samples
   for (int i = 0; i < 2; ++i) {
     const auto fast = closing(50.0, [](double) { return 3.0; });  // 200
@@ -109,13 +109,13 @@ TEST(FeltBins, CountEveryStrokeOnce) {
   EXPECT_EQ(bins.points().front().low, 1.0);
 }
 
-TEST(FeltBins, ReachAsDeepAsTheDataOfTheScene) {
+TEST(RenderedForceBins, ReachAsDeepAsTheDataOfTheScene) {
   MaterialSpec deep{.nodes = haptics::engine::parametricMaterial()};
   deep.nodes.push_back({0.03, 900.0, 950.0});
-  FeltBins bins(reamerKind(), {.model = deep});
+  RenderedForceBins bins(reamerKind(), {.model = deep});
   bins.add(advancing(0.0290, 0.002, 100));
   EXPECT_FALSE(bins.points().empty());
-  FeltBins ordinary(reamerKind(), bone());
+  RenderedForceBins ordinary(reamerKind(), bone());
   ordinary.add(advancing(0.0290, 0.002, 100));  // beyond the device's stop at 20 mm
   EXPECT_TRUE(ordinary.points().empty());
 }

@@ -13,11 +13,11 @@ namespace felt_curves_test {
 using Medians = std::map<int, double>;
 
 /// A curve with these medians over all strokes, and of each participant.
-FeltCurve curve(
+RenderedForceCurve curve(
     const std::string& condition,
     const Medians& ofAll,
     const std::map<std::string, Medians>& byParticipant) {
-  FeltCurve made{.condition = condition, .device = "punch", .medians = byParticipant};
+  RenderedForceCurve made{.condition = condition, .device = "punch", .medians = byParticipant};
   for (const auto& [bin, force] : ofAll) {
     made.points.push_back({.travel = 0.5 + bin, .median = force, .bin = bin});
   }
@@ -25,7 +25,7 @@ FeltCurve curve(
 }
 
 TEST(FeltDifferences, CompareBothColumnsOverTheTravelThatEveryParticipantPassed) {
-  const auto found = feltDifferences(
+  const auto found = renderedForceDifferences(
       {curve(
            "a",
            {{0, 1.0}, {1, 1.0}, {2, 1.0}},
@@ -41,7 +41,7 @@ TEST(FeltDifferences, CompareBothColumnsOverTheTravelThatEveryParticipantPassed)
 }
 
 TEST(FeltDifferences, AreNotNarrowedByParticipantsWhoPassedNothingWithBoth) {
-  const auto found = feltDifferences(
+  const auto found = renderedForceDifferences(
       {curve(
            "a",
            {{0, 1.0}, {1, 1.0}},
@@ -55,7 +55,7 @@ TEST(FeltDifferences, AreNotNarrowedByParticipantsWhoPassedNothingWithBoth) {
 }
 
 TEST(FeltDifferences, NeedNoParticipantWhoFeltBoth) {
-  const auto found = feltDifferences(
+  const auto found = renderedForceDifferences(
       {curve("a", {{0, 1.0}, {1, 1.0}}, {{"P1", {{0, 1.0}, {1, 1.0}}}}),
        curve("b", {{1, 3.0}, {2, 3.0}}, {{"P2", {{1, 3.0}, {2, 3.0}}}})});
   ASSERT_EQ(found.size(), 1U);

@@ -275,7 +275,7 @@ TEST_F(ErasureTest, LeavesNoReasonOfASessionThatWasTakenOver) {
 TEST_F(ErasureTest, SaysThatAReasonOfTheStudyNamesTheParticipant) {
   // Such an event is of no session and cannot be erased: docs/privacy.md asks for reasons without
   // names.
-  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, kName + " wants to know it");
+  recordUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, kName + " wants to know it");
   EXPECT_EQ(eraseThem().filesWithTexts, std::vector<std::string>{"study.db"});
 }
 
@@ -307,7 +307,7 @@ TEST_F(CopiedStudy, IsErasedFromWhenItIsNamed) {
   EXPECT_TRUE(filesWith(copy_, kSentinel).empty());
   EXPECT_TRUE(isErasedFrom(copy_));
   const auto again = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
-  EXPECT_EQ(again.outcome, ErasedCopy::Outcome::NotInIt);
+  EXPECT_EQ(again.outcome, ErasedCopy::Outcome::NotInCopy);
 }
 
 TEST_F(CopiedStudy, IsErasedFromWhenItIsOpenedToBeReadOnTheSameStation) {
@@ -331,7 +331,7 @@ TEST_F(CopiedStudy, KeepsAnotherParticipantOfTheSameCode) {
   storage::list(report.listed);
   EXPECT_FALSE(isErasedFrom(copy_));
   const auto copy = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
-  EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::NotInIt);
+  EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::NotInCopy);
 }
 
 TEST_F(CopiedStudy, IsRefusedIfItIsAnother) {
@@ -377,9 +377,10 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
   for (const auto& file : {known, other, older}) std::ofstream(file) << kSentinel;
   std::ofstream(replaced) << "a letter that was saved there later";
   for (const auto& file : {known, replaced}) {
-    noteReport(*study_, RunMode::Live, "report", file, kSentinel);
+    recordReportPath(*study_, RunMode::Live, "report", file, kSentinel);
   }
-  noteReport(*study_, RunMode::Live, "report", older);  // as releases without fingerprints did
+  recordReportPath(
+      *study_, RunMode::Live, "report", older);  // as releases without fingerprints did
   const auto report = eraseThem();
   const auto copies = knownCopies(*study_);
   const auto outcome = [&](const std::string& file) {

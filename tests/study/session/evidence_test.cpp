@@ -30,9 +30,9 @@ class Evidence : public testing::Test {
 
   /// The purposes of all heads that were noted, in order.
   std::string noted() {
-    const auto station = StationStore::find(StationStore::usualFolder());
+    const auto station = StationStore::find(StationStore::defaultFolder());
     std::string purposes;
-    for (const auto& each : storage::notedHeads(*station, study_->uuid()).heads) {
+    for (const auto& each : storage::readRecordedHeads(*station, study_->uuid()).heads) {
       purposes += (purposes.empty() ? "" : " ") + each.head.purpose;
     }
     return purposes;
@@ -118,12 +118,12 @@ TEST_F(Evidence, SaysWhatItCannotKnowElsewhere) {
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   EXPECT_EQ(problems(), "");
   EXPECT_NE(remarks().find("has noted nothing of"), std::string::npos);
-  StationStore::findOrMake(StationStore::usualFolder());
+  StationStore::openOrCreate(StationStore::defaultFolder());
   EXPECT_NE(remarks().find("noted nothing of this study"), std::string::npos);
 }
 
 TEST_F(Evidence, NamesAnotherStationThatSigned) {
-  const auto here = StationStore::find(StationStore::usualFolder())->publicKey();
+  const auto here = StationStore::find(StationStore::defaultFolder())->publicKey();
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   takePart();
   EXPECT_EQ(problems(), "");
@@ -167,7 +167,7 @@ TEST_F(Evidence, IsNotSignedOnceItsEndWasCutOff) {
 TEST_F(Evidence, OfAnotherBeginningIsAcceptedWithAReasonOnly) {
   writeAgain();
   EXPECT_GT(headsMissingIn(*study_), 0U);
-  EXPECT_EQ(noteRestoredCopy(*study_, "put together at the office"), 2U);
+  EXPECT_EQ(recordRestoredCopy(*study_, "put together at the office"), 2U);
   EXPECT_EQ(noted(), "made_study finished_session restored_copy");
   takePart();
   EXPECT_EQ(noted(), "made_study finished_session restored_copy finished_session");
@@ -177,7 +177,7 @@ TEST_F(Evidence, OfAnotherBeginningIsAcceptedWithAReasonOnly) {
 
 TEST_F(Evidence, SaysForEverThatAStudyBeganElsewhere) {
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
-  StationStore::findOrMake(StationStore::usualFolder());
+  StationStore::openOrCreate(StationStore::defaultFolder());
   takePart();
   takePart();
   EXPECT_EQ(problems(), "");
@@ -227,10 +227,10 @@ TEST_F(Evidence, GoesOnFromAnOlderCopyThatWasPutBack) {
   fs::rename(copy, study_.folder());
   study_.reopen();
   EXPECT_NE(problems().find("palpate study restored"), std::string::npos);
-  EXPECT_EQ(noteRestoredCopy(*study_, "the disk failed"), 2U);
+  EXPECT_EQ(recordRestoredCopy(*study_, "the disk failed"), 2U);
   EXPECT_EQ(problems(), "");
   EXPECT_NE(remarks().find("2 noted heads were given up"), std::string::npos);
-  EXPECT_EQ(noteRestoredCopy(*study_, "again"), 0U);
+  EXPECT_EQ(recordRestoredCopy(*study_, "again"), 0U);
   takePart();
   EXPECT_EQ(problems(), "");
   cutOff(1);

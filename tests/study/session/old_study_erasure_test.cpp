@@ -106,7 +106,7 @@ TEST_F(OldStudy, KeepsNamesBehindAPassphraseAndErasesLater) {
     EXPECT_GT(study.events().last(), events);
   }
   EXPECT_EQ(filesWith(folder_, kName), std::vector<std::string>{});
-  storage::clearHeldKeys();
+  storage::clearCachedKeys();
   auto study = Study::open(folder_, clock_);
   EXPECT_TRUE(study.identities().isLocked());
   const ErasureRequest request{.participant = "Q1", .reason = "asked for it", .resealsTrail = true};

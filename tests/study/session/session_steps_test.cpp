@@ -301,7 +301,7 @@ TEST_F(SessionStepsTest, RecordsActorActionAndReasonInTheAuditTrail) {
 class OfferedAgain : public testing::Test {
  protected:
   OfferedAgain() {
-    tests::walkUntil(session_, [](const Step& step) { return step.isOffered; });
+    tests::walkUntil(session_, [](const Step& step) { return step.isOptionalTrial; });
   }
 
   MadeStudy study_{tests::protocolFrom(tests::shortProtocol({.offersAgain = true})), 3};
@@ -313,7 +313,7 @@ TEST_F(OfferedAgain, IsEachAlternativeUnderItsLabelWithItsCondition) {
   int label = 0;
   for (const auto& step : session_.plan()) {
     if (step.kind != StepKind::Trial) continue;
-    if (!step.isOffered) {
+    if (!step.isOptionalTrial) {
       before[step.label] = step.condition;
       continue;
     }
@@ -327,12 +327,12 @@ TEST_F(OfferedAgain, IsEachAlternativeUnderItsLabelWithItsCondition) {
 
 TEST_F(OfferedAgain, MayBeAcceptedOrDeclined) {
   const int first = session_.stepIndex();
-  session_.skipOfferedTrial();
+  session_.skipOptionalTrial();
   session_.beginTrial();
   session_.finishTrial(tests::feltTrial());
-  session_.skipOfferedTrial();
+  session_.skipOptionalTrial();
   EXPECT_EQ(session_.step().kind, StepKind::Preference);
-  EXPECT_THROW(session_.skipOfferedTrial(), UserError);
+  EXPECT_THROW(session_.skipOptionalTrial(), UserError);
   const auto id = session_.id();
   EXPECT_EQ(study_->sessions().statusOf({id, first, 1}), storage::VisitStatus::Skipped);
   EXPECT_EQ(study_->sessions().statusOf({id, first + 1, 1}), storage::VisitStatus::Finished);

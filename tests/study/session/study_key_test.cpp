@@ -281,7 +281,7 @@ TEST(SealedTrials, TellNothingWithoutTheKey) {
   const tests::OwnStation elsewhere(made.scratch() / "elsewhere");
   auto study = Study::open(made.folder(), made.clock);
   EXPECT_THROW(study.traces().read(visit), storage::StorageError);
-  EXPECT_EQ(study.traces().intactSamples(visit), 500);
+  EXPECT_EQ(study.traces().intactSampleCount(visit), 500);
   EXPECT_THROW(storage::Records(study.database()).trials(), storage::StorageError);
   int sealed = 0;
   for (const auto& event : study.events().read()) {
@@ -309,7 +309,7 @@ TEST(SealedTrials, AreNoticedIfTheyChange) {
   tests::Sql(made.file("traces.db")).run("UPDATE chunk SET data = zeroblob(length(data))");
   const auto visit = made->traces().visits().front();
   EXPECT_THROW(made->traces().read(visit), storage::StorageError);
-  EXPECT_THROW(made->traces().intactSamples(visit), storage::StorageError);
+  EXPECT_THROW(made->traces().intactSampleCount(visit), storage::StorageError);
 }
 
 TEST(WrappedKey, OpensWithItsPassphraseAlone) {

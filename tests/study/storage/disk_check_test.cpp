@@ -23,7 +23,7 @@ TEST(DiskCheck, NamesAFolderThatCannotBeWritten) {
 
 TEST(DiskCheck, FindsNoProblemInAnIntactFile) {
   tests::MadeStudy study;
-  EXPECT_EQ(study->database().quickProblems(), "");
+  EXPECT_EQ(study->database().quickCheckProblems(), "");
 }
 
 }  // namespace disk_check_test

@@ -12,7 +12,7 @@ using haptics::engine::TissueDrawing;
 
 /// How the visible tissue follows in a condition whose protocol does not say so.
 TissueDrawing seenIn(const protocols::LoadedProtocol& loaded) {
-  return loaded.protocol.conditions.front().seenTissue;
+  return loaded.protocol.conditions.front().tissueDrawing;
 }
 
 TEST(KeptDefaults, AreThoseOfThisReleaseInANewStudy) {

@@ -30,7 +30,7 @@ class StationStoreTest : public testing::Test {
 TEST_F(StationStoreTest, IsMadeOnFirstUseAndIsTheSameAfterwards) {
   EXPECT_FALSE(StationStore::find(folder_));
   EXPECT_FALSE(fs::exists(folder_)) << "looking makes nothing";
-  const auto made = StationStore::findOrMake(folder_);
+  const auto made = StationStore::openOrCreate(folder_);
   const auto found = StationStore::find(folder_);
   ASSERT_TRUE(found);
   EXPECT_EQ(made.uuid().size(), 32U);
@@ -41,7 +41,7 @@ TEST_F(StationStoreTest, IsMadeOnFirstUseAndIsTheSameAfterwards) {
 
 TEST_F(StationStoreTest, IsForItsOwnerAlone) {
   const auto before = umask(0);
-  StationStore::findOrMake(folder_).append("list", "line");
+  StationStore::openOrCreate(folder_).append("list", "line");
   umask(before);
   EXPECT_EQ(rightsOf(folder_), 0700U);
   EXPECT_EQ(rightsOf(folder_ / "key"), 0600U);
@@ -51,8 +51,8 @@ TEST_F(StationStoreTest, IsForItsOwnerAlone) {
 }
 
 TEST_F(StationStoreTest, TellsItsSignatureFromThoseOfOthers) {
-  const auto store = StationStore::findOrMake(folder_);
-  const auto other = StationStore::findOrMake(scratch_.path() / "other");
+  const auto store = StationStore::openOrCreate(folder_);
+  const auto other = StationStore::openOrCreate(scratch_.path() / "other");
   EXPECT_NE(other.publicKey(), store.publicKey());
   const auto signature = store.sign("812 events");
   EXPECT_TRUE(StationStore::isSigned("812 events", signature, store.publicKey()));
@@ -86,7 +86,7 @@ TEST_F(StationStoreTest, HasOneKeyAlthoughSeveralProgramsMakeIt) {
   {
     std::vector<std::jthread> programs;
     for (auto& key : keys) {
-      programs.emplace_back([&] { key = StationStore::findOrMake(folder_).publicKey(); });
+      programs.emplace_back([&] { key = StationStore::openOrCreate(folder_).publicKey(); });
     }
   }
   EXPECT_EQ(keys, std::vector<std::string>(kPrograms, keys.front()));
@@ -94,35 +94,35 @@ TEST_F(StationStoreTest, HasOneKeyAlthoughSeveralProgramsMakeIt) {
 }
 
 TEST_F(StationStoreTest, KeepsLists) {
-  const auto store = StationStore::findOrMake(folder_);
+  const auto store = StationStore::openOrCreate(folder_);
   EXPECT_TRUE(store.lines("heads-1").empty());
   store.append("heads-1", "1 a");
   store.append("heads-2", "1 b");
-  StationStore::findOrMake(folder_).append("heads-1", "2 c");
+  StationStore::openOrCreate(folder_).append("heads-1", "2 c");
   EXPECT_EQ(store.lines("heads-1"), (std::vector<std::string>{"1 a", "2 c"}));
   EXPECT_EQ(store.lines("heads-2"), std::vector<std::string>{"1 b"});
 }
 
 TEST_F(StationStoreTest, SaysWhatCannotBeUsed) {
   scratch_.write("file", "");
-  EXPECT_THROW(StationStore::findOrMake(scratch_.path() / "file" / "station"), StorageError);
-  EXPECT_THROW(StationStore::findOrMake({}), StorageError);
+  EXPECT_THROW(StationStore::openOrCreate(scratch_.path() / "file" / "station"), StorageError);
+  EXPECT_THROW(StationStore::openOrCreate({}), StorageError);
   fs::create_directories(folder_);
   std::ofstream(folder_ / "key") << "palpate station 2\nx\ny\n";
   fs::permissions(folder_ / "key", fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_THROW(StationStore::findOrMake(folder_), StorageError);
+  EXPECT_THROW(StationStore::openOrCreate(folder_), StorageError);
 }
 
 TEST_F(StationStoreTest, LiesInTheDataFolderOfTheAccount) {
   const char* set = std::getenv("PALPATE_STATION");  // NOLINT(concurrency-mt-unsafe): one thread
   const std::string before = set == nullptr ? "" : set;
   setenv("PALPATE_STATION", folder_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
-  EXPECT_EQ(StationStore::usualFolder(), folder_);
+  EXPECT_EQ(StationStore::defaultFolder(), folder_);
   unsetenv("PALPATE_STATION");                          // NOLINT(concurrency-mt-unsafe)
   setenv("XDG_DATA_HOME", scratch_.path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
-  EXPECT_EQ(StationStore::usualFolder(), scratch_.path() / "palpate" / "station");
+  EXPECT_EQ(StationStore::defaultFolder(), scratch_.path() / "palpate" / "station");
   unsetenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe)
-  EXPECT_TRUE(StationStore::usualFolder().string().ends_with(".local/share/palpate/station"));
+  EXPECT_TRUE(StationStore::defaultFolder().string().ends_with(".local/share/palpate/station"));
   if (set != nullptr) setenv("PALPATE_STATION", before.c_str(), 1);  // NOLINT
 }
 

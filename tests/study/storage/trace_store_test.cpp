@@ -107,7 +107,7 @@ TEST(TraceStore, RefusesATraceInWhichASecondIsMissing) {
   store.add(kVisit, 0, anySamples(10, 1));
   store.add(kVisit, 2, anySamples(10, 2));
   EXPECT_THROW(store.read(kVisit), StorageError);
-  EXPECT_THROW(store.intactSamples(kVisit), StorageError);
+  EXPECT_THROW(store.intactSampleCount(kVisit), StorageError);
 }
 
 TEST(TraceStore, NeverOverwritesAChunk) {
@@ -151,8 +151,9 @@ class KeptTrialTest : public testing::Test {
 
   tests::MadeStudy study_;
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
-  SimulatedDeviceSet deviceSet_{
-      [](const protocols::DeviceNeed& need) { return simulatedHandFor(need, 7, "surgeons", 0); }};
+  SimulatedDeviceSet deviceSet_{[](const protocols::DeviceRequirement& need) {
+    return simulatedHandFor(need, 7, "surgeons", 0);
+  }};
   VisitKey visit_;
   std::int64_t ticks_ = 0;
 };

@@ -174,10 +174,10 @@ TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
 
 TEST(HardwareDeviceSet, RefusesDevicesThatTheFileDoesNotList) {
   questionnaires::Problems problems;
-  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
-    return simulatedHandFor(need, 1, {}, 0);
-  });
-  const auto refusal = [&](const protocols::DeviceNeed& need) {
+  HardwareDeviceSet deviceSet(
+      *readDevices(kBoth, problems),
+      [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
+  const auto refusal = [&](const protocols::DeviceRequirement& need) {
     try {
       deviceSet.device(need);
     } catch (const std::exception& error) {
@@ -195,10 +195,10 @@ TEST(HardwareDeviceSet, RefusesDevicesThatTheFileDoesNotList) {
 
 TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   questionnaires::Problems problems;
-  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
-    return simulatedHandFor(need, 1, {}, 0);
-  });
-  const protocols::DeviceNeed need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
+  HardwareDeviceSet deviceSet(
+      *readDevices(kBoth, problems),
+      [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
+  const protocols::DeviceRequirement need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
   const auto found = preflight(*deviceSet.find("spare"), &need, 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(found.back().measured, "300 N of 140 N");
@@ -207,10 +207,10 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
 
 TEST(Preflight, PassesNothingOfADeviceThatIsNotThere) {
   questionnaires::Problems problems;
-  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
-    return simulatedHandFor(need, 1, {}, 0);
-  });
-  const protocols::DeviceNeed need{.id = "punch", .kind = &punchKind(), .maxForce = 1.0};
+  HardwareDeviceSet deviceSet(
+      *readDevices(kBoth, problems),
+      [](const protocols::DeviceRequirement& need) { return simulatedHandFor(need, 1, {}, 0); });
+  const protocols::DeviceRequirement need{.id = "punch", .kind = &punchKind(), .maxForce = 1.0};
   for (const auto& result : preflight(*deviceSet.find("punch"), &need, 0.1)) {
     EXPECT_EQ(result.finding, haptics::devices::Finding::Fail) << result.what;
   }

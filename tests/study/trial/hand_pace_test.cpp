@@ -39,7 +39,7 @@ struct Reamed {
 };
 
 Reamed ream(double hardness, std::uint64_t slot) {
-  const protocols::DeviceNeed need{
+  const protocols::DeviceRequirement need{
       .id = "reamer",
       .kind = &haptics::devices::reamerKind(),
       .maxForce = 140.0,

@@ -41,7 +41,7 @@ class LiveTrialTest : public testing::Test {
     return isThere();
   }
 
-  protocols::DeviceNeed need_{
+  protocols::DeviceRequirement need_{
       .id = "punch",
       .kind = &haptics::devices::punchKind(),
       .maxForce = 8.0,

@@ -45,7 +45,7 @@ class TorqueTrialTest : public testing::Test {
     return runOffline(trial, 1, 20.0);
   }
 
-  protocols::DeviceNeed need_{
+  protocols::DeviceRequirement need_{
       .id = "arm",
       .kind = &haptics::devices::reamerKind(),
       .maxForce = 140.0,

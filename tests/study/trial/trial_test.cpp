@@ -46,7 +46,7 @@ class TrialTest : public testing::Test {
     return all;
   }
 
-  protocols::DeviceNeed need_{
+  protocols::DeviceRequirement need_{
       .id = "punch",
       .kind = &haptics::devices::punchKind(),
       .maxForce = 8.0,
@@ -85,8 +85,8 @@ TEST_F(TrialTest, RecordsWhatKeptTheForceFromTheHand) {
     }
     return SafetyEvent{.kind = kind};
   };
-  EXPECT_EQ(timesOf(SafetyKind::Released).times, 1);
-  EXPECT_NEAR(timesOf(SafetyKind::Released).duration, 0.1, 1e-9);
+  EXPECT_EQ(timesOf(SafetyKind::DeadManReleased).times, 1);
+  EXPECT_NEAR(timesOf(SafetyKind::DeadManReleased).duration, 0.1, 1e-9);
   EXPECT_EQ(timesOf(SafetyKind::MissedPeriods).times, 1);
   // at the beginning, and after the dead-man switch
   EXPECT_GE(timesOf(SafetyKind::SoftStart).times, 2);
@@ -97,7 +97,7 @@ TEST_F(TrialTest, RecordsWhatKeptTheForceFromTheHand) {
   EXPECT_TRUE(says(judgement, "trial.lost_beats")) << base::describe(judgement.reasons);
   int released = 0;
   for (const auto& sample : samples()) {
-    released += (sample.marks & haptics::engine::TickSample::Released) != 0 ? 1 : 0;
+    released += (sample.marks & haptics::engine::TickSample::DeadManReleased) != 0 ? 1 : 0;
   }
   EXPECT_EQ(released, 100);
 }

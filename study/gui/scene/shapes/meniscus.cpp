@@ -75,7 +75,7 @@ float Meniscus::edgeAt(float angle, std::size_t bites) const {
 }
 
 /// The displacement of the string at @p angle [mm].
-float Meniscus::displacementAt(float angle, const Squeeze& squeeze) const {
+float Meniscus::displacementAt(float angle, const TissueLoad& squeeze) const {
   const auto& string = squeeze.string;
   if (string.size() < 3) return 0.0F;
   const auto peak =
@@ -88,7 +88,7 @@ float Meniscus::displacementAt(float angle, const Squeeze& squeeze) const {
   return kMillimetresPerTravel * interpolate(string, place);
 }
 
-Meniscus::Column Meniscus::column(float angle, float radius, const Squeeze& squeeze) const {
+Meniscus::Column Meniscus::column(float angle, float radius, const TissueLoad& squeeze) const {
   const float share = std::clamp(
       (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius), 0.0F, 1.0F);
   Column column{onArc(layout_, angle, radius), {}};
@@ -122,7 +122,7 @@ void Meniscus::keepClearOfTheJaws(Column& column, float openness) const {
 
 /// Adds one cross-section of the tissue at @p angle: along the top, down the rim, back along the
 /// bottom, up the edge. Corners are duplicated so that they stay sharp.
-void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& squeeze) const {
+void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoad& squeeze) const {
   const std::size_t bites = bites_.size();
   const float inner = edgeAt(angle, isPiece ? bites - 1 : bites);
   const float outer = isPiece ? edgeAt(angle, bites) : layout_.outerRadius;
@@ -150,7 +150,8 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& 
   }
 }
 
-void Meniscus::shape(Mesh& mesh, float from, float to, bool isPiece, const Squeeze& squeeze) const {
+void Meniscus::shape(
+    Mesh& mesh, float from, float to, bool isPiece, const TissueLoad& squeeze) const {
   const int sections = isPiece ? kPieceSections : kSections;
   mesh.vertices.clear();
   for (int i = 0; i <= sections; ++i) {
@@ -182,7 +183,7 @@ void Meniscus::shape(Mesh& mesh, float from, float to, bool isPiece, const Squee
   smoothen(mesh);
 }
 
-void Meniscus::squeeze(const Squeeze& squeeze) {
+void Meniscus::squeeze(const TissueLoad& squeeze) {
   shape(body_, -layout_.halfAngle, layout_.halfAngle, false, squeeze);
   if (!hasPiece_) return;
   const float half = kBiteHalf / layout_.innerRadius * kDegrees;

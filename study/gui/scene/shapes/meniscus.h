@@ -16,7 +16,7 @@ class Meniscus {
   explicit Meniscus(const KneeLayout& layout);
 
   /// The load on the tissue.
-  struct Squeeze {
+  struct TissueLoad {
     /// The string of finite elements under the tool. Its largest displacement is at the
     /// tool. Empty: no load.
     std::vector<haptics::engine::MeshView::Point> string;
@@ -24,12 +24,12 @@ class Meniscus {
   };
 
   /// Recomputes the shape of body and piece.
-  void squeeze(const Squeeze& squeeze);
+  void squeeze(const TissueLoad& squeeze);
 
   /// Cuts a bite out of the free edge at the position of the punch.
   void cut();
   /// Removes the piece.
-  void dropPiece() { hasPiece_ = false; }
+  void removePiece() { hasPiece_ = false; }
   /// Moves the tissue under the punch by @p angle [°], to the position of the next bite.
   void moveOn(float angle) { moved_ += angle; }
 
@@ -45,11 +45,11 @@ class Meniscus {
   };
 
   float edgeAt(float angle, std::size_t bites) const;
-  Column column(float angle, float radius, const Squeeze& squeeze) const;
+  Column column(float angle, float radius, const TissueLoad& squeeze) const;
   void keepClearOfTheJaws(Column& column, float openness) const;
-  float displacementAt(float angle, const Squeeze& squeeze) const;
-  void shape(Mesh& mesh, float from, float to, bool isPiece, const Squeeze& squeeze) const;
-  void addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& squeeze) const;
+  float displacementAt(float angle, const TissueLoad& squeeze) const;
+  void shape(Mesh& mesh, float from, float to, bool isPiece, const TissueLoad& squeeze) const;
+  void addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoad& squeeze) const;
 
   KneeLayout layout_;
   QMatrix4x4 fromPunch_;

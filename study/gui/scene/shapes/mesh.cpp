@@ -114,7 +114,7 @@ void crease(Mesh& mesh, float angle) {
   mesh = std::move(creased);
 }
 
-std::size_t openEdges(const Mesh& mesh) {
+std::size_t countOpenEdges(const Mesh& mesh) {
   const auto place = welded(mesh);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
   for (const auto& t : mesh.triangles) {

@@ -56,7 +56,7 @@ void crease(Mesh& mesh, float angle);
 
 /// The number of edges without a neighbour in the opposite direction, where positions within a
 /// micrometre count as equal. A closed surface has none.
-std::size_t openEdges(const Mesh& mesh);
+std::size_t countOpenEdges(const Mesh& mesh);
 
 /// The volume of a closed surface [mm³]; negative if its triangles face inwards.
 double volumeOf(const Mesh& mesh);

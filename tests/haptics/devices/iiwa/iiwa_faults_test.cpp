@@ -143,8 +143,8 @@ TEST_P(IiwaStallTest, EndsAsGoneAndWithoutForceAtTheControllerWithinFiftyMillise
   EXPECT_GT(seen.stalled, 0U);
   EXPECT_EQ(seen.force, 0.0);
   EXPECT_FALSE(seen.hasOverlay);
-  EXPECT_GT(seen.zeroAt, begin);
-  EXPECT_LE(seen.zeroAt - begin, 50 * kMillisecond);
+  EXPECT_GT(seen.overlayZeroAt, begin);
+  EXPECT_LE(seen.overlayZeroAt - begin, 50 * kMillisecond);
   EXPECT_EQ(turn(10.0).status, DeviceStatus::Gone);
 }
 
@@ -244,7 +244,7 @@ TEST_F(IiwaFaultsTest, WorksInRealTimeAndLetsGoInTime) {
     const std::int64_t until = soon(2 * kSecond);
     while ((!isFaulted() || report().hasOverlay) && timing::now() < until) tick(10.0);
     EXPECT_TRUE(isFaulted());
-    after = report().zeroAt - begin;
+    after = report().overlayZeroAt - begin;
   }
   EXPECT_TRUE(hasPushed);
   EXPECT_GT(after, 0);

@@ -94,11 +94,11 @@ TEST_P(IiwaGuardTest, AllowsAnOverlayItsShareOfTheTorque) {
   for (Eigen::Index i = 0; i < 7; ++i) {
     const double most = arm_.maxTorque[static_cast<std::size_t>(i)] * kMargins.torque;
     for (const double side : {1.0, -1.0}) {
-      EXPECT_EQ(guard_.allowedShare(only(i, side * most)), 1.0);
-      EXPECT_DOUBLE_EQ(guard_.allowedShare(only(i, side * 4.0 * most)), 0.25);
+      EXPECT_EQ(guard_.allowedFactor(only(i, side * most)), 1.0);
+      EXPECT_DOUBLE_EQ(guard_.allowedFactor(only(i, side * 4.0 * most)), 0.25);
     }
   }
-  EXPECT_EQ(guard_.allowedShare(kNothing), 1.0);
+  EXPECT_EQ(guard_.allowedFactor(kNothing), 1.0);
 }
 
 TEST_P(IiwaGuardTest, LetsTheJointThatHasLeastDecide) {
@@ -110,14 +110,14 @@ TEST_P(IiwaGuardTest, LetsTheJointThatHasLeastDecide) {
     auto torque = most;
     torque[worst] *= -8.0;
     torque[other] *= 2.0;
-    EXPECT_DOUBLE_EQ(guard_.allowedShare(torque), 0.125) << worst;
+    EXPECT_DOUBLE_EQ(guard_.allowedFactor(torque), 0.125) << worst;
   }
 }
 
 TEST_P(IiwaGuardTest, AllowsNothingOfWhatIsNotFinite) {
   for (Eigen::Index i = 0; i < 7; ++i) {
     for (const double bad : {kNotANumber, kEndless, -kEndless}) {
-      EXPECT_EQ(guard_.allowedShare(only(i, bad)), 0.0);
+      EXPECT_EQ(guard_.allowedFactor(only(i, bad)), 0.0);
     }
   }
 }

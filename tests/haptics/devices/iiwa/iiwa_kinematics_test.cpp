@@ -210,7 +210,7 @@ TEST(IiwaKinematics, KnowsTheTurnFromOneOrientationToAnother) {
     const Eigen::Vector3d turn = angle * Eigen::Vector3d(2.0, -1.0, 2.0) / 3.0;
     const Eigen::Vector3d axis = Eigen::Vector3d(2.0, -1.0, 2.0) / 3.0;
     const Eigen::Matrix3d to = Eigen::AngleAxisd(angle, axis) * from;
-    EXPECT_LT((turnBetween(from, to) - turn).norm(), 1e-14) << angle;
+    EXPECT_LT((rotationVectorBetween(from, to) - turn).norm(), 1e-14) << angle;
   }
 }
 

@@ -132,7 +132,7 @@ TEST_F(PunchDeviceTest, CountsExactlyWhatWentWrongOnTheLine) {
   connect({});
   const auto injected = [&] { return board_->ask([](const auto& e) { return e.injected(); }); };
   const std::int64_t until = soon(kPatience);
-  emulators::Injected before;
+  emulators::InjectedCounts before;
   do {
     board_->goOn();
     openAndHold();

@@ -29,8 +29,8 @@ class Slab final : public Solid {
     }
     return {all[best], inward[best]};
   }
-  Vec3 lowest() const noexcept override { return {-kHalf, -kHalf, 0.0}; }
-  Vec3 highest() const noexcept override { return {kHalf, kHalf, kDeep}; }
+  Vec3 lowerCorner() const noexcept override { return {-kHalf, -kHalf, 0.0}; }
+  Vec3 upperCorner() const noexcept override { return {kHalf, kHalf, kDeep}; }
   double volume() const noexcept override { return 4.0 * kHalf * kHalf * kDeep; }
 
   static constexpr double kHalf = 0.03;

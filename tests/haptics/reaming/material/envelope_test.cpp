@@ -58,7 +58,7 @@ TEST(Envelope, HasTheSmallestTheMeanAndTheLargestForceAtEachPlace) {
       specimen({9.0, 1.0, 5.0}), specimen({1.0, 9.0, 6.0}), specimen({2.0, 2.0, 10.0})};
   for (const auto& envelope :
        {depthEnvelopeOf(crossing, EnvelopeRule::Pointwise).curves,
-        presentEnvelopeOf(crossing, EnvelopeRule::Pointwise).curves}) {
+        envelopeOfRunningTests(crossing, EnvelopeRule::Pointwise).curves}) {
     EXPECT_EQ(envelope.minimum.y, (std::vector<double>{1.0, 1.0, 5.0}));
     EXPECT_EQ(envelope.average.y, (std::vector<double>{4.0, 4.0, 7.0}));
     EXPECT_EQ(envelope.maximum.y, (std::vector<double>{9.0, 9.0, 10.0}));
@@ -126,7 +126,7 @@ TEST(Envelope, FallsWithTheRemainingSpecimens) {
 
 TEST(Envelope, OfPresentSpecimensHasAStepWhereATestEnds) {
   const std::vector specimens{specimen({5.0, 9.0}), specimen({1.0, 2.0, 3.0})};
-  const auto envelope = presentEnvelopeOf(specimens, EnvelopeRule::Pointwise);
+  const auto envelope = envelopeOfRunningTests(specimens, EnvelopeRule::Pointwise);
   EXPECT_EQ(envelope.curves.maximum.y, (std::vector<double>{5.0, 9.0, 3.0}));
   EXPECT_EQ(envelope.measured, (std::vector<int>{2, 2, 1}));
 }

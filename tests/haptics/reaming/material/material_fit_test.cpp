@@ -161,11 +161,12 @@ TEST(MaterialFit, ReportsWhereCurvesCrossAndTheRemedy) {
   EXPECT_EQ(crossings[0].from, 0.0);
   EXPECT_NEAR(crossings[0].to, 0.002, 0.0002);
   EXPECT_EQ(
-      optionsThatKeepOrder(options),
+      optionsAgainstCrossing(options),
       (std::vector<std::string>{"--envelope pointwise", "--spline hermite-data-slope"}));
   // What is on is not recommended.
-  EXPECT_TRUE(optionsThatKeepOrder({}).empty());
-  EXPECT_EQ(optionsThatKeepOrder({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
+  EXPECT_TRUE(optionsAgainstCrossing({}).empty());
+  EXPECT_EQ(
+      optionsAgainstCrossing({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
 }
 
 TEST(WholeStudyFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
@@ -230,7 +231,7 @@ TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
 }
 
 TEST(MaterialFit, LeavesOutASetWithoutValidSeries) {
-  const std::vector study{syntheticSeries({.mishap = SyntheticFault::FeedChange})};
+  const std::vector study{syntheticSeries({.simulatedFault = SyntheticFault::FeedChange})};
   const auto fit = fitMaterial(study, {});
   EXPECT_TRUE(fit.sets.empty());
   EXPECT_TRUE(fit.series[0].exclusion.isExcluded());

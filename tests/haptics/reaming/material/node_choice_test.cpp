@@ -32,7 +32,8 @@ constexpr SplineKind kKinds[]{
     SplineKind::NaturalCubic,
     SplineKind::Linear};
 
-NodeCriterion wish(double error, NodeRule rule, SplineKind kind = SplineKind::HermiteDataSlope) {
+NodeCriterion nodeCriterion(
+    double error, NodeRule rule, SplineKind kind = SplineKind::HermiteDataSlope) {
   return {rule, kind, error, kFloor};
 }
 
@@ -53,7 +54,7 @@ TEST(NodeChoice, MeetsTheErrorThatWasWanted) {
   const auto curve = curveOfSpecimen(2000);
   for (const double wanted : {0.41, 0.14, 0.05, 0.01}) {
     for (const auto rule : {NodeRule::Greedy, NodeRule::Optimal}) {
-      const auto choice = chooseNodes(curve, wish(wanted, rule));
+      const auto choice = chooseNodes(curve, nodeCriterion(wanted, rule));
       expectSound(choice, curve);
       EXPECT_LE(choice.error, wanted);
       EXPECT_TRUE(choice.isMet);
@@ -65,7 +66,7 @@ TEST(NodeChoice, MeetsTheErrorOfTheRequestedSpline) {
   const auto curve = curveOfSpecimen(2000);
   for (const auto kind : kKinds) {
     for (const double wanted : {0.41, 0.05, 0.01}) {
-      const auto choice = chooseNodes(curve, wish(wanted, NodeRule::Greedy, kind));
+      const auto choice = chooseNodes(curve, nodeCriterion(wanted, NodeRule::Greedy, kind));
       expectSound(choice, curve);
       EXPECT_LE(errorOfSpline(curve, choice, kind), wanted);
       EXPECT_NEAR(errorOfSpline(curve, choice, kind), choice.error, 1e-9);
@@ -76,23 +77,23 @@ TEST(NodeChoice, MeetsTheErrorOfTheRequestedSpline) {
 
 TEST(NodeChoice, ReportsIfTheErrorIsNotMet) {
   const auto curve = curveOfSpecimen(2000);
-  const auto choice = chooseNodes(curve, wish(1e-6, NodeRule::Thinned));
+  const auto choice = chooseNodes(curve, nodeCriterion(1e-6, NodeRule::Thinned));
   EXPECT_FALSE(choice.isMet);
   EXPECT_GT(choice.error, 1e-6);
 }
 
 TEST(NodeChoice, FindsTheFewestOnlyForLocalKinds) {
   for (const auto kind : kKinds) {
-    EXPECT_EQ(problemOf(wish(0.1, NodeRule::Optimal, kind)).has_value(), !isLocal(kind));
-    EXPECT_FALSE(problemOf(wish(0.1, NodeRule::Greedy, kind)));
+    EXPECT_EQ(problemOf(nodeCriterion(0.1, NodeRule::Optimal, kind)).has_value(), !isLocal(kind));
+    EXPECT_FALSE(problemOf(nodeCriterion(0.1, NodeRule::Greedy, kind)));
   }
 }
 
 TEST(NodeChoice, NeedsAtMostTwiceAsManyNodesAsThereHaveToBe) {
   const auto curve = curveOfSpecimen(2000);
   for (const double wanted : {0.41, 0.14, 0.05, 0.01}) {  // T2
-    const auto greedy = chooseNodes(curve, wish(wanted, NodeRule::Greedy)).nodes.size();
-    const auto fewest = chooseNodes(curve, wish(wanted, NodeRule::Optimal)).nodes.size();
+    const auto greedy = chooseNodes(curve, nodeCriterion(wanted, NodeRule::Greedy)).nodes.size();
+    const auto fewest = chooseNodes(curve, nodeCriterion(wanted, NodeRule::Optimal)).nodes.size();
     EXPECT_LE(greedy, 2 * fewest) << wanted;
     EXPECT_GE(greedy, fewest) << wanted;
   }
@@ -103,7 +104,7 @@ TEST(NodeChoice, OfThePaperTakenLiterallyHasThePapersError) {
   auto curve = curveOfSpecimen(2000);
   for (double& y : curve.y) y += 1.0;
   for (const auto kind : {SplineKind::NaturalCubic, SplineKind::HermiteDataSlope}) {
-    const auto choice = chooseNodes(curve, wish(0.41, NodeRule::PaperLiteral, kind));
+    const auto choice = chooseNodes(curve, nodeCriterion(0.41, NodeRule::PaperLiteral, kind));
     expectSound(choice, curve);
     const auto spline = splineThrough(curve, dataSlopes(curve), choice.nodes, kind);
     const auto error = errorOf(curve, spline, kFloor);
@@ -116,8 +117,8 @@ TEST(NodeChoice, OfThePaperTakenLiterallyHasThePapersError) {
 TEST(NodeChoice, OfThePaperTakenLiterallySelectsRunsOfSamples) {
   auto curve = curveOfSpecimen(2000);
   for (double& y : curve.y) y += 20.0;
-  const auto literal = chooseNodes(curve, wish(0.05, NodeRule::PaperLiteral)).nodes.size();
-  const auto greedy = chooseNodes(curve, wish(0.05, NodeRule::Greedy)).nodes.size();
+  const auto literal = chooseNodes(curve, nodeCriterion(0.05, NodeRule::PaperLiteral)).nodes.size();
+  const auto greedy = chooseNodes(curve, nodeCriterion(0.05, NodeRule::Greedy)).nodes.size();
   EXPECT_GT(literal, 10 * greedy);
 }
 
@@ -126,7 +127,7 @@ TEST(NodeChoice, OfAGivenNumberHasTheLeastErrorOfItsSpline) {
   for (const auto kind : kKinds) {
     double before = 1e9;
     for (const std::size_t count : {6U, 12U}) {
-      const auto choice = chooseNodes(curve, count, wish(0.05, NodeRule::Greedy, kind));
+      const auto choice = chooseNodes(curve, count, nodeCriterion(0.05, NodeRule::Greedy, kind));
       expectSound(choice, curve);
       EXPECT_EQ(choice.nodes.size(), count);
       EXPECT_NEAR(errorOfSpline(curve, choice, kind), choice.error, 1e-9);
@@ -134,7 +135,8 @@ TEST(NodeChoice, OfAGivenNumberHasTheLeastErrorOfItsSpline) {
       before = choice.error;
       // As few as a rule needs for that error, and no better.
       if (!isLocal(kind)) continue;
-      const auto fewest = chooseNodes(curve, wish(0.98 * choice.error, NodeRule::Optimal, kind));
+      const auto fewest =
+          chooseNodes(curve, nodeCriterion(0.98 * choice.error, NodeRule::Optimal, kind));
       EXPECT_GE(fewest.nodes.size(), count) << count;
     }
   }
@@ -165,7 +167,7 @@ TEST(NodeChoice, OfTwelveNodesIsAtLeastAsGoodAsTheSearchOfSciPy) {
   for (const auto& wanted : golden.at("splines")) {
     const auto kind = wanted.at("kind") == "cubic-natural" ? SplineKind::NaturalCubic
                                                            : SplineKind::HermiteDataSlope;
-    const auto asked = wish(0.05, NodeRule::Greedy, kind);
+    const auto asked = nodeCriterion(0.05, NodeRule::Greedy, kind);
     const auto even = wanted.at("even_nodes").get<std::vector<std::size_t>>();
     const auto best = wanted.at("best_nodes").get<std::vector<std::size_t>>();
     EXPECT_NEAR(largestError(curve, even, asked), wanted.at("even_error").get<double>(), 1e-9);
@@ -177,30 +179,31 @@ TEST(NodeChoice, OfTwelveNodesIsAtLeastAsGoodAsTheSearchOfSciPy) {
 
 TEST(SplineComparison, HasBothErrorsAndThoseAtTheSamePlace) {
   const auto curve = curveOfReference();
-  const auto nodes = chooseNodes(curve, 12, wish(0.05, NodeRule::Greedy, SplineKind::NaturalCubic));
+  const auto nodes =
+      chooseNodes(curve, 12, nodeCriterion(0.05, NodeRule::Greedy, SplineKind::NaturalCubic));
   const auto comparison = compareSplines(curve, nodes.nodes, kFloor);
   ASSERT_EQ(comparison.splines.size(), 2U);
   const auto& cubic = comparison.splines[0];
   const auto& hermite = comparison.splines[1];
   EXPECT_EQ(cubic.kind, SplineKind::NaturalCubic);
   EXPECT_EQ(hermite.kind, SplineKind::HermiteDataSlope);
-  EXPECT_EQ(cubic.flooredThere, cubic.error.floored);
-  EXPECT_EQ(cubic.publishedThere, cubic.error.published);
+  EXPECT_EQ(cubic.flooredAtWorst, cubic.error.floored);
+  EXPECT_EQ(cubic.publishedAtWorst, cubic.error.published);
   EXPECT_NEAR(cubic.error.floored, nodes.error, 1e-9);
   const double there = cubic.error.flooredAt;
   const auto at = std::lower_bound(curve.x.begin(), curve.x.end(), there) - curve.x.begin();
   const double v = curve.y[static_cast<std::size_t>(at)];
   EXPECT_NEAR(
-      hermite.flooredThere,
+      hermite.flooredAtWorst,
       std::abs(hermite.spline.at(there) - v) / std::max(std::abs(v), kFloor),
       1e-12);
-  EXPECT_LE(hermite.flooredThere, hermite.error.floored);
+  EXPECT_LE(hermite.flooredAtWorst, hermite.error.floored);
 }
 
 TEST(NodeChoice, ThinsRunsToOneNodeEach) {
   const auto curve = curveOfSpecimen(2000);
-  const auto literal = chooseNodes(curve, wish(0.14, NodeRule::PaperLiteral));
-  const auto thinned = chooseNodes(curve, wish(0.14, NodeRule::Thinned));
+  const auto literal = chooseNodes(curve, nodeCriterion(0.14, NodeRule::PaperLiteral));
+  const auto thinned = chooseNodes(curve, nodeCriterion(0.14, NodeRule::Thinned));
   expectSound(thinned, curve);
   EXPECT_LT(thinned.nodes.size(), literal.nodes.size());
 }
@@ -211,8 +214,8 @@ TEST(NodeChoice, TakesTwoNodesForAStraightLine) {
     line.x.push_back(0.1 * i);
     line.y.push_back(3.0 * i);
   }
-  EXPECT_EQ(chooseNodes(line, wish(0.01, NodeRule::Greedy)).nodes.size(), 2U);
-  EXPECT_EQ(chooseNodes(line, wish(0.01, NodeRule::Optimal)).nodes.size(), 2U);
+  EXPECT_EQ(chooseNodes(line, nodeCriterion(0.01, NodeRule::Greedy)).nodes.size(), 2U);
+  EXPECT_EQ(chooseNodes(line, nodeCriterion(0.01, NodeRule::Optimal)).nodes.size(), 2U);
 }
 
 }  // namespace node_choice_test

@@ -235,7 +235,7 @@ TEST(PackedBone, HasTheForceOfItsMaterialAtEveryHardness) {
         {0.0, 0.0, 0.0}, {0.004, 50.0 * scale, 1e4 * scale}, {0.016, 300.0 * scale, 2e4}};
   };
   const HardnessCurves curves{curve(0.2), curve(1.0), curve(2.0)};
-  const auto report = fitTo(bone, curves, {}, {.depths = 80});
+  const auto report = fitBoneToMaterial(bone, curves, {}, {.depths = 80});
   ASSERT_EQ(report.curves.size(), 3U);
   EXPECT_GT(report.curves[0].fit.touchedShare, 0.1);
   EXPECT_LT(report.curves[0].fit.touchedShare, 0.6);
@@ -256,7 +256,8 @@ TEST(VirtualExperiment, ReamsTheCurveThatWasFitted) {
     return CurveNodes{
         {0.0, 0.0, 0.0}, {0.004, 50.0 * scale, 1e4 * scale}, {0.012, 300.0 * scale, 2e4}};
   };
-  const auto report = fitTo(bone, {curve(0.2), curve(1.0), curve(4.0)}, {}, {.depths = 200});
+  const auto report =
+      fitBoneToMaterial(bone, {curve(0.2), curve(1.0), curve(4.0)}, {}, {.depths = 200});
   const auto result = ream(bone, 0.5, {.mostDepth = 0.012});
   EXPECT_EQ(result.stop, "the largest depth");
   EXPECT_GT(result.removedShare, 0.01);

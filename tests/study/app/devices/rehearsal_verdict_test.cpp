@@ -13,8 +13,8 @@ TEST(RehearsalVerdict, FailsOnlyIfTheMachineDidNotStandStill) {
   // The punch switches its force off 10 ms after the last command (docs/punch-protocol.md).
   EXPECT_EQ(verdictOf(false, milliseconds(0)), RehearsalVerdict::Failed);
   EXPECT_EQ(verdictOf(false, milliseconds(9)), RehearsalVerdict::Failed);
-  EXPECT_EQ(verdictOf(false, milliseconds(10)), RehearsalVerdict::NotJudged);
-  EXPECT_EQ(verdictOf(false, milliseconds(500)), RehearsalVerdict::NotJudged);
+  EXPECT_EQ(verdictOf(false, milliseconds(10)), RehearsalVerdict::Inconclusive);
+  EXPECT_EQ(verdictOf(false, milliseconds(500)), RehearsalVerdict::Inconclusive);
 }
 
 TEST(RehearsalVerdict, PassesEvenIfTheMachineStoodStill) {
@@ -24,7 +24,7 @@ TEST(RehearsalVerdict, PassesEvenIfTheMachineStoodStill) {
 TEST(RehearsalVerdict, IsAnExitStatus) {
   EXPECT_EQ(static_cast<int>(RehearsalVerdict::Passed), 0);
   EXPECT_EQ(static_cast<int>(RehearsalVerdict::Failed), 1);
-  EXPECT_EQ(static_cast<int>(RehearsalVerdict::NotJudged), 3);
+  EXPECT_EQ(static_cast<int>(RehearsalVerdict::Inconclusive), 3);
 }
 
 }  // namespace rehearsal_verdict_test

@@ -62,7 +62,7 @@ double cellOf(const DataTable& table, std::size_t row, const std::string& column
 TEST(FeedTable, GivesBackTheCurveAtTheMeasuredFeedsAndAccountsForAllMass) {
   const auto parametric = haptics::engine::parametricBone();
   haptics::reaming::PackedBone bone{.packing = parametric->packing};
-  const auto fit = fitTo(bone, haptics::engine::parametricCurves(), {}, {.depths = 80});
+  const auto fit = fitBoneToMaterial(bone, haptics::engine::parametricCurves(), {}, {.depths = 80});
   const auto table = feedTable(bone, fit);
   // 0.01, 0.03, 0.1, 0.3, 1 and 1.8 mm/s, for three curves.
   ASSERT_EQ(table.rows.size(), 18U);

@@ -84,7 +84,7 @@ TEST_F(ProtocolWindowTest, FillsOfTheBarWhatTheSentenceNamesAsTimeOnTheDevice) {
     for (const auto& stretch : part.stretches) felt += stretch.isFelt ? stretch.seconds : 0.0;
   }
   EXPECT_NEAR(seconds, length.seconds, 1e-6);
-  EXPECT_NEAR(felt, length.secondsOfForce, 1e-6);
+  EXPECT_NEAR(felt, length.secondsOnDevice, 1e-6);
   EXPECT_GT(felt, 0.0);
   EXPECT_TRUE(
       window.findChild<QTreeWidget*>()->topLevelItem(1)->text(0).startsWith(QStringLiteral("2 ")))

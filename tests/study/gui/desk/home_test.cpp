@@ -123,7 +123,7 @@ TEST_F(HomeTest, SaysWhichSessionsOfAStationHaveArrivedAndWhyOthersHaveNot) {
         {.site = "oslo", .label = "oslo", .uuid = "11"});
     SimulatedClock simulated;
     simulateCohorts(study, simulated, 2, 7, [](const auto&) {});
-    notePush(
+    recordPush(
         study.uuid(),
         "11",
         {.utc = "2026-11-17T09:00:00.000Z", .have = 0, .problem = "unreachable"});
@@ -255,7 +255,7 @@ TEST_F(HomeTest, ListsEveryStudyAndReadsOnlyThoseInSight) {
   constexpr int kStudies = 200;
   constexpr int kPatience = 60'000;  // [ms]
   for (int i = 0; i < kStudies; ++i) {
-    rememberStudy(
+    addRecentStudy(
         QString::fromStdString(folder_ / std::to_string(i)), QStringLiteral("Study %1").arg(i));
   }
   HomeWindow home;

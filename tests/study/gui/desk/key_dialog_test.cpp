@@ -90,7 +90,7 @@ TEST_F(KeyDialogTest, PutsNamesBehindAPassphrase) {
   EXPECT_FALSE(go.isEnabled()) << "typed twice, and not the same";
   the<QLineEdit>(dialog, "again").setText(QStringLiteral("twelve grey horses"));
   go.click();
-  storage::clearHeldKeys();
+  storage::clearCachedKeys();
   study_.reopen();
   EXPECT_TRUE(study_->identities().isLocked());
   EXPECT_TRUE(study_->unlockNames("twelve grey horses"));

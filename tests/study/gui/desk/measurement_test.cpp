@@ -56,7 +56,7 @@ TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
   const auto file = folder_.write("measured-in-november/recording.txt", tests::textOf({}));
   ImportCutDialog dialog;
   dialog.show();
-  const auto* picture = dialog.findChild<RecordingPicture*>();
+  const auto* picture = dialog.findChild<RecordingPlot*>();
   EXPECT_FALSE(picture->isVisible());
   set(dialog, "recording", file);
   EXPECT_TRUE(picture->isVisible());
@@ -79,7 +79,7 @@ TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
   dialog.show();
   auto* slope = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("slope"));
   EXPECT_EQ(slope->value(), haptics::recordings::ImportOptions{}.maxSlope);
-  const auto* picture = dialog.findChild<CutPicture*>();
+  const auto* picture = dialog.findChild<CutPlot*>();
   EXPECT_TRUE(picture->isVisible());
   EXPECT_TRUE(picture->words().startsWith(QStringLiteral("The cut keeps")))
       << picture->words().toStdString();
@@ -106,7 +106,7 @@ TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
         "travel": {"column": 4, "open": 0, "closed": 10},
         "force": {"column": 1, "unit": "N", "factor": 0.005}})"));
   set(dialog, "target", folder_ / "cut.json");
-  const auto words = dialog.findChild<RecordingPicture*>()->words();
+  const auto words = dialog.findChild<RecordingPlot*>()->words();
   EXPECT_TRUE(words.contains(QStringLiteral("force in newtons"))) << words.toStdString();
   EXPECT_TRUE(press(dialog).starts_with("✓"));
   const auto cut = tests::contentOf(folder_ / "cut.json");
@@ -133,7 +133,7 @@ TEST_F(MeasurementTest, AsksForTheColumnsOfAnotherTableAndImportsIt) {
   EXPECT_EQ(chosen("time"), "t_s");
   EXPECT_EQ(chosen("travel"), "jaw_mm");
   EXPECT_EQ(chosen("force"), "load_mN");
-  EXPECT_TRUE(dialog.findChild<RecordingPicture*>()->isVisible());
+  EXPECT_TRUE(dialog.findChild<RecordingPlot*>()->isVisible());
   tests::photographInAllThemes(dialog, QStringLiteral("import-table"));
   form->findChild<QComboBox*>(QStringLiteral("time"))->setCurrentIndex(1);
   EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'))

@@ -25,21 +25,22 @@ haptics::engine::RealtimeLoop::Report reportOf(std::uint64_t ticks, std::uint64_
 }
 
 TEST(SelfTest, JudgesTheClockByMissedTicksAndPriority) {
-  EXPECT_EQ(judgeClock(reportOf(2000, 0), true, 1000.0).found.finding, Finding::Pass);
-  EXPECT_EQ(judgeClock(reportOf(2000, 0), false, 1000.0).found.finding, Finding::Warn);
-  EXPECT_EQ(judgeClock(reportOf(2000, 60), true, 1000.0).found.finding, Finding::Warn);
-  const auto rough = judgeClock(reportOf(2000, 200), true, 1000.0).found;
+  EXPECT_EQ(evaluateTiming(reportOf(2000, 0), true, 1000.0).found.finding, Finding::Pass);
+  EXPECT_EQ(evaluateTiming(reportOf(2000, 0), false, 1000.0).found.finding, Finding::Warn);
+  EXPECT_EQ(evaluateTiming(reportOf(2000, 60), true, 1000.0).found.finding, Finding::Warn);
+  const auto rough = evaluateTiming(reportOf(2000, 200), true, 1000.0).found;
   EXPECT_EQ(rough.finding, Finding::Fail);
   EXPECT_NE(rough.measured.find("200 of 2000"), std::string::npos) << rough.measured;
   EXPECT_FALSE(rough.fix.empty());
   EXPECT_NE(
-      judgeClock(reportOf(2000, 200), true, 1000.0).details.find("µs (median)"), std::string::npos);
+      evaluateTiming(reportOf(2000, 200), true, 1000.0).details.find("µs (median)"),
+      std::string::npos);
 }
 
 TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
   const auto judge = [](double median) {
     const auto line =
-        judgeCommits({.commits = 40, .median = median, .longest = 2.0 * median}, "/x");
+        evaluateCommitTimes({.commits = 40, .median = median, .longest = 2.0 * median}, "/x");
     EXPECT_EQ(line.found.measured.find("/x"), std::string::npos) << "the folder is a detail";
     EXPECT_NE(line.details.find("/x"), std::string::npos);
     return line.found;

@@ -24,7 +24,7 @@ namespace shape_window_test {
 class ShapeWindow : public testing::Test {
  protected:
   QWidget* open(const std::string& path) {
-    window_.reset(openShape(QString::fromStdString(path), nullptr));
+    window_.reset(openShapeWindow(QString::fromStdString(path), nullptr));
     return window_.get();
   }
 

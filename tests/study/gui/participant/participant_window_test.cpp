@@ -373,7 +373,7 @@ TEST_F(OptionalTrialPages, RepeatATrialOrSkipIt) {
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto& session = window_.controller()->session();
   int offer = 0;
-  while (!session.plan()[static_cast<std::size_t>(offer)].isOffered) ++offer;
+  while (!session.plan()[static_cast<std::size_t>(offer)].isOptionalTrial) ++offer;
   participant_.takePart(offer);
   ASSERT_EQ(session.stepIndex(), offer);
   participant_.look();

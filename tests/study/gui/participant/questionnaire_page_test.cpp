@@ -238,7 +238,7 @@ TEST(QuestionnairePage, CountsMarksAndFocusesWhatIsOpen) {
     return found;
   };
   EXPECT_TRUE(marks().empty()) << "nobody has asked to go on";
-  shown.page.showFirstOpen();
+  shown.page.scrollToFirstUnanswered();
   ASSERT_EQ(marks().size(), 1U);
   EXPECT_TRUE(marks().front()->parentWidget()->isAncestorOf(rows[2]));
   EXPECT_TRUE(rows[2]->button(0)->hasFocus());

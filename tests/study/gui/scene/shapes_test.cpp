@@ -17,13 +17,13 @@ TEST(Solids, HaveTheVolumeOfTheirFormula) {
   EXPECT_NEAR(volumeOf(rod(0.0F, 10.0F, 2.0F, 96)), kPi * 4.0 * 10.0, 0.2);
   // Pappus: the volume of a torus is 2π² R r².
   EXPECT_NEAR(volumeOf(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 2.0 * kPi * kPi * 10.0 * 4.0, 25.0);
-  EXPECT_EQ(openEdges(rod(0.0F, 10.0F, 2.0F)), 0U);
-  EXPECT_EQ(openEdges(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 0U);
+  EXPECT_EQ(countOpenEdges(rod(0.0F, 10.0F, 2.0F)), 0U);
+  EXPECT_EQ(countOpenEdges(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 0U);
 }
 
 TEST(Solids, HaveOpenEdgesWhereASheetEnds) {
   const Mesh mesh = sheet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}, 3);
-  EXPECT_EQ(openEdges(mesh), 6U);
+  EXPECT_EQ(countOpenEdges(mesh), 6U);
   for (const auto& vertex : mesh.vertices) EXPECT_EQ(vertex.normal, QVector3D(0, 0, 1));
 }
 
@@ -32,14 +32,14 @@ TEST(Solids, KeepTheirVolumeWhenCreased) {
   const double before = volumeOf(mesh);
   crease(mesh, 35.0F);
   EXPECT_NEAR(volumeOf(mesh), before, 1e-3);
-  EXPECT_EQ(openEdges(mesh), 0U);
+  EXPECT_EQ(countOpenEdges(mesh), 0U);
   for (const auto& vertex : mesh.vertices) EXPECT_NEAR(vertex.normal.length(), 1.0F, 1e-4F);
 }
 
 TEST(PunchShape, IsClosedAndFacesOutwards) {
   const PunchShape punch = punchShape();
   for (const Mesh* body : {&punch.body, &punch.grip, &punch.jaw, &punch.rod, &punch.lever}) {
-    EXPECT_EQ(openEdges(*body), 0U);
+    EXPECT_EQ(countOpenEdges(*body), 0U);
     EXPECT_GT(volumeOf(*body), 10.0);
   }
 }
@@ -56,8 +56,8 @@ TEST(PunchShape, ClosesItsJawWithItsHandle) {
 
 TEST(ReamerShape, IsAClosedHemisphereWithTeeth) {
   const ReamerShape reamer = reamerShape(26.0F);
-  EXPECT_EQ(openEdges(reamer.cap), 0U);
-  EXPECT_EQ(openEdges(reamer.shaft), 0U);
+  EXPECT_EQ(countOpenEdges(reamer.cap), 0U);
+  EXPECT_EQ(countOpenEdges(reamer.shaft), 0U);
   const double hemisphere = 2.0 / 3.0 * std::numbers::pi * 26.0 * 26.0 * 26.0;
   EXPECT_NEAR(volumeOf(reamer.cap), hemisphere, 0.08 * hemisphere);
   float farthest = 0.0F;
@@ -84,7 +84,7 @@ class MeniscusTest : public testing::Test {
 };
 
 TEST_F(MeniscusTest, IsAClosedWedge) {
-  EXPECT_EQ(openEdges(meniscus_.body()), 0U);
+  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0U);
   EXPECT_GT(volumeOf(meniscus_.body()), 500.0);
   EXPECT_FALSE(meniscus_.hasPiece());
 }
@@ -102,7 +102,7 @@ TEST_F(MeniscusTest, DeformsLikeTheFiniteElements) {
   }
   EXPECT_GT(deepest, 0.5F);
   EXPECT_LT(deepest, 4 * 0.4F);
-  EXPECT_EQ(openEdges(after), 0U);
+  EXPECT_EQ(countOpenEdges(after), 0U);
   meniscus_.squeeze({});
   EXPECT_EQ(meniscus_.body().vertices[500].position, before.vertices[500].position);
 }
@@ -127,20 +127,20 @@ TEST_F(MeniscusTest, BodyAndPieceHaveTheVolumeBeforeTheCut) {
   meniscus_.cut();
   meniscus_.squeeze({});
   ASSERT_TRUE(meniscus_.hasPiece());
-  EXPECT_EQ(openEdges(meniscus_.body()), 0U);
-  EXPECT_EQ(openEdges(meniscus_.piece()), 0U);
+  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0U);
+  EXPECT_EQ(countOpenEdges(meniscus_.piece()), 0U);
   const double piece = volumeOf(meniscus_.piece());
   EXPECT_GT(piece, 5.0);
   EXPECT_LT(volumeOf(meniscus_.body()), whole - 0.9 * piece);
   EXPECT_NEAR(volumeOf(meniscus_.body()) + piece, whole, 0.005 * whole);
-  meniscus_.dropPiece();
+  meniscus_.removePiece();
   EXPECT_FALSE(meniscus_.hasPiece());
 }
 
 TEST_F(MeniscusTest, IsUncutUnderThePunchAfterMovingOn) {
   const double whole = volumeOf(meniscus_.body());
   meniscus_.cut();
-  meniscus_.dropPiece();
+  meniscus_.removePiece();
   meniscus_.moveOn(40.0F);
   meniscus_.cut();
   meniscus_.squeeze({});

@@ -187,7 +187,7 @@ class HipSceneTest : public testing::Test {
 
   haptics::engine::PackingSpec spec_{
       .bone = haptics::engine::parametricBone(), .hardness = 0.5, .forceScale = 0.15};
-  haptics::engine::RemovalModel model_{spec_, true, haptics::engine::Reamer::withoutLimit()};
+  haptics::engine::RemovalModel model_{spec_, true, haptics::engine::Reamer::withoutFeedLimit()};
 };
 
 bool isBone(QRgb pixel) {
@@ -290,7 +290,7 @@ TEST(PlainCup, IsShownWithoutABoneOfSpheres) {
   const HipScene hip({});
   EXPECT_EQ(hip.spheres(), nullptr);
   ASSERT_EQ(hip.scene().parts.size(), 3U);
-  EXPECT_EQ(openEdges(hip.scene().parts[2].mesh), 0U);
+  EXPECT_EQ(countOpenEdges(hip.scene().parts[2].mesh), 0U);
   EXPECT_GT(countWhere(pictureOf(hip), isBone), 5000);
 }
 

@@ -31,10 +31,10 @@ TEST(OperatorPin, IsFourToTwelveDigits) {
 
 TEST(OperatorPin, OpensOnlyWithTheChosenDigits) {
   OperatorPin pin;
-  EXPECT_FALSE(pin.opensWith({}));
+  EXPECT_FALSE(pin.acceptsPin({}));
   pin.choose(QStringLiteral("2468"));
-  EXPECT_FALSE(pin.opensWith(QStringLiteral("24680")));
-  EXPECT_TRUE(pin.opensWith(QStringLiteral("2468")));
+  EXPECT_FALSE(pin.acceptsPin(QStringLiteral("24680")));
+  EXPECT_TRUE(pin.acceptsPin(QStringLiteral("2468")));
 }
 
 TEST(OperatorPin, DelaysTriesAfterWrongOnes) {
@@ -42,11 +42,11 @@ TEST(OperatorPin, DelaysTriesAfterWrongOnes) {
   pin.choose(QStringLiteral("2468"));
   for (int i = 0; i < OperatorPin::kFreeTries; ++i) {
     EXPECT_EQ(pin.secondsUntilNextTry(), 0);
-    EXPECT_FALSE(pin.opensWith(QStringLiteral("1111")));
+    EXPECT_FALSE(pin.acceptsPin(QStringLiteral("1111")));
   }
   EXPECT_GT(pin.secondsUntilNextTry(), 0);
   EXPECT_LE(pin.secondsUntilNextTry(), OperatorPin::kWait);
-  EXPECT_FALSE(pin.opensWith(QStringLiteral("2468"))) << "no try is allowed during the wait";
+  EXPECT_FALSE(pin.acceptsPin(QStringLiteral("2468"))) << "no try is allowed during the wait";
 }
 
 class LockedWindow : public testing::Test {

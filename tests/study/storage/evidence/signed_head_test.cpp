@@ -12,7 +12,7 @@ class SignedHeadTest : public testing::Test {
  protected:
   tests::MadeStudy study_;
   const std::filesystem::path folder_ = study_.scratch() / "another";
-  const StationStore station_ = StationStore::findOrMake(folder_);
+  const StationStore station_ = StationStore::openOrCreate(folder_);
   const SignedHead head_ = signHead(study_->database(), station_, kWitness, "2026-11-23T13:00:00Z");
 };
 
@@ -55,21 +55,21 @@ TEST_F(SignedHeadTest, IsOneLine) {
 }
 
 TEST_F(SignedHeadTest, IsNotedByItsStation) {
-  EXPECT_TRUE(notedHeads(station_, study_->uuid()).heads.empty());
-  noteHead(station_, head_, "/a folder/study\nwith a line");
-  const auto noted = notedHeads(station_, study_->uuid()).heads;
+  EXPECT_TRUE(readRecordedHeads(station_, study_->uuid()).heads.empty());
+  recordHead(station_, head_, "/a folder/study\nwith a line");
+  const auto noted = readRecordedHeads(station_, study_->uuid()).heads;
   ASSERT_EQ(noted.size(), 1U);
   EXPECT_EQ(noted[0].head.asLine(), head_.asLine());
   EXPECT_EQ(noted[0].folder, "/a folder/study?with a line");
 }
 
 TEST_F(SignedHeadTest, IsLeftOutOfAListThatWasChanged) {
-  noteHead(station_, head_, "/study");
+  recordHead(station_, head_, "/study");
   auto forged = head_;
   forged.events = 2;
   station_.append("heads-" + study_->uuid(), forged.asLine());
   station_.append("heads-" + study_->uuid(), head_.asLine().substr(0, 90));
-  const auto noted = notedHeads(station_, study_->uuid());
+  const auto noted = readRecordedHeads(station_, study_->uuid());
   EXPECT_EQ(noted.heads.size(), 1U);
   EXPECT_EQ(noted.unsound, 2U);
 }
@@ -77,7 +77,7 @@ TEST_F(SignedHeadTest, IsLeftOutOfAListThatWasChanged) {
 TEST_F(SignedHeadTest, LeadsToNoFileOutsideOfTheStation) {
   auto head = head_;
   head.study = "../outside";
-  noteHead(station_, head, "/study");
+  recordHead(station_, head, "/study");
   EXPECT_FALSE(std::filesystem::exists(study_.scratch() / "heads-" + "../outside"));
   EXPECT_FALSE(std::filesystem::exists(study_.scratch() / "outside"));
 }

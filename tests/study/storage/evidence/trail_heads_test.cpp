@@ -33,7 +33,7 @@ class TrailHeadsTest : public testing::Test {
   }
 
   static std::string keyHere() {
-    return StationStore::find(StationStore::usualFolder())->publicKey();
+    return StationStore::find(StationStore::defaultFolder())->publicKey();
   }
 
   tests::MadeStudy study_;
@@ -45,7 +45,7 @@ TEST_F(TrailHeadsTest, HasEachSignedHead) {
   EXPECT_EQ(trail.all()[0].seq, 3);
   EXPECT_TRUE(trail.all()[0].isSound);
   EXPECT_TRUE(trail.holds(trail.all()[0].head));
-  EXPECT_FALSE(trail.isGivenUp(trail.all()[0].head));
+  EXPECT_FALSE(trail.isAbandoned(trail.all()[0].head));
   EXPECT_TRUE(trail.checkSignatures(keyHere()).remarks.empty());
 }
 
@@ -65,7 +65,7 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
   EXPECT_EQ(found.remarks.size(), 1U);
   EXPECT_TRUE(trail.belongsToPreviousTrail(before));
   EXPECT_TRUE(checkHeads(trail, {{before, "/"}}).problems.empty());
-  const auto station = StationStore::find(StationStore::usualFolder());
+  const auto station = StationStore::find(StationStore::defaultFolder());
   EXPECT_TRUE(checkStation(trail, *station, false).problems.empty());
 }
 
@@ -96,7 +96,7 @@ TEST_F(TrailHeadsTest, AreNotGivenUpByAnEventThatAnotherPurposeSigned) {
           {.kind = EventKind::RestoredCopy, .values = {{"given_up", nameOf(head)}}});
       study_->signTrail(study::nameOf(purpose));
     });
-    return TrailHeads(study_->database()).isGivenUp(head);
+    return TrailHeads(study_->database()).isAbandoned(head);
   };
   EXPECT_FALSE(giveUp(EventKind::Exported));
   EXPECT_TRUE(giveUp(EventKind::RestoredCopy));
