@@ -256,7 +256,7 @@ bool hasAnswers(const CohortResult& cohort) {
 
 std::string_view differencesCaption(const FamilyResult& family) {
   const bool isShaded = family.family.equivalenceBound.has_value();
-  if (nameOf(family.family.correction).empty()) {
+  if (family.family.correction != protocols::CorrectionType::Bonferroni) {
     return isShaded ? kShadedDifferencesCaption : kDifferencesCaption;
   }
   return isShaded ? kShadedCorrectedDifferencesCaption : kCorrectedDifferencesCaption;

@@ -18,10 +18,10 @@ struct Target {
 
 /// An element that has a caption.
 struct Captioned {
-  std::string_view element;  ///< its opening tag
-  std::string_view caption;  ///< the beginning of its caption's tag
-  std::string_view id;       ///< what its id begins with
-  std::string_view pattern;  ///< of its name
+  std::string_view element;      ///< its opening tag
+  std::string_view caption;      ///< the beginning of its caption's tag
+  std::string_view id;           ///< what its id begins with
+  std::string_view labelFormat;  ///< "Table {}"
 };
 constexpr std::array kCaptioned{
     Captioned{"<table>", "<caption", "table-", "Table {}"},
@@ -62,7 +62,7 @@ std::string Numbering::numbered(const std::string& page, const words::Words& wor
   std::string html = page;
   std::map<std::string, Target> targets;
   for (std::size_t kind = 0; kind < kCaptioned.size(); ++kind) {
-    const auto& [element, caption, prefix, pattern] = kCaptioned[kind];
+    const auto& [element, caption, prefix, labelFormat] = kCaptioned[kind];
     for (auto at = html.find(element); at != std::string::npos; at = html.find(element, at + 1)) {
       const auto tag = html.find(caption, at);
       if (tag == std::string::npos) break;
@@ -70,7 +70,7 @@ std::string Numbering::numbered(const std::string& page, const words::Words& wor
       auto& counts = isInAppendix ? appendix_ : main_;
       const int count = ++(kind == 0 ? counts.tables : counts.figures);
       const auto number = (isInAppendix ? "A" : "") + std::to_string(count);
-      const Target target{std::string(prefix) + number, words.say(pattern, number)};
+      const Target target{std::string(prefix) + number, words.say(labelFormat, number)};
       const auto key = takeKey(html, tag);
       if (!key.empty()) targets.emplace(key, target);
       const auto name = "<b>" + escaped(target.name) + ".</b> ";

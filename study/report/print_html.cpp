@@ -18,7 +18,7 @@ p.verdict { font-size: 10pt; font-weight: bold; margin-top: 6px; margin-bottom: 
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
-td.caption { font-size: 8pt; }
+td.caption { font-size: 8pt; padding-top: 8px; }
 dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
 

@@ -77,6 +77,20 @@ class RenderingWriter : HtmlWriter {
     });
   }
 
+  const haptics::devices::DeviceKind& kindOf(const std::string& id) const {
+    return *s_.protocol.device(s_.protocol.condition(id)->device)->kind;
+  }
+
+  /// The unit in which the travel of a condition is shown: "mm", "travel units".
+  std::string shownUnit(const std::string& id) const {
+    const auto& kind = kindOf(id);
+    return kind.shown.factor == 1.0 ? say(kind.travel.unitName) : std::string(kind.shown.unit);
+  }
+
+  static std::optional<double> scaled(const std::optional<double>& value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+  }
+
   /// A row for each landmark, a column for each condition with cuts.
   void landmarks() {
     std::vector<std::string> conditions;
@@ -86,12 +100,11 @@ class RenderingWriter : HtmlWriter {
       if (std::ranges::find(names, one.landmark) == names.end()) names.push_back(one.landmark);
       if (std::ranges::find(conditions, one.condition) != conditions.end()) continue;
       conditions.push_back(one.condition);
-      const auto& device = s_.protocol.condition(one.condition)->device;
-      const auto unit = s_.protocol.device(device)->kind->travel.unitName;
-      columns.push_back(condition(one.condition) + " [" + say(unit) + "; N]");
+      columns.push_back(condition(one.condition) + " [" + shownUnit(one.condition) + "; N]");
     }
     table(
-        say("Landmarks of the cuts, over all participants: travel; force, M with SD in brackets"),
+        say("Landmarks of all strokes, over all participants: travel; force, M with SD in "
+            "brackets"),
         columns);
     for (const auto name : names) {
       std::vector<std::string> cells(columns.size());
@@ -99,7 +112,9 @@ class RenderingWriter : HtmlWriter {
       for (const auto& one : s_.landmarks) {
         if (one.landmark != name) continue;
         const auto place = std::ranges::find(conditions, one.condition) - conditions.begin() + 1;
-        const auto travel = withDeviation(one.travel.mean, one.travel.standardDeviation);
+        const auto factor = kindOf(one.condition).shown.factor;
+        const auto travel = withDeviation(
+            scaled(one.travel.mean, factor), scaled(one.travel.standardDeviation, factor));
         cells[static_cast<std::size_t>(place)] =
             travel + (travel.empty() ? "" : "; ") +
             withDeviation(one.force.mean, one.force.standardDeviation);

@@ -11,13 +11,21 @@ namespace {
 
 constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 25.0};
 
+/// The interval at 1 − α/m, if p is corrected in the same way: by Bonferroni's method. Beside
+/// another correction it may cover zero where p is below α.
+std::optional<analysis::Interval> correctedInterval(
+    const FamilyResult& family, const analysis::TestRow& test) {
+  return family.family.correction == protocols::CorrectionType::Bonferroni ? test.adjustedInterval
+                                                                           : std::nullopt;
+}
+
 /// A scale that covers all intervals, the equivalence bounds, and zero.
 AxisScale effectScale(const FamilyResult& family) {
   double most = family.family.equivalenceBound.value_or(0.0);
   for (const auto& cohort : family.cohorts) {
     for (const auto& row : cohort.within.rows) {
       const auto& test = row.test("paired_t");
-      for (const auto& interval : {test.interval, test.adjustedInterval}) {
+      for (const auto& interval : {test.interval, correctedInterval(family, test)}) {
         if (interval) most = std::max({most, -interval->low, interval->high});
       }
       most = std::max(most, std::abs(test.estimate.value.value_or(0.0)));
@@ -76,9 +84,8 @@ class EffectPainter {
     }
     const double middle = canvas_.drawingOf(y) + kEffectRows.height / 2;
     const QColor colour = categoryColour(0);
-    if (test.adjustedInterval) {
-      canvas_.interval(
-          test.adjustedInterval->low, test.adjustedInterval->high, middle, colour, 1.4);
+    if (const auto wider = correctedInterval(family_, test)) {
+      canvas_.interval(wider->low, wider->high, middle, colour, 1.4);
     }
     if (test.interval) {
       canvas_.interval(test.interval->low, test.interval->high, middle, colour, 4.0);

@@ -11,8 +11,9 @@ namespace study::report {
 /// Paints all figures of a section into it. Needs a QGuiApplication.
 void paintFigures(ReportSection& section, const FigureFormat& format = {});
 
-/// Differences between methods within people: mean differences with intervals, thick at 1 − α, thin
-/// at 1 − α/m. The shaded range holds the differences that the protocol declares negligible.
+/// Differences between methods within people: mean differences with intervals, thick at 1 − α; if p
+/// is corrected by Bonferroni's method, thin at 1 − α/m. The shaded range holds the differences
+/// that the protocol declares negligible.
 QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format);
 void paintEffectFigure(
     QPainter& painter,
