@@ -274,7 +274,7 @@ class Campaign : public tests::CollectTest {
         "ALTER TABLE palpate.event DROP CONSTRAINT event_pkey;"
         "DO $$ BEGIN "
         "EXECUTE replace(replace(replace(pg_get_functiondef('palpate.take_events'::regproc), "
-        "'WHERE n.seq > me.have;', ';'), "
+        "'WHERE n.seq > me.have RETURNING', 'RETURNING'), "
         "'IF coalesce(many, 0) = 0 THEN RETURN me.have; END IF;', ''), "
         "'RETURN most;', 'RETURN coalesce(most, me.have);');"
         "EXECUTE replace(pg_get_functiondef('palpate.ingest'::regproc), "
