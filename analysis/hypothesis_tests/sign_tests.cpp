@@ -147,7 +147,8 @@ Binary mantissaAndExponent(double number) {
 /// The numbers, none of them zero, in units of their smallest digit; std::nullopt if they differ so
 /// much in size that sums of them need more than 126 binary digits.
 std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
-  constexpr int kMostShift = 66;  // 53 digits + 66 + 6 for sums of 2^6 numbers < 126
+  constexpr int kMostShift =
+      66;  // [bits]; with 53 of a mantissa and 6 for a sum of 64 numbers: 125
   std::vector<Binary> binaries;
   binaries.reserve(numbers.size());
   for (const double number : numbers) binaries.push_back(mantissaAndExponent(number));

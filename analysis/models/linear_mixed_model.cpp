@@ -20,9 +20,11 @@ using Eigen::VectorXd;
 
 // Smaller standard deviations, relative to that of the residuals, count as 0.
 constexpr double kSingular = 1e-4;
-constexpr double kLargestLog = 40.0;      // e^40: beyond it no residual variance is left
-constexpr double kFlat = 1e-14;           // reciprocal condition of a Hessian that has no inverse
-constexpr double kStarts[] = {0.5, 2.0};  // two, since the deviance may have a second minimum
+constexpr double kLargestLog = 40.0;  // e^40: beyond it no residual variance is left
+constexpr double kFlat = 1e-14;       // reciprocal condition of a Hessian that has no inverse
+// Starting values of the random standard deviations, relative to that of the residuals; two, since
+// the deviance may have a second minimum.
+constexpr double kStarts[] = {0.5, 2.0};
 
 /// The quadratic form weightsᵀ · matrix · weights.
 double form(const VectorXd& weights, const std::vector<double>& matrix) {

@@ -162,7 +162,7 @@ void tallyErrors(
 
 /// Reports the 99 % quantile of the relative error of the force, and how often a variance was
 /// negative.
-void attack(double decades, const AccuracyRun& run) {
+void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
   constexpr int kFilters = 60;
   constexpr int kSteps = 40;
   Adversary adversary{std::mt19937_64(7), decades};
@@ -218,7 +218,8 @@ void attack(double decades, const AccuracyRun& run) {
 
 void measureKalmanFilter(const AccuracyRun& run) {
   if (!run.isShortRun) timeSteps(run);
-  for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0}) attack(decades, run);
+  for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0})
+    reportErrorsOnHostileInput(decades, run);
 }
 
 }  // namespace haptics::bench

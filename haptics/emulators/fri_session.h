@@ -148,7 +148,8 @@ class FriSession {
   /// Advances by one period. Returns whether this ended a motion.
   bool advance(const Input& input) noexcept;
 
-  /// Records whether an answer in CommandingWait mirrored the joints.
+  /// Counts consecutive answers in CommandingWait that command the measured joint positions; any
+  /// other answer resets the count.
   void mirror(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
 
   /// Ends the motion with reason @p end if the state is a commanding one; otherwise returns false.

@@ -49,7 +49,7 @@ class RequiredFields {
     if (kIsPlain) bits_ |= 1U << number;
   }
 
-  std::uint32_t bits() const noexcept { return bits_; }
+  std::uint32_t requiredFieldBits() const noexcept { return bits_; }
 
  private:
   std::uint32_t bits_ = 0;
@@ -58,7 +58,7 @@ class RequiredFields {
 std::uint32_t requiredIn(const Message auto& message) noexcept {
   RequiredFields required;
   visit(message, required);
-  return required.bits();
+  return required.requiredFieldBits();
 }
 
 /// Facts about a message that was read, for its validation.

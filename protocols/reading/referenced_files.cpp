@@ -233,9 +233,9 @@ Message titleOf(const std::string& surface) {
   return Message::verbatim(surface);
 }
 
-std::vector<Message> surfacesIn(const Anatomy& knee) {
+std::vector<Message> surfaceTitlesOf(const Anatomy& anatomy) {
   std::vector<Message> titles;
-  for (const auto& surface : knee.surfaces) titles.push_back(titleOf(surface.name));
+  for (const auto& surface : anatomy.surfaces) titles.push_back(titleOf(surface.name));
   return titles;
 }
 
@@ -328,7 +328,7 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
         {.kind = "anatomy",
          .file = name,
          .title = message("source.knee"),
-         .origin = surfacesIn(*knee),
+         .origin = surfaceTitlesOf(*knee),
          .isSynthetic = false,
          .conditions = {}});
   }

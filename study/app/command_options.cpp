@@ -41,13 +41,14 @@ void addRunModeOption(CLI::App& command, std::string& name) {
 }
 
 void addRunModeOfSession(CLI::App& command, std::string& name) {
-  auto* mode = command
-                   .add_option(
-                       "--run-mode",
-                       name,
-                       "Run mode of the session (default: live); a pilot takes none of the planned "
-                       "orders of conditions")
-                   ->check(CLI::IsMember({"live", "pilot"}));
+  auto* mode =
+      command
+          .add_option(
+              "--run-mode",
+              name,
+              "Run mode of the session (default: live); a pilot uses up none of the planned "
+              "orders")
+          ->check(CLI::IsMember({"live", "pilot"}));
   command
       .add_flag_callback(
           "--pilot", [&name] { name = "pilot"; }, "The same as --run-mode pilot")

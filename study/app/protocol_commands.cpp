@@ -176,7 +176,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ->required()
       ->check(CLI::Range(1, 100'000));
   orders->add_option(
-      "--seed", ordering.seed, "Seed of the study whose simulated sessions have the listed orders");
+      "--seed", ordering.seed, "Seed of a study: lists the orders of its simulated sessions");
   orders->add_flag(
       "--csv", ordering.csv, "Write the trials of all participants as CSV, without the balance");
 

@@ -354,8 +354,8 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--condition",
           options.conditions,
-          "Ids of conditions to draw together; a single filter is drawn with the two forces that "
-          "it fuses")
+          "Ids of conditions to draw together; one with a Kalman filter is drawn with its two "
+          "input forces")
       ->required();
   play->add_option(
           "--profile",
@@ -374,7 +374,7 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--speed",
           options.speed,
-          "Speed [travel units/s, or m/s] (default: 57, or 0.005, at most 0.9 of the largest feed)")
+          "Speed (default: 57 travel units/s; reaming: 0.005 m/s, at most 0.9 of the largest feed)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
@@ -390,7 +390,9 @@ void addPlay(CLI::App& noun, Action& action) {
           "11)")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
-          "--smoothing", options.smoothing, "Smoothing of the filter (default: the protocol's)")
+          "--smoothing",
+          options.smoothing,
+          "Smoothing of the filtered force before the motor (default: the protocol's)")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
   play->add_option("--over", options.over, "Horizontal axis of the figure")
       ->check(CLI::IsMember({"travel", "time"}))

@@ -19,7 +19,8 @@ CommandDescription describeStudio() {
            .text = "The laboratory's device file (default: devices.json in the study's folder)."},
           {.names = {"--write-knee"},
            .value = "FILE",
-           .text = "Write the knee that is shown as OBJ, to fit an anatomy to, and end."}}};
+           .text = "Write the built-in knee as an OBJ file, a template for your own anatomy, and "
+                   "exit."}}};
 }
 
 std::string nameOf(const OptionDescription& option) {

@@ -108,7 +108,7 @@ class SimulatedSession {
     try {
       trial = trialFor(session_, deviceSet, study_.traces());
     } catch (const haptics::devices::DeviceError& error) {
-      // Connecting an arm that does not accept commands takes ten seconds each time.
+      // An attempt on an arm that accepts no commands takes ten seconds: time is limited, too.
       const auto now = std::chrono::steady_clock::now();
       if (!waitingSince_) waitingSince_ = now;
       if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;

@@ -63,10 +63,10 @@ Values suppressRareValues(const Values& values, std::size_t k);
 
 /// k-anonymity (Sweeney 2002) by a deterministic greedy search over the quasi-identifiers in the
 /// given order. Each quasi-identifier divides the present classes further. Values that fewer than k
-/// people of a class have are suppressed in the class, so that no class becomes smaller than k. The
-/// level with the most information is released (entropy plus the share of people who keep a value),
-/// or none if no level has information. Earlier quasi-identifiers therefore lose the least. All
-/// people are kept.
+/// people of a class have are suppressed in the class, so that no class becomes smaller than k. Of
+/// each quasi-identifier, that level of its hierarchy is released whose entropy plus share of
+/// people who keep a value is largest, or none if that is zero for every level. Earlier
+/// quasi-identifiers therefore lose the least. All people are kept.
 /// @return  std::nullopt if there are fewer people than k.
 /// @throws std::invalid_argument  if @p k is below 2, or if a column does not have one value for
 ///     each person.

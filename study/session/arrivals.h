@@ -20,8 +20,8 @@ struct Arrivals {
 /// The arrivals at a server that has all events up to number @p event.
 Arrivals arrivalsBy(Study& study, std::int64_t event);
 
-/// The result of the last push of a study to its server, as recorded in a list of this account. The
-/// operator's windows show it without a network connection.
+/// The result of the last push of a study to its server. It is stored outside the study, for this
+/// user of the computer, so that the operator's windows can show it without a network.
 struct PushRecord {
   std::string utc;        ///< of the push; empty: there was none
   std::int64_t have = 0;  ///< number of events that the server had after the push

@@ -161,7 +161,7 @@ void insert(
 }
 
 /// The number of the next event, and the hash of the last one.
-std::pair<std::int64_t, std::vector<std::byte>> end(const Database& database) {
+std::pair<std::int64_t, std::vector<std::byte>> nextNumberAndLastHash(const Database& database) {
   Statement last(database, "SELECT seq, hash FROM event ORDER BY seq DESC LIMIT 1");
   if (!last.step()) return {1, {}};
   return {last.number(0) + 1, last.blob(1)};
@@ -288,7 +288,7 @@ void EventLog::append(const Event& event) {
   row.content = asBytes(
       event.visit ? contentHash(database_, event.visit->session, key ? &*key : nullptr)
                   : contentHash(database_));
-  const auto [seq, previous] = end(database_);
+  const auto [seq, previous] = nextNumberAndLastHash(database_);
   if (key) row.seal(seq, *keyOf(event.visit->session, event.kind));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
@@ -356,7 +356,7 @@ void EventLog::appendFromOtherTrail(const StoredEvent& event, const SealingKey* 
         row.session ? contentHash(database_, SessionId{*row.session}, isToBeSealed ? key : nullptr)
                     : contentHash(database_));
   }
-  const auto [seq, previous] = end(database_);
+  const auto [seq, previous] = nextNumberAndLastHash(database_);
   if (isToBeSealed) row.seal(seq, sealingKeyFor(*key, eventKindNamed(row.kind)));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }

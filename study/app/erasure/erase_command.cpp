@@ -26,7 +26,7 @@ struct ErasureArguments {
   std::string folder;
   std::string level = "all";
   ErasureRequest request;
-  std::vector<std::string> also;
+  std::vector<std::string> otherCopies;
   std::vector<std::string> certificates;
   std::string by;
   bool setsPassphrase = false;
@@ -82,7 +82,7 @@ int erase(ErasureArguments options) {
   report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
   certificate.report = study::erase(study, options.request);
   const auto known = knownCopies(study);
-  for (const auto& folder : options.also) {
+  for (const auto& folder : options.otherCopies) {
     certificate.copies.push_back(
         eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock, known));
   }
@@ -150,10 +150,10 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_flag(
       "--reseal",
       erasure.request.resealsTrail,
-      "Encrypt an audit trail written by an older release first, once for the whole study");
+      "Before erasing, encrypt an audit trail that an older release wrote (once a study)");
   erase->add_option(
       "--also",
-      erasure.also,
+      erasure.otherCopies,
       "Other copy of the data: a backup to erase from, or an export or a report to delete; "
       "repeatable");
   erase->add_option(

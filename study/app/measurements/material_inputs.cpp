@@ -112,7 +112,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
           "specimens")
       ->check(oneOf(kEnvelopes))
       ->capture_default_str();
-  verb.add_option("--nodes", nodes, "Rule that chooses the spline's nodes, or their number")
+  verb.add_option("--nodes", nodes, "Number of the spline's nodes, or the rule that places them")
       ->check(oneOf(kNodeRules) | CLI::Range(kFewestNodes, kMostNodes))
       ->capture_default_str();
   verb.add_option(

@@ -11,8 +11,8 @@ namespace study::app {
 /// A note that @p bone is synthetic; empty if it was measured.
 std::string syntheticMark(const haptics::reaming::PackedBone& bone);
 
-/// A sentence for each curve whose fit did not reach its optimum, so that the densities do not give
-/// the force of the curve.
+/// A warning for each curve whose fit did not reach its optimum: the densities then do not
+/// reproduce the force of the curve.
 std::vector<std::string> warningsOf(const haptics::reaming::BoneFitReport& fit);
 
 /// Compares the forces of a bone's spheres with the curves to which they were fitted.

@@ -243,7 +243,7 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--yield-load",
           command.options.yieldLoad,
-          "Smallest load that counts as a yield [N]; 0: any")
+          "Smallest rise of the force until the tissue yields that counts as a cut [N]; 0: any")
       ->check(finiteRange(0.0, 1e6))
       ->capture_default_str();
   import->add_option(
@@ -271,7 +271,7 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows where travel changes by less than this [travel units]; 0: as in eq. (22)")
+          "Leave out rows where travel changes by less than this [travel units]; 0: as eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   noise->add_flag(

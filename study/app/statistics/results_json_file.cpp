@@ -459,7 +459,7 @@ ResultJson voteAsJson(const VoteResult& vote) {
   return json;
 }
 
-/// Votes summed over rounds; if the cohort is null, also over cohorts.
+/// Votes summed over rounds; also over cohorts (`cohort` null) if @p cohort is empty.
 ResultJson voteSumAsJson(const std::string& cohort, const analysis::VoteCounts& sum) {
   ResultJson json{{"cohort", textOrNull(cohort)}};
   for (const auto& share : sum.shares()) json["votes"][share.option] = share.votes;

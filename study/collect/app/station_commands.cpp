@@ -27,7 +27,7 @@ struct StationArguments {
   std::string enrolment;
   std::string out;
   std::string mark;
-  std::int64_t after = -1;
+  std::int64_t afterEvent = -1;  ///< -1: after those of the last push
 };
 
 int printKey() {
@@ -72,8 +72,8 @@ int bundleStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
-  const auto after =
-      given.after >= 0 ? given.after : lastPush(outbox.study(), outbox.station().uuid).have;
+  const auto after = given.afterEvent >= 0 ? given.afterEvent
+                                           : lastPush(outbox.study(), outbox.station().uuid).have;
   const auto bundle =
       writeBundle(outbox, station, serverSettingsOf(given.folder).bundleKey, after, given.out);
   fmt::print(
@@ -261,7 +261,7 @@ void addStationCommands(CLI::App& program, Action& action) {
   bundle->add_option("--out", given->out, "New file")->required();
   bundle->add_option(
       "--after",
-      given->after,
+      given->afterEvent,
       "Number of the last event that the server has (default: as of the last push, or 0)");
   bundle->callback([&action, given] { action = [given] { return bundleStudy(*given); }; });
 

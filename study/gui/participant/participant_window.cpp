@@ -171,7 +171,7 @@ void ParticipantWindow::changeEvent(QEvent* event) {
 
 void ParticipantWindow::showStep() {
   const auto& session = controller_.session();
-  // The same trial is still running: keep its page, which has the mouse.
+  // The same trial is still running: its page may be in a drag of the mouse that moves the hand.
   if (trialPage_ != nullptr && controller_.isTrialRunning()) {
     trialPage_->setRunning(true);
     return;

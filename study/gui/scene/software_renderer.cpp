@@ -23,7 +23,7 @@ float around(QVector3D normal, QVector3D toEye) {
 }
 
 /// x to the 16th power.
-float sixteenth(float x) {
+float powerOf16(float x) {
   const float fourth = x * x * x * x;
   return fourth * fourth * fourth * fourth;
 }
@@ -43,7 +43,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   const float facing = std::max(0.0F, QVector3D::dotProduct(normal, toLamp));
   const float mirrored =
       std::max(0.0F, QVector3D::dotProduct(normal, (toLamp + toEye).normalized()));
-  const float sharp = sixteenth(mirrored);
+  const float sharp = powerOf16(mirrored);
   const float sharper = sharp * sharp * sharp * sharp;
   const float shine = kShine * gloss * gloss * (sharp + gloss * (sharper - sharp));
   // Ambient light is slightly brighter from above.
