@@ -14,7 +14,7 @@ namespace analysis {
 ///
 ///     m = S / n,   s² = (n Q − S²) / (n (n − 1)),
 ///
-/// so that m and s² are correctly rounded, whatever the order of the answers.
+/// so that m and s² are correctly rounded, in any order of the answers.
 class LikertCounts {
  public:
   static constexpr int kMostPoints = 1024;

@@ -57,7 +57,7 @@ std::string importAsJson(
 /// The values of `noise` in a protocol.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
-/// The passes of a scene. `torque` is present if the scene has one, and tells whether @p device
+/// The passes of a scene. `torque` is present if the scene has one, and says whether @p device
 /// renders it. Costs are left out if @p costs is empty.
 std::string passesAsJson(
     const protocols::Condition& condition,

@@ -274,8 +274,8 @@ void simulate(
 
 void simulateUntil(
     Study& study, Session& session, SimulatedClock& clock, std::uint64_t seed, int step) {
-  const SimulationCallback nobody = [](const SimulationEvent&) {};
-  SimulatedSession(study, session, clock, seed, nobody, {}).run(step);
+  const SimulationCallback ignore = [](const SimulationEvent&) {};
+  SimulatedSession(study, session, clock, seed, ignore, {}).run(step);
 }
 
 std::vector<SimulatedSessionResult> simulateCohorts(

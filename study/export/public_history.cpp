@@ -43,7 +43,7 @@ Values valuesOfPeople(const Values& values, const std::vector<std::size_t>& peop
   return these;
 }
 
-/// A column that tells whether a person was in an earlier export, and the columns that it released.
+/// A column that says whether a person was in an earlier export, and the columns that it released.
 /// The latter are empty for people who were not in that export.
 std::vector<ReleasedColumn> columnsOfEarlierExport(
     const EarlierExport& earlier,

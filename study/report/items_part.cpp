@@ -176,7 +176,7 @@ class ItemsWriter : HtmlWriter {
     return "item-" + figure.instrument + "-" + figure.item;
   }
 
-  /// "left 3, right 12", without the options that nobody chose; empty if all are rare. Of what
+  /// "left 3, right 12", without options that were not chosen; empty if all are rare. Of what
   /// people say of themselves, rare options are hidden as in a public release.
   std::string chosenIn(const questionnaires::Instrument& instrument, const ItemSummary& summary) {
     const auto* item = instrument.item(summary.item);

@@ -43,7 +43,7 @@ struct ErasedCopy {
   std::vector<std::string> filesWithTexts;
 };
 
-/// The known copies that are not in @p done, whatever the outcome there.
+/// The known copies that are not in @p done, which also has those where an erasure failed.
 std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& done);
 
 /// Erases a participant from a copy of the study: from a backup, or by deleting an export or the

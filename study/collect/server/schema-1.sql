@@ -116,7 +116,7 @@ CREATE TABLE progress (
 );
 
 -- The answers of these facts, for those who count. They are what counts read as a whole: what is there more often than
--- once for each answer is in the row of the session. No column tells a condition, but its code.
+-- once for each answer is in the row of the session. A condition is given by its code only.
 CREATE TABLE answer (
   station     integer NOT NULL,
   number      bigint NOT NULL,

@@ -76,7 +76,8 @@ $$;
 -- What others may see. A view is read with the rights of its owner.
 
 -- Points alone: numbers and words may identify a person. Stations that were set aside have no answers, so that nothing
--- has to be looked up of a station where nobody asks for it: PostgreSQL leaves out a LEFT JOIN whose columns are not used.
+-- has to be looked up of a station where a query does not ask for it: PostgreSQL leaves out a LEFT JOIN whose
+-- columns are not used.
 CREATE VIEW answers AS
 SELECT st.study, st.site, st.label AS station, s.participant, s.cohort, s.run_mode, s.state, a.phase, a.instrument,
        a.alternative, a.item, a.point, a.code
