@@ -58,10 +58,11 @@ TEST_F(IiwaFaultsTest, CountsGarbageWithoutAChecksumToo) {
 }
 
 TEST_F(IiwaFaultsTest, IgnoresMessagesOfAnImpostor) {
-  const auto mine = settings();
-  connect(mine);
-  order("impostor 1000000");  // from the first message on
-  work(5.0);
+  connect(settings());
+  during([this] { device_->open(); });  // the sender of the first message is the robot
+  order("impostor 1000000");
+  during([this] { device_->arm(); });
+  answer(0.0);
   turns(5.0, 50);
   const auto seen = report();
   EXPECT_GT(seen.impostors, 100U);
