@@ -62,8 +62,8 @@ TEST_F(IiwaFaultsTest, IgnoresMessagesOfAnImpostor) {
   during([this] { device_->open(); });  // the sender of the first message is the robot
   order("impostor 1000000");
   during([this] { device_->arm(); });
-  answer(0.0);
-  turns(5.0, 50);
+  answer(0.0);  // what was left over
+  turns(5.0, 80);
   const auto seen = report();
   EXPECT_GT(seen.impostors, 100U);
   EXPECT_EQ(seen.misled, 0U);
