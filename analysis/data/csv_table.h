@@ -27,8 +27,8 @@ struct CsvTable {
   std::vector<CsvRow> rows;
 
   /// The index of a column.
-  /// @throws UserError  if there is no such column (the message lists all columns and the most
-  ///     similar name), or if two columns have that name.
+  /// @throws UserError  if there is no such column (the message lists the first eight columns and
+  ///     the most similar name), or if two columns have that name.
   std::size_t columnIndex(std::string_view name) const;
 };
 
@@ -39,8 +39,8 @@ struct CsvTable {
 /// The separator is the most frequent one in the header: comma, semicolon or tab.
 ///
 /// @throws UserError  for a file without a header, in UTF-16, with a quotation mark that is never
-///     closed or closed too early, or with rows of too few or too many cells. The message lists all
-///     problems.
+///     closed or closed too early, or with rows of too few or too many cells. The message lists the
+///     first ten such rows.
 CsvTable readCsv(std::string_view text);
 
 /// The name that @p meant is most probably a misspelling of: the one with the smallest edit

@@ -51,7 +51,7 @@ struct RepeatedMeasuresResult {
   std::optional<double> f;  ///< +infinity if all participants change in the same way
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< (k − 1)(n − 1)
-  std::optional<double> p;                  ///< valid if the conditions are spherical
+  std::optional<double> p;                  ///< valid if the conditions satisfy sphericity
   std::optional<double> log10P;             ///< defined even if p is too small for a double
   std::optional<double> partialEtaSquared;  ///< in 0 … 1
 

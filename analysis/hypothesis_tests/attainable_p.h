@@ -41,7 +41,7 @@ AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
 ///     p = k / kⁿ = k^(1 − n)
 ///
 /// 1 without votes.
-/// @throws std::invalid_argument  for fewer than two options.
+/// @throws std::invalid_argument  for fewer than two options, or more than 1000.
 AttainableP smallestVoteP(std::uint64_t n, int k);
 
 /// The fewest participants with whom an exact paired test can be significant, if it is one of a
@@ -52,8 +52,8 @@ std::uint64_t fewestParticipantsForSignFlip(double alpha, std::uint64_t comparis
 /// The votes that one of k options needs for the exact multinomial test of equal shares to reach α,
 /// however the other votes are distributed. std::nullopt if not even all n votes suffice, or if
 /// there are too many votes for an exact test (see equalSharesP()).
-/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or fewer than two
-///     options.
+/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, fewer than two options,
+///     or more than 1000.
 std::optional<std::uint64_t> fewestVotesForSignificance(std::uint64_t n, int k, double alpha);
 
 }  // namespace analysis

@@ -37,8 +37,8 @@ struct EqualSharesResult {
 /// of one person make p too small.
 EqualSharesResult equalSharesTest(const VoteCounts& votes);
 
-/// The result of Cochran's Q test: whether all options get equally many yes, if each person says
-/// yes or no to each. If a number is missing, `reason` says why.
+/// The result of Cochran's Q test: whether all options get equally many yes answers, if each person
+/// answers yes or no to each. If a number is missing, `reason` says why.
 struct CochranResult {
   std::uint64_t persons = 0;
   std::uint64_t undecided = 0;  ///< persons who gave the same answer to all options; Q ignores them

@@ -36,7 +36,7 @@ struct WaldEstimate {
 WaldEstimate waldEstimate(std::string name, double estimate, double variance);
 
 /// The confidence interval at @p level, for instance 0.95: estimate ± quantile of t × standard
-/// error. std::nullopt if the degrees of freedom are not defined.
+/// error. std::nullopt if p is not defined, or a limit is beyond a double.
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level);
 

@@ -16,13 +16,13 @@ namespace analysis {
 ///
 /// @param alpha  level of this one test: α / m in a family of m with Bonferroni's correction.
 /// @throws std::invalid_argument  for fewer than two participants, an alpha that is not between 0
-///     and 1, or an effect that is NaN.
+///     and 1, or an effect that is not finite.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
 
 /// P(|T| > t_c) of a noncentral t, and t_c the two-sided critical value of Student's t, with @p df
 /// degrees of freedom each.
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, a noncentrality that is
-///     not finite, or degrees of freedom that are not positive.
+///     not finite, or degrees of freedom that are not finite and at least 1.
 double twoSidedTPower(double noncentrality, double df, double alpha);
 
 /// The largest number of participants that is considered.
@@ -31,14 +31,14 @@ inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 /// The fewest participants with whom a paired t-test has at least the power @p power; std::nullopt
 /// for an effect of zero and beyond kMostParticipants.
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, a power
-///     below alpha, or an effect that is NaN.
+///     that is not above alpha, or an effect that is not finite.
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);
 
 /// The fewest participants from @p least up to kMostParticipants for whom @p suffices returns true;
 /// std::nullopt if there are none. @p suffices must be monotonic: true for n implies true for n +
 /// 1.
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, or a power
-///     below alpha.
+///     that is not above alpha.
 std::optional<std::uint64_t> fewestParticipants(
     std::uint64_t least,
     double alpha,

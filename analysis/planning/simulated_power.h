@@ -37,7 +37,7 @@ struct LikertModel {
   double sdOfDifferences() const;
 
   /// @throws std::invalid_argument  for shares that are negative or do not add up to one, fewer
-  ///     than two points or conditions, no answers, or an effect that is NaN.
+  ///     than two points or conditions, no answers, or an effect that is not finite.
   void check() const;
 };
 

@@ -47,7 +47,7 @@ struct SitePlan {
 ///
 /// @param alpha  level of this one test.
 /// @throws std::invalid_argument  as SitePlan::check(); for fewer participants than can be pooled,
-///     an alpha that is not between 0 and 1, or an effect that is NaN.
+///     an alpha that is not between 0 and 1, or an effect that is not finite.
 double pooledSitesPower(double dz, std::uint64_t participants, const SitePlan& plan, double alpha);
 
 /// The fewest participants, over all sites, with whom pooledSitesPower() is at least @p power;
@@ -65,7 +65,7 @@ struct SimulatedSitePower {
   DetectionRate pairedT;     ///< first pair, all participants, sites ignored
   DetectionRate anyPairedT;  ///< as pairedT, for any pair
   /// Half the width of the first pair's pooled interval at 1 − alpha, median over studies [points];
-  /// std::nullopt if half of the studies could not be pooled.
+  /// std::nullopt if more than half of the studies could not be pooled.
   std::optional<double> halfWidth;
 };
 

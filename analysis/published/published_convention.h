@@ -55,7 +55,7 @@ SpreadOfDifference spreadOfDifference(
     double variance2,
     std::uint64_t n2);
 
-/// p of a difference of means; 0 if only the spread is 0, 1 if the difference is 0, too.
+/// p of a difference of means; 0 if only the spread is 0, 1 (one-sided ½) if the difference is 0.
 double pOf(double difference, const SpreadOfDifference& spread, PublishedConvention::Tails tails);
 
 }  // namespace analysis

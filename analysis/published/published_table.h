@@ -100,7 +100,7 @@ inline constexpr std::uint64_t kMostPublishedAnswers = 1000;
 /// be copied as they are printed, with trailing zeros: the number of decimals determines their
 /// range.
 ///
-/// @throws UserError  listing all problems.
+/// @throws UserError  listing the first ten problems.
 PublishedTable readPublishedTable(std::string_view groupsCsv, std::string_view comparisonsCsv);
 
 }  // namespace analysis

@@ -66,7 +66,8 @@ const StatisticalTest& statisticalTest(std::string_view id);
 
 /// Computes a test. The rows have its id and the names of the compared groups.
 ///
-/// @throws UserError  for data that do not fit the test, and if a required bound is missing.
+/// @throws UserError  for data that do not fit the test, and if `bound` or `from` is missing but
+///     needed by the test, or set but not used by it.
 std::vector<TestRow> computeTest(
     const StatisticalTest& test, const TestData& data, const TestSettings& settings);
 

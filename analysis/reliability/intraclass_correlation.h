@@ -13,7 +13,7 @@ namespace analysis {
 /// One intraclass correlation with its test against 0 and its confidence interval.
 struct IntraclassCorrelation {
   std::optional<double> value;       ///< at most 1; below 0 if raters agree less than by chance
-  std::optional<Interval> interval;  ///< std::nullopt if F is not finite
+  std::optional<Interval> interval;  ///< std::nullopt if F is 0 or not finite
   std::optional<double> f;           ///< +infinity if raters agree completely
   double degreesOfFreedom1 = 0.0;
   double degreesOfFreedom2 = 0.0;

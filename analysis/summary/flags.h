@@ -128,7 +128,7 @@ struct Flag {
   base::Message remedy;               ///< what to do
   std::vector<base::Message> source;  ///< where a paper or the manual explains it
   bool concernsPooledTests = false;   ///< it concerns pooled tests only
-  /// It concerns the rendering: the rendered forces differ from those of the methods.
+  /// Whether it concerns the rendering: the rendered forces were not those of the compared methods.
   bool concernsRendering = false;
 
   /// A short heading for display.

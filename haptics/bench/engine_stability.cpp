@@ -18,8 +18,8 @@
 namespace haptics::bench {
 namespace {
 
-// Bound for schemes that use the two forces alternately, such as paper-text: of the force's steps
-// with quantised travel, and of its amplitude with a resting hand [N].
+// Bound for schemes that use the two forces alternately, such as paper-text: the largest step of
+// the force with quantised travel, and its largest amplitude with a resting hand [N].
 constexpr double kPublishedChatter = 4.0;
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
@@ -110,7 +110,7 @@ double largestStep(const engine::SceneSpec& spec, double quantum, double speed) 
   return largest;
 }
 
-/// With a resting hand the force must be constant; except with paper-text, whose limit cycle must
+/// With a resting hand the force must be constant, except with paper-text, whose limit cycle must
 /// be found.
 void sweepRestingHand(StabilityResult& result) {
   SweepChecks checks(result, "rest");
@@ -135,7 +135,7 @@ void sweepRestingHand(StabilityResult& result) {
   }
 }
 
-/// A step of the encoder must change the force by at most K times its size; except with paper-text,
+/// A step of the encoder must change the force by at most K times its size, except with paper-text,
 /// whose two forces alternate with any encoder.
 void sweepEncoders(StabilityResult& result) {
   SweepChecks checks(result, "encoder");

@@ -131,7 +131,7 @@ struct Adversary {
     return std::pow(10.0, std::uniform_real_distribution<double>(-decades, decades)(random));
   }
   KalmanNoiseValues numbers() {
-    // The forms differ without process noise.
+    // No process noise: only then do rounding errors of the forms of the update show.
     return {0.0, 0.0, 0.0, magnitude(), magnitude(), magnitude(), magnitude()};
   }
   double travelled() { return magnitude() * (random() % 2 == 0 ? 1.0 : -1.0); }
@@ -173,7 +173,7 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
       "Joseph, scalar",
       "standard, scalar, float",
       "Joseph, scalar, float"};
-  constexpr std::size_t kOurs = 2;  // index of the first of Palpate's filters
+  constexpr std::size_t kOurs = 2;  // number of Palpate's filters, which come first in names
   std::vector<Tally> tallies(names.size());
   for (int i = 0; i < kFilters; ++i) {
     const auto n = adversary.numbers();

@@ -105,11 +105,11 @@ struct DeviceSample {
   std::int64_t hostTime = 0;
 };
 
-/// The state of a device. A fault can follow every state; only open() leaves Faulted.
+/// The state of a device. A fault can follow every state; only open() and close() leave Faulted.
 enum class Lifecycle : std::uint8_t {
   Closed,
   Open,     ///< connected: the protocol and the identity of the device are as expected
-  Checked,  ///< open, and its check found no failure
+  Checked,  ///< open, and its check ran to the end; for the iiwa, also without a failure
   Armed,    ///< accepts forces
   Running,  ///< armed, and forces have been commanded
   Faulted,  ///< renders no force until it is opened again

@@ -112,7 +112,8 @@ void WireDevice::resetCounts() noexcept {
 }
 
 LinkReport WireDevice::link() {
-  // The keeper runs before the first tick, and updates the counts, too.
+  // Before the first tick the keeper runs and updates the counts as well, so it is stopped
+  // meanwhile.
   const bool wasKept = isKeeperRunning();
   stopKeeper();
   LinkReport report = report_;

@@ -65,7 +65,8 @@ class FriCommandCheck {
 ///
 /// The reflected counter of an answer identifies the message. The answer is accepted if it is the
 /// first to that message, and if the message is not older than a receive period; other answers are
-/// counted and ignored. The client's own counter only serves to count lost answers.
+/// counted and ignored. The client's own counter serves to count lost answers and restarts of the
+/// client, and is sent back to it (reflected()).
 class FriAnswerMatcher {
  public:
   struct Counts {

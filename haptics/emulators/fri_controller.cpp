@@ -61,7 +61,8 @@ FriSession::Options sessionOf(const FriController::Options& options) noexcept {
       .restartsMotion = options.restartsMotion};
 }
 
-/// A version whose datagrams are framed if those of @p version are not, and vice versa.
+/// A version with the other framing: a version without a frame if @p version has one, and vice
+/// versa.
 Version otherThan(Version version) noexcept {
   return version == Version::V2_7 ? Version::V1_15 : Version::V2_7;
 }

@@ -71,8 +71,8 @@ class Impairment {
   /// @throws std::invalid_argument  if the options are not valid.
   explicit Impairment(const Options& options);
 
-  /// Orders @p fault for the next @p howMany frames that can have it, after those of earlier
-  /// orders. Any thread.
+  /// Schedules @p fault for the next @p howMany frames that can have it, after those already
+  /// scheduled. Any thread.
   void order(Fault fault, int howMany) noexcept;
   /// Sets the number of frames by which Delay holds a frame back, >= 1. Any thread.
   void setDelay(int frames) noexcept;

@@ -138,8 +138,8 @@ struct Builder {
     noBone();
   }
 
-  /// @param of  what the torque is computed from. @param lack the reason if there is no torque
-  /// although the reamer turns.
+  /// @param of  what the torque is computed from.
+  /// @param lack  the reason that is reported if the reamer turns but the model has no torque.
   void torque(const std::string& of, const char* lack) {
     if (!reamer.hasTorque) {
       out(kTorque, "release 0.1, under which this study began, rendered forces alone");

@@ -25,7 +25,8 @@ class IndexedCurve {
   IndexedCurve& operator=(IndexedCurve&&) = delete;
 
   const models::Interpolation<double>& curve() const noexcept { return curve_; }
-  /// Largest magnitude of the slope between two neighbouring nodes [N/travel unit].
+  /// Largest magnitude of the slope between two neighbouring nodes, or of a ramp beyond the ends
+  /// (RampOut) [N/travel unit].
   double largestSlope() const noexcept;
   bool hasJumpAtEnd() const noexcept;
   std::size_t bytes() const noexcept;  ///< memory of nodes and search index

@@ -166,7 +166,7 @@ void RealtimeLoop::run(const std::stop_token& stop) {
   // Lateness above this is attributed to its cause; less is timer slack and wake-up latency.
   constexpr std::int64_t kLeastHole = 200'000;  // [ns]
   const std::int64_t suspicious = std::max(period / 4, kLeastHole);
-  // `holes` is reset every so many ticks, so that it measures little more than the late tick.
+  // `holes` is reset every few ticks, so that it measures little more than the late tick.
   constexpr std::uint64_t kRestartEvery = 8;
   Pace pace(options_, period);
   const std::int64_t start = now();

@@ -56,7 +56,7 @@ struct TickSample {
     None = 0,
     Invalid = 1,    ///< the device gave no measurement; travel and velocity are the last ones
     Undefined = 2,  ///< the scene defines no force at this travel
-    Stopped = 4,    ///< stop was pressed
+    Stopped = 4,    ///< the engine is stopped: by stop(), or after a failure of the device
     NoScene = 8,    ///< there is no scene, hence no force
     TooFast = 16,   ///< the tool exceeds the limit of velocity; the force fades
     DeadManReleased = 32,  ///< the dead-man switch is not held; the force fades

@@ -63,7 +63,7 @@ class FactoredCovariance {
     p_.force = force;
   }
 
-  /// Gains for a measured force of variance @p r: K of eq. (16).
+  /// Gains for a measured force: K of eq. (16).
   struct Gain {
     Scalar force{};
     Scalar stiffness{};

@@ -12,7 +12,7 @@ namespace haptics::models {
 /// `closedAbove`, then falls below `openBelow`. Its landmarks are those of the punch paper, section
 /// II-B:
 ///
-///     (i) interception the load begins to rise
+///     (i)   interception  the load begins to rise
 ///     (ii)  yield         the surface is cut through, and the force falls
 ///     (iii) bottom-out    the end of the travel, and the force rises again
 ///     (iv)  opening       the largest force of all, before the contact is lost
@@ -39,8 +39,8 @@ namespace haptics::models {
 ///   `retreat`. Without a yield it is the largest force since the interception; with a yield but no
 ///   bottom-out there is no opening.
 ///
-/// Landmarks may be missing; a cut of a hard recording may have only its peak. Samples that are NaN
-/// are ignored.
+/// Landmarks may be missing; a cut in a difficult recording may have only its peak. Samples that
+/// are NaN are ignored.
 template <typename Scalar>
 class CutDetector {
  public:

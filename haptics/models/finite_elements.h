@@ -32,8 +32,8 @@ enum class BoundaryCondition {
 /// How the tool's position is expressed by the displacements of nodes.
 enum class ToolInterpolation {
   Paper,            ///< eq. (7)–(8): interpolates between the two midpoints beside the tool
-  AuthorsFirmware,  ///< eq. (7)–(8), but with the midpoints after the tool's element, so it
-                    ///< extrapolates
+  AuthorsFirmware,  ///< eq. (7)–(8), but with the midpoints of the tool's element and of the next
+                    ///< one, so it extrapolates if the tool is before the first of these
   ExactKink,  ///< an additional node at the tool: the string bends exactly there, without ripple
 };
 

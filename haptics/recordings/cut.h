@@ -98,7 +98,8 @@ struct CutShape {
 /// @throws std::invalid_argument  if the travels do not increase from landmark to landmark, the
 ///     forces do not rise, fall, fall more slowly and rise, a number is not finite or a force
 ///     negative, or the spacing is not between 1/10,000 and 1/10 of the whole travel.
-/// @throws std::invalid_argument  if the release is negative or NaN.
+/// @throws std::invalid_argument  if the release is negative or not finite, or openingShare is not
+///     between 0 and 1.
 Cut parametricCut(const CutShape& shape = {});
 
 /// Finds the 76 rows of a published recording that the authors' program renders as its table, by

@@ -161,7 +161,7 @@ struct ImportedCut {
 ///
 /// @throws UserError  if there is no closure, or none with a requested number; if none can be
 ///     chosen automatically; if rows are outside the recording, or are no closure; if several
-///     closures have no common travel.
+///     closures have no common travel; or as calibrationFor() and traceOf().
 /// @throws std::invalid_argument  if both closures and rows are requested, a closure twice, or the
 ///     slope limit is not positive and finite.
 ImportedCut importCut(const Recording& recording, const ImportOptions& options = {});

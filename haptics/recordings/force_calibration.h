@@ -73,7 +73,8 @@ struct CalibrationColumns {
 /// Reads a table of readings and known loads: a header line and rows, separated by tabs, semicolons
 /// or commas.
 ///
-/// @throws UserError  if a column or unit is missing or unknown, or a cell is not a number.
+/// @throws UserError  if the text is empty or binary, if a column or unit is missing or unknown, or
+///     a cell is not a number.
 CalibrationTable readCalibrationTable(
     std::string_view text, std::string_view source, const CalibrationColumns& columns = {});
 
@@ -95,7 +96,8 @@ inline constexpr int kMostCalibrationOrder = 5;
 /// factorisation, with readings scaled to ±1.
 ///
 /// @param order  1 to kMostCalibrationOrder.
-/// @throws UserError  if there are fewer different readings than coefficients.
+/// @throws UserError  if there are fewer different readings than coefficients, or than two; for
+///     @p throughZero, readings of 0 do not count.
 /// @throws std::invalid_argument  if the order is out of range.
 CalibrationFit fitCalibration(const CalibrationTable& table, int order, bool throughZero);
 

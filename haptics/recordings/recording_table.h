@@ -50,8 +50,9 @@ struct RecordingColumns {
 /// Numbers have a decimal point, or a decimal comma if commas do not separate. A line that is not a
 /// row (units, or truncated) is refused and counted.
 ///
-/// @throws UserError  if a column is missing, if no line is a row, if time runs backwards, or
-///     open and closed are the same.
+/// @throws UserError  if the text is empty or binary, if a column is missing, if no line is a row,
+///     if time runs backwards, if open and closed are the same, or if there is neither a column of
+///     the time nor a rate.
 Recording readRecordingTable(
     std::string_view text, std::string_view source, const RecordingColumns& columns);
 

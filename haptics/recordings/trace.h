@@ -35,7 +35,7 @@ Trace traceOf(
 /// Some rows of a trace as a curve; see monotoneCurve().
 ///
 /// @param rows  within the trace.
-/// @throws UserError  if the rows have fewer than two different travels.
+/// @throws UserError  if the travel of the rows does not rise.
 MonotoneCurve curveOf(const Trace& trace, const RowRange& rows);
 
 /// Rows of an opening hand, whose travel decreases, as a curve: read backwards. std::nullopt if the

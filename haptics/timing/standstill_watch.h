@@ -10,7 +10,7 @@
 namespace haptics::timing {
 
 /// Measures how long this machine stalls: a thread sleeps for 1 ms, works for 150 µs as a device's
-/// loop does, and records its largest lateness. A test of real time can so tell a stall of the
+/// loop does, and records its largest lateness. A real-time test can thus tell a stall of the
 /// machine from a fault of the program.
 class StandstillWatch {
  public:

@@ -10,8 +10,9 @@
 /// Decodes and encodes FRI messages without heap, exceptions or recursion that a sender controls.
 namespace haptics::wire::fri {
 
-/// Why a datagram is refused. Of several reasons the first of this list is reported; among
-/// JointCount, ElementCount and NotFinite that of the lowest field number.
+/// Why a datagram is refused. Of several reasons the first of this list is reported, but a list or
+/// name for which there is no room (ElementCount) before JointCount; otherwise, among JointCount,
+/// ElementCount and NotFinite, that of the lowest field number.
 enum class Refusal : std::uint8_t {
   None,
   TooLong,         ///< more than kLargestDatagram
@@ -21,7 +22,8 @@ enum class Refusal : std::uint8_t {
   Malformed,       ///< not protobuf, or a required field is missing
   WrongIdentifier,
   JointCount,    ///< a joint field without exactly 7 elements
-  ElementCount,  ///< a force or wrench without exactly 6 elements; or a list with too many
+  ElementCount,  ///< a force or wrench without exactly 6 elements; a list with too many; a name
+                 ///< that is too long
   NotFinite,
   MissingIpoJointPosition  ///< in a commanding state, in which the client must mirror it
 };

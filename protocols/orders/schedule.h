@@ -61,7 +61,7 @@ Schedule scheduleFor(
 /// take part.
 struct Balance {
   /// The design is balanced for every multiple of this number of participants; 0 for drawn orders,
-  /// which are not balanced exactly.
+  /// which are not balanced exactly; 1 for a fixed order, which is never balanced.
   std::size_t multipleOf = 1;
   bool isBalanced = false;  ///< whether it is balanced for the given number of participants
   std::vector<std::string> conditions;

@@ -24,8 +24,8 @@ struct NamedSurface {
 
 /// Reads all surfaces of an STL, OBJ or PLY file; the format is determined by its beginning. Other
 /// files that it refers to are not opened.
-/// @throws UserError  if no surface can be read, or if cutting faces with many corners into
-///     triangles would take too long.
+/// @throws UserError  if no surface can be read, or if triangulating faces with many corners would
+///     take too long.
 std::vector<NamedSurface> readMesh(std::string_view text);
 
 /// Reads all surfaces of a file on the disk, up to 512 MB.

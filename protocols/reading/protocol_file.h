@@ -29,8 +29,8 @@ struct UnvalidatedProtocol {
 };
 
 /// Reads a protocol and all files that it refers to (docs/protocol-format.md). A part that cannot
-/// be read is empty and gets a problem. std::nullopt only if @p json is not a JSON object.
-/// Consistency is checked by validate().
+/// be read is empty and gets a problem. std::nullopt only if @p json is not a JSON object, or is a
+/// file of another format. Consistency is checked by validate().
 /// @param copies  finds copies of the library's instruments; if empty, the program's own
 ///     instruments are read.
 std::optional<UnvalidatedProtocol> readUnvalidatedProtocol(

@@ -23,7 +23,7 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// The data for reading a model beside its JSON.
+/// What the reading of a model needs besides its JSON.
 struct Context {
   SceneSources& sources;
   /// Kind of the condition's device; nullptr if it could not be read.

@@ -124,8 +124,8 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
   for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }
 
-// Warnings about questions whose subject a study may lack: a benchmark, vibration, removal, forces
-// of full size.
+// Warnings about questions that refer to something the study may not have: a benchmark, vibration,
+// removal, forces of full size.
 namespace {
 
 using questionnaires::Item;
@@ -139,7 +139,7 @@ struct Asked {
   std::vector<Item> items;
 };
 
-/// Whether @p asked asks @p item about @p condition.
+/// Whether the questionnaire @p asked contains @p item for @p condition.
 bool isAskedAbout(
     const ConditionQuestionnaire& asked, const Item& item, const std::string& condition) {
   const auto set = asked.setFor(condition);

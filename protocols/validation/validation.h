@@ -45,8 +45,8 @@ void addWarnings(
 /// Adds warnings on the blocks of a valid protocol: on orders, and on statements after conditions.
 void addBlockWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
-/// Adds warnings on numeric items after conditions whose answers no family, score or threshold
-/// uses.
+/// Adds warnings on items asked in or after the first block, with answers that are numbers or
+/// choices, which no family, score or threshold uses.
 void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
 /// Adds warnings on questions after a condition whose scene does not render what they ask about:
@@ -64,7 +64,8 @@ void addAnalysisWarnings(const Protocol& protocol, questionnaires::Problems& pro
 void addBlindingWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
 /// Adds warnings on the scenes of a valid protocol: a filter that ignores one of its two forces, an
-/// opening branch that returns more energy than closing took.
+/// opening branch with more force than the closing one, a cut beyond the device's limit, a knee
+/// that is never shown, different knees in one block.
 void addSceneWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
 /// A place in a protocol that discloses the condition of an answer in spite of its code.

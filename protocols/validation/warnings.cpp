@@ -30,7 +30,7 @@ bool isInLibrary(const std::string& instrument) {
   });
 }
 
-/// Adds all warnings except those about blocks.
+/// Adds the warnings about texts, instruments and unused parts.
 class ProtocolWarningCheck {
  public:
   ProtocolWarningCheck(const LoadedProtocol& loaded, Problems& problems)

@@ -105,8 +105,8 @@ void addMaterial(
   }
 }
 
-/// Adds a scene with spheres, with the other treatment of spheres (stay or removed), and with a
-/// curve in place of spheres.
+/// Adds variants of a scene with spheres: with spheres that are removed instead of staying, or vice
+/// versa, and with a curve in place of spheres.
 void addPacking(
     const engine::PackingSpec& packing,
     double middle,

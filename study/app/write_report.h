@@ -16,8 +16,9 @@ std::string reportFileContent(
     std::vector<report::ReportSection>& sections,
     report::Paper paper = report::Paper::A4);
 
-/// Writes the page @p name.html, each table as CSV and each figure as SVG to a new or empty folder.
-/// @throws storage::StorageError  if the folder is not empty or cannot be written.
+/// Writes the page @p name.html, each table as CSV and each figure as SVG to @p folder, which is
+/// made if it is absent.
+/// @throws storage::StorageError  if one of the files exists already or cannot be written.
 void writeDocument(const std::string& folder, const std::string& name, report::Document document);
 
 }  // namespace study::app

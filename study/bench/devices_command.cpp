@@ -32,7 +32,8 @@ std::uint64_t ticksOf(const LinkSeries& series) {
   return all;
 }
 
-/// The processor time of the longest run, in which both loops ran, as a share of one processor.
+/// The processor time of this process in the longest run, with all loops that ran then, as a share
+/// of one processor.
 double processorShare(const LinkSeries& series) {
   const auto& run = series.longest();
   return run.processor / std::max(run.seconds, 1e-9);

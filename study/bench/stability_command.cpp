@@ -93,7 +93,7 @@ DataTable wallTable(const StabilityResult& result) {
   return table;
 }
 
-/// The walls with an ideal encoder and no delay.
+/// How many walls vibrate, for each rate, encoder, delay and kind of control.
 DataTable wallSummary(const StabilityResult& result) {
   DataTable table{
       .name = "walls-summary",

@@ -12,9 +12,9 @@ struct SyntheticStudy {
 };
 
 /// Creates a study with the published protocol and @p answers random answers of simulated
-/// participants, in the existing folder @p inside. Its audit trail has a single event, so `study
-/// verify` would report problems. The study is written as fast as the database allows and has the
-/// same content each time.
+/// participants, in the existing folder @p inside. Its audit trail has no events of the sessions,
+/// so `study verify` would report problems. The study is written as fast as the database allows;
+/// its answers are the same each time.
 /// @throws storage::StorageError  if the study cannot be written.
 SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers);
 

@@ -67,7 +67,7 @@ class SimulatedSession {
         continue;
       }
       if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
-        runTrialOn(*devices_);  // acknowledges its own outcome
+        runTrialOn(*devices_);  // calls acknowledge_ itself
         continue;
       }
       session_.step().kind == StepKind::Trial ? simulateTrial() : answerStep();
@@ -108,7 +108,8 @@ class SimulatedSession {
     try {
       trial = trialFor(session_, deviceSet, study_.traces());
     } catch (const haptics::devices::DeviceError& error) {
-      // An attempt on an arm that accepts no commands takes ten seconds: time is limited, too.
+      // An attempt with an arm that accepts no commands takes ten seconds, so the time is limited
+      // as well as the number of attempts.
       const auto now = std::chrono::steady_clock::now();
       if (!waitingSince_) waitingSince_ = now;
       if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;

@@ -23,7 +23,7 @@ enum class PublicForm {
 /// both are None.
 PublicForm publicFormOf(const questionnaires::Item& item) noexcept;
 
-/// Whether answers to @p item are facts about the person that an acquaintance may know, too.
+/// Whether answers to @p item are facts about the person that an acquaintance may know as well.
 inline bool isQuasiIdentifier(const questionnaires::Item& item) noexcept {
   return publicFormOf(item) != PublicForm::None;
 }

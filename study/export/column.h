@@ -233,7 +233,8 @@ class Column {
     return std::move(*this);
   }
 
-  /// The column identifies session and participant; files whose name does so leave it out.
+  /// The column identifies session and participant. Files whose names identify them already leave
+  /// it out.
   Column identifiesParticipant() && {
     identifiesParticipant_ = true;
     return std::move(*this);

@@ -65,9 +65,9 @@ std::string bidsLabel(const std::string& text);
 std::vector<std::string> writeScripts(
     const std::filesystem::path& folder, const ExportOptions& options);
 
-/// Writes the traces (1 kHz) of all trials that @p options select to @p folder, each as a
-/// gzip-compressed CSV file `P001_session-1_step-07_attempt-1_force.csv.gz`. The same study always
-/// gives the same bytes.
+/// Writes the traces of all trials that @p options select to @p folder, with a row for each tick,
+/// each as a gzip-compressed CSV file `P001_session-1_step-07_attempt-1_force.csv.gz`. The same
+/// study always gives the same bytes.
 /// @return  the number of files.
 /// @throws storage::StorageError  if a trace cannot be read or a file cannot be written.
 std::size_t writeTraces(

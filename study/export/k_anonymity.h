@@ -12,7 +12,7 @@ namespace study {
 /// One value for each person; empty if the value is suppressed.
 using Values = std::vector<std::string>;
 
-/// A fact about people that an acquaintance may know, too: age, role, cohort.
+/// A fact about people that an acquaintance may know as well: age, role, cohort.
 struct QuasiIdentifier {
   std::string name;
   Values exact;                ///< the answers, a value for each person
@@ -62,11 +62,11 @@ ClassSizes classSizes(
 Values suppressRareValues(const Values& values, std::size_t k);
 
 /// k-anonymity (Sweeney 2002) by a deterministic greedy search over the quasi-identifiers in the
-/// given order. Each quasi-identifier divides the present classes further. Values that fewer than k
-/// people of a class have are suppressed in the class, so that no class becomes smaller than k. Of
-/// each quasi-identifier, that level of its hierarchy is released whose entropy plus share of
-/// people who keep a value is largest, or none if that is zero for every level. Earlier
-/// quasi-identifiers therefore lose the least. All people are kept.
+/// given order. Each quasi-identifier divides the present classes further. Within a class, values
+/// that fewer than k people have are suppressed, so that no class becomes smaller than k. For each
+/// quasi-identifier, the level with the largest entropy plus share of people who keep a value is
+/// released; none is released if that sum is zero for every level. Earlier quasi-identifiers
+/// therefore lose the least. All people are kept.
 /// @return  std::nullopt if there are fewer people than k.
 /// @throws std::invalid_argument  if @p k is below 2, or if a column does not have one value for
 ///     each person.

@@ -39,7 +39,7 @@ std::string withFormulaEscaped(const std::string& text);
 
 /// One cell of a CSV file. Numbers have a decimal point in every locale, and enough digits to be
 /// read back exactly. A missing value is an empty cell. Free text that begins like a formula (= + -
-/// @ or a tab) gets an apostrophe before it.
+/// @, a tab or a carriage return) gets an apostrophe before it.
 std::string csvCell(const Cell& cell, bool isFreeText = false);
 
 /// The names of the columns, then the rows, each on a line that ends with LF.

@@ -18,8 +18,8 @@ enum class EventKind {
   UnblindedExport,
   UnblindedReport,
   UnblindedResults,
-  Exported,  ///< the study was exported to a folder; an unblinded or public export has a second
-             ///< event
+  Exported,  ///< the study was exported to a folder, or a report or its figures were written; an
+             ///< unblinded or public one has a second event
   MadeBackup,
   RestoredCopy,     ///< an older copy of the study, such as a backup, replaced it
   NotedIdentities,  ///< fingerprints of rows of identity.db that the trail did not have yet

@@ -56,7 +56,7 @@ class AnswerWriter : HtmlWriter {
     });
   }
 
-  /// The main weakness of pooled tests, beside their p values.
+  /// Writes the main weakness of pooled tests next to their p values.
   void pooledAnswers() {
     const bool isRepeated = std::ranges::any_of(s_.results.families, [](const auto& family) {
       if (!isPooled(Profile::Declared, family.family)) return false;

@@ -32,7 +32,7 @@ std::string chosen(
   return all;
 }
 
-/// The answers to the consent form in the newest session of @p code that completed it.
+/// The answers to the consent form in the newest session of a participant.
 struct Consent {
   storage::SessionRecord session;
   std::map<std::string, storage::AnswerRecord> answers;  ///< by item

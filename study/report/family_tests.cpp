@@ -76,8 +76,8 @@ class TestsWriter : HtmlWriter {
     }
   }
 
-  /// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
-  /// significant.
+  /// p and, if the family has a correction, the adjusted p in brackets; bold if the test is
+  /// confirmatory and significant.
   std::string pCell(const analysis::TestRow& test) const {
     auto text = cellOfP(test.p);
     if (!test.p) return text;
@@ -105,8 +105,8 @@ class TestsWriter : HtmlWriter {
     }
   }
 
-  /// What the table beside the answer has not: it has the differences, unless pooled tests are
-  /// declared.
+  /// The numbers that the table beside the answer lacks; that table has the differences, unless
+  /// pooled tests are declared.
   void differences() {
     const bool areShown = !f_.isNamed("welch");
     const auto ci = say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha));

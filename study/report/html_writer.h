@@ -61,8 +61,8 @@ class HtmlWriter {
     put("<p class=\"note\">{}</p>", say(english, std::forward<Args>(args)...));
   }
 
-  /// Begins a table; the first column holds names. It is written by endTable().
-  /// @param columns  their headings; numbers are aligned right, and what is below ofWords() left
+  /// Begins a table; endTable() writes it. The first column holds names.
+  /// @param columns  the headings. Numbers are aligned right, cells below ofWords() left.
   /// @param key  for references, see reference(); empty: none
   void table(
       const std::string& caption,

@@ -176,8 +176,8 @@ class ItemsWriter : HtmlWriter {
     return "item-" + figure.instrument + "-" + figure.item;
   }
 
-  /// "left 3, right 12", without options that were not chosen; empty if all are rare. Of what
-  /// people say of themselves, rare options are hidden as in a public release.
+  /// "left 3, right 12", without options that were not chosen; empty if all are rare. In answers
+  /// about the participants themselves, rare options are hidden as in a public release.
   std::string chosenIn(const questionnaires::Instrument& instrument, const ItemSummary& summary) {
     const auto* item = instrument.item(summary.item);
     Values chosen;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostOnThePage = 3;
 
-/// Warnings that concern the files of a study, and not what its results say.
+/// Warnings about a study's files that say nothing about its results.
 constexpr std::array<std::string_view, 14> kOfFiles{
     "no_normals",
     "normals_without_direction",
@@ -38,7 +38,8 @@ class LimitationsWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;
 
-  /// What of the answer is about something else than the methods, before anything that weakens it.
+  /// The caveats on the rendering: the answer is then about something other than the methods. They
+  /// come before the weaknesses.
   std::string asRendered() {
     for (const auto& limitation : limitations()) {
       if (!limitation.flag->concernsRendering) continue;
@@ -52,7 +53,7 @@ class LimitationsWriter : HtmlWriter {
   std::string shortly() {
     std::vector<std::string> points;
     for (const auto& limitation : limitations()) {
-      // the sentences of the answer say what these two are
+      // the sentences of the answer mention these two already
       if (limitation.flag->concernsRendering || limitation.flag->id == "pseudo_replication")
         continue;
       std::string cohorts;
@@ -100,8 +101,8 @@ class LimitationsWriter : HtmlWriter {
   }
 
  private:
-  /// All that is said of the families, each kind once. Flags of pooled tests are left out where the
-  /// protocol declares no pooled test: the report has none then.
+  /// All limitations of the families, each kind once. Flags on pooled tests are left out if the
+  /// protocol declares no pooled test, because the report then has none.
   std::vector<Limitation> limitations() const {
     std::vector<Limitation> all;
     for (const auto& family : s_.results.families) {
@@ -138,7 +139,7 @@ class LimitationsWriter : HtmlWriter {
     }));
   }
 
-  /// What was found, behind the cohorts of which it is true.
+  /// What was found, after the names of the cohorts to which it applies.
   std::string sentenceOf(
       const Limitation& limitation, const std::pair<std::string, std::string>& found) const {
     const auto& [what, who] = found;

@@ -24,7 +24,7 @@ constexpr double kSlack = 1.0;    // rounding of the layout [px]
 
 /// A paragraph or a table of the document, from top to bottom.
 struct Item {
-  QTextBlock block;             ///< of a table: the empty one after it, if there is one
+  QTextBlock block;             ///< for a table the empty block after it, if there is one
   QTextTable* table = nullptr;  ///< nullptr for a paragraph
   double top = 0.0;
   double bottom = 0.0;          ///< its end
@@ -261,7 +261,7 @@ double headHeightOf(const QTextTable& table) {
 bool shrinkFor(const std::vector<Item>& items, std::size_t table, double bottom) {
   if (table < 2 || items[table].table == nullptr || !items[table - 2].isFigure) return false;
   const auto& figure = items[table - 2];
-  // on one page its head is there only once
+  // on one page the table needs its head only once
   const double tooMuch = items[table].bottom - bottom - headHeightOf(*items[table].table);
   const double factor = 1.0 - tooMuch / figure.figureHeight;
   const bool isHelpful = tooMuch < items[table].bottom - items[table].top && factor >= kLeastScale;
@@ -281,7 +281,7 @@ bool beginPageAfterTable(const std::vector<Item>& items, std::size_t at, double 
   if (left > page / 128.0 + kSlack) return false;
   auto format = block.blockFormat();
   const auto* paper = block.document()->documentLayout()->paintDevice();
-  format.setTopMargin(left);  // counts before a table, and is not scaled
+  format.setTopMargin(left);  // is the one that applies before a table; it is not scaled
   format.setBottomMargin(left * 96.0 / paper->logicalDpiY());  // before a block
   QTextCursor(block).setBlockFormat(format);
   setPageBreak(items[at + 1], QTextFormat::PageBreak_Auto);

@@ -13,8 +13,8 @@
 namespace study::report {
 namespace {
 
-/// Counts a trial's reasons with others of the same kinds. That the force was cut off is left out:
-/// it is told by condition.
+/// Counts a trial together with others whose reasons are of the same kinds. Leaves out the reason
+/// that the force was limited, which is reported by condition.
 void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reasons) {
   std::erase_if(reasons, [](const auto& reason) { return reason.key() == "trial.cut_off"; });
   if (reasons.empty()) return;

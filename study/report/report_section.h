@@ -42,7 +42,8 @@ struct Figures {
 struct SaturatedTrials {
   std::string condition;
   int trials = 0;              ///< all of the condition
-  std::vector<double> shares;  ///< of the contact, 0 to 1, one for each such trial, rising
+  std::vector<double> shares;  ///< shares of the contact time, 0 to 1, one for each such trial, in
+                               ///< ascending order
 };
 
 /// Why trials did not pass.
@@ -65,7 +66,8 @@ struct TrialQuality {
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
   std::vector<SaturatedTrials> cutOff;  ///< by condition, in the protocol's order
-  std::vector<TrialReasons> reasons;    ///< of all trials that did not pass, the force apart
+  std::vector<TrialReasons> reasons;    ///< of all trials that did not pass, except force at its
+                                        ///< limit
 };
 
 /// Where the cuts of a condition have a landmark, over all that count; each cut counts once.
@@ -85,7 +87,8 @@ struct ReportSection {
   AnalysisPlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
-  storage::TrailEnd trail = {};  ///< its end when read; empty in simulated sessions
+  storage::TrailEnd trail = {};  ///< the end of the trail when it was read; empty for simulated
+                                 ///< sessions
   /// The commitment to the secret that determines orders and codes (BlindingSecret::commitment());
   /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};

@@ -75,13 +75,15 @@ std::string quotesAsHtml(const ReportSection& section);
 /// The force of each alternative, and the quality of its rendering.
 std::string renderingAsHtml(const ReportSection& section);
 
-/// What of the answer is about something else than the methods; empty if nothing is.
+/// The caveats on the rendering, because of which the answer is about something other than the
+/// methods; empty if there are none.
 std::string caveatsOfRenderingAsHtml(const ReportSection& section);
 
 /// What weakens the answer, in at most three points; empty if nothing does.
 std::string weaknessesAsHtml(const ReportSection& section);
 
-/// All of that, explained: remarks on the data, and the design by the protocol's validation.
+/// All caveats and weaknesses, explained: remarks on the data, and on the design from the
+/// validation of the protocol.
 std::string limitationsAsHtml(const ReportSection& section);
 
 /// What the study adds to the validity of the simulator, by source of evidence.

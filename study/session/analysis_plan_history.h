@@ -27,7 +27,7 @@ struct FamilyChange {
   bool isHarmless = false;
 };
 
-/// All changes to the analysis plan since it was first stored.
+/// All changes to the analysis plan since the first live participant began.
 struct AnalysisPlanHistory {
   std::size_t versions = 1;             ///< of the protocol
   std::size_t versionsSinceBegun = 0;   ///< how many of them were added after the first live

@@ -12,8 +12,8 @@ namespace study {
 struct Arrivals {
   std::int64_t all = 0;
   std::int64_t arrived = 0;
-  /// UTC of the last event of the oldest session with a person that has not arrived; empty if there
-  /// is none. The times of simulated sessions are virtual.
+  /// The earliest of the last events of those sessions of real participants that have not arrived
+  /// [UTC]; empty if there are none. The times of simulated sessions are virtual.
   std::string waitingSince;
 };
 
@@ -35,7 +35,7 @@ PushRecord lastPush(const std::string& study, const std::string& station);
 void recordPush(
     const std::string& study, const std::string& station, const PushRecord& push) noexcept;
 
-/// The server's confirmation that it has erased a session, too.
+/// The confirmation by the server that it, too, has erased a session.
 struct ErasureReceipt {
   std::int64_t session = 0;
   std::string participant;

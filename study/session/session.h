@@ -105,7 +105,7 @@ class Session {
   /// After a break-off, repeats the present step; otherwise goes back to the previous one, or from
   /// a questionnaire to its trial. Answers of the earlier attempt are kept and marked as repeated.
   void repeatStep(const std::string& reason);
-  /// Skips the present step; after a trial also the questions about it.
+  /// Skips the present step; if it is a trial, also the questions about it.
   void skipStep(const std::string& reason);
   void pause(const std::string& reason);
   void resumeAfterPause();

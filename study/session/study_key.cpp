@@ -48,7 +48,7 @@ void requireSoundNames(Study& study) {
 }
 
 /// Draws missing Identity keys and seals names that an older release stored unsealed. The audit
-/// trail contains no names and is not changed.
+/// trail contains no names; it gets an event with the new fingerprints (NotedIdentities).
 void sealNamesOfOlderReleases(Study& study) {
   auto& identities = study.identities();
   for (const auto& row : study.sessions().all()) {

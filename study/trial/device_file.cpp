@@ -178,8 +178,8 @@ IiwaSettings readIiwa(const Node& node) {
   return settings;
 }
 
-/// A type of connection: its name in device files, its keys other than "id" and "type", and the
-/// function that reads these keys.
+/// A type of connection: its keys other than "id" and "type", and the function that reads these
+/// keys.
 struct Type {
   std::vector<std::string_view> keys;
   std::function<decltype(DeviceEntry::settings)(const Node&)> read;

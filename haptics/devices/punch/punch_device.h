@@ -52,7 +52,8 @@ class PunchDevice final : public WireDevice {
   /// then only a sign of life of the host. Sends the scene's parameters, which the device confirms
   /// by their hash.
   /// @throws DeviceError  if the device cannot render the scene: it supports no opening branches,
-  ///                      no smoothing, no stiffnesses per element and at most 128 points.
+  ///                      no smoothing, no stiffnesses per element and at most 128 points; or if it
+  ///                      is not connected, does not answer, or does not confirm the scene.
   void renderOnDevice(const engine::SceneSpec& scene, double largestForce);
 
  private:

@@ -286,8 +286,8 @@ void Bone::splitRemainder(std::uint32_t slot) noexcept {
     empty(slot);
     return;
   }
-  // The reamer's surface counts as flat here: h is its distance from the centre, positive towards
-  // the tool.
+  // The reamer's surface counts as flat here: it has cut off a cap of thickness depth, so that the
+  // largest sphere in the rest has the radius r - depth / 2, and touches the far side.
   const Vec3 middle = centre + (r - main) * outward;
   group.depth[lane] = 0.0F;
   group.radius[lane] = std::nextafter(static_cast<float>(main), 0.0F);

@@ -17,7 +17,7 @@ struct BoneOptions {
   /// Increase of the force with the speed of advance [N·s/m], >= 0.
   double cuttingDamping = 2000.0;
   double friction = 0.1;      ///< coefficient of friction between tool and bone, >= 0
-  double mostAdvance = 5e-5;  ///< largest advance through bone in one step [m], > 0
+  double mostAdvance = 5e-5;  ///< largest advance through bone in one step [m], (0, 0.01]
   /// Largest speed of advance through bone, which the teeth allow however hard the tool is pushed
   /// [m/s], >= 0.
   double mostFeed = std::numeric_limits<double>::infinity();

@@ -34,8 +34,8 @@ struct ReamerContact {
 };
 
 /// The spheres of a packing in a grid of cells, for contact and removal. They are stored cell after
-/// cell, in groups, so that a row of cells is contiguous in memory. Every cell has a few empty
-/// slots at its end.
+/// cell, in groups, so that a row of cells is contiguous in memory. Every cell that holds spheres
+/// has a few empty slots at its end.
 class SphereField {
  public:
   /// @param densities  of each sphere: the pressure at which it yields [N/m²], finite, >= 0.

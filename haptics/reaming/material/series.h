@@ -49,8 +49,8 @@ struct SeriesMapping {
 /// Displacements in m, mm, µm; forces in N, kN; torques in Nm, Nmm; times in s, ms. Lines before
 /// the header that begin with # are comments; "# SYNTHETIC" marks data that were not measured.
 ///
-/// @throws UserError  in one sentence: no such column, no unit, a cell that is not a
-///     number, a gap in time, fewer than three rows, a displacement or a force beyond what can be.
+/// @throws UserError  no such column, no or an unknown unit, a cell that is not a number, a gap in
+///     time, fewer than three rows, a displacement or a force beyond what can be.
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping);
 
 /// Reads a table from a file, which does not contain @p set. @throws UserError
@@ -83,8 +83,8 @@ struct Exclusion {
 ///
 /// - Feed changed: in one of twenty parts of the test the feed differs from the median of the parts
 ///   by more than a third.
-/// - Broke out: within half a second the force (20 N or more) falls by more than half, and never
-///   regains three quarters of its value before.
+/// - Broke out: within a second the force (20 N or more) falls by half or more, and never regains
+///   more than three quarters of its value before.
 /// - Reamed through: beyond 10 mm, for 1 mm or more until the end, the force stays below a tenth of
 ///   its maximum.
 Exclusion exclusionOf(const Series& series);

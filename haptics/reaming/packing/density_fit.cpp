@@ -145,7 +145,7 @@ DensityFit fitNonNegative(
   constexpr double kGap = 1e-9;
   // At larger weights only a start for the next weight is needed.
   constexpr double kGapOnTheWay = 1e-2;
-  constexpr double kEase = 0.3;  // ratio of one weight to the last
+  constexpr double kEase = 0.3;  // factor by which the weight falls from step to step
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
   const double row = squares / static_cast<double>(matrix.rows);  // mean squared norm of a row
@@ -292,7 +292,7 @@ BoneFit fitBone(
 
 double bestFriction(
     const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque) {
-  constexpr int kTried = 13;  // tried values; each is 1.25 times the last
+  constexpr int kTried = 13;  // tried values; each is 1.26 times the last
   const std::vector<double> alike(matrix.columns(), uniformDensity(matrix, forces));
   const auto levers = torque.levers.times(alike);
   const double square = asVector(levers).squaredNorm();

@@ -12,7 +12,7 @@ namespace haptics::reaming {
 /// the packing is complete.
 struct PackingOptions {
   std::optional<std::size_t> count;      ///< exact number of spheres
-  std::optional<double> coverage;        ///< fraction of the body's volume, (0, 1)
+  std::optional<double> coverage;        ///< fraction of the body's volume, (0, 0.8]
   std::optional<double> smallestRadius;  ///< radius of the smallest sphere [m], > 0
   /// Radius of the largest sphere [m]. Default: 0.95 · (volume / count)^(1/3) with a count, 4 ·
   /// smallestRadius with a smallest radius, else 1/50 of the cube root of the body's volume.

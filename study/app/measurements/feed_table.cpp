@@ -114,8 +114,8 @@ reaming::ExperimentResult ream(
   double lost = 0.0;
   double felt = 0.0;
   for (double target = begin + kStep; model.depth() < end; target += kStep) {
-    // The machine advances by the deflection of the coupling as well, as if it were infinitely
-    // stiff.
+    // The machine also advances by the deflection of the coupling, as if the coupling were
+    // infinitely stiff.
     const double before = model.depth();
     const double dt = kStep / feed;
     felt = model.respond({.travel = target + felt / Model::kCoupling, .dt = dt}).force;

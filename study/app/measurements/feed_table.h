@@ -11,8 +11,8 @@ namespace study::app {
 
 /// The force that a reamer needs at different feed rates: a virtual experiment reams @p bone to 10
 /// mm at feeds from 0.01 mm/s to 0.9 of the feed limit of @p reamer. A row for each feed and each
-/// curve of the bone: the force at 4, 6 and 8 mm beside that of the curve, and the mass that was
-/// removed, that remained, and that is unaccounted for.
+/// curve of the bone: the force at 4, 6 and 8 mm beside that of the curve, the mass that was
+/// removed, its share of the whole mass, and the share that is unaccounted for.
 /// @param fit  report on the fit of @p bone.
 DataTable feedTable(
     const haptics::reaming::PackedBone& bone,

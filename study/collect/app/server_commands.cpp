@@ -118,7 +118,7 @@ int init(const ServerArguments& given) {
   return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
 }
 
-/// The role of who looks after studies on the server.
+/// The role of those who administer studies on the server.
 constexpr std::string_view kOwner = "palpate_owner";
 
 int revoke(const ServerArguments& given) {

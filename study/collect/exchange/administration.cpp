@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kLongestName = 31;
 constexpr std::size_t kUuidDigits = 32;
 
-/// Names of sites and stations begin codes of participants and names of roles.
+/// Names of stations begin codes of participants; names of sites and stations end names of roles.
 void requireName(const std::string& name, const std::string& what) {
   const bool isSound =
       !name.empty() && name.size() <= kLongestName &&

@@ -21,8 +21,9 @@ bool addStudyOrVersion(
     const protocols::LoadedProtocol& protocol,
     std::optional<std::uint64_t> seed);
 
-/// Which of the server's settings keeps its log from showing whose requests were denied;
-/// std::nullopt: none. @throws ServerError
+/// Advice for the administrator, with the settings to change, if the server's log does not show
+/// whose requests were denied; std::nullopt if it does.
+/// @throws ServerError
 std::optional<std::string> logPrivacyProblem(Connection& server);
 
 struct EnrolmentRequest {

@@ -18,8 +18,9 @@
 namespace study::collect {
 namespace {
 
-// File format: a header line; the sealed key of the stream cipher; records, each a length of eight
-// bytes and so many encrypted bytes; a line with the signature of all bytes before it.
+// File format: a header line; the sealed key of the stream cipher; the header of its stream;
+// records, each a length of eight bytes and so many encrypted bytes; a line with the signature of
+// all bytes before it.
 constexpr const char* kFirstWord = "palpate-bundle-1";
 constexpr std::size_t kSignatureDigits = 128;
 constexpr std::uint64_t kLargestRecord = std::uint64_t{256} * 1024 * 1024;  // [bytes]

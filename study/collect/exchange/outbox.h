@@ -38,10 +38,11 @@ class Outbox {
   };
   void setLimits(const Limits& limits) noexcept { limits_ = limits; }
 
-  /// An empty batch, which asks the server for its last event.
+  /// An empty batch, which the server answers with its last event.
   Batch question();
 
-  /// A batch of one event, which asks whether the server has the same one.
+  /// A batch of the single event @p event, with which the server says whether it has the same
+  /// event.
   Batch sample(std::int64_t event);
 
   /// Calls @p send with all data after the event @p after, in order, in batches within the limits.

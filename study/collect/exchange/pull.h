@@ -47,7 +47,7 @@ struct PullResult {
 /// are left out and reported; other stations are not affected.
 /// @throws ServerError
 /// @throws UserError  if the study is unknown, or there is no reason
-/// @throws storage::StorageError  (Damaged) if seed or protocols on the server are damaged
+/// @throws storage::StorageError  (Damaged) if secret or protocols on the server are damaged
 PullResult pull(
     Connection& server, const PullRequest& request, Clock& clock, const Progress& progress = {});
 

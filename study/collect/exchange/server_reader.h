@@ -51,7 +51,8 @@ class ServerReader {
   /// @throws UserError  if there is no reason, or no such study. @throws ServerError
   ServerReader(Connection& server, const std::string& name, const std::string& reason);
 
-  /// @throws storage::StorageError  (Damaged) if secret or protocols do not match their hashes.
+  /// @throws storage::StorageError  (Damaged) if the secret has not its length, a protocol differs
+  ///     from its hash, or there is no protocol.
   CollectedStudy::Origin origin();
   std::vector<StationRow> stations();
   std::vector<storage::StoredEvent> events(const StationRow& station);

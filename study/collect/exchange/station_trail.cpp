@@ -62,10 +62,10 @@ std::string nameOf(const VisitKey& visit) {
 
 }  // namespace
 
-/// What the trail says of trials.
+/// The facts in the trail about trials.
 struct StationTrail::Trials {
   std::map<VisitKey, std::string> traces;  ///< digests
-  std::set<VisitKey> open;  ///< whose measurements are not sealed with the station's key
+  std::set<VisitKey> open;  ///< trials whose measurements are not sealed with the station's key
 };
 
 StationTrail::StationTrail(
@@ -93,7 +93,8 @@ StationTrail::StationTrail(
 
 void StationTrail::judge(
     const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo) {
-  // From here on, event n is the nth: what comes after a missing one cannot be checked.
+  // Drops the events from the first missing number on, because they cannot be checked; event n is
+  // then the n-th of events_.
   std::int64_t whole = 0;
   const auto isNext = [&](const storage::StoredEvent& event) { return event.seq == ++whole; };
   events_.erase(std::find_if_not(events_.begin(), events_.end(), isNext), events_.end());
@@ -177,8 +178,8 @@ std::vector<std::string> StationTrail::problemsOf(
     said = trialsOf(session);
     ofTraces = firstProblemOfTraces(session, chunks, said);
   }
-  // What tells its conditions is sealed at the station, unless it was simulated or the protocol
-  // blinds no one.
+  // At the station, data that reveal the conditions are sealed, unless the session was simulated or
+  // the protocol has no blinding. Tries both ways.
   std::vector<const storage::SealingKey*> ways{nullptr};
   if (storage::textIn(facts, "session", "run_mode") != study::nameOf(RunMode::Simulated)) {
     ways.insert(ways.begin(), &key_);
@@ -253,7 +254,8 @@ StationTrail::Trials StationTrail::trialsOf(std::int64_t session) const {
   for (const auto& event : storage::EventLog(*database_, &identities_).read(SessionId{session})) {
     if (!event.visit || event.isErased || event.isSealed) continue;
     if (event.kind == EventKind::KeptTrace) trials.traces[*event.visit] = event.detail;
-    // Each trial has one, which is sealed as the trial itself: the trail is read without the key.
+    // Each trial has one Passivity event, which is sealed if the trial is. The trail is read
+    // without the key, so an event that can be read belongs to a trial that is not sealed.
     if (event.kind == EventKind::Passivity) trials.open.insert(*event.visit);
   }
   return trials;

@@ -55,7 +55,7 @@ class StationTrail {
       const storage::SessionTables& facts,
       const std::vector<storage::TraceChunk>& chunks);
 
-  /// With which the station seals what tells which condition was felt.
+  /// The key with which the station seals data that reveal which condition was felt.
   const storage::SealingKey& key() const noexcept { return key_; }
 
   /// The hash of event signedUpTo(), hexadecimal.

@@ -43,7 +43,8 @@ std::string sentence(const char* message) {
     text.pop_back();
   }
   for (auto& c : text) c = c == '\n' || c == '\t' ? ' ' : c;
-  // libpq goes on to advise an operator to switch the check of the server's certificate off.
+  // libpq's message goes on to recommend switching off the check of the server's certificate: leave
+  // that out.
   if (const auto advice = text.find(" Either provide the file"); advice != std::string::npos)
     text.erase(advice);
   return text;

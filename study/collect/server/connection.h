@@ -138,7 +138,7 @@ class Connection {
 /// password, which belongs in ~/.pgpass.
 void requireAddress(const std::string& server);
 
-/// That @p server's account needs @p role, and how it is given.
+/// The error that the account on @p server lacks @p role, with how to grant it.
 ServerError missingRoleError(const Connection& server, std::string_view role);
 
 /// Performs @p action, which needs @p role.

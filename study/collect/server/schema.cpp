@@ -8,7 +8,7 @@ namespace {
 
 /// Group roles, which are granted to roles that can log in.
 constexpr std::array kRoles{
-    "palpate_owner",      // owns the schema; granted to no other role
+    "palpate_owner",      // owns the schema; granted to the account that installs it
     "palpate_station",    // may call ingest
     "palpate_analyst",    // sees points, without conditions
     "palpate_unblinder",  // may pull all of it, with a reason

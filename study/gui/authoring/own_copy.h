@@ -15,7 +15,7 @@ void writeProtocol(const QString& file, const std::string& text);
 
 /// Asks for a title and a file, and saves a shipped protocol there as one of the user's own: with
 /// that title, and the file's name as its id.
-/// @return the file; empty if nothing was saved, which the user knows.
+/// @return the file; empty if nothing was saved: the user cancelled, or has been told why.
 QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent);
 
 }  // namespace study::gui

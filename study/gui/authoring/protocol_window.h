@@ -17,7 +17,7 @@ class OrdersPage;
 
 /// Shows a protocol to its author: a summary in words, a session's timeline, each participant's
 /// order, all problems, and on request the text with the line of a problem. It reloads the file
-/// after each change and never writes it.
+/// after each change, and writes it only when its blanks are filled in.
 class ProtocolWindow final : public QMainWindow {
   Q_OBJECT
 

@@ -11,8 +11,8 @@
 
 namespace study::gui {
 
-/// Asks which columns of a table are its time, travel and force, and in which units: what a columns
-/// file says. Unlike that it knows no calibration and no skipped lines.
+/// Asks which columns of a table are its time, travel and force, and in which units. A columns file
+/// says the same, and can also name a calibration and lines to skip.
 class ColumnsForm final : public QWidget {
   Q_OBJECT
 

@@ -35,7 +35,8 @@ class NewStudyDialog final : public WorkDialog {
   void check();
   void showChecked();
   void updateButton();
-  /// Opens the form for the blanks of the protocol; the study gets its texts.
+  /// Opens the form for the protocol's blanks. The study will be created with the texts of the
+  /// form.
   void fillInTexts();
   /// Saves the shipped protocol as one of the user's own, and chooses that.
   void saveAs();

@@ -63,7 +63,7 @@ class ReportDialog final : public WorkDialog {
 
  private:
   void addFigures();
-  /// Asks for a reason where live sessions would be unblinded.
+  /// Asks for a reason where live or pilot sessions would be unblinded.
   void updateChoices();
 
   std::string folder_;

@@ -23,12 +23,12 @@ struct StudySummary {
   std::string folder;
   std::string title;
   std::string protocol;   ///< "Protocol: punch-face-validity 1.0, fixed since …"
-  bool hasBegun = false;  ///< a live participant has: the protocol is fixed
+  bool hasBegun = false;  ///< a live participant has begun, so the protocol is fixed
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< finished or not; without erased ones
   std::vector<CohortProgress> cohorts;
-  std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty: none
-                                ///< has, or the sessions are simulated
+  std::string lastSessionUtc;   ///< when the latest session of defaultRunMode() began; empty if
+                                ///< there is none, or if the sessions are simulated
   std::size_t blanks = 0;       ///< in texts for participants, still to be filled in
   bool lacksKeyBackup = false;  ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
@@ -44,8 +44,8 @@ StudySummary summaryOf(const std::string& folder);
 /// "Live: 11 of 12 completed; Simulated: 3 of 3 completed; 1 unfinished".
 std::string sessionsInWords(const StudySummary& summary);
 
-/// "23 sessions here, 21 arrived, 2 waiting since Tuesday: no network, or no server"; empty for a
-/// study of one computer.
+/// "Sessions here: 23. Arrived: 21. Waiting since Tuesday: 2 (no network, or no server)"; empty for
+/// a study of one computer.
 std::string arrivalsInWords(const StudySummary& summary);
 
 /// Whether data have been waiting for the server for more than a day.

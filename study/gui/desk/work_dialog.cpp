@@ -99,7 +99,7 @@ void WorkDialog::showWrittenFile(
   showOutcome(outcome, line, more);
   written_->show(path);
   fit();
-  scroll_->ensureWidgetVisible(line_);  // what was shown above it may fill the screen
+  scroll_->ensureWidgetVisible(line_);  // otherwise the form above it may fill the screen
 }
 
 void WorkDialog::showDetails(const QString& more) {
@@ -120,8 +120,8 @@ void WorkDialog::fit() {
   const int needed = own + layout()->spacing() + buttons->sizeHint().height();
   const int most = screen()->availableSize().height() - kFrame;
   if (!isVisible() || more_->isHidden() || height() < needed) {
-    // Beside a scroll bar labels wrap into more lines and need the bar, so that it would stay for
-    // ever.
+    // Beside a scroll bar labels wrap into more lines and then need the bar, so that it would stay
+    // for good.
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     resize(width(), std::min(needed, most));
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);

@@ -70,7 +70,7 @@ QWidget* ControlPanel::makeButtons() {
   now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
   countCut_->setProperty("role", QStringLiteral("tool"));
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
-  countCut_->setFocusPolicy(Qt::TabFocus);  // as for the button in whose place it is shown
+  countCut_->setFocusPolicy(Qt::TabFocus);  // as for the button that it replaces
   now->addWidget(countCut_, 1);
   layout->addWidget(note_);
   addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});

@@ -80,7 +80,7 @@ void OperatorWindow::makeContents() {
   trial_ = new TrialPanel(this);
   devices_ = new DevicePanel(study_.protocol().protocol, *deviceSet_, this);
   if (devices_->usesVirtualDevices()) sessions_->offerPilot();
-  delete mirror_;  // a window of its own, which the contents do not hold
+  delete mirror_;  // a separate window, which is not among the contents
   mirror_ = new PageMirror(this);
   menuBar()->clear();
   makeMenus();

@@ -48,7 +48,8 @@ class OperatorWindow final : public QMainWindow {
   /// @param takeOver  the reason for taking the session over from a computer that is gone; empty:
   /// no takeover.
   void resume(SessionId id, const std::string& takeOver = {});
-  /// Checks devices and texts, then enrols. If a check fails, the operator decides.
+  /// Checks devices and texts, then enrols. If a check fails, the operator decides; but no live
+  /// session begins with blanks in its texts.
   void enrolAfterChecks(const Enrolment& enrolment);
   /// Checks the devices, then resumes. If a check fails, the operator decides.
   void resumeAfterChecks(SessionId id, const std::string& takeOver = {});
@@ -82,7 +83,6 @@ class OperatorWindow final : public QMainWindow {
   void showInterview();
   void removeInterview();
   void endSession();
-  /// Asks whether to close although something could not be saved. Enter means No.
   void updateAll();
   void moveHand(double share);
   void useSessionLanguage();

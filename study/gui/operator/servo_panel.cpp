@@ -124,15 +124,15 @@ void ServoPanel::refresh() {
                             .arg(priority);
   showTimingStatus();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
-  // Its lines are wrapped in a narrow window, which the least height of the panel does not tell.
-  constexpr int kUsualWidth = 300;  // [px], as long as it was not laid out
+  // In a narrow window the lines wrap, for which the panel's own minimum height does not allow.
+  constexpr int kUsualWidth = 300;  // [px], until the panel has been laid out
   words_->setMinimumHeight(words_->heightForWidth(std::max(words_->width(), kUsualWidth)));
   bars_->update();
 }
 
-/// One line: whether the trial will be warned about, as TrialRecord::judgement() does, and the
-/// numbers behind it. Force at its limit is named however short it was: what is felt then is not
-/// what the scene asked for.
+/// One line: whether the trial will get a warning (TrialRecord::judgement()), and the numbers
+/// behind it. Mentions a force at its limit however briefly, because what is felt then is not what
+/// the scene asked for.
 void ServoPanel::showTimingStatus() {
   constexpr double kMostInvalid = 0.01;
   const auto ticks = static_cast<std::int64_t>(health_.ticks());

@@ -15,7 +15,7 @@ class TimelineTable;
 class TravelPlot;
 
 /// The steps of the session and the running trial: force, position, velocity, cuts and timing. The
-/// status label is red until the timing is good.
+/// status label is green while a trial runs, and red after one broke off.
 class TrialPanel final : public QWidget {
   Q_OBJECT
 
@@ -33,7 +33,8 @@ class TrialPanel final : public QWidget {
   void closeBoneWindow();
 
  private:
-  /// How a trial is, by the colour of its line: runs well, gives no force on purpose, broke off.
+  /// The state of a trial, shown by the colour of its line: runs well, gives no force on purpose,
+  /// broke off.
   enum class Health { Good, NoForce, Bad };
 
   void beginTrial();

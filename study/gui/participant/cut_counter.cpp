@@ -41,7 +41,9 @@ void CutCounter::setCount(int made, const QString& words) {
 }
 
 bool CutCounter::event(QEvent* event) {
-  if (event->type() == QEvent::StyleChange) makeRoomForDots();  // the window's scale may be new
+  if (event->type() == QEvent::StyleChange)
+    makeRoomForDots();  // the window's scale may have
+                        // changed
   return QWidget::event(event);
 }
 

@@ -63,8 +63,8 @@ ParticipantWindow::ParticipantWindow(
   top->addWidget(progress_, 1);
   top->addSpacing(24);
   languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
-  // The arrow grows, too, but Qt reserves the width of a small one. A minimum length in letters as
-  // wide as "X" compensates for that.
+  // The arrow grows as well, but Qt reserves only the width of a small one. A minimum length, in
+  // letters as wide as "X", compensates for that.
   int longest = 0;
   for (int i = 0; i < languages_->count(); ++i) {
     longest = std::max(longest, static_cast<int>(languages_->itemText(i).size()));

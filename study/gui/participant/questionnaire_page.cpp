@@ -297,8 +297,8 @@ void QuestionnairePage::updateAsked() {
   }
 }
 
-/// Questions of the sheet move: a press that was aimed at one of them before would answer the one
-/// that lies there now. The keyboard goes on, because the focus moves with its question.
+/// Ignores presses for a moment after questions have moved: a press aimed at one question would
+/// answer another. The keyboard still works, because the focus moves with its question.
 void QuestionnairePage::ignorePresses() {
   if (!isVisible()) return;
   sheets_[static_cast<std::size_t>(sheet_)]->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -81,7 +81,7 @@ class SoftwareRenderer final : public Renderer {
     int place = 0;  ///< in the picture, row by row
     QRgb colour = 0;
   };
-  std::vector<Pixel> smoothed_;  ///< what edges become
+  std::vector<Pixel> smoothed_;  ///< new colours of the pixels along outlines, see smoothEdges()
   std::uint64_t sphereBytes_ = 0;
 };
 

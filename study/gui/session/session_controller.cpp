@@ -120,7 +120,7 @@ void SessionController::beginTrial() {
 void SessionController::toggleReamer() {
   if (!live_) return;
   isReamerOn_ = !isReamerOn_;
-  trial_->switchReamer(isReamerOn_);  // before the database: a pedal acts at once
+  trial_->switchReamer(isReamerOn_);  // before the database is written: a pedal acts at once
   tryTo([&] { session_.noteReamerSwitch(isReamerOn_); });
 }
 

@@ -58,7 +58,7 @@ class StationPush final : public QObject {
   int looksLeft_ = 0;  ///< number of looks until a push without a note counts as ended
 };
 
-/// "23 sessions here, 21 arrived, 2 waiting since Tuesday: no network, or no server"; empty if
+/// "Sessions here: 23. Arrived: 21. Waiting since Tuesday: 2 (no network, or no server)"; empty if
 /// there are no sessions.
 std::string arrivalsInWords(const Arrivals& arrivals, const std::string& problem);
 

@@ -19,7 +19,8 @@ namespace study::gui {
 const std::string& deskLanguage() noexcept;
 
 /// Sets the language; English if @p language has no catalogue. Open windows keep their texts, apart
-/// from the home page, which is created again. Call it only while no task runs in the background.
+/// from the home page and, between sessions, the operator's window, which are created again. Call
+/// it only while no task runs in the background.
 void setDeskLanguage(std::string_view language);
 
 /// Sets the language that was chosen last; if none was, that of the computer.

@@ -4,7 +4,7 @@
 
 namespace study::gui {
 
-/// What the windows show a message about, or ask a question about. Each has a row in messages().
+/// What a message or question in the windows is about. Each has a row in messages().
 enum class Matter {
   // What failed; the error says why, and what to do.
   BackupNotNoted,
@@ -46,7 +46,7 @@ enum class Matter {
   BoneBesideParticipant,
   CloseWithLoss,
   PilotSessionHasBlanks,
-  // What is asked with a text to write, or a choice to make.
+  // Questions with a text to enter or a choice to make.
   DeviceFailure,
   NamesPassphrase,
   OwnTitle,

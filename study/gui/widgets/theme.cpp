@@ -172,7 +172,7 @@ QPalette paletteOf(const Theme& theme) {
   return palette;
 }
 
-/// The style sheet @p sheet with all lengths multiplied by @p scale, but at least 1 px.
+/// The style sheet @p sheet with all lengths multiplied by @p scale and rounded.
 QString withLengths(const QString& sheet, double scale) {
   static const QRegularExpression kLength(QStringLiteral("(\\d+)px"));
   QString result;

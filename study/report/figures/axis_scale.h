@@ -22,13 +22,13 @@ class AxisScale {
     double value = 0.0;
     QString text;
   };
-  /// About @p wanted ticks in steps of 1, 2 or 5 times a power of ten; powers of ten if
-  /// logarithmic.
+  /// About @p wanted ticks in steps of 1, 2 or 5 times a power of ten; if logarithmic, powers of
+  /// ten, and on a short axis also 2 and 5 times these.
   std::vector<Tick> ticks(int wanted = 7) const;
 
  private:
   double forward(double value) const;
-  /// Ticks of a logarithmic axis: powers of ten.
+  /// Ticks of a logarithmic axis: powers of ten; on a short axis also 2 and 5 times these.
   std::vector<Tick> decades() const;
   /// Ticks of a linear axis, about @p wanted, at steps of 1, 2 or 5 times a power of ten.
   std::vector<Tick> steps(int wanted) const;

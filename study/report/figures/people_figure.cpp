@@ -14,7 +14,7 @@ constexpr RowMeasures kPeopleRows{.names = 190.0, .texts = 110.0, .height = 50.0
 constexpr double kTop = 4.0;
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
-constexpr std::size_t kMostDots = 9;  // of more people a box says enough, and names no one
+constexpr std::size_t kMostDots = 9;  // for more people the box is enough, and identifies no one
 constexpr double kMargin = 0.075;     // beside the scale, as a share of its width
 
 std::vector<double> valuesOf(const analysis::AnswerTable& table, std::size_t method) {

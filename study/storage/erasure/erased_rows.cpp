@@ -33,7 +33,7 @@ std::int64_t eraseAnswers(Database& study, SessionId session, const std::string&
   count.step();
   const auto answers = count.number(0);
   count.reset();
-  // The order follows the foreign keys: each table refers to the next.
+  // A table comes before those that its foreign keys refer to.
   constexpr std::array kDeletions{
       "DELETE FROM answer WHERE session_id = ?",
       "DELETE FROM cut WHERE session_id = ?",

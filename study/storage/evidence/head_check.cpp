@@ -42,8 +42,8 @@ void addMissing(
       "study restored --reason \"…\"");
 }
 
-/// Whether @p head was signed because the trail began at the station that signed it, or was
-/// accepted there on purpose. Other heads have other purposes.
+/// Whether @p head was signed because the trail began at that station, or was accepted there on
+/// purpose; heads are also signed for other purposes.
 bool vouchesForTheBeginning(const SignedHead& head) {
   using enum EventKind;
   const auto is = [&](EventKind kind) { return head.purpose == study::nameOf(kind); };

@@ -6,7 +6,7 @@ namespace study::storage {
 namespace {
 
 // Plain text is padded with zeros to a multiple of these sizes [bytes].
-constexpr std::size_t kSizeOfCondition = 64;  // ids of conditions are shorter
+constexpr std::size_t kSizeOfCondition = 64;  // ids have at most 64 characters; 64 give 128 bytes
 constexpr std::size_t kSizeOfMeasurements = 8192;
 
 std::string placeOf(SessionId session, int step) {

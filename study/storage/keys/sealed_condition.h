@@ -13,7 +13,7 @@ namespace study::storage {
 // Data that reveal the rendered condition are sealed with the study's key (docs/decisions/0049).
 
 /// Seals the condition of a step. All sealed conditions have the same size, so that the size
-/// reveals nothing.
+/// reveals nothing; only an id of 64 characters, the longest allowed, takes more.
 std::vector<std::byte> sealCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 

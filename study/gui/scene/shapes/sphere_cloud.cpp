@@ -58,7 +58,7 @@ void SphereCloud::readSlots(const haptics::reaming::SphereField& field) {
   }
 }
 
-/// Makes a grid with cells slightly larger than a sphere and a margin of empty cells.
+/// Makes a grid with cells almost twice as wide as a sphere and a margin of empty cells.
 void SphereCloud::layGrid() {
   constexpr float kFar = 1e9F;
   QVector3D low(kFar, kFar, kFar);
