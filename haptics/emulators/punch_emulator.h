@@ -17,7 +17,7 @@ namespace haptics::emulators {
 
 /// An emulated punch, or another device with the same protocol, on a pseudo-terminal: the
 /// firmware's program, compiled for this computer, with a simulated handle, motor, encoder and
-/// hand, and with faults on command.
+/// hand, and with faults that are injected on command.
 ///
 /// The motor's force is newtonsPerVolt times its voltage, without delay. A loop that hangs for 40
 /// ms is reset, as by the board's hardware watchdog.

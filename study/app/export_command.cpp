@@ -129,7 +129,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--k",
           options.smallestClass,
-          "Least number of participants who share their attributes with each other, 5 or more")
+          "Smallest allowed number of participants with equal released attributes, 5 or more")
       ->needs(forPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();

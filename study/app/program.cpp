@@ -9,8 +9,8 @@ namespace study::app {
 
 std::unique_ptr<CLI::App> makeProgram(Action& action) {
   auto program = std::make_unique<CLI::App>(
-      "Face-validity studies of haptic surgical simulators: write a protocol, run sessions, get "
-      "the table.\nEvery command explains itself: palpate COMMAND --help. The windows: "
+      "Face-validity studies of haptic surgical simulators: from the protocol to the "
+      "statistics.\nHelp on a command: palpate COMMAND --help. The program with windows: "
       "palpate-studio.",
       "palpate");
   program->set_version_flag("--version", "palpate " + std::string(appVersion()));

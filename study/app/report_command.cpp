@@ -109,7 +109,9 @@ void addReportCommand(CLI::App& program, Action& action) {
           },
           "FILE"));
   command->add_option(
-      "--figures", options.figures, "New folder for each figure as SVG, PDF and PNG");
+      "--figures",
+      options.figures,
+      "New folder in which every figure is saved as SVG, PDF and PNG");
   command
       ->add_option(
           "--figure-width",
@@ -126,9 +128,9 @@ void addReportCommand(CLI::App& program, Action& action) {
       ->capture_default_str()
       ->check(CLI::IsMember({"a4", "letter"}));
   addWordingOption(*command, options.wording);
-  command->add_flag(
-      "!--no-quotes",
-      options.hasQuotes,
+  command->add_flag_callback(
+      "--no-quotes",
+      [&hasQuotes = options.hasQuotes] { hasQuotes = false; },
       "Leave out what participants wrote, to publish the report");
   addRunModeOption(*command, options.runMode);
   addReasonOption(*command, options.reason);

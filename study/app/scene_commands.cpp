@@ -374,7 +374,8 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--speed",
           options.speed,
-          "Speed (default: 57 travel units/s; reaming: 0.005 m/s, at most 0.9 of the largest feed)")
+          "Speed (default: 57 travel units/s; reaming: 0.005 m/s or 0.9 of the feed limit, if "
+          "less)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
@@ -386,8 +387,8 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--interpolation-noise",
           options.interpolationNoise,
-          "Variances R of the interpolated force [N²]: plots the filter for each (the paper's Fig. "
-          "11)")
+          "Variances R of the interpolated force [N²]; one filter curve for each (punch paper, "
+          "Fig. 11)")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
           "--smoothing",

@@ -285,11 +285,15 @@ void addStudyCommands(CLI::App& program, Action& action) {
           "Simulate until this many have finished (default: as planned in the protocol)")
       ->check(CLI::Range(1, 100'000));
   simulate->add_option(
-      "--seed", simulating.seed, "Seed of simulated hands and answers (default: the study's)");
+      "--seed",
+      simulating.seed,
+      "Seed of the simulated hands and answers (default: the study's; at a station derived from "
+      "it)");
   simulate->add_option(
       "--devices",
       simulating.devices,
-      "Use the devices of this file, in real time (default: simulated devices, offline)");
+      "Use the devices of this file, in real time (default: simulated devices, as fast as "
+      "possible)");
   simulate->add_flag("--verbose", simulating.verbose, "Print each answer as soon as it is saved");
 
   auto [amend, amending] = add("amend", "Amend the protocol of a study", app::amend);

@@ -378,7 +378,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   std::vector<std::string> names;
   for (const auto& family : families()) names.emplace_back(family.option);
-  command->add_option("--family", options.families, "Families to measure (default: all)")
+  command->add_option("--family", options.families, "Families of methods to measure (default: all)")
       ->check(CLI::IsMember(names));
   command->add_flag("--short", options.isShortRun, "Measure errors of small models only, no times");
   command->add_flag("--worker", options.isWorker)->group("");  // measureInProcess() sets it

@@ -286,7 +286,11 @@ void addDevicesCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   const std::vector<std::string> parts(kDeviceBenchParts.begin(), kDeviceBenchParts.end());
-  command->add_option("--part", options.bench.parts, "Parts to measure (default: all)")
+  command
+      ->add_option(
+          "--part",
+          options.bench.parts,
+          "Parts to measure: both devices, stalls, other rates, counts of faults (default: all)")
       ->check(CLI::IsMember(parts));
 }
 

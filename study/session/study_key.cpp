@@ -120,7 +120,7 @@ void setPassphraseOfNames(
   requireLong(passphrase);
   auto& identities = study.identities();
   auto& database = identities.database();
-  if (identities.isLocked()) throw UserError("The passphrase of names was not given.");
+  if (identities.isLocked()) throw UserError("The passphrase for the names was not given.");
   requireSoundNames(study);
   const auto key = database.key() != nullptr ? *database.key() : storage::SealingKey::drawn();
   const auto wrapped = storage::WrappedKey::make(key.bytes(), passphrase, cost);

@@ -91,9 +91,7 @@ int check(const DeviceArguments& arguments) {
 
 void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
   verb.add_option(
-          "--seed",
-          options.seed,
-          "Seed of the simulated hand's movements and of the faults on command")
+          "--seed", options.seed, "Seed of the simulated hand's movements and of injected faults")
       ->capture_default_str();
   verb.add_option(
           "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
@@ -108,8 +106,7 @@ void addEmulate(CLI::App& noun, Action& action) {
   auto& emulate = addCommandGroup(
       noun,
       "emulate",
-      "Emulate a device on its real interface; type 'help' while it runs to list its faults on "
-      "command");
+      "Emulate a device on its real interface; type 'help' while it runs to list faults to inject");
   for (const auto* kind : haptics::deviceKinds()) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
     const std::string name(kind->name);

@@ -150,7 +150,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_flag(
       "--reseal",
       erasure.request.resealsTrail,
-      "Before erasing, encrypt an audit trail that an older release wrote (once a study)");
+      "Before erasing, encrypt an audit trail that an older release wrote (once per study)");
   erase->add_option(
       "--also",
       erasure.otherCopies,
@@ -166,7 +166,7 @@ void addErasureCommands(CLI::App& noun, Action& action) {
   erase->add_option(
       "--by",
       erasure.by,
-      "Certificate (.txt) of an erasure done elsewhere, to repeat on DIR, a copy of that study");
+      "Repeat in DIR, a copy of the study, the erasure that this certificate (.txt) records");
 
   auto [names, naming] =
       addCommand(noun, action, "names", "List names by participant code", app::names);

@@ -64,7 +64,7 @@ int drop(const KeyArguments& options) {
 
 void addKeyCommands(CLI::App& study, Action& action) {
   auto& noun = addCommandGroup(
-      study, "key", "Keep the key that encrypts which alternative is which condition");
+      study, "key", "Manage the key that encrypts which alternative is which condition");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);
@@ -73,15 +73,17 @@ void addKeyCommands(CLI::App& study, Action& action) {
   auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
   out->add_option("--out", exporting.file, "New file; nothing is overwritten")->required();
   addAuditedReason(*out, exporting.reason)->required();
-  auto [in, importing] = add("import", "Store a key that was handed over in this account", import);
+  auto [in, importing] = add("import", "Store in this account a key that was handed over", import);
   in->add_option(
       "FILE",
       importing.file,
       "File from 'key export' (default: asks for the passphrase that opens the key)");
   auto [words, setting] = add("passphrase", "Set a passphrase that opens the key", passphrase);
   addAuditedReason(*words, setting.reason)->required();
-  auto [gone, dropping] = add(
-      "drop", "Remove the key from this account, once it was exported or has a passphrase", drop);
+  auto [gone, dropping] =
+      add("drop",
+          "Remove the key from this account, once it has been exported or has a passphrase",
+          drop);
   addAuditedReason(*gone, dropping.reason)->required();
 }
 

@@ -220,9 +220,12 @@ void addCompare(CLI::App& noun, Action& action) {
       noun,
       action,
       "compare",
-      "Compare natural cubic and Hermite splines through 12 nodes (Fig. 7 of the reaming paper)",
+      "Compare natural cubic and Hermite splines through the same nodes (reaming paper, Fig. 7)",
       app::compare);
   command.inputs.addTo(*verb);
+  verb->get_option("--nodes")->default_str("12");
+  verb->get_option("--nodes-of")
+      ->description("Kind of spline for which nodes are chosen (default: cubic-natural)");
   verb->add_option("--curve", command.curve, "Curve to compare: TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
   verb->add_option("--report", command.report, "A folder for the figure and a page");

@@ -83,7 +83,7 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
       "--column",
       columns,
-      "QUANTITY=HEADING of its column, if the heading does not name the quantity: force=Kanal2");
+      "QUANTITY=HEADING of its column, if the heading does not name the quantity: force=Channel2");
   verb.add_option("--unit", units, "QUANTITY=UNIT, if the column's heading has no unit: force=kN");
   verb.add_option(
           "--axis", axis, "Horizontal axis of the curves; only curves over depth can be rendered")

@@ -352,7 +352,7 @@ void addPackingCommands(CLI::App& program, Action& action) {
   auto& noun = addCommandGroup(
       program,
       "packing",
-      "Bone as a packing of spheres that reaming removes: fill a mesh, fit densities");
+      "Model a bone by spheres that reaming removes: fill a mesh, fit densities");
   addBuildPacking(noun, action);
   addFitDensities(noun, action);
 }

@@ -271,7 +271,8 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows where travel changes by less than this [travel units]; 0: as eq. (22)")
+          "Leave out rows whose travel changes by less than this [travel units]; 0: only unchanged "
+          "ones")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   noise->add_flag(

@@ -92,7 +92,7 @@ void addCheckTableCommand(CLI::App& stats, Action& action) {
       ->add_option(
           "--parts",
           options.parts,
-          "Steps of an answer per point: 2 if an answer is the mean of two statements")
+          "Number of steps per point of the scale: 2 if an answer is the mean of two statements")
       ->check(CLI::Range(1, 20))
       ->needs(scale)
       ->capture_default_str();

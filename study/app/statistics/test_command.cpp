@@ -169,7 +169,7 @@ void addTestCommand(CLI::App& stats, Action& action) {
   };
   column("group", "Column that names the group; columns that are not named are taken in order")
       ->expected(1);
-  column("value", "Column of numbers; for votes, of names")->expected(1);
+  column("value", "Column of numbers (tests of votes: of names)")->expected(1);
   column("first", "Column of the first of two measurements or names")->expected(1);
   column("second", "Column of the second of two measurements or names")->expected(1);
   column("columns", "Columns of numbers, one row per participant (default: all columns)");

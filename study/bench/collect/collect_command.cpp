@@ -234,7 +234,7 @@ void addCollectCommand(CLI::App& program, Action& action) {
       program,
       action,
       "collect",
-      "Many sites into one PostgreSQL server: ingest, counts, pull",
+      "Measure how fast a PostgreSQL server takes in, counts and returns the data of many sites",
       benchCollect);
   options.size.folder = std::filesystem::temp_directory_path();
   command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");

@@ -195,7 +195,11 @@ void addWindowsCommand(CLI::App& program, Action& action) {
       "Speed at which simulations, live plots and a participant's pages are drawn",
       windows);
   auto& simulation = options.simulation;
-  command->add_option("--part", options.part, "Part to measure (default: both)")
+  command
+      ->add_option(
+          "--part",
+          options.part,
+          "Part to measure: simulations, or desk (plots, pages, list of studies) (default: both)")
       ->check(CLI::IsMember({kSimulations, kDesk}));
   command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
   command->add_option("--seconds", simulation.seconds, "Duration of each simulation [s]")

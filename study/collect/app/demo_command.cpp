@@ -123,7 +123,7 @@ int demo(const DemoArguments& given) {
 void addDemoCommand(CLI::App& program, Action& action) {
   const auto given = std::make_shared<DemoArguments>();
   auto* noun = program.add_subcommand(
-      "demo", "Four stations with simulated participants and a private server, on this computer");
+      "demo", "Simulate four stations with participants and a private server, on this computer");
   noun->add_option("--out", given->out, "New folder (default: palpate-sites)");
   noun->add_option(
           "--participants",

@@ -16,8 +16,8 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       .add_option(
           "--server",
           server,
-          "PostgreSQL: \"service=NAME\", \"host=… dbname=…\" (default: PGHOST … of the "
-          "environment)")
+          "PostgreSQL server: \"service=NAME\" or \"host=… dbname=…\" (default: PGHOST, "
+          "PGDATABASE, …)")
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }

@@ -121,7 +121,7 @@ int checkStudy(const PullArguments& given) {
 void addPullCommands(CLI::App& program, Action& action) {
   const auto given = std::make_shared<PullArguments>();
   auto* out = program.add_subcommand(
-      "pull", "Make one study folder on this computer of all data on the server");
+      "pull", "Make one study folder on this computer from all data on the server");
   addServerOption(*out, given->server);
   out->add_option(
       "--study", given->study, "Name of the study on the server (default: the only one)");

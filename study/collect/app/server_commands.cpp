@@ -200,7 +200,7 @@ void addServerCommands(CLI::App& program, Action& action) {
   });
 
   auto* in =
-      program.add_subcommand("ingest", "Take a file of 'palpate collect bundle' into the server");
+      program.add_subcommand("ingest", "Load a file from 'palpate collect bundle' into the server");
   addServerOption(*in, given->server);
   in->add_option("FILE", given->file, "The bundle")->required();
   in->callback([&action, given] { action = [given] { return takeIn(*given); }; });
@@ -216,7 +216,7 @@ void addServerCommands(CLI::App& program, Action& action) {
 
   auto* aside = program.add_subcommand(
       "set-aside",
-      "Let a station send everything again; what the server has of it stays under another name");
+      "Let a station send everything again; its old data stay on the server under another name");
   addServerOption(*aside, given->server);
   aside->add_option("--study", given->study, "Name of the study on the server");
   aside->add_option("--station", given->station, "Name of the station")->required();

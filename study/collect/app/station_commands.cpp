@@ -245,7 +245,7 @@ void addStationCommands(CLI::App& program, Action& action) {
   joining->add_option(
       "--mark",
       given->mark,
-      "Mark (fingerprint) of the study, as its administrator read it out; another one is refused");
+      "Mark (fingerprint) of the study, as its administrator read it out; any other is refused");
   joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
 
   auto* push = program.add_subcommand(
