@@ -1,5 +1,6 @@
 #include "haptics/devices/wire_device.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "haptics/devices/device.h"
@@ -81,7 +82,9 @@ void WireDevice::disarm() noexcept {
   resumeKeeper();
 }
 
-void WireDevice::setChecked() noexcept {
+void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept {
+  const auto isFailure = [](const CheckResult& result) { return result.finding == Finding::Fail; };
+  if (std::any_of(results.begin(), results.end(), isFailure)) return;
   auto open = Lifecycle::Open;
   lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "haptics/devices/device.h"
 #include "haptics/timing/clock_statistics.h"
@@ -71,8 +72,9 @@ class WireDevice : public Device, private Pacer {
   bool isKeeperRunning() const noexcept { return keeper_.joinable(); }
 
   void setLifecycle(Lifecycle state) noexcept { lifecycle_.store(state); }
-  /// Changes the state from Open to Checked, unless the device has failed in the meantime.
-  void setChecked() noexcept;
+  /// Changes the state from Open to Checked, unless a result is Fail or the device has failed in
+  /// the meantime.
+  void setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept;
   /// @param why  a message; the string must live as long as the program.
   void fail(const char* why) noexcept;
   void resetCounts() noexcept;

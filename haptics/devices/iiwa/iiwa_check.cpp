@@ -244,9 +244,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   }
   found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
   found.push_back(torqueFound(capabilities_));
-  const bool isFit = std::none_of(
-      found.begin(), found.end(), [](const auto& f) { return f.finding == Finding::Fail; });
-  if (isFit) setChecked();
+  setCheckedUnlessFailed(found);
   startKeeper();  // from here on the keeper updates what was received
   return found;
 }

@@ -150,7 +150,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
        "force at most",
        text("%.2f N (%.3f N/V)", capabilities_.maxForce, settings_.newtonsPerVolt),
        ""});
-  setChecked();
+  setCheckedUnlessFailed(found);
   return found;
 }
 
