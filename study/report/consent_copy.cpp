@@ -32,28 +32,31 @@ std::string chosen(
   return all;
 }
 
-/// The answers to the consent form in the newest session of a participant.
+/// The answers to a participant's consent form in one session.
 struct Consent {
   storage::SessionRecord session;
   std::map<std::string, storage::AnswerRecord> answers;  ///< by item
   std::string instrument;
 };
 
+/// The newest of a participant's consents.
 std::optional<Consent> findConsent(Study& study, const std::string& code) {
   const storage::Records records(study.database());
-  std::optional<Consent> found;
-  for (const auto& session : records.sessions()) {
-    if (session.participant == code) found = Consent{.session = session};
-  }
-  if (!found) return std::nullopt;
+  std::map<SessionId, Consent> consents;
   for (const auto& record : records.answers()) {
-    const bool isTheirs = record.step.visit.session == found->session.id;
-    const bool isOfTheEnd = record.step.isFinished();
-    if (!isTheirs || !isOfTheEnd || record.step.kind != StepKind::Consent) continue;
-    found->instrument = record.step.instrument;
-    found->answers[record.answer.item] = record;
+    if (!record.step.isFinished() || record.step.kind != StepKind::Consent) continue;
+    auto& consent = consents[record.step.visit.session];
+    consent.instrument = record.step.instrument;
+    consent.answers[record.answer.item] = record;
   }
-  return found->answers.empty() ? std::nullopt : found;
+  std::optional<Consent> newest;
+  for (const auto& session : records.sessions()) {
+    const auto found = consents.find(session.id);
+    if (session.participant != code || found == consents.end()) continue;
+    newest = std::move(found->second);
+    newest->session = session;
+  }
+  return newest;
 }
 
 class ConsentPage {

@@ -17,7 +17,7 @@ std::string plainTextAsHtml(const std::string& text);
 /// for a signature is empty: names stay in identity.db.
 /// @param participant  their code.
 /// @param htmlOf  converts Markdown to HTML (asHtml() of marked_text.h in builds with Qt).
-/// @throws UserError  if the newest session of that participant has no completed consent form.
+/// @throws UserError  if no session of that participant has a completed consent form.
 std::string consentCopy(
     Study& study, const std::string& participant, const TextToHtml& htmlOf = plainTextAsHtml);
 

@@ -61,6 +61,15 @@ TEST_F(ConsentCopy, NamesNoPerson) {
   EXPECT_TRUE(has(page, "Signature, if one is asked for"));
 }
 
+TEST_F(ConsentCopy, IsOfTheSessionInWhichTheParticipantConsented) {
+  auto first = participant("de");
+  const auto page = consentCopy(study_, first.participant());
+  first.reject("the device was broken");
+  auto second = Session::enrol(study_, {.cohort = "professional", .code = first.participant()});
+  ASSERT_EQ(second.participant(), first.participant());
+  EXPECT_TRUE(has(consentCopy(study_, first.participant()), "→ Ja, ich nehme teil"));
+}
+
 TEST_F(ConsentCopy, IsRefusedBeforeTheDecision) {
   const auto session = Session::enrol(study_, {.cohort = "professional"});
   try {
