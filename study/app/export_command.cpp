@@ -104,7 +104,7 @@ void addExportCommand(CLI::App& program, Action& action) {
   command->add_flag(
       "--traces",
       options.traces,
-      "Include the recorded forces of every trial at 1 kHz (gzip); needs --unblind");
+      "Include the recorded samples of every trial (gzip); needs --unblind");
   auto* exact = command->add_flag(
       "--exact", options.exact, "Keep exact dates, times, ages and other numbers about people");
   auto* texts =

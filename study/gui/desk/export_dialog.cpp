@@ -35,7 +35,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       reason_(new QLineEdit(this)),
       exact_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
       texts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
-      traces_(new QCheckBox(tr("Traces: what was felt, 1000 samples a second"), this)),
+      traces_(new QCheckBox(tr("Traces: what was felt, sample by sample"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
       earlier_(new PathField(
           PathField::Kind::ExistingFolder, tr("Folder of an earlier export"), {}, this)) {
