@@ -74,6 +74,12 @@ std::optional<LoadedProtocol> loadProtocol(
 
 namespace {
 
+/// Whether @p file lies in @p folder once symbolic links are followed.
+bool isInside(const fs::path& file, const fs::path& folder) {
+  const auto inFolder = fs::canonical(file).lexically_relative(fs::canonical(folder));
+  return !inFolder.empty() && *inFolder.begin() != "..";
+}
+
 std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& problems) {
   std::error_code ignored;
   // a folder, such as that of a study, may have the name of a protocol in the library
@@ -90,6 +96,13 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
     const auto file = folder / name;
     std::error_code absent;
     if (!fs::exists(file, absent)) return std::nullopt;
+    // The text is stored in the study, and exported with it: a protocol from elsewhere must not
+    // choose which files of this computer those are.
+    if (!isInside(file, folder.empty() ? "." : folder)) {
+      throw base::UserError(
+          "It is a link to a file outside the protocol's folder. Put a copy of that file in place "
+          "of the link.");
+    }
     return questionnaires::readTextFile(file.string(), largestOf(name));
   };
   const auto text = questionnaires::readTextFile(path);

@@ -1,6 +1,8 @@
 // A protocol and the files that it names: found, read once, kept as they were.
 #include "protocols/model/loaded_protocol.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -398,6 +400,50 @@ TEST(LoadedProtocolFile, ReportsAFileBesideItThatIsTooLarge) {
   ASSERT_EQ(problems.all().size(), 1U) << describe(problems.all());
   EXPECT_EQ(problems.all()[0].path, "$.instrument_files[0]");
   EXPECT_NE(base::describe(problems.all()[0].fix).find("is larger than 5 MB"), std::string::npos);
+}
+
+TEST(LoadedProtocolFile, FollowsNoLinkOutOfItsFolder) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("study/protocol.json", naming(R"(["mine.json"])"));
+  const auto said = [&] {
+    Problems problems;
+    const bool isLoaded = loadProtocolFile(file, problems).has_value();
+    return isLoaded ? "" : problems.all().empty() ? "?" : base::describe(problems.all()[0].fix);
+  };
+  const auto link = folder.path() / "study/mine.json";
+  const auto linkTo = [&](const fs::path& target) {
+    fs::remove(link);
+    fs::create_symlink(target, link);
+    return said();
+  };
+  // control: the same file is read where it lies in the folder, also through a link
+  folder.write("study/forms/mine.json", instrumentFile("mine"));
+  EXPECT_EQ(linkTo("forms/mine.json"), "");
+  EXPECT_EQ(linkTo(folder.path() / "study/forms/mine.json"), "");
+
+  const std::string outside = "It is a link to a file outside the protocol's folder. ";
+  folder.write("elsewhere/mine.json", instrumentFile("mine"));
+  EXPECT_TRUE(linkTo("../elsewhere/mine.json").starts_with(outside)) << said();
+  EXPECT_TRUE(linkTo(folder.path() / "elsewhere/mine.json").starts_with(outside)) << said();
+  EXPECT_TRUE(linkTo("/etc/passwd").starts_with(outside)) << said();
+  EXPECT_TRUE(linkTo("/dev/zero").starts_with(outside)) << said();
+  folder.write("study-2/mine.json", instrumentFile("mine"));  // a folder whose name begins alike
+  EXPECT_TRUE(linkTo("../study-2/mine.json").starts_with(outside)) << said();
+  fs::remove(link);
+  fs::create_directory_symlink(folder.path() / "elsewhere", folder.path() / "study/linked");
+  folder.write("study/protocol.json", naming(R"(["linked/mine.json"])"));
+  EXPECT_TRUE(said().starts_with(outside)) << said();
+}
+
+TEST(LoadedProtocolFile, DoesNotWaitForAPipeBesideIt) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("protocol.json", naming(R"(["mine.json"])"));
+  ASSERT_EQ(mkfifo((folder / "mine.json").c_str(), 0600), 0);
+  Problems problems;
+  EXPECT_FALSE(loadProtocolFile(file, problems).has_value());
+  ASSERT_EQ(problems.all().size(), 1U) << describe(problems.all());
+  const auto fix = base::describe(problems.all()[0].fix);
+  EXPECT_NE(fix.find("is not a file that can be read"), std::string::npos) << fix;
 }
 
 /// usualProtocol() with the SUS in place of its questionnaire.
