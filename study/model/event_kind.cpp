@@ -60,7 +60,10 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"was_rejected"},
     EventFacts{"gave_up_on_device"},
     EventFacts{"enrolled", {"{participant} {cohort} {run_mode}, place {place}"}},
-    EventFacts{"resumed"},
+    EventFacts{
+        "resumed",
+        {"{pause_s:.0f} s after the last event by the wall clock alone: whether that was set in "
+         "between is not known"}},
     EventFacts{"took_over", {"from {station}, process {process}, since {since}: {reason}"}},
     EventFacts{"clock_stepped", {"by {by_s:.6f} s; durations are not affected"}},
     EventFacts{"chose_language"},

@@ -105,19 +105,28 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   return plan;
 }
 
-/// When the session last stored an event, on clocks that can be compared with the present ones. The
-/// monotonic clock counts on only on the same computer, until it is restarted. Otherwise the time
-/// since that event is the difference of the wall clocks, or 0 if it is negative.
-std::optional<Moment> lastMomentOf(
+/// The time since a session's last event.
+struct Pause {
+  Moment
+      last;  ///< when that event was stored, on clocks that can be compared with the present ones
+  /// The pause if the wall clock alone measured it [s]. It is then not known whether somebody set
+  /// that clock forward in between.
+  std::optional<double> byWallClockAlone;
+};
+
+/// The monotonic clock counts on only on the same computer, until it is restarted. Otherwise the
+/// pause is the difference of the wall clocks, or 0 if it is negative.
+std::optional<Pause> pauseOf(
     Study& study, const SessionRow& row, const std::optional<storage::Lease::Holder>& holder) {
   if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is simulated
   const auto events = study.events().read(row.id);
   if (events.empty()) return std::nullopt;
   Moment last = events.back().when;
   const Moment now = study.clock().now();
-  if (holder && holder->isOfThisBoot && last.monotonic <= now.monotonic) return last;
-  last.monotonic = now.monotonic - std::max<std::int64_t>(now.wall - last.wall, 0) * 1'000'000;
-  return last;
+  if (holder && holder->isOfThisBoot && last.monotonic <= now.monotonic) return Pause{last, {}};
+  const std::int64_t pause = std::max<std::int64_t>(now.wall - last.wall, 0);  // [ms]
+  last.monotonic = now.monotonic - pause * 1'000'000;
+  return Pause{last, 1e-3 * static_cast<double>(pause)};
 }
 
 }  // namespace
@@ -180,7 +189,8 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
   requireSound(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
-  session.lastMoment_ = lastMomentOf(study, session.row_, holder);
+  const auto pause = pauseOf(study, session.row_, holder);
+  if (pause) session.lastMoment_ = pause->last;
   session.transact([&] {
     if (holder && holder->isAlive) {
       session.appendEvent(
@@ -191,7 +201,9 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
            {"since", holder->since},
            {"reason", takeOver}});
     }
-    session.appendEvent(Actor::Program, EventKind::Resumed);
+    base::NamedArguments values;
+    if (pause && pause->byWallClockAlone) values = {{"pause_s", *pause->byWallClockAlone}};
+    session.appendEvent(Actor::Program, EventKind::Resumed, std::move(values));
   });
   recordIdentityFingerprints(study, session.row_);
   if (session.state() == SessionState::InTrial) {

@@ -126,6 +126,13 @@ class CrashedSessionTest : public SteppedClockTest {
     study_.clock.advance(2.0);
     resumed.finishStep();
   }
+  /// What the event of going on says about the pause.
+  std::string resumed() {
+    for (const auto& event : study_->events().read(session_.id())) {
+      if (event.kind == EventKind::Resumed) return storage::describe(event);
+    }
+    return "no event";
+  }
   double lastOnset() {
     return std::get<double>(
         exportTables(*study_, {.isBlinded = false, .isExact = true}).back().rows.back()[5]);
@@ -143,6 +150,7 @@ TEST_F(CrashedSessionTest, NotesThatTheClockWasSetSinceAndKeepsOnsets) {
   ASSERT_EQ(stepped.size(), 1U);
   EXPECT_EQ(storage::describe(stepped[0]), "by 630720000.000000 s; durations are not affected");
   EXPECT_DOUBLE_EQ(lastOnset(), 72.0);  // 10 s, 60 s and 2 s
+  EXPECT_EQ(resumed(), "");
   EXPECT_TRUE(verify(*study_).isSound());
 }
 
@@ -152,10 +160,15 @@ TEST_F(CrashedSessionTest, NotesThatTheClockWentBackWhereTheComputerWasRestarted
   EXPECT_DOUBLE_EQ(lastOnset(), 12.0);  // how long it lay cannot be told
 }
 
-TEST_F(CrashedSessionTest, TakesThePauseFromTheWallClockWhereTheComputerWasRestarted) {
+TEST_F(CrashedSessionTest, TakesThePauseFromTheWallClockWhereTheComputerWasRestartedAndSaysSo) {
   crashAndGoOn("another-boot", 1800);
   EXPECT_TRUE(stepsOf(*study_).empty());
   EXPECT_DOUBLE_EQ(lastOnset(), 1872.0);
+  EXPECT_EQ(
+      resumed(),
+      "1860 s after the last event by the wall clock alone: whether that was set in between is not "
+      "known");
+  EXPECT_TRUE(verify(*study_).isSound());
 }
 
 }  // namespace clock_test
