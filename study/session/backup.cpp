@@ -229,13 +229,15 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
 std::size_t headsMissingIn(Study& study) {
   const auto station = storage::StationStore::find(storage::StationStore::defaultFolder());
   if (!station) return 0;
-  return missingHeads(storage::TrailHeads(study.database()), *station).size();
+  const auto listed = readRecordedHeads(*station, study.uuid());
+  return missingHeads(storage::TrailHeads(study.database()), listed).size();
 }
 
 std::size_t recordRestoredCopy(Study& study, const std::string& reason) {
   const auto station = storage::StationStore::find(storage::StationStore::defaultFolder());
   if (!station) return 0;
-  const auto missing = missingHeads(storage::TrailHeads(study.database()), *station);
+  const auto listed = readRecordedHeads(*station, study.uuid());
+  const auto missing = missingHeads(storage::TrailHeads(study.database()), listed);
   if (missing.empty()) return 0;
   std::string names;
   for (const auto& head : missing) names += (names.empty() ? "" : " ") + nameOf(head);

@@ -67,11 +67,30 @@ storage::Findings signatures(Study& study) {
       .checkSignatures(station ? station->publicKey() : std::string());
 }
 
-storage::Findings notedHere(Study& study, bool isOlderCopy) {
-  const auto station = thisStation();
-  if (!station) return {.remarks = {"this account has noted nothing of any study"}};
-  return storage::checkStation(storage::TrailHeads(study.database()), *station, isOlderCopy);
-}
+/// What this station has noted of a study so far.
+class NotedHere {
+ public:
+  explicit NotedHere(const Study& study) {
+    try {
+      station_ = thisStation();
+      if (station_) listed_ = storage::readRecordedHeads(*station_, study.uuid());
+    } catch (const storage::StorageError& error) {
+      whyNot_ = error.what();
+    }
+  }
+
+  storage::Findings compareWith(Study& study, bool isOlderCopy) const {
+    if (!whyNot_.empty()) return {.problems = {whyNot_}};
+    if (!station_) return {.remarks = {"this account has noted nothing of any study"}};
+    return storage::checkStation(
+        storage::TrailHeads(study.database()), *station_, listed_, isOlderCopy);
+  }
+
+ private:
+  std::optional<storage::StationStore> station_;
+  storage::RecordedHeads listed_;
+  std::string whyNot_;
+};
 
 std::vector<std::string> remarksOn(Study& study) {
   try {
@@ -355,6 +374,7 @@ bool Verification::isSound() const noexcept {
 
 Verification verify(Study& study, const Progress& progress, const VerifyOptions& options) {
   constexpr double kChecksBeforeTraces = 10.0;
+  const NotedHere noted(study);  // before the snapshot, which then has all that was signed
   const ConsistentSnapshot moment(study);
   Verification result;
   const auto look = [&](const char* what,
@@ -378,7 +398,7 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   result.checks.back().remarks = remarksOn(study);
   look("every signature is of the events before it", signatures);
   look("the audit trail goes on from all that this station signed", [&](Study& of) {
-    return notedHere(of, options.isOlderCopy);
+    return noted.compareWith(of, options.isOlderCopy);
   });
   check("all data agree with the audit trail", contents);
   check("every answer is what the audit trail says", answers);

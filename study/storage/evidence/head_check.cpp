@@ -121,8 +121,12 @@ Findings checkHeads(
   return findings;
 }
 
-Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy) {
-  const auto [all, unsound] = readRecordedHeads(station, trail.study());
+Findings checkStation(
+    const TrailHeads& trail,
+    const StationStore& station,
+    const RecordedHeads& listed,
+    bool isOlderCopy) {
+  const auto& [all, unsound] = listed;
   const auto own = ownHeads(trail, all);
   const auto& noted = own.heads;
   if (!own.isKnown) {
@@ -149,9 +153,11 @@ Findings checkStation(const TrailHeads& trail, const StationStore& station, bool
         std::to_string(unsound) +
         " lines of this station's list are not what it wrote, and were left out");
   }
+  // A head is noted after its events were stored, so the list may have grown since.
+  const auto since = ownHeads(trail, readRecordedHeads(station, trail.study()).heads).heads;
   const auto unnoted = std::count_if(trail.all().begin(), trail.all().end(), [&](const auto& each) {
     return each.isSound && each.head.key == station.publicKey() &&
-           std::none_of(noted.begin(), noted.end(), [&](const auto& other) {
+           std::none_of(since.begin(), since.end(), [&](const auto& other) {
              return other.head.signature == each.head.signature;
            });
   });
@@ -162,8 +168,8 @@ Findings checkStation(const TrailHeads& trail, const StationStore& station, bool
   return findings;
 }
 
-std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore& station) {
-  const auto own = ownHeads(trail, readRecordedHeads(station, trail.study()).heads);
+std::vector<SignedHead> missingHeads(const TrailHeads& trail, const RecordedHeads& listed) {
+  const auto own = ownHeads(trail, listed.heads);
   std::vector<SignedHead> missing;
   for (const auto& [head, folder] : own.heads) {
     const bool isAccountedFor =

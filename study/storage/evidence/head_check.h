@@ -19,13 +19,19 @@ Findings checkHeads(
 /// this uuid, and the oldest of them has another first event, a different trail is reported, even
 /// if the station signed the present one later; not if this trail began, or was accepted on
 /// purpose, at the station.
+/// @param listed  the station's list, read before the trail: another program may sign events that
+///     came after @p trail was read
 /// @throws StorageError  if the station's list cannot be read
-Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy);
+Findings checkStation(
+    const TrailHeads& trail,
+    const StationStore& station,
+    const RecordedHeads& listed,
+    bool isOlderCopy);
 
 /// The heads that this station noted and that the trail neither contains nor lists as given up; all
 /// heads if the station's list begins with a different trail. A station signs a trail only if none
 /// is missing.
-/// @throws StorageError  if the station's list cannot be read
-std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore& station);
+/// @param listed  the station's list, read before the trail
+std::vector<SignedHead> missingHeads(const TrailHeads& trail, const RecordedHeads& listed);
 
 }  // namespace study::storage

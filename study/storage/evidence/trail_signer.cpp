@@ -34,7 +34,9 @@ bool explainsAnotherTrail(std::string_view purpose) {
 bool maySign(const Database& study, const StationStore& station, std::string_view purpose) {
   if (explainsAnotherTrail(purpose)) return true;
   try {
-    return missingHeads(TrailHeads(study), station).empty();
+    // Inside the transaction that signs, so that nothing is stored or signed meanwhile.
+    const TrailHeads trail(study);
+    return missingHeads(trail, readRecordedHeads(station, trail.study())).empty();
   } catch (const StorageError&) {
     return false;  // the station's list cannot be read
   }

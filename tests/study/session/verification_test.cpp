@@ -9,6 +9,7 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/export/export.h"
 #include "study/model/user_error.h"
+#include "study/session/backup.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
@@ -24,7 +25,26 @@ std::string problemsIn(const Verification& verification) {
   return text;
 }
 
-/// Simulated participants take part from the first check to the last.
+/// The control of the test below: files that are not read in the state of one moment are found to
+/// disagree, as soon as one person takes part between them.
+TEST(Verification, FindsThatFilesAreOfTwoMoments) {
+  tests::MadeStudy study;
+  const std::string early = study.scratch() / "early";
+  const std::string late = study.scratch() / "late";
+  const auto verified = [&] {
+    auto copy = Study::open(early, storage::Database::Access::ReadOnly);
+    return problemsIn(verify(copy, {}, {.isOlderCopy = true}));
+  };
+  backUp(study.folder(), early);
+  simulateCohorts(*study, study.clock, 1, 1, [](const auto&) {});
+  backUp(study.folder(), late);
+  EXPECT_EQ(verified(), "");
+  const auto replace = std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy_file(late + "/traces.db", early + "/traces.db", replace);
+  EXPECT_NE(verified(), "");
+}
+
+/// Simulated participants take part from the first check to the last, and the trail is signed.
 TEST(Verification, IsSoundWhileOthersTakePart) {
   constexpr int kMost = 8;
   tests::MadeStudy study;
@@ -32,11 +52,20 @@ TEST(Verification, IsSoundWhileOthersTakePart) {
   auto station = Study::open(study.folder(), clock);
   int people = 0;
   const auto takePart = [&](double, const std::string&) {
-    if (people < kMost) simulateCohorts(station, clock, ++people, 1, [](const auto&) {});
+    if (people >= kMost) return;
+    simulateCohorts(station, clock, ++people, 1, [](const auto&) {});
+    station.note(EventKind::UnblindedResults, "a reason");
   };
   takePart(0.0, {});
-  EXPECT_EQ(problemsIn(verify(*study, takePart)), "");
+  const auto verified = verify(*study, takePart);
+  EXPECT_EQ(problemsIn(verified), "");
+  for (const auto& check : verified.checks) {
+    for (const auto& remark : check.remarks) {
+      EXPECT_EQ(remark.find("not in its own list"), std::string::npos) << remark;
+    }
+  }
   EXPECT_EQ(people, kMost);
+  EXPECT_NE(study->events().headAsText(), verified.head);
   EXPECT_EQ(problemsIn(verify(*study)), "");
   // Nothing of it is left open: the study can be written.
   EXPECT_NO_THROW(Session::enrol(*study, {.cohort = "surgeons"}));

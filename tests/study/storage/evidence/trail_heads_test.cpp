@@ -66,7 +66,21 @@ TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
   EXPECT_TRUE(trail.belongsToPreviousTrail(before));
   EXPECT_TRUE(checkHeads(trail, {{before, "/"}}).problems.empty());
   const auto station = StationStore::find(StationStore::defaultFolder());
-  EXPECT_TRUE(checkStation(trail, *station, false).problems.empty());
+  const auto listed = readRecordedHeads(*station, study_->uuid());
+  EXPECT_TRUE(checkStation(trail, *station, listed, false).problems.empty());
+}
+
+TEST_F(TrailHeadsTest, ThatWereNotedAfterTheTrailWasReadAreNotMissed) {
+  const auto station = *StationStore::find(StationStore::defaultFolder());
+  const auto before = readRecordedHeads(station, study_->uuid());
+  const TrailHeads trail(study_->database());
+  signFor(EventKind::UnblindedResults);
+  EXPECT_TRUE(checkStation(trail, station, before, false).problems.empty());
+  EXPECT_TRUE(missingHeads(trail, before).empty());
+  // control: a list that was read afterwards has a head that the trail lacks
+  const auto after = readRecordedHeads(station, study_->uuid());
+  EXPECT_FALSE(checkStation(trail, station, after, false).problems.empty());
+  EXPECT_EQ(missingHeads(trail, after).size(), 1U);
 }
 
 TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
