@@ -180,8 +180,10 @@ bool IiwaDevice::waitForMessage(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
     auto received = socket_->receive(receiveBuffer_, std::max<std::int64_t>(left, 0));
-    constexpr int kBacklog = 256;  // most datagrams per call, so that a flood cannot block the loop
-    for (int i = 0; received; ++i) {
+    // Most datagrams until the time is looked at, so that a flood cannot block the loop: half of
+    // what a socket holds, and more than a robot sends until it is given up.
+    constexpr int kBacklog = 128;
+    for (int i = 1; received; ++i) {
       const bool hadNew = isNew_;
       if (take(*received, timing::now()) && hadNew) ++report_.skipped;
       if (i == kBacklog) break;
