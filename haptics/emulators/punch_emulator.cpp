@@ -111,7 +111,10 @@ std::int32_t PunchEmulator::counts() const noexcept {
 }
 
 void PunchEmulator::drive(std::int16_t millivolts) noexcept {
-  if (voltage_ != 0 && millivolts == 0 && forceOffAt_ == 0) forceOffAt_ = timing::now();
+  if (voltage_ != 0 && millivolts == 0) {
+    zeroAt_ = timing::now();
+    if (forceOffAt_ == 0) forceOffAt_ = zeroAt_;
+  }
   voltage_ = millivolts;
 }
 
@@ -191,7 +194,7 @@ std::string PunchEmulator::status() const {
       text.data(),
       text.size(),
       "device=%s plugged=%d armed=%d travel=%.4f force_n=%.4f voltage_mv=%d steps=%llu "
-      "let_go_ms=%.3f",
+      "let_go_ms=%.3f zero_at_ns=%lld",
       std::string(options_.kind->name).c_str(),
       line_.isPlugged() ? 1 : 0,
       program_->isArmed() ? 1 : 0,
@@ -199,7 +202,8 @@ std::string PunchEmulator::status() const {
       force(),
       voltage_,
       static_cast<unsigned long long>(steps_),
-      after.value_or(-1.0));
+      after.value_or(-1.0),
+      static_cast<long long>(zeroAt_));
   std::string all = text.data();
   const auto counts = impairment_.counts();
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {

@@ -84,8 +84,9 @@ class PunchEmulator {
   std::int64_t stalledSince_ = 0;
   std::int64_t mutedUntil_ = 0;
   std::int64_t faultAt_ = 0;
-  std::int64_t forceOffAt_ = 0;
-  bool hadForce_ = false;  // when the fault began, the motor had a voltage
+  std::int64_t forceOffAt_ = 0;  // after the fault
+  std::int64_t zeroAt_ = 0;      // when the motor's voltage became 0 last
+  bool hadForce_ = false;        // when the fault began, the motor had a voltage
   std::uint64_t steps_ = 0;
   std::array<std::uint8_t, 1024> input_{};
   std::size_t inputSize_ = 0;

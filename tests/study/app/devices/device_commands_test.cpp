@@ -192,6 +192,43 @@ TEST_F(PunchFaults, SwitchTheForceOffAndTheSessionContinues) {
   EXPECT_GE(laboratory_.events("device_fault").size(), 6U);
 }
 
+/// Milliseconds from @p at until the force on @p emulator was switched off; negative if it was not.
+double offAfter(Emulator& emulator, std::int64_t at) {
+  const auto zeroAt = [](const auto& told) { return std::stoll(told.at("zero_at_ns")); };
+  const auto status = statusWhen(emulator, [&](const auto& told) { return zeroAt(told) >= at; });
+  return 1e-6 * static_cast<double>(zeroAt(status) - at);
+}
+
+TEST_F(PunchFaults, SwitchTheForceOffWhenTheProgramIsFrozenOrKilled) {
+  auto participant = laboratory_.participant();
+  auto& punch = laboratory_.punch();
+  for (const int signal : {SIGSTOP, SIGKILL}) {
+    // After it was frozen, this also shows that the session goes on.
+    const auto why = whyNotFelt(punch, 0.5, *participant);
+    ASSERT_EQ(why, "") << signal;
+    const auto at = tests::monotonic();
+    participant->kill(signal);
+    const double after = offAfter(punch, at);
+    EXPECT_GT(after, 0.0) << signal;
+    EXPECT_LE(after, 50.0) << signal;
+    EXPECT_EQ(punch.status().at("voltage_mv"), "0") << signal;
+    if (signal == SIGSTOP) participant->kill(SIGCONT);
+  }
+}
+
+TEST_F(ArmFaults, SwitchTheForceOffWhenTheProgramIsKilled) {
+  constexpr double kElevenAnswers = 11 * 5.0;  // [ms]
+  auto participant = laboratory_.participant();
+  auto& iiwa = laboratory_.iiwa();
+  const auto why = whyNotFelt(iiwa, 5.0, *participant);
+  ASSERT_EQ(why, "");
+  const auto at = tests::monotonic();
+  participant->kill(SIGKILL);
+  const double after = offAfter(iiwa, at);
+  EXPECT_GT(after, 0.0);
+  EXPECT_LE(after, kElevenAnswers + 10.0) << "two periods go by before it is seen";
+}
+
 TEST_F(PunchFaults, ThatPersistEndTheSessionWithAnError) {
   auto participant = laboratory_.participant();
   const auto why = whyNotFelt(laboratory_.punch(), 0.5, *participant);
