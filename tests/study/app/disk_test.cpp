@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "study/session/verification.h"
 #include "tests/study/app/simulation.h"
 #include "tests/study/made_study.h"
+#include "tests/study/walk.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 
@@ -124,14 +126,17 @@ class NoSpaceTest : public DiskTest {
     if (!IsSkipped()) simulateOne();
   }
 
-  tests::Finished withoutSpace(const std::string& before, const std::vector<std::string>& command) {
+  tests::Finished withoutSpace(
+      const std::string& before,
+      const std::vector<std::string>& command,
+      const std::string& after = {}) {
     std::vector<std::string> call{tests::program()};
     call.insert(call.end(), command.begin(), command.end());
     return onASmallDisk(
         "16m",
         "cp -r '" + study_.folder() + "' '" + disk_ + "/study'; " + before + " cat /dev/zero > '" +
             disk_ + "/zeros' 2> /dev/null; if echo x > '" + disk_ +
-            "/one-more' 2> /dev/null; then exit 99; fi; " + asShell(call));
+            "/one-more' 2> /dev/null; then exit 99; fi; " + asShell(call) + after);
   }
 
   /// Commands that read a study, and write elsewhere.
@@ -172,6 +177,87 @@ TEST_F(NoSpaceTest, IsNotReadWithoutAnAnswerThatIsOnlyInTheLog) {
   const auto refused = withoutSpace(crash, {"study", "verify", disk_ + "/study"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.error.find("the disk is full"), std::string::npos) << refused.error;
+}
+
+/// A study in which somebody took part, on a disk without any free space: what names its conditions
+/// writes an event first.
+class NoSpaceForAnEventTest : public NoSpaceTest {
+ protected:
+  void SetUp() override {
+    {
+      auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+      tests::walkToTheEnd(session);
+    }
+    DiskTest::SetUp();  // closes the study
+  }
+
+  struct Unblinding {
+    std::vector<std::string> command;
+    std::string event;
+    std::string out;  ///< a file or folder that it writes
+  };
+  std::vector<Unblinding> unblindings() const {
+    const auto of = [&](std::vector<std::string> words, const std::string& out) {
+      for (const std::string word : {"--run-mode", "live", "--reason", "a full disk"}) {
+        words.push_back(word);
+      }
+      if (!out.empty()) words.insert(words.end(), {"--out", out});
+      return words;
+    };
+    const std::string study = disk_ + "/study";
+    const std::string out = study_.scratch() / "out";
+    const std::string page = study_.scratch() / "page.html";
+    return {
+        {of({"export", study, "--unblind"}, out), "unblinded_export", out},
+        {of({"report", study}, page), "unblinded_report", page},
+        {of({"stats", "run", study}, {}), "unblinded_results", {}}};
+  }
+
+  /// Runs a command, and keeps the study until the next call.
+  tests::Finished tried(const std::string& before, const Unblinding& unblinding) {
+    tests::forgetWhatWasSigned();  // each call goes on with the same study
+    fs::remove_all(after_);
+    fs::remove_all(unblinding.out);
+    return withoutSpace(
+        before,
+        unblinding.command,
+        "; status=$?; rm '" + disk_ + "/zeros'; cp -r '" + disk_ + "/study' '" + after_ +
+            "'; exit $status");
+  }
+
+  /// How many events of that kind the kept study has; -1 if it is damaged.
+  int eventsAfterwards(const std::string& kind) const {
+    auto study = Study::open(after_);
+    if (!verify(study).isSound()) return -1;
+    const auto events = study.events().read();
+    return static_cast<int>(std::count_if(
+        events.begin(), events.end(), [&](const auto& event) { return event.name() == kind; }));
+  }
+
+  std::string after_ = study_.scratch() / "after";
+};
+
+TEST_F(NoSpaceForAnEventTest, IsUnblindedFromTheReservedSpace) {
+  for (const auto& unblinding : unblindings()) {
+    const auto done = tried("", unblinding);
+    EXPECT_EQ(done.status, 0) << unblinding.event << "\n" << done.error;
+    EXPECT_EQ(eventsAfterwards(unblinding.event), 1) << unblinding.event;
+    EXPECT_TRUE(unblinding.out.empty() || fs::exists(unblinding.out)) << unblinding.out;
+  }
+}
+
+TEST_F(NoSpaceForAnEventTest, IsNotUnblindedWhereTheEventHasNoRoomAndSaysWhatToDo) {
+  const std::string useUp = "rm '" + disk_ + "/study/ballast';";
+  for (const auto& unblinding : unblindings()) {
+    const auto refused = tried(useUp, unblinding);
+    EXPECT_EQ(refused.status, 1) << unblinding.event;
+    EXPECT_EQ(refused.out.find("Kalman"), std::string::npos) << refused.out;
+    EXPECT_NE(
+        refused.error.find("the disk is full. Free some space and try again"), std::string::npos)
+        << refused.error;
+    EXPECT_EQ(eventsAfterwards(unblinding.event), 0) << unblinding.event;
+    EXPECT_FALSE(fs::exists(unblinding.out)) << unblinding.out;
+  }
 }
 
 /// Other file systems cannot be mounted here: a list of mounts is put before the kernel's.
