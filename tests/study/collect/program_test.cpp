@@ -6,6 +6,7 @@
 #include "study/session/erasure.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/support/child_process.h"
+#include "tests/support/long_form.h"
 
 namespace program_test {
 
@@ -73,6 +74,47 @@ TEST_F(CollectProgram, ShowsAnOperatorTheStationsOfTheOwnSiteAlone) {
   expectWords(said, "oslo ");
   EXPECT_EQ(said.find("bergen"), std::string::npos) << said;
   expectWords(call({"status"}), "bergen ");  // the control: the owner sees all
+}
+
+/// A push of the program is killed at the n-th call of one system call: what it sends, receives and
+/// stores. Pushes that are killed at any time are in collection_test.cpp.
+TEST_F(CollectProgram, ThatIsKilledAtASystemCallOfAPushLosesAndDoublesNothing) {
+  const auto tried = tests::run({"strace", "-o", scratch_ / "tried", "true"});
+  if (tried.status != 0) GTEST_SKIP() << "strace is missing or not permitted: " << tried.error;
+  const std::vector<std::string> calls{"sendto", "recvfrom", "poll", "fdatasync", "pwrite64"};
+  const int pushes = tests::inLongForm(200, 15);
+  addStation("oslo");
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  int killed = 0;
+  for (int i = 0; i < pushes; ++i) {
+    const auto kind = static_cast<std::size_t>(i) % calls.size();
+    if (kind == 0) runSession("oslo");
+    const int number = 1 + 7 * i % 23;
+    const auto inject = fmt::format("inject={}:signal=KILL:when={}", calls[kind], number);
+    const auto finished = tests::run(
+        {"strace",
+         "-f",
+         "-o",
+         "/dev/null",
+         "-e",
+         inject,
+         program / "palpate-collect",
+         "push",
+         folderOf("oslo"),
+         "--server",
+         way(database()) + " user=station_oslo"},
+        {"PALPATE_STATION=" + (scratch_ / "account-oslo"), "ASAN_OPTIONS=detect_leaks=0"});
+    if (finished.status != 0) ++killed;
+    if (finished.status > 0) EXPECT_EQ(finished.error, "") << inject;
+    const auto events = admin().query("SELECT count(*), coalesce(max(seq), 0) FROM palpate.event");
+    EXPECT_EQ(events.number(0, 0), events.number(0, 1)) << inject << ": a gap, or one twice";
+  }
+  EXPECT_GT(killed, pushes / 3) << "the control: pushes were killed";
+  EXPECT_NE(contentOfServer(), contentOf({})) << "the control: something had arrived";
+  const auto last = push("oslo").have;
+  EXPECT_EQ(admin().query("SELECT count(*) FROM palpate.event").number(0, 0), last);
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(incidents(), std::vector<std::string>());
 }
 
 TEST_F(CollectProgram, SaysWhatTheServersLogIsMissing) {
