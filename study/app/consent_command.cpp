@@ -8,6 +8,7 @@
 #include "study/app/paint_figures.h"
 #include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
+#include "study/session/unblinding.h"
 
 namespace study::app {
 namespace {
@@ -21,6 +22,7 @@ struct ConsentArguments {
 int copyConsent(const ConsentArguments& options) {
   auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
   const auto html = report::consentCopy(study, options.participant, htmlOf);
+  recordConsentCopy(study, options.participant);
   const bool isPdf = std::filesystem::path(options.out).extension() == ".pdf";
   writeNewFile(options.out, isPdf ? pdfOf(html, study.protocol().protocol.study.title) : html);
   fmt::print("{} is for {} to keep.\n", options.out, options.participant);

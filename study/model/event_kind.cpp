@@ -45,6 +45,7 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"sealed_names"},
     EventFacts{
         "copied_forms", {"{forms} forms of the library", "forms", "{forms} form of the library"}},
+    EventFacts{"copied_consent", {"of {participant}"}},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

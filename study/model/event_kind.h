@@ -37,6 +37,7 @@ enum class EventKind {
   TimeStamped,    ///< a time-stamp authority stamped an earlier signature
   SealedNames,    ///< names were sealed with a passphrase, or with a new one; with the reason
   CopiedForms,    ///< forms of the library were copied into a study of an older release
+  CopiedConsent,  ///< a copy of a participant's consent form was written
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

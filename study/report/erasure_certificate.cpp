@@ -105,6 +105,12 @@ class CertificateRows {
   }
 
   std::string leftOf(const KnownCopy& copy) const {
+    if (copy.folder.empty()) {
+      return words_.say(
+          "the consent form, of {}; where it was saved is not noted, because files may be named "
+          "after people",
+          copy.madeUtc);
+    }
     return copy.folder + (copy.madeUtc.empty() ? "" : words_.say(", of {}", copy.madeUtc)) +
            (copy.isThere ? "" : " " + words_("(not there any more)"));
   }

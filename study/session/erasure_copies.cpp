@@ -172,7 +172,8 @@ std::vector<KnownCopy> knownCopies(Study& study) {
   return copies;
 }
 
-std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& done) {
+std::vector<KnownCopy> copiesLeft(
+    Study& study, const std::vector<ErasedCopy>& done, const std::string& participant) {
   auto known = knownCopies(study);
   std::erase_if(known, [&](const KnownCopy& copy) {
     return std::any_of(done.begin(), done.end(), [&](const ErasedCopy& other) {
@@ -180,6 +181,15 @@ std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& d
       return copy.folder == other.folder || fs::equivalent(copy.folder, other.folder, ignored);
     });
   });
+  for (const auto& event : study.events().read()) {
+    if (event.kind != EventKind::CopiedConsent) continue;
+    if (textIn(event, "participant") != participant) continue;
+    known.push_back(
+        {.folder = {},
+         .what = std::string(event.name()),
+         .madeUtc = asUtc(event.when.wall),
+         .isThere = true});
+  }
   return known;
 }
 

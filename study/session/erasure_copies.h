@@ -10,7 +10,8 @@ namespace study {
 
 /// A copy of the study's data that the program made.
 struct KnownCopy {
-  std::string folder;   ///< path at the time of copying; of a file or a folder
+  /// Path at the time of copying, of a file or a folder; empty for a copy of a consent form.
+  std::string folder;
   std::string what;     ///< name of the kind of event: "made_backup", "exported"
   std::string madeUtc;  ///< empty if the copy was found in the study's folder, without an event
   bool isThere = false;
@@ -25,8 +26,7 @@ struct KnownCopy {
 };
 
 /// Backups, exports and reports that the audit trail lists, and the content of the folder `exports`
-/// in the study's folder. Copies that were moved are not found. Copies of consent forms are not
-/// listed in the trail, because their file names may name people and the trail is never deleted.
+/// in the study's folder. Copies that were moved are not found.
 std::vector<KnownCopy> knownCopies(Study& study);
 
 /// The result of eraseFromCopy().
@@ -43,8 +43,10 @@ struct ErasedCopy {
   std::vector<std::string> filesWithTexts;
 };
 
-/// The known copies that are not in @p done, which also has those where an erasure failed.
-std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& done);
+/// The known copies that are not in @p done, which also has those where an erasure failed, and the
+/// copies of the consent form of @p participant (recordConsentCopy()).
+std::vector<KnownCopy> copiesLeft(
+    Study& study, const std::vector<ErasedCopy>& done, const std::string& participant);
 
 /// Erases a participant from a copy of the study: from a backup, or by deleting an export or the
 /// file of a report. Failures are reported in the result and not thrown, because the participant is

@@ -5,6 +5,21 @@
 
 namespace study {
 
+namespace {
+
+/// Appends an event, unless the study cannot be written: a full disk must not prevent the user from
+/// writing a report, an export or a copy.
+void noteIfPossible(Study& study, const storage::Event& event) {
+  try {
+    if (study.isWritable()) return study.note(event);
+    Study::open(study.folder(), study.clock()).note(event);
+  } catch (const storage::StorageError&) {
+    return;
+  }
+}
+
+}  // namespace
+
 void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode == RunMode::Simulated) return;
   const bool isOpen = study.protocol().protocol.isOpenLabel;
@@ -33,13 +48,15 @@ void recordReportPath(
           {"run_mode", std::string(nameOf(mode))},
           {"folder", pathForAuditTrail(path)}}};
   if (!content.empty()) event.values.emplace_back("fingerprint", fingerprintOf(study, content));
-  try {
-    if (study.isWritable()) return study.note(event);
-    Study::open(study.folder(), study.clock()).note(event);
-  } catch (const storage::StorageError&) {
-    return;  // a full disk must not prevent the user from writing a report, or an export, of the
-             // data
-  }
+  noteIfPossible(study, event);
+}
+
+void recordConsentCopy(Study& study, const std::string& participant) {
+  noteIfPossible(
+      study,
+      {.actor = storage::Actor::Operator,
+       .kind = EventKind::CopiedConsent,
+       .values = {{"participant", participant}}});
 }
 
 std::string fingerprintOf(Study& study, std::string_view content) {

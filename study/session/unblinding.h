@@ -31,6 +31,11 @@ void recordReportPath(
     const std::filesystem::path& path,
     std::string_view content = {});
 
+/// Notes in the audit trail that a copy of a participant's consent form will be written, so that
+/// copiesLeft() lists it for their erasure. Where it is written is not noted: the name of a file
+/// may name a person, and the trail is never deleted.
+void recordConsentCopy(Study& study, const std::string& participant);
+
 /// A hash of a file that the program writes; keyed with the study's key if conditions are sealed.
 /// With an unkeyed hash, readers of the audit trail could compute the report for each possible
 /// order and recognise the true one.

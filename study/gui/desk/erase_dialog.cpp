@@ -143,7 +143,7 @@ report::ErasureCertificate EraseDialog::erase() const {
     certificate.copies.push_back(eraseFromCopy(
         copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));
   }
-  certificate.left = copiesLeft(study, certificate.copies);
+  certificate.left = copiesLeft(study, certificate.copies, certificate.report.erasure.participant);
   if (const auto path = certificate_->path(); !path.isEmpty()) {
     const auto words = words::wordsIn(language_->currentData().toString().toStdString());
     writeNewFile(path.toStdString(), fileOf(certificate, words, path));

@@ -11,6 +11,7 @@
 #include "study/report/consent_copy.h"
 #include "study/report/marked_text.h"
 #include "study/report/pdf_report.h"
+#include "study/session/unblinding.h"
 
 namespace study::gui {
 
@@ -18,6 +19,7 @@ void writeConsentCopy(Study& study, const std::string& participant, const std::s
   const auto html = report::consentCopy(study, participant, [](const std::string& text) {
     return report::asHtml(QString::fromStdString(text)).toStdString();
   });
+  recordConsentCopy(study, participant);
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
   const auto& title = study.protocol().protocol.study.title;
   writeNewFile(path, isPdf ? report::asPdf(html, title) : html);

@@ -39,6 +39,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::TimeStamped, "time_stamped"},
     {EventKind::SealedNames, "sealed_names"},
     {EventKind::CopiedForms, "copied_forms"},
+    {EventKind::CopiedConsent, "copied_consent"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},

@@ -25,7 +25,9 @@ ErasureCertificate certificate() {
       {.folder = "/disk/other",
        .outcome = ErasedCopy::Outcome::Failed,
        .whyNot = "It is another."}};
-  certificate.left = {{.folder = "/gone", .what = "made_backup", .madeUtc = "2026-11-21"}};
+  certificate.left = {
+      {.folder = "/gone", .what = "made_backup", .madeUtc = "2026-11-21"},
+      {.folder = {}, .what = "copied_consent", .madeUtc = "2026-11-22", .isThere = true}};
   return certificate;
 }
 
@@ -39,7 +41,8 @@ TEST(ErasureCertificate, TellsWhatWasErasedAndWhatIsLeft) {
         "/disk/monday: erased",
         "/disk/table: an export, removed",
         "/disk/other: NOT ERASED. It is another.",
-        "/gone, of 2026-11-21 (not there any more)"}) {
+        "/gone, of 2026-11-21 (not there any more)",
+        "the consent form, of 2026-11-22; where it was saved is not noted"}) {
     EXPECT_NE(text.find(said), std::string::npos) << said << "\n" << text;
   }
 }

@@ -394,6 +394,26 @@ TEST_F(CopiedStudy, IsRemovedIfItIsAReportThatTheAuditTrailKnows) {
   }
 }
 
+TEST_F(CopiedStudy, ListsEachCopyThatWasMadeAndNotNamed) {
+  exportStudy(*study_, study_.scratch() / "table", {.runMode = RunMode::Live});
+  recordReportPath(*study_, RunMode::Live, "report", study_.scratch() / "report.html", kSentinel);
+  for (const auto* participant : {"P001", "P002"}) recordConsentCopy(*study_, participant);
+  const auto report = eraseThem();
+  const auto listed = [&](const std::vector<ErasedCopy>& done) {
+    std::vector<std::string> copies;
+    for (const auto& copy : copiesLeft(*study_, done, "P001")) {
+      copies.push_back(copy.what + " " + fs::path(copy.folder).filename().string());
+    }
+    return copies;
+  };
+  using Copies = std::vector<std::string>;
+  const std::string backup = "made_backup " + fs::path(copy_).filename().string();
+  EXPECT_EQ(
+      listed({}), (Copies{backup, "exported table", "exported report.html", "copied_consent "}));
+  const auto done = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
+  EXPECT_EQ(listed({done}), (Copies{"exported table", "exported report.html", "copied_consent "}));
+}
+
 TEST_F(ErasureTest, FingerprintsOfReportsTellNothingWithoutTheKeyOfTheStudy) {
   storage::Hasher open;
   open.add("the report of each order that can be");

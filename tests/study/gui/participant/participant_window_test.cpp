@@ -23,6 +23,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/trial_page.h"
+#include "study/session/erasure_copies.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/visible_words.h"
 #include "tests/study/known_secret.h"
@@ -423,6 +424,9 @@ TEST_F(OptionalTrialPages, WriteACopyOfTheConsentOnRequest) {
   std::string head(5, ' ');
   file.read(head.data(), 5);
   EXPECT_EQ(head, "%PDF-");
+  const auto left = copiesLeft(study_, {}, code);
+  ASSERT_EQ(left.size(), 1U) << "an erasure has to list it";
+  EXPECT_EQ(left[0].what, "copied_consent");
   EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "the file exists";
 }
 
