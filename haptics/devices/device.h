@@ -52,6 +52,7 @@ struct LinkReport {
   std::uint64_t damaged = 0;   ///< messages with a wrong checksum or format
   std::uint64_t foreign = 0;   ///< messages from another sender
   std::uint64_t restarts = 0;  ///< the device restarted its counter
+  std::uint64_t leaps = 0;     ///< changes of position that are too fast for any hand
   /// Messages that were read together with a newer one, because the host was late.
   std::uint64_t skipped = 0;
   std::uint64_t stale = 0;    ///< ticks without a new sample
@@ -99,6 +100,7 @@ struct DeviceSample {
   double turn = 0.0;
   bool isDeadManHeld = true;  ///< the dead-man switch is held, or the device has no such switch
   bool isReamerOn = true;     ///< the reamer's switch or pedal is pressed, or the device has none
+  std::uint32_t leaps = 0;    ///< LinkReport::leaps until this sample
   /// Time of measurement on the device's clock [ns]; 0: the device has no clock.
   std::int64_t deviceTime = 0;
   /// Time of arrival on CLOCK_MONOTONIC [ns]; 0: not transmitted (simulated)

@@ -61,6 +61,7 @@ void ForceEngine::setScene(CompiledScene* scene) noexcept {
 bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const devices::DeviceSample seen = device_.read(dt);
   sample.status = seen.status;
+  sample.leaps = seen.leaps;
   const bool isNumber =
       std::isfinite(seen.travel) && std::isfinite(seen.velocity) && std::isfinite(seen.turn);
   const bool isMeasured = seen.status == devices::DeviceStatus::Ok && isNumber;

@@ -80,7 +80,8 @@ struct TickSample {
   std::uint8_t marks = None;
   /// The landmark of a cut that this tick detected.
   models::CutDetector<double>::Event landmark = models::CutDetector<double>::Event::Nothing;
-  std::uint32_t cuts = 0;  ///< number of cuts completed since the scene was set
+  std::uint32_t leaps = 0;  ///< DeviceSample::leaps
+  std::uint32_t cuts = 0;   ///< number of cuts completed since the scene was set
 };
 
 }  // namespace haptics::engine

@@ -118,6 +118,7 @@ base::NamedArguments valuesOf(const haptics::devices::LinkReport& link) {
   add("trip_max_us", link.roundTrip.largest());
   add("clock_offset_ns", link.clockOffset);
   if (link.drift) add("drift_ppm", *link.drift);
+  if (link.leaps > 0) add("leaps", link.leaps);
   return values;
 }
 
@@ -156,6 +157,12 @@ TrialRecord::Judgement TrialRecord::judgement() const {
         Verdict::Warn,
         message(
             "trial.wire_faults", link.lost, link.doubled, link.late, link.damaged, link.foreign));
+  }
+  if (link.leaps > 0) {
+    found(
+        Verdict::Warn,
+        link.leaps == 1 ? message("trial.leaps.one", link.leaps)
+                        : message("trial.leaps", link.leaps));
   }
   if (link.clipped > 0) {
     found(

@@ -86,6 +86,7 @@ Row rowIn(const Statement& statement) {
 
 constexpr std::string_view kLimitCycle =
     ", at rest the force alternates by {limit_cycle_n:.3g} N at {limit_cycle_hz:.4g} Hz";
+constexpr std::string_view kLeaps = ", leaps of the position {leaps}";
 constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
 
 /// @throws StorageError  if @p words are not valid UTF-8, because they could not be exported.
@@ -264,6 +265,7 @@ std::string describe(const Event& event) {
   try {
     std::string words = base::filled(isOne ? pattern.ofOne : pattern.english, event.values);
     if (event.value("drift_ppm") != nullptr) words += base::filled(kDrift, event.values);
+    if (event.value("leaps") != nullptr) words += base::filled(kLeaps, event.values);
     if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
     return words;
   } catch (const std::runtime_error&) {

@@ -16,6 +16,7 @@ using timing::kMicrosecond;
 using timing::kMillisecond;
 
 constexpr std::int64_t kSilenceTimeout = 50 * kMillisecond;
+constexpr std::uint64_t kToleratedLeaps = 2;  // one wrong position: a leap there, and one back
 constexpr std::int64_t kHelloTimeout =
     3000 * kMillisecond;  // QEMU checks for a client once a second
 constexpr std::int64_t kHelloInterval = 200 * kMillisecond;
@@ -141,6 +142,7 @@ void PunchDevice::beginForces() noexcept {
   sequence_ = {};
   damagedBefore_ = decoder_.damaged();
   isNew_ = false;
+  hasTravel_ = false;
   armedAt_ = hostTime_ = timing::now();
   send(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
 }
@@ -215,10 +217,19 @@ void PunchDevice::handleState(const Frame& frame, std::int64_t at) noexcept {
     const std::int64_t sent = sentAt_[state.echo % sentAt_.size()];
     report_.roundTrip.add(1e-3 * static_cast<double>(at - sent));
   }
+  const double before = travel();
   state_ = state;
+  if (std::exchange(hasTravel_, true)) countLeap(before, 1e-6 * static_cast<double>(since));
   hostTime_ = at;
   isNew_ = true;
   ++report_.received;
+}
+
+/// Counts a change of travel within @p seconds that no hand can make. Messages are at least a
+/// period apart; times that are closer are imprecise.
+void PunchDevice::countLeap(double before, double seconds) noexcept {
+  const double apart = std::max(seconds, 1.0 / capabilities_.rate);
+  if (std::abs(travel() - before) > settings_.kind->travel.fastest * apart) ++report_.leaps;
 }
 
 /// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have
@@ -238,8 +249,9 @@ DeviceSample PunchDevice::read(double) noexcept {
   drain();
   const DeviceSample sample{
       .status = isNew_ ? DeviceStatus::Ok : DeviceStatus::Stale,
-      .travel = settings_.travelAtZero + settings_.travelPerCount * state_.counts,
+      .travel = travel(),
       .velocity = settings_.travelPerCount * state_.velocity,
+      .leaps = static_cast<std::uint32_t>(report_.leaps),
       .deviceTime = 1000 * deviceTime_,
       .hostTime = hostTime_};
   if (!isNew_) {
@@ -251,9 +263,12 @@ DeviceSample PunchDevice::read(double) noexcept {
   isNew_ = false;
   isUnanswered_ = true;
   const std::uint8_t faults = relevantFaults();
-  if (faults == 0 && settings_.kind->serial.isPlausibleTravel(sample.travel)) return sample;
+  const bool isPlausible = settings_.kind->serial.isPlausibleTravel(sample.travel);
+  const bool leaps = report_.leaps > kToleratedLeaps;
+  if (faults == 0 && isPlausible && !leaps) return sample;
   fail(
-      faults == 0                     ? "it is where it cannot be: its encoder has lost count"
+      faults == 0 && !isPlausible     ? "it is where it cannot be: its encoder has lost count"
+      : faults == 0                   ? "its position leaps: check the encoder's cable"
       : (faults & kDriverFault) != 0  ? "the motor's driver reports a fault"
       : (faults & kEncoderFault) != 0 ? "its encoder jumps"
       : (faults & kTooFast) != 0      ? "it moves faster than any hand"

@@ -83,6 +83,10 @@ class PunchDevice final : public WireDevice {
     if (!port_.write({bytes.data(), count}) && port_.isOpen()) ++report_.unsent;
   }
   std::uint8_t relevantFaults() const noexcept;
+  double travel() const noexcept {
+    return settings_.travelAtZero + settings_.travelPerCount * state_.counts;
+  }
+  void countLeap(double before, double seconds) noexcept;
 
   PunchSettings settings_;
   SerialPort port_;
@@ -99,6 +103,7 @@ class PunchDevice final : public WireDevice {
   wire::punch::State state_;
   std::int64_t armedAt_ = 0;         // [ns]
   std::uint32_t damagedBefore_ = 0;  // damaged frames when counting began
+  bool hasTravel_ = false;           // a State message arrived since forces began
 
   std::uint16_t nextSequence_ = 0;
   std::uint16_t lastEcho_ = 0;  // last sequence number of the host that the device acknowledged

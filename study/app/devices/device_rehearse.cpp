@@ -115,8 +115,12 @@ std::string terminalTextOf(const storage::Event& event) {
       "unsent {unsent}, clipped {clipped}, expired {expired}; round trip p50 {trip_p50_us:.0f} "
       "us, p99 {trip_p99_us:.0f} us, largest {trip_max_us:.0f} us";
   std::string words = base::filled(kLink, event.values);
-  if (event.value("drift_ppm") == nullptr) return words;
-  return words + base::filled(", drift {drift_ppm:+.2f} ppm", event.values);
+  const auto add = [&](std::string_view value, std::string_view pattern) {
+    if (event.value(value) != nullptr) words += base::filled(pattern, event.values);
+  };
+  add("drift_ppm", ", drift {drift_ppm:+.2f} ppm");
+  add("leaps", ", leaps of the position {leaps}");
+  return words;
 }
 
 void printLinks(Study& study) {

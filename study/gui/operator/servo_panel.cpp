@@ -142,17 +142,22 @@ void ServoPanel::showTimingStatus() {
     return light_->setText(tr("No trial is running."));
   }
   const auto saturated = health_.saturatedTicks();
+  const auto leaps = health_.leaps();
   QString words;
   if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
     setRole(*light_, "bad");
     words = tr("✖ Timing: poor (%1 of %2 ticks late)").arg(late).arg(ticks);
   } else {
-    setRole(*light_, late > 0 || saturated > 0 ? "warn" : "good");
+    setRole(*light_, late > 0 || saturated > 0 || leaps > 0 ? "warn" : "good");
     words = late > 0 ? tr("▲ Timing: fair (%1 of %2 ticks late)").arg(late).arg(ticks)
                      : tr("● Timing: good (none of %1 ticks late)").arg(ticks);
   }
   if (saturated > 0) {
     words += QStringLiteral(" · ") + tr("force at its limit in %1 ticks").arg(saturated);
+  }
+  if (leaps > 0) {
+    words += QStringLiteral(" · ") +
+             tr("leaps of the position: %1, check the encoder's cable").arg(leaps);
   }
   light_->setText(words);
 }

@@ -16,6 +16,7 @@ void ServoHealth::add(const haptics::engine::TickSample& sample) {
   ++ticks_;
   if ((sample.interventions & ForceLimiter::Saturated) != 0) ++saturated_;
   if ((sample.marks & TickSample::Invalid) != 0) ++invalid_;
+  leaps_ = std::max(leaps_, sample.leaps);  // 0 in samples of a device that has failed
   energy_ = sample.energy;
   leastEnergy_ = std::min(leastEnergy_, sample.energy);
 }

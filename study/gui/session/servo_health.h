@@ -29,6 +29,8 @@ class ServoHealth {
   double saturatedShare() const noexcept { return share(saturated_); }
   /// The share of ticks without a measurement from the device, 0 … 1.
   double invalidShare() const noexcept { return share(invalid_); }
+  /// Changes of position that are too fast for any hand.
+  std::uint32_t leaps() const noexcept { return leaps_; }
   /// The energy absorbed in the current contact, and the smallest value since the start. A negative
   /// value means that the contact released more energy than it received. [N·device's travel unit]
   double energy() const noexcept { return energy_; }
@@ -44,6 +46,7 @@ class ServoHealth {
   std::uint64_t ticks_ = 0;
   std::uint64_t saturated_ = 0;
   std::uint64_t invalid_ = 0;
+  std::uint32_t leaps_ = 0;
   double energy_ = 0.0;
   double leastEnergy_ = 0.0;
 };

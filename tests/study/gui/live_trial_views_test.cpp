@@ -157,6 +157,22 @@ TEST(ServoPanel, SaysInTheSameLineThatTheForceWasAtItsLimit) {
   EXPECT_LT(light->minimumSizeHint().width(), 300) << "it leaves room in a narrow window";
 }
 
+TEST(ServoPanel, SaysInTheSameLineThatThePositionLeapt) {
+  ServoPanel panel;
+  const auto* light = panel.findChild<QLabel*>(QStringLiteral("timing"));
+  panel.begin(haptics::devices::punchKind(), 1000.0);
+  for (const std::uint32_t leaps : {0U, 1U, 2U, 0U}) {
+    auto sample = sampleAt(1, 5.0, 1.0);
+    sample.leaps = leaps;
+    panel.add(sample);
+  }
+  panel.refresh();
+  EXPECT_TRUE(light->text().endsWith(
+      QStringLiteral(" · leaps of the position: 2, check the encoder's cable")))
+      << light->text().toStdString();
+  EXPECT_EQ(light->property("role").toString(), QStringLiteral("warn"));
+}
+
 TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
   CutTable table;
   const auto shown = [&] {

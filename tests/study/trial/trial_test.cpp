@@ -56,6 +56,22 @@ class TrialTest : public testing::Test {
   std::vector<std::vector<TraceSample>> chunks_;
 };
 
+TEST_F(TrialTest, WarnsOfLeapsOfThePositionAndRecordsThem) {
+  Trial trial(device_, setup());
+  auto record = runOffline(trial, 3, 60.0);
+  const auto link = [&] {
+    return storage::describe({.kind = EventKind::DeviceLink, .values = valuesOf(record.link)});
+  };
+  EXPECT_FALSE(says(record.judgement(), "trial.leaps"));
+  EXPECT_EQ(link().find("leaps"), std::string::npos) << link();
+  record.link.leaps = 2;
+  EXPECT_EQ(record.judgement().verdict, Verdict::Warn);
+  EXPECT_TRUE(says(record.judgement(), "trial.leaps"));
+  EXPECT_TRUE(link().ends_with(", leaps of the position 2")) << link();
+  record.link.leaps = 1;
+  EXPECT_TRUE(says(record.judgement(), "trial.leaps.one"));
+}
+
 TEST_F(TrialTest, IsStoredCompletelyInChunksOfASecond) {
   Trial trial(device_, setup());
   const auto record = runOffline(trial, 3, 60.0);

@@ -40,6 +40,7 @@ constexpr int kHonestTicks = 300;  // a hand closes it, and a force comes on
 constexpr int kTicks = 300;        // of lies
 constexpr int kTries = 5;  // a computer may be too busy for a device, which is given up then
 constexpr double kRounding = 1e-9;
+constexpr const char* kLeaps = "its position leaps";
 constexpr const char* kSilent = "has sent nothing for 50 ms";
 
 /// A board of which each turn of a millisecond can be a lie.
@@ -207,9 +208,17 @@ const Attack kAttacks[] = {
        b.sayBytes(bytes);
      },
      kSilent},
-    {"Leap", [](auto& b, int t) { b.sayState(t % 100 < 50 ? 0.0 : kMostTravel); }, "", true},
-    {"Alternating", [](auto& b, int t) { b.sayState(t % 2 == 0 ? 0.0 : kMostTravel); }, "", true},
-    {"Noise", [](auto& b, int) { b.sayState(kMostTravel * b.random.uniform()); }, "", true},
+    {"Leap", [](auto& b, int t) { b.sayState(t % 100 < 50 ? 0.0 : kMostTravel); }, kLeaps, true},
+    {"OneLeap",
+     [](auto& b, int t) {
+       const double elsewhere = std::fmod(b.travel() + 0.5 * kMostTravel, kMostTravel);
+       b.sayState(t == 50 ? elsewhere : b.travel());
+     }},
+    {"Alternating",
+     [](auto& b, int t) { b.sayState(t % 2 == 0 ? 0.0 : kMostTravel); },
+     kLeaps,
+     true},
+    {"Noise", [](auto& b, int) { b.sayState(kMostTravel * b.random.uniform()); }, kLeaps, true},
     {"HugeVelocity",
      [](auto& b, int t) { b.sayVelocity(t % 2 == 0 ? 2'147'483'647 : -2'147'483'647); }},
     {"HugePosition", [](auto& b, int) { b.sayCounts(2'147'483'647); }, "where it cannot be"},
@@ -221,6 +230,7 @@ struct Told {
   bool isFinite = true;
   bool isLetGo = true;  // once it was given up
   int mostOnWire = 0;   // [mV]
+  std::uint64_t leaps = 0;
   std::string fault;
 };
 
@@ -260,6 +270,7 @@ Told attacked(const Attack& attack, bool hasEngine) {
     if (isGone && force != 0.0) told.isLetGo = false;
     before = force;
   }
+  told.leaps = device.link().leaps;
   told.fault = device.fault();
   told.mostOnWire = board.mostTold();
   return told;
@@ -283,6 +294,18 @@ TEST(HostilePunch, IsNeverToldAnUnsafeForce) {
     EXPECT_TRUE(isExpected(attack, told)) << told.fault;
     EXPECT_GT(told.most, 0.1 * kLimits.maxForce) << "there was nothing to lose";
     EXPECT_GT(told.mostOnWire, 0);
+  }
+}
+
+TEST(HostilePunch, CountsLeapsThatItTolerates) {
+  for (const auto& attack : kAttacks) {
+    if (std::string(attack.name) != "OneLeap" && std::string(attack.name) != "Flood") continue;
+    Told told;
+    for (int i = 0; i < kTries && (i == 0 || !told.fault.empty()); ++i) {
+      told = attacked(attack, true);
+    }
+    EXPECT_EQ(told.fault, "") << attack.name;
+    EXPECT_EQ(told.leaps, std::string(attack.name) == "OneLeap" ? 2U : 0U) << attack.name;
   }
 }
 
