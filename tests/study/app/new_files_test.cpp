@@ -9,6 +9,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
 
 namespace new_files_test {
 
@@ -17,9 +18,9 @@ using Words = std::vector<std::string>;
 
 class NewFiles : public testing::Test {
  protected:
-  /// Runs the program where new files are otherwise readable for everybody.
+  /// Runs the program where new files are otherwise readable and writable for everybody.
   void palpate(const std::string& words, const std::string& under = {}) {
-    const std::string call = "umask 022; cd '" + folder_.path().string() + "' && " + under + " '" +
+    const std::string call = "umask 000; cd '" + folder_.path().string() + "' && " + under + " '" +
                              tests::program() + "' " + words;
     const auto finished = tests::run({"sh", "-c", call}, {"ASAN_OPTIONS=detect_leaks=0"});
     ASSERT_EQ(finished.status, 0) << words << "\n" << finished.error;
@@ -58,6 +59,24 @@ TEST_F(NewFiles, AreForTheirOwnerAlone) {
   EXPECT_EQ(openToOthers(), Words{folder_ / "report.html"});
 }
 
+TEST_F(NewFiles, ThatAreHandedOutAreForTheirOwnerAlone) {
+  const auto protocol = (tests::repository() / "tests/attack/one-tissue.json").string();
+  palpate("study create study --protocol '" + protocol + "'");
+  palpate("study run study --run-mode live", R"(printf 'yes\nno\nAda\n\n3\n' |)");
+  palpate("study consent study --participant P001 --out consent.html");
+  palpate("study consent study --participant P001 --out consent.pdf");
+  palpate("study key export study --reason test --out key.txt");
+  palpate("study backup study --out copy");
+  palpate("instrument wording sus --language en --out wording.json");
+  palpate(
+      "study erase study --participant P001 --reason test --also copy "
+      "--certificate erased.txt --certificate erased.pdf");
+  EXPECT_EQ(openToOthers(), Words{});
+  for (const auto* name : {"consent.html", "consent.pdf", "key.txt", "erased.txt", "erased.pdf"}) {
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  }
+}
+
 /// The calls of the program that make, name or flush files.
 class TracedFiles : public NewFiles {
  protected:
@@ -82,11 +101,18 @@ class TracedFiles : public NewFiles {
 };
 
 TEST_F(TracedFiles, AreForTheirOwnerFromTheFirstByte) {
-  const auto calls = callsOf("study create study --protocol punch-counterbalanced");
-  const auto isPrivate = firstWith(calls, "umask(077)");
-  ASSERT_LT(isPrivate, calls.size());
-  EXPECT_LT(isPrivate, firstWith(calls, "O_CREAT"));
-  EXPECT_LT(isPrivate, firstWith(calls, "mkdir("));
+  for (const std::string words :
+       {"study create study --protocol punch-counterbalanced",
+        "study simulate study --participants 1",
+        "study consent study --participant SIM-001 --out consent.pdf",
+        "study key export study --reason test --out key.txt"}) {
+    const auto calls = callsOf(words);
+    const auto isPrivate = firstWith(calls, "umask(077)");
+    ASSERT_LT(isPrivate, calls.size()) << words;
+    EXPECT_LT(isPrivate, firstWith(calls, "O_CREAT")) << words;
+    EXPECT_LE(isPrivate, firstWith(calls, "mkdir(")) << words;
+    EXPECT_EQ(firstWith(calls, "umask(", isPrivate + 1), calls.size()) << words;
+  }
 }
 
 TEST_F(TracedFiles, OfAnExportAreOnTheDiskBeforeItHasItsNameAndItsNameAfterwards) {
