@@ -18,7 +18,7 @@ td { white-space: nowrap; } td.words, th.words { text-align: left; } td.words, t
 .banner { background: #8a1c1c; color: #fff; padding: .6rem 1rem; border-radius: .3rem; font-weight: 600; }
 .pilot { background: #7a5200; }
 .note { color: #444; font-size: .92rem; } .verdict { font-size: 1.15rem; font-weight: 600; } dl.flags dt { font-weight: 600; }
-dl.flags dd { margin: 0 0 .8rem 1.2rem; } dl.flags p { margin: .15rem 0; } .source { color: #444; font-size: .85rem; } li { margin: .25rem 0; }
+dl.flags dd { margin: 0 0 .8rem 1.2rem; } dl.flags p { margin: .15rem 0; } .source { color: #444; font-size: .85rem; } .reference { font-size: .92rem; margin: .2rem 0; } li { margin: .25rem 0; }
 details { border-top: 1px solid #ccc; padding: .2rem 0; } summary { cursor: pointer; } summary h3 { display: inline-block; margin: .6rem 0; }
 figure { margin: 1rem 0 1.6rem; } figure svg { max-width: 100%; height: auto; }
 figcaption { color: #333; font-size: .92rem; } code { font-size: .85em; word-break: break-all; }

@@ -3,6 +3,7 @@
 
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
+#include "study/report/references.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
@@ -14,17 +15,34 @@ using protocols::PhaseType;
 // the kind of sources that are shown on the screen; all other kinds are felt
 constexpr std::string_view kSeenKind = "anatomy";
 
+/// A force model in words, with the works that it comes from.
+struct ModelText {
+  std::string_view english;
+  std::string_view works;
+};
+
+/// In the order of haptics::engine::ModelSpec.
+constexpr std::array<ModelText, std::variant_size_v<haptics::engine::ModelSpec>> kModels{
+    {{"linear interpolation of a recorded cut", kPunchPaper},
+     {"one-dimensional finite elements", kPunchPaper},
+     {"interpolation and finite elements, fused by a Kalman filter", kPunchPaper},
+     {"force over depth, blended between the curves of soft and hard bone", kReamingPaper},
+     {"bone packed with spheres, which the reamer removes", kReamingPaper}}};
+
 class MethodsWriter : HtmlWriter {
  public:
-  using HtmlWriter::HtmlWriter;
+  explicit MethodsWriter(const ReportSection& section)
+      : HtmlWriter(section), citations_(section.wording) {}
 
   std::string all() {
     if (const auto& description = s_.protocol.study.description; !description.empty()) {
       put("<p>{}</p>", say("The protocol describes the study as: “{}”", description));
     }
-    put("<p>{}</p>", procedure());
-    put("<p>{}</p>", plan());
-    put("<p>{}</p>", computation());
+    put("<p>{}</p>", collection());
+    put("<h4>{}</h4><p>{} {}</p>", say("Apparatus and force models"), apparatus(), models());
+    put("<h4>{}</h4><p>{}</p>", say("Procedure"), procedure());
+    put("<p>{} {}</p>", blinding(), exposure());
+    put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(s_, citations_));
     put("<h4>{}</h4>", say("How this was made"));
     put("<p>palpate {}; {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} {}.</p>",
         appVersion(),
@@ -38,6 +56,10 @@ class MethodsWriter : HtmlWriter {
     trail();
     sources();
     instruments();
+    put("<h4>{}</h4>", say("References"));
+    for (const auto& entry : citations_.list(s_.words)) {
+      put("<p class=\"reference\">{}</p>", entry);
+    }
     return std::move(html_);
   }
 
@@ -54,6 +76,146 @@ class MethodsWriter : HtmlWriter {
         say("Orders and codes of the conditions were fixed when the study was made. What they were "
             "drawn from has the commitment {}: any other would have another one.",
             storage::inGroupsOfFour(s_.commitment)));
+  }
+
+  /// When and where the data were collected. Names what the study's texts lack.
+  std::string collection() const {
+    std::string text;
+    if (s_.results.runMode == RunMode::Simulated) {
+      text = say("The sessions were simulated: there are no dates of data collection.");
+    } else if (!s_.firstDay.empty()) {
+      text = s_.firstDay == s_.lastDay
+                 ? say("Data were collected on {}.", s_.firstDay)
+                 : say("Data were collected from {} to {}.", s_.firstDay, s_.lastDay);
+    }
+    const auto ethics = textOf("ethics");
+    auto institution = textOf("institution");
+    for (const auto& one : s_.protocol.study.organizations) {
+      if (!institution.empty()) break;
+      institution = one;
+    }
+    if (!institution.empty()) text += " " + say("Institution: {}.", institution);
+    if (!ethics.empty()) text += " " + say("Ethics: {}.", ethics);
+    const auto neither = say("The study names neither an institution nor an ethics reference.");
+    const auto noInstitution = say("The study names no institution.");
+    const auto noEthics = say("The study names no ethics reference.");
+    if (institution.empty() && ethics.empty()) return text + " " + neither;
+    if (institution.empty()) return text + " " + noInstitution;
+    return ethics.empty() ? text + " " + noEthics : text;
+  }
+
+  /// What the laboratory wrote for the blank "[[key]]", without the stop that the sentence has.
+  std::string textOf(const std::string& key) const {
+    const auto found = s_.protocol.texts.find(key);
+    if (found == s_.protocol.texts.end()) return {};
+    auto text = found->second.in(s_.words.language());
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+  }
+
+  std::string apparatus() const {
+    std::string text;
+    for (const auto& device : s_.protocol.devices) {
+      const auto& kind = *device.kind;
+      const auto force = s_.words.say("{:g} N and {:g} N/s", device.maxForce, device.maxForceRate);
+      const auto both = s_.words.say(
+          "{:g} N and {:g} N/s, {:g} N·m and {:g} N·m/s",
+          device.maxForce,
+          device.maxForceRate,
+          device.maxTorque,
+          device.maxTorqueRate);
+      text +=
+          (text.empty() ? "" : " ") +
+          say("Device: {}. Forces act along one axis ({}, from {:g} to {:g}) and are limited to "
+              "{}.",
+              s_.words(kind.name),
+              s_.words(kind.shown.axis),
+              kind.shown.factor * kind.travel.least,
+              kind.shown.factor * kind.travel.most,
+              device.isTorqueAsked ? both : force);
+    }
+    if (s_.quality.rate > 0.0) {
+      text += " " + say("They were computed {:.0f} times a second.", s_.quality.rate);
+    }
+    return text;
+  }
+
+  /// The models of the conditions, each once. Models of the same works are cited together.
+  std::string models() {
+    std::string text;
+    std::string cited;  // by the clauses since the last citation
+    const auto cite = [&] {
+      if (!cited.empty()) text += " " + citations_.cite(cited) + ".";
+      cited.clear();
+    };
+    for (std::size_t kind = 0; kind < kModels.size(); ++kind) {
+      const auto english = s_.words(kModels[kind].english);  // of all: tests find missing ones
+      std::string conditions;
+      auto works = std::string(kModels[kind].works);
+      for (const auto& one : s_.protocol.conditions) {
+        if (one.model->index() != kind) continue;
+        if (isAsPublished(*one.model) && !works.ends_with(kPunchCode)) {
+          works += ", " + std::string(kPunchCode);
+        }
+        conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(one.id);
+      }
+      if (conditions.empty()) continue;
+      if (works != cited) cite();
+      text += text.empty() ? "" : cited.empty() ? " " : "; ";
+      text += conditions + ": " + english;
+      cited = works;
+    }
+    cite();
+    return escaped(text);
+  }
+
+  /// Whether the model takes part of its behaviour from the published code.
+  static bool isAsPublished(const haptics::engine::ModelSpec& model) {
+    const auto parts = haptics::engine::partsOf(model);
+    using haptics::models::Extrapolation;
+    using haptics::models::ToolInterpolation;
+    const bool isCut =
+        parts.cut != nullptr && parts.cut->options.extrapolation == Extrapolation::AuthorsClamp;
+    const bool isString = parts.elements != nullptr &&
+                          parts.elements->parameters.weights == ToolInterpolation::AuthorsFirmware;
+    return isCut || isString;
+  }
+
+  std::string blinding() const {
+    const auto open = say("The protocol declares that conditions are hidden from nobody.");
+    const auto hidden =
+        say("Participants and operators saw labels only; no condition was named during a session.");
+    return s_.protocol.isOpenLabel ? open : hidden;
+  }
+
+  /// How many trials, strokes and answers of each condition count.
+  std::string exposure() const {
+    const auto* family = mainFamily(s_);
+    std::vector<std::pair<std::string, std::string>> counts;  // condition, counts
+    for (const auto& one : s_.quality.conditions) {
+      std::uint64_t answers = 0;
+      for (std::size_t i = 0; family != nullptr && i < family->cohorts.size(); ++i) {
+        for (const auto& sample : family->cohorts[i].conditions) {
+          if (sample.name == one.condition) answers += sample.answers.total();
+        }
+      }
+      counts.emplace_back(
+          s_.conditionTitle(one.condition),
+          fmt::format(
+              "{}, {}, {}",
+              s_.words.count(one.trials, "{} trial", "{} trials"),
+              s_.words.count(one.cuts, "{} cut or stroke", "{} cuts or strokes"),
+              s_.words.count(answers, "{} answer", "{} answers")));
+    }
+    if (counts.empty()) return {};
+    const auto isSame = [&](const auto& one) { return one.second == counts.front().second; };
+    std::string listed;
+    for (const auto& [condition, what] : counts) {
+      listed += (listed.empty() ? "" : "; ") + condition + ": " + what;
+    }
+    const auto each = say("Counted for each alternative: {}.", counts.front().second);
+    const auto all = say("Counted: {}.", listed);
+    return std::ranges::all_of(counts, isSame) ? each : all;
   }
 
   /// The procedure for a participant, part by part.
@@ -90,7 +252,7 @@ class MethodsWriter : HtmlWriter {
   std::string block(const protocols::Phase& phase) const {
     constexpr std::array<std::string_view, 6> kOrders{
         "in a fixed order",
-        "in the reverse order of another block",
+        "in the reverse order of {}",
         "in an order drawn for each participant",
         "in the orders of a Latin square",
         "in the orders of a balanced Latin square",
@@ -103,7 +265,9 @@ class MethodsWriter : HtmlWriter {
         "every participant felt {} ({}) {}, under anonymous labels, with {} each.",
         s_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
         conditions,
-        s_.words(kOrders[static_cast<std::size_t>(phase.trials.order.type)]),
+        s_.words.say(
+            kOrders[static_cast<std::size_t>(phase.trials.order.type)],
+            s_.blockTitle(phase.trials.order.of)),
         s_.words.count(
             phase.trials.minimumCuts, "at least {} cut or stroke", "at least {} cuts or strokes"));
     for (const auto& asked : phase.trials.questionnaires) {
@@ -122,97 +286,6 @@ class MethodsWriter : HtmlWriter {
     return text + " " +
            say("Before, they could feel each of them once more, or go on without; nothing is "
                "computed from these trials.");
-  }
-
-  std::string plan() const {
-    std::string text;
-    for (const auto& family : s_.protocol.analysis.families) {
-      text += say("Declared for “{}” in version {} of the protocol: {}, α = {}, {}.",
-                  family.title,
-                  s_.protocol.study.version,
-                  declaredInWords(family, s_.words),
-                  exactly(family.alpha),
-                  s_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
-              " ";
-      if (family.equivalenceBound) {
-        text += say("Differences below {:g} points count as none.", *family.equivalenceBound) + " ";
-      }
-    }
-    return text + changes();
-  }
-
-  /// The changes that later versions of the protocol made to the families.
-  std::string changes() const {
-    const auto& history = s_.history;
-    if (history.versions < 2) return {};
-    std::string text =
-        say("There are {} versions of the protocol; the audit trail has each with its reason.",
-            history.versions);
-    for (const auto& change : history.changes) text += " " + describe(change);
-    if (!history.changes.empty()) return text;
-    return text + " " +
-           (history.versionsSinceBegun == 0
-                ? say("All of them are older than the first participant’s session.")
-                : say("None that came after the first participant had begun changed what was "
-                      "declared."));
-  }
-
-  std::string describe(const FamilyChange& change) const {
-    const auto day = change.addedUtc.substr(0, change.addedUtc.find('T'));
-    switch (change.kind) {
-      case FamilyChange::Kind::Added:
-        return say(
-            "Version {} ({}) added “{}” after the first participant had begun{}",
-            change.version,
-            day,
-            change.title,
-            consequenceOf(change));
-      case FamilyChange::Kind::Removed:
-        return say(
-            "Version {} ({}) dropped “{}”, which had been declared before.",
-            change.version,
-            day,
-            change.title);
-      case FamilyChange::Kind::Restored:
-        return say(
-            change.isHarmless
-                ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
-                  "the "
-                  "change."
-                : "Version {} ({}) put “{}” back as it was declared, but participants had begun "
-                  "with the change: all of it is exploratory.",
-            change.version,
-            day,
-            change.title);
-      case FamilyChange::Kind::Changed:
-        break;
-    }
-    std::string keys;
-    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + s_.words(key);
-    return say(
-        "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
-        change.version,
-        day,
-        change.title,
-        keys,
-        consequenceOf(change));
-  }
-
-  /// The consequence of a change for its family, as the end of a sentence.
-  std::string consequenceOf(const FamilyChange& change) const {
-    return s_.words(
-        change.isHarmless ? "; it was put back as it was declared."
-                          : ": all of it is exploratory.");
-  }
-
-  std::string computation() const {
-    return say(
-        "Means and variances (n − 1) come from integer counts; Welch’s t-test has real degrees of "
-        "freedom; tests within people take each participant’s mean; exact tests count all "
-        "arrangements, ties included; the linear mixed model is fitted by REML with "
-        "Satterthwaite’s "
-        "degrees of freedom, the ordinal one by Laplace’s approximation; p values are adjusted "
-        "before they are rounded.");
   }
 
   void sources() {
@@ -268,6 +341,8 @@ class MethodsWriter : HtmlWriter {
     }
     put("</ul>");
   }
+
+  Citations citations_;
 };
 
 }  // namespace

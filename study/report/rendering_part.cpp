@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -16,6 +17,9 @@ constexpr std::string_view kBoneCurvesCaption =
     "% of all strokes, each of which counts once. Dashed, for bone: what its material gives where "
     "nothing has been reamed away. Where bone is taken away, the first stroke and the later ones, "
     "which go through its hole, are in this together: the median then lies between both.";
+
+constexpr double kAlike = 0.005;           // forces that differ by less are printed alike [N]
+constexpr std::ptrdiff_t kFewestFlat = 3;  // points in a row
 
 /// @param rising  not empty.
 double medianOf(const std::vector<double>& rising) {
@@ -35,6 +39,7 @@ class RenderingWriter : HtmlWriter {
     for (const auto& svg : s_.figures.felt) {
       figure(svg, isOfBone() ? kBoneCurvesCaption : kCurvesCaption);
     }
+    flatCurves();
     const bool isEmpty = std::all_of(
         s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return curve.points.empty(); });
     if (s_.curvesReason.empty() && isEmpty) {
@@ -75,6 +80,51 @@ class RenderingWriter : HtmlWriter {
     return std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
       return rmsFromIntended(curve).has_value();
     });
+  }
+
+  /// Why curves are flat at their largest force.
+  void flatCurves() {
+    std::string text;
+    for (const auto& curve : s_.curves) {
+      const auto force = flatForce(curve);
+      if (!force) continue;
+      const auto why = whyFlat(curve.condition, *force);
+      if (!why.empty()) text += (text.empty() ? "" : " ") + why;
+    }
+    if (!text.empty()) put("<p>{}</p>", text);
+  }
+
+  /// The largest median force of a curve, if several points in a row have it.
+  static std::optional<double> flatForce(const RenderedForceCurve& curve) {
+    if (curve.points.empty()) return std::nullopt;
+    const auto most = std::ranges::max(curve.points, {}, &RenderedForceCurve::Point::median).median;
+    const auto isMost = [&](const auto& point) { return point.median > most - kAlike; };
+    const auto first = std::ranges::find_if(curve.points, isMost);
+    const auto end = std::find_if_not(first, curve.points.end(), isMost);
+    return most > 0.0 && end - first >= kFewestFlat ? std::optional(most) : std::nullopt;
+  }
+
+  std::string whyFlat(const std::string& id, double force) const {
+    const auto& title = s_.conditionTitle(id);
+    const auto parts = haptics::engine::partsOf(*s_.protocol.condition(id)->model);
+    const auto is = [&](double limit) { return std::abs(force - limit) < kAlike; };
+    const auto atLimit =
+        say("{} is flat at {:.2f} N, the largest force that the study allows.", title, force);
+    const auto fused = say(
+        "{} is flat at {:.2f} N, where the models that its filter fuses are flat.", title, force);
+    const auto clamped =
+        say("{} is flat at {:.2f} N, to which the published code limits it.", title, force);
+    const auto yielding =
+        say("{} is flat at {:.2f} N, its yield force: beyond it the model’s force is constant.",
+            title,
+            force);
+    if (is(s_.protocol.device(s_.protocol.condition(id)->device)->maxForce)) return atLimit;
+    if (parts.filter != nullptr) return fused;
+    const bool isClamped = parts.cut != nullptr && parts.cut->options.extrapolation ==
+                                                       haptics::models::Extrapolation::AuthorsClamp;
+    if (isClamped && is(haptics::models::Interpolation<double>::kAuthorsMaxForce)) return clamped;
+    const bool isYielding = parts.elements != nullptr && is(parts.elements->parameters.yieldForce);
+    return isYielding ? yielding : std::string();
   }
 
   const haptics::devices::DeviceKind& kindOf(const std::string& id) const {

@@ -44,6 +44,7 @@ std::vector<storage::TrialRow> countedTrials(const storage::Records& records, Ru
 TrialQuality qualityOf(Study& study, RunMode mode) {
   TrialQuality quality;
   std::map<std::string, SaturatedTrials> cutOff;
+  std::map<std::string, ConditionTrials> felt;
   for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
     if (trial.step.isOptionalRepetition()) {
       ++quality.optionalTrials;
@@ -59,6 +60,10 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     if (trial.latenessP99) {
       quality.worstLateness = std::max(quality.worstLateness.value_or(0.0), *trial.latenessP99);
     }
+    quality.rate = std::max(quality.rate, trial.nominalRate);
+    auto& counted = felt[trial.step.condition];
+    ++counted.trials;
+    counted.cuts += trial.cuts;
     addReasons(quality.reasons, trial.reasons);
     auto& ofCondition = cutOff[trial.step.condition];
     ++ofCondition.trials;
@@ -67,6 +72,9 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     }
   }
   for (const auto& condition : study.protocol().protocol.conditions) {
+    auto& counted = felt[condition.id];
+    counted.condition = condition.id;
+    if (counted.trials > 0) quality.conditions.push_back(counted);
     auto& found = cutOff[condition.id];
     if (found.shares.empty()) continue;
     found.condition = condition.id;
@@ -74,6 +82,18 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     quality.cutOff.push_back(std::move(found));
   }
   return quality;
+}
+
+/// The first and the last day on which a session that counts began; empty if there is none.
+std::pair<std::string, std::string> daysOf(Study& study, RunMode mode) {
+  std::pair<std::string, std::string> days;
+  for (const auto& session : storage::Records(study.database()).sessions()) {
+    if (session.runMode != mode || !session.isCompleted()) continue;
+    const auto day = session.startedUtc.substr(0, session.startedUtc.find('T'));
+    days.first = days.first.empty() ? day : std::min(days.first, day);
+    days.second = std::max(days.second, day);
+  }
+  return days;
 }
 
 using Coordinate = std::optional<double> storage::CutRecord::*;
@@ -270,6 +290,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
 
 ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
   auto felt = renderedForceResult(study, mode);
+  auto [firstDay, lastDay] = daysOf(study, mode);
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
@@ -278,6 +299,8 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .history = analysisPlanHistory(study),
       .seed = study.seed(),
       .uuid = study.uuid(),
+      .firstDay = std::move(firstDay),
+      .lastDay = std::move(lastDay),
       // Simulated sessions can be repeated from a seed and must then give the same report.
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),

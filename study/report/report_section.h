@@ -46,6 +46,13 @@ struct SaturatedTrials {
                                ///< ascending order
 };
 
+/// What counts of a condition.
+struct ConditionTrials {
+  std::string condition;
+  int trials = 0;
+  std::int64_t cuts = 0;
+};
+
 /// Why trials did not pass.
 struct TrialReasons {
   std::vector<base::Message> reasons;  ///< of the first of them
@@ -65,9 +72,10 @@ struct TrialQuality {
   double contact = 0.0;    ///< time in contact with the tissue [s]
   std::optional<double>
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
-  std::vector<SaturatedTrials> cutOff;  ///< by condition, in the protocol's order
-  std::vector<TrialReasons> reasons;    ///< of all trials that did not pass, except force at its
-                                        ///< limit
+  double rate = 0.0;  ///< nominal rate of the force loop [Hz]; 0 without trials
+  std::vector<ConditionTrials> conditions;  ///< of those that were felt, in the protocol's order
+  std::vector<SaturatedTrials> cutOff;      ///< by condition, in the protocol's order
+  std::vector<TrialReasons> reasons;        ///< of all trials that did not pass, the force apart
 };
 
 /// Where the cuts of a condition have a landmark, over all that count; each cut counts once.
@@ -87,8 +95,9 @@ struct ReportSection {
   AnalysisPlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
-  storage::TrailEnd trail = {};  ///< the end of the trail when it was read; empty for simulated
-                                 ///< sessions
+  std::string firstDay = {};     ///< of the sessions that count [YYYY-MM-DD]; empty if none count
+  std::string lastDay = {};      ///< of the sessions that count, by their beginning
+  storage::TrailEnd trail = {};  ///< its end when read; empty in simulated sessions
   /// The commitment to the secret that determines orders and codes (BlindingSecret::commitment());
   /// empty in simulated sessions, and in studies without a secret.
   std::string commitment = {};

@@ -12,6 +12,8 @@
 // The parts of a page about one study. Each is HTML, and may be empty.
 namespace study::report {
 
+class Citations;
+
 /// Whether participants were real or simulated, and what the study asks.
 std::string headAsHtml(const ReportSection& section);
 
@@ -89,8 +91,13 @@ std::string limitationsAsHtml(const ReportSection& section);
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);
 
-/// The methods: procedure, sources and software.
+/// The methods: apparatus, procedure, analysis, sources and software, with the works that they
+/// cite.
 std::string methodsAsHtml(const ReportSection& section);
+
+/// What the protocol declares, and the statistical tests that the report has, with their sources.
+/// @param citations  gets the works that are cited.
+std::string statisticsAsHtml(const ReportSection& section, Citations& citations);
 
 /// A part of the appendix, which is collapsed on the page.
 struct AppendixPart {

@@ -39,8 +39,7 @@ class ValidityWriter : HtmlWriter {
     endTable();
     note(
         "Face validity is the weakest argument for a simulator. Messick’s five sources of validity "
-        "evidence (Messick 1995; Cook & Hatala 2016) show what this study adds, and what it does "
-        "not.");
+        "evidence show what this study adds, and what it does not.");
     return std::move(html_);
   }
 

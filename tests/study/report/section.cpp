@@ -182,6 +182,8 @@ study::report::ReportSection madeUpSection() {
   section.quality = {
       .trials = 36, .optionalTrials = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;
+  section.quality.rate = 1000.0;
+  section.quality.conditions = {{"interpolation", 12, 37}, {"kalman", 12, 36}};
   section.quality.reasons = {{{study::message("trial.late", 3, 4000)}, 2}};
   section.quality.cutOff = {{"interpolation", 12, {0.1, 0.125, 0.25}}};
   section.landmarks = {

@@ -91,7 +91,12 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
     }
   }
   section.results.runMode = RunMode::Pilot;
+  section.firstDay = section.lastDay = "2026-03-01";
   section.history.changes.clear();
+  report::asHtml(sections);
+  const protocols::LocalizedText text(std::map<std::string, std::string>{{"en", "x."}});
+  section.lastDay = "2026-03-09";
+  section.protocol.texts = {{"institution", text}, {"ethics", text}};
   report::asHtml(sections);
   section.history.versionsSinceBegun = 0;
   report::asHtml(sections);
@@ -166,7 +171,11 @@ TEST_P(WordsTest, FillNumbersAndNamesIntoMessages) {
 
 /// The visible text of a page: without markup, style and code.
 std::string readIn(std::string page) {
-  for (const auto* hidden : {"<style>[^]*?</style>", "<code>[^]*?</code>", "<[^>]*>"}) {
+  for (const auto* hidden :
+       {"<style>[^]*?</style>",
+        "<code>[^]*?</code>",
+        "<p class=\"reference\">[^]*?</p>",
+        "<[^>]*>"}) {
     page = std::regex_replace(page, std::regex(hidden), " ");
   }
   return page;

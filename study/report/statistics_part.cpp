@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "analysis/registry/registry.h"
+#include "study/model/data_table.h"
+#include "study/report/html_writer.h"
+#include "study/report/references.h"
+#include "study/report/study_parts.h"
+
+namespace study::report {
+namespace {
+
+/// The works that a correction comes from; Bonferroni's has none.
+std::string_view worksOf(protocols::CorrectionType correction) {
+  using enum protocols::CorrectionType;
+  switch (correction) {
+    case Holm:
+    case HolmSidak:
+      return "Holm 1979";
+    case Hochberg:
+      return "Hochberg 1988";
+    case Hommel:
+      return "Hommel 1988";
+    case BenjaminiHochberg:
+      return "Benjamini & Hochberg 1995";
+    case BenjaminiYekutieli:
+      return "Benjamini & Yekutieli 2001";
+    case None:
+    case Bonferroni:
+      break;
+  }
+  return {};
+}
+
+/// Writes what was declared, and which tests the report has. A test without any result is not among
+/// them.
+class StatisticsWriter : HtmlWriter {
+ public:
+  StatisticsWriter(const ReportSection& section, Citations& citations)
+      : HtmlWriter(section), citations_(citations) {
+    for (const auto& family : section.results.families) gather(family);
+    for (const auto& vote : section.results.votes) {
+      if (vote.test.exactP) votes_.insert("equal_shares");
+    }
+  }
+
+  std::string all() {
+    list("Tests of all answers, pooled: {}.", pooled_);
+    list("Tests within people, which take each participant’s mean: {}.", pairs_);
+    list("Tests of all methods together: {}.", overall_);
+    list("Between cohorts, on participants’ means: {}.", between_);
+    list("Of the scale: {}.", scale_);
+    list("Of votes: {}.", votes_);
+    const auto wilson =
+        s_.words.say("Shares have Wilson’s interval {}.", citeIf(!votes_.empty(), "Wilson 1927"));
+    const auto cliff = s_.words.say(
+        "Cliff’s δ has the interval of Feng and Cliff {}.",
+        citeIf(!between_.empty(), "Feng & Cliff 2004"));
+    const auto exact = s_.words("Exact tests count all arrangements, ties included.");
+    const auto mixed = s_.words(
+        "The linear mixed model is fitted by REML with Satterthwaite’s degrees of freedom.");
+    const auto ordinal = s_.words("The ordinal mixed model is fitted by Laplace’s approximation.");
+    add(!votes_.empty(), wilson);
+    add(!between_.empty(), cliff);
+    add(!pairs_.empty() || !between_.empty() || !votes_.empty(), exact);
+    add(pairs_.contains("mixed_model"), mixed);
+    add(pairs_.contains("ordinal_model"), ordinal);
+    corrections();
+    const auto validity = s_.words.say(
+        "Evidence of validity is arranged by Messick’s sources {}.",
+        citations_.cite("Messick 1995, Cook & Hatala 2016"));
+    add(true, validity);
+    put("<p>{}</p><p>{}</p>", plan(), escaped(text_));
+    return std::move(html_);
+  }
+
+ private:
+  std::string plan() const {
+    std::string text;
+    for (const auto& family : s_.protocol.analysis.families) {
+      text += say("Declared for “{}” in version {} of the protocol: {}, α = {}, {}.",
+                  family.title,
+                  s_.protocol.study.version,
+                  declaredInWords(family, s_.words),
+                  exactly(family.alpha),
+                  s_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
+              " ";
+      if (family.equivalenceBound) {
+        text += say("Differences below {:g} points count as none.", *family.equivalenceBound) + " ";
+      }
+    }
+    return text + changes();
+  }
+
+  /// The changes that later versions of the protocol made to the families.
+  std::string changes() const {
+    const auto& history = s_.history;
+    if (history.versions < 2) return {};
+    std::string text =
+        say("There are {} versions of the protocol; the audit trail has each with its reason.",
+            history.versions);
+    for (const auto& change : history.changes) text += " " + describe(change);
+    if (!history.changes.empty()) return text;
+    return text + " " +
+           (history.versionsSinceBegun == 0
+                ? say("All of them are older than the first participant’s session.")
+                : say("None that came after the first participant had begun changed what was "
+                      "declared."));
+  }
+
+  std::string describe(const FamilyChange& change) const {
+    const auto day = change.addedUtc.substr(0, change.addedUtc.find('T'));
+    switch (change.kind) {
+      case FamilyChange::Kind::Added:
+        return say(
+            "Version {} ({}) added “{}” after the first participant had begun{}",
+            change.version,
+            day,
+            change.title,
+            consequenceOf(change));
+      case FamilyChange::Kind::Removed:
+        return say(
+            "Version {} ({}) dropped “{}”, which had been declared before.",
+            change.version,
+            day,
+            change.title);
+      case FamilyChange::Kind::Restored:
+        return say(
+            change.isHarmless
+                ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
+                  "the "
+                  "change."
+                : "Version {} ({}) put “{}” back as it was declared, but participants had begun "
+                  "with the change: all of it is exploratory.",
+            change.version,
+            day,
+            change.title);
+      case FamilyChange::Kind::Changed:
+        break;
+    }
+    std::string keys;
+    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + s_.words(key);
+    return say(
+        "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
+        change.version,
+        day,
+        change.title,
+        keys,
+        consequenceOf(change));
+  }
+
+  /// The consequence of a change for its family, as the end of a sentence.
+  std::string consequenceOf(const FamilyChange& change) const {
+    return s_.words(
+        change.isHarmless ? "; it was put back as it was declared."
+                          : ": all of it is exploratory.");
+  }
+
+  using Ids = std::set<std::string_view>;
+
+  static void gather(std::span<const analysis::TestRow> rows, Ids& ids) {
+    for (const auto& row : rows) {
+      if (row.p || row.effect.value) ids.insert(row.id);
+    }
+  }
+
+  void gather(const FamilyResult& family) {
+    for (const auto& part : family.cohorts) {
+      if (family.isNamed("welch")) gather(part.comparisons.rows, pooled_);
+      for (const auto& pair : part.within.rows) gather(pair.tests, pairs_);
+      gather(part.within.overall, overall_);
+      for (const auto& method : part.checks.methods) {
+        if (method.alpha.value) scale_.insert("cronbach_alpha");
+        if (method.omega.value) scale_.insert("omega_total");
+        if (method.normality.w) scale_.insert("shapiro_wilk");
+      }
+      if (part.checks.spread.p) scale_.insert("brown_forsythe");
+    }
+    for (const auto& one : family.between) gather(one.tests, between_);
+  }
+
+  void add(bool isTrue, const std::string& sentence) {
+    if (isTrue) text_ += (text_.empty() ? "" : " ") + sentence;
+  }
+
+  std::string citeIf(bool isTrue, std::string_view works) {
+    return isTrue ? citations_.cite(works) : std::string();
+  }
+
+  /// A sentence that lists tests in the order of the registry.
+  void list(std::string_view english, const Ids& ids) {
+    std::string tests;
+    for (const auto& test : analysis::statisticalTests()) {
+      if (!ids.contains(test.id)) continue;
+      tests +=
+          (tests.empty() ? "" : "; ") + s_.words(test.title) + " " + citations_.cite(test.source);
+    }
+    const auto sentence = s_.words.say(english, tests);
+    add(!tests.empty(), sentence);
+  }
+
+  /// How p values are adjusted, each way once.
+  void corrections() {
+    std::set<protocols::CorrectionType> all;
+    for (const auto& family : s_.results.families) all.insert(family.family.correction);
+    std::string list;
+    for (const auto correction : all) {
+      const auto name = nameOf(correction);
+      if (name.empty()) continue;
+      const auto works = worksOf(correction);
+      list += (list.empty() ? "" : ", ") + std::string(name) +
+              (works.empty() ? std::string() : " " + citations_.cite(works));
+    }
+    const auto sentence = s_.words.say("p values are adjusted before they are rounded: {}.", list);
+    add(!list.empty(), sentence);
+  }
+
+  Citations& citations_;
+  std::string text_;
+  Ids pooled_, pairs_, overall_, between_, scale_, votes_;
+};
+
+}  // namespace
+
+std::string statisticsAsHtml(const ReportSection& section, Citations& citations) {
+  return StatisticsWriter(section, citations).all();
+}
+
+}  // namespace study::report
