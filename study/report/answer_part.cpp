@@ -183,10 +183,20 @@ class AnswerWriter : HtmlWriter {
     return std::ranges::all_of(s_.results.families, same) ? percent : mixed;
   }
 
+  /// The caption with the scale of all families; without it if theirs differ.
+  std::string withCommonScale(const std::string& caption) const {
+    const auto& all = s_.results.families;
+    const auto scale = scaleInWords(s_, all.front().family);
+    const bool isCommon = std::ranges::all_of(
+        all, [&](const auto& other) { return scaleInWords(s_, other.family) == scale; });
+    return isCommon ? withScale(caption, all.front().family) : caption;
+  }
+
   void comparisons() {
     table(
-        say("The declared comparisons, with the mean of each method, and p after the declared "
-            "correction"),
+        withCommonScale(
+            say("The declared comparisons, with the mean of each method, and p after the declared "
+                "correction")),
         {say("Comparison"),
          say("Difference"),
          headingOfIntervals(),
@@ -232,7 +242,10 @@ class AnswerWriter : HtmlWriter {
   }
 
   void means() {
-    table(say("The mean of each method"), {say("Method"), kM, say("Answers")}, "answer");
+    table(
+        withCommonScale(say("The mean of each method")),
+        {say("Method"), kM, say("Answers")},
+        "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
       rowOver(cohortLabelOf(family, part));
       for (const auto& one : part.conditions) {

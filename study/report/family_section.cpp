@@ -46,37 +46,47 @@ class FamilyWriter : HtmlWriter {
 
   void means() {
     const auto& conditions = f_.cohorts.front().conditions;
-    put("<table><caption>{}</caption><thead><tr><th></th>",
-        say("Mean M and variance s² of the n answers"));
-    for (const auto& c : conditions) put("<th colspan=\"3\">{}</th>", condition(c.name));
-    put("</tr><tr><th></th>");
-    for (std::size_t i = 0; i < conditions.size(); ++i)
-      put("<th>{}</th><th><i>s</i>²</th><th>{}</th>", kM, kN);
-    put("</tr></thead><tbody>");
+    std::vector<std::pair<std::string, std::vector<analysis::AnswerSample>>> rows;
     for (const auto& part : f_.cohorts) {
       if (!hasAnswers(part)) continue;
-      std::string cells = "<td>" + cohort(part.cohort) + "</td>";
-      for (const auto& c : part.conditions) addMoments(cells, c.answers);
+      rows.emplace_back(cohort(part.cohort), std::vector<analysis::AnswerSample>());
+      for (const auto& c : part.conditions) rows.back().second.push_back(c.answers);
+      if (!part.sites) continue;
+      for (const auto& site : part.sites->answers) {
+        rows.emplace_back(cohort(part.cohort) + ", " + escaped(site.site), site.methods);
+      }
+    }
+    const bool isEachOfSameSize = std::ranges::all_of(rows, [](const auto& row) {
+      return std::ranges::all_of(row.second, [&](const auto& answers) {
+        return answers.total() == row.second.front().total();
+      });
+    });
+    put("<table><caption>{}</caption><thead><tr><th></th>{}",
+        withScale(say("Mean M and variance s² of the n answers"), f_.family),
+        isEachOfSameSize ? "<th></th>" : "");
+    for (const auto& c : conditions) {
+      put("<th colspan=\"{}\">{}</th>", isEachOfSameSize ? 2 : 3, condition(c.name));
+    }
+    const auto n = fmt::format("<th>{}</th>", kN);
+    put("</tr><tr><th></th>{}", isEachOfSameSize ? n : std::string());
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      put("<th>{}</th><th><i>s</i>²</th>{}", kM, isEachOfSameSize ? std::string() : n);
+    }
+    put("</tr></thead><tbody>");
+    for (const auto& [title, samples] : rows) {
+      std::string cells = "<td>" + title + "</td>";
+      const auto size = [&](const auto& answers) {
+        cells += fmt::format("<td>{}</td>", answers.total());
+      };
+      if (isEachOfSameSize) size(samples.front());
+      for (const auto& answers : samples) {
+        cells += "<td>" + cellOf(answers.mean(), 2) + "</td><td>" + cellOf(answers.variance(), 2) +
+                 "</td>";
+        if (!isEachOfSameSize) size(answers);
+      }
       put("<tr>{}</tr>", cells);
-      if (part.sites) meansOfSites(part);
     }
     put("</tbody></table>");
-  }
-
-  void meansOfSites(const CohortResult& part) {
-    for (const auto& site : part.sites->answers) {
-      std::string cells = "<td>" + cohort(part.cohort) + ", " + escaped(site.site) + "</td>";
-      for (const auto& answers : site.methods) addMoments(cells, answers);
-      put("<tr>{}</tr>", cells);
-    }
-  }
-
-  static void addMoments(std::string& cells, const analysis::AnswerSample& answers) {
-    cells += fmt::format(
-        "<td>{}</td><td>{}</td><td>{}</td>",
-        cellOf(answers.mean(), 2),
-        cellOf(answers.variance(), 2),
-        answers.total());
   }
 
   /// Welch's tests of pooled answers, in the form of the punch paper's table.

@@ -164,6 +164,12 @@ class HtmlWriter {
     return text;
   }
 
+  /// A caption, followed by the scale of what a family compares.
+  std::string withScale(const std::string& caption, const protocols::Family& family) const {
+    const auto scale = scaleInWords(s_, family);
+    return scale.empty() ? caption : caption + "; " + escaped(scale);
+  }
+
   /// A message, with titles in place of the ids in it.
   std::string inWords(const base::Message& message) const { return escaped(s_.inWords(message)); }
   std::string notDefined(const base::Message& reason) const {

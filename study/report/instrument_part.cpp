@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "questionnaires/scoring/scoring.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -25,6 +26,18 @@ class InstrumentWriter : HtmlWriter {
          say("No score")});
     forEach([&](const auto&... of) { scores(of...); });
     endTable();
+    if (isBeyond_) {
+      note(
+          "Where an interval passes an end of the scale, in brackets after the score, it ends "
+          "there.");
+    }
+    if (isOfConditions_ && mainFamily(s_) != nullptr) {
+      put("<p class=\"note\">{}</p>",
+          withReferences(
+              "A score is one number for each participant. {} takes all answers, so its means are "
+              "others where participants gave different numbers of answers.",
+              {"answer"}));
+    }
     forEach([&](const auto&... of) { acceptability(of...); });
     forEach([&](const auto&... of) { contradictions(of...); });
     return std::move(html_);
@@ -64,8 +77,16 @@ class InstrumentWriter : HtmlWriter {
       if (score.values.empty() && score.missing == 0) continue;
       const auto& about = score.condition;
       const auto& occasion = score.occasion;
+      const auto& kind = *instrument.score(score.score);
+      const auto range = questionnaires::rangeOf(instrument, kind);
+      const auto ends = range.low < range.high ? fmt::format(" ({:g}–{:g})", range.low, range.high)
+                                               : std::string();
+      const auto& interval = score.interval;
+      isBeyond_ =
+          isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
+      isOfConditions_ = isOfConditions_ || !about.empty();
       row(
-          {escaped(instrument.score(score.score)->title.in(s_.words.language())),
+          {escaped(kind.title.in(s_.words.language())) + ends,
            cohort(score.cohort),
            !about.empty()     ? condition(about)
            : occasion.empty() ? occasion
@@ -100,13 +121,18 @@ class InstrumentWriter : HtmlWriter {
            item.condition.empty() ? std::string() : condition(item.condition),
            fmt::format("{:g}", item.item.acceptableFrom),
            std::to_string(item.item.answered),
-           item.item.share ? fmt::format("{:.0f} %", 100.0 * *item.item.share) : std::string(),
-           interval
-               ? fmt::format("[{:.0f} %, {:.0f} %]", 100.0 * interval->low, 100.0 * interval->high)
-               : std::string()});
+           item.item.share ? rounded(100.0 * *item.item.share, 0) + " %" : std::string(),
+           interval ? fmt::format(
+                          "[{} %, {} %]",
+                          rounded(100.0 * interval->low, 0),
+                          rounded(100.0 * interval->high, 0))
+                    : std::string()});
     }
     endTable();
   }
+
+  bool isBeyond_ = false;
+  bool isOfConditions_ = false;
 };
 
 }  // namespace

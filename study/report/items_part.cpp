@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "questionnaires/model/answer.h"
 #include "study/export/k_anonymity.h"
@@ -64,31 +65,41 @@ class ItemsWriter : HtmlWriter {
 
   /// Numbers that are not about an alternative: a row for each question, a column for each cohort.
   void numbers(const questionnaires::Instrument& instrument) {
-    std::vector<std::string> columns{say("Question")};
-    for (const auto& one : s_.results.flow) columns.push_back(cohort(one.cohort));
-    table(captionOfNumbers(instrument), columns);
-    const std::string* item = nullptr;
-    std::vector<std::string> cells;
-    const auto rows =
+    const auto summaries =
         summariesOf(instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
-    const auto write = [&] {
-      if (std::ranges::count(cells, "") + 1 < std::ssize(cells)) row(cells);
-    };
-    for (const auto* one : rows) {
-      if (item == nullptr || *item != one->item) {
-        write();
-        cells.assign(columns.size(), {});
-        cells.front() = questionOf(instrument, one->item);
-        item = &one->item;
+    const auto& cohorts = s_.results.flow;
+    std::vector<std::set<std::size_t>> people(cohorts.size());  // behind the numbers of a cohort
+    std::vector<std::pair<std::string, std::vector<std::string>>> questions;  // cell by cohort
+    std::vector<std::vector<std::size_t>> sizes;                              // n of each cell
+    for (const auto* one : summaries) {
+      if (questions.empty() || questions.back().first != one->item) {
+        questions.emplace_back(one->item, std::vector<std::string>(cohorts.size()));
+        sizes.emplace_back(cohorts.size());
       }
-      const auto place = std::ranges::find(s_.results.flow, one->cohort, &CohortFlow::cohort) -
-                         s_.results.flow.begin() + 1;
+      const auto place = static_cast<std::size_t>(
+          std::ranges::find(cohorts, one->cohort, &CohortFlow::cohort) - cohorts.begin());
       const auto mean = meanOf(*one);
-      if (mean.empty()) continue;
-      cells[static_cast<std::size_t>(place)] =
-          mean + fmt::format(", {} = {}", kN, one->values.size());
+      questions.back().second[place] = mean;
+      sizes.back()[place] = one->values.size();
+      if (!mean.empty()) people[place].insert(one->values.size());
     }
-    write();
+    const auto ofPeople = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
+    std::vector<std::string> columns{say("Question")};
+    for (std::size_t i = 0; i < cohorts.size(); ++i) {
+      const bool isSame = people[i].size() == 1;
+      columns.push_back(
+          cohort(cohorts[i].cohort) + (isSame ? ofPeople(*people[i].begin()) : std::string()));
+    }
+    table(captionOfNumbers(instrument, summaries), columns);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      auto& [item, cells] = questions[q];
+      if (std::ranges::all_of(cells, [](const auto& cell) { return cell.empty(); })) continue;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!cells[i].empty() && people[i].size() > 1) cells[i] += ofPeople(sizes[q][i]);
+      }
+      cells.insert(cells.begin(), questionOf(instrument, item));
+      row(cells);
+    }
     endTable();
   }
 
@@ -96,9 +107,9 @@ class ItemsWriter : HtmlWriter {
   void numbersByAlternative(const questionnaires::Instrument& instrument) {
     std::vector<std::string> columns{say("Cohort"), kN};
     for (const auto& one : s_.protocol.conditions) columns.push_back(escaped(one.title));
-    table(captionOfNumbers(instrument), columns);
     const auto rows =
         summariesOf(instrument, [](const auto& one) { return one.mean && !one.condition.empty(); });
+    table(captionOfNumbers(instrument, rows), columns);
     const std::string* item = nullptr;
     for (auto at = rows.begin(); at != rows.end();) {
       const auto& first = **at;
@@ -117,8 +128,16 @@ class ItemsWriter : HtmlWriter {
     endTable();
   }
 
-  std::string captionOfNumbers(const questionnaires::Instrument& instrument) const {
-    return titleOf(instrument) + say(": every item by itself, M with SD in brackets");
+  std::string captionOfNumbers(
+      const questionnaires::Instrument& instrument,
+      const std::vector<const ItemSummary*>& summaries) const {
+    std::vector<const questionnaires::Item*> items;
+    for (const auto* one : summaries) {
+      if (const auto* item = instrument.item(one->item)) items.push_back(item);
+    }
+    const auto scale = scaleInWords(items, s_.words);
+    return titleOf(instrument) + say(": every item by itself, M with SD in brackets") +
+           (scale.empty() ? scale : "; " + escaped(scale));
   }
 
   /// The mean of several people with its deviation; empty for one person.

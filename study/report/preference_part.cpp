@@ -64,9 +64,9 @@ class PreferenceWriter : HtmlWriter {
       std::string cell = std::to_string(shares[i].votes);
       if (i < vote.intervals.size() && vote.intervals[i]) {
         cell += fmt::format(
-            " [{:.0f} %, {:.0f} %]",
-            100.0 * vote.intervals[i]->low,
-            100.0 * vote.intervals[i]->high);
+            " [{} %, {} %]",
+            rounded(100.0 * vote.intervals[i]->low, 0),
+            rounded(100.0 * vote.intervals[i]->high, 0));
       }
       cells.push_back(cell);
     }

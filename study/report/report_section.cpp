@@ -178,6 +178,18 @@ words::Words withDevices(const words::Words& words, const protocols::Protocol& p
   return {words.language(), std::move(catalogue)};
 }
 
+/// The words at the ends of an item's scale; empty where it has none, or where the laboratory has
+/// still to fill them in.
+std::pair<std::string, std::string> endsOf(
+    const questionnaires::Item& item, const std::string& language) {
+  const auto& scale = item.scale;
+  const auto either = [&](const auto& one, const auto& other) {
+    const auto& text = one.in(language).empty() ? other.in(language) : one.in(language);
+    return text.find("[[") == std::string::npos ? text : std::string();
+  };
+  return {either(scale.lowLabel, item.leftText), either(scale.highLabel, item.rightText)};
+}
+
 }  // namespace
 
 const std::string& ReportSection::conditionTitle(const std::string& condition) const {
@@ -265,6 +277,37 @@ std::string questionOf(const questionnaires::Item& item, const std::string& lang
   if (!text.empty() && text.find("[[") == std::string::npos) return text;
   const auto& left = item.leftText.in(language);
   return left.empty() ? item.id : left + " – " + item.rightText.in(language);
+}
+
+std::string scaleInWords(
+    const std::vector<const questionnaires::Item*>& items, const words::Words& words) {
+  if (items.empty()) return {};
+  const auto scale = protocols::scaleOf(*items.front());
+  const auto isAlike = [&](const auto* item) { return protocols::scaleOf(*item) == scale; };
+  if (!scale || !std::ranges::all_of(items, isAlike)) return {};
+  const auto ends = endsOf(*items.front(), words.language());
+  const bool haveSameEnds = std::ranges::all_of(
+      items, [&](const auto* item) { return endsOf(*item, words.language()) == ends; });
+  const auto plain = words.say("scale from {:g} to {:g}", scale->lowest, scale->highest);
+  const auto named = words.say(
+      "scale from {:g} ({}) to {:g} ({})", scale->lowest, ends.first, scale->highest, ends.second);
+  const bool isNamed = haveSameEnds && !ends.first.empty() && !ends.second.empty();
+  return isNamed ? named : plain;
+}
+
+std::string scaleInWords(const ReportSection& section, const protocols::Family& family) {
+  const auto instrument =
+      std::ranges::find(section.instruments, family.instrument, &questionnaires::Instrument::id);
+  if (instrument == section.instruments.end()) return {};
+  if (!family.score.empty()) {
+    const auto scale = protocols::scaleOf(family, *instrument);
+    if (!scale) return {};
+    return section.words.say("scale from {:g} to {:g}", scale->lowest, scale->highest);
+  }
+  std::vector<const questionnaires::Item*> items;
+  const auto compared = protocols::comparedItems(family, instrument->items);
+  for (const auto& item : compared) items.push_back(&item);
+  return scaleInWords(items, section.words);
 }
 
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section) {

@@ -133,6 +133,14 @@ struct ReportSection {
 /// The question; for an item with two opposite words both of them.
 std::string questionOf(const questionnaires::Item& item, const std::string& language);
 
+/// "scale from 1 (strongly disagree) to 5 (strongly agree)": the common scale of several items,
+/// without words if they differ in them; empty if they have no common scale.
+std::string scaleInWords(
+    const std::vector<const questionnaires::Item*>& items, const words::Words& words);
+
+/// The scale of what a family compares, in words.
+std::string scaleInWords(const ReportSection& section, const protocols::Family& family);
+
 /// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 

@@ -190,7 +190,9 @@ class ApaWriter {
 std::string rounded(const std::optional<double>& value, int digits) {
   if (!value || std::isnan(*value)) return "–";
   if (std::isinf(*value)) return *value > 0.0 ? "∞" : "-∞";
-  return fmt::format("{:.{}f}", *value, digits);
+  // A tie lies a little to either side of itself: 1.125 may be 1.1249999999999996 as a difference.
+  constexpr double kTie = 1e-12;
+  return fmt::format("{:.{}f}", *value * (1.0 + kTie), digits);
 }
 
 std::string formatBayesFactor(double bayesFactor) {
@@ -202,7 +204,7 @@ std::string formatP(const std::optional<double>& p, Wording wording) {
   if (!p) return "–";
   if (*p < 0.001) return fmt::format("< {}.001", zero);
   if (*p > 0.999) return fmt::format("> {}.999", zero);
-  return fmt::format("{}{}", zero, fmt::format("{:.3f}", *p).substr(1));
+  return fmt::format("{}{}", zero, rounded(p, 3).substr(1));
 }
 
 std::string withRelationSign(const std::string& number) {

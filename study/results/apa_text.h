@@ -10,8 +10,9 @@
 
 namespace study {
 
-/// A number with @p digits decimals, halves rounded to even; "–" if there is none, "∞" if it is
-/// infinite. All tables and figures use this function, so that they agree.
+/// A number with @p digits decimals, halves of its decimal value rounded away from zero: 3.125 is
+/// "3.13"; "–" if there is none, "∞" if it is infinite. All tables and figures use this function,
+/// so that they agree.
 std::string rounded(const std::optional<double>& value, int digits);
 
 /// A Bayes factor with three significant digits; "> 1000" for all larger values.

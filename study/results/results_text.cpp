@@ -281,10 +281,10 @@ class Writer {
       return;
     }
     words += fmt::format(
-        "difference {:>6.2f}, t({:.2f}) = {:>6.2f}, p {:<9} adjusted p {:<9}",
-        *row.estimate.value,
-        *row.df,
-        *row.statistic.value,
+        "difference {:>6}, t({}) = {:>6}, p {:<9} adjusted p {:<9}",
+        rounded(row.estimate.value, 2),
+        rounded(row.df, 2),
+        rounded(row.statistic.value, 2),
         withRelationSign(formatP(row.p)),
         withRelationSign(formatP(row.adjusted)));
     line(words + (isConfirmatory && row.isSignificant.value_or(false) ? " significant" : ""));

@@ -10,6 +10,7 @@
 #include "study/results/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/numbered_section.h"
+#include "tests/study/report/section.h"
 
 namespace study::report {
 namespace report_tables_test {
@@ -145,6 +146,23 @@ TEST_F(ReportTables, OfMeansHasMeanVarianceAndCountOfEachCondition) {
   ASSERT_EQ(table.rows.size(), 1U);
   EXPECT_EQ(
       table.rows[0], (Cells{"Orthopaedic surgeons", "4.00", "2.40", "6", "1.67", "0.33", "3"}));
+}
+
+TEST_F(ReportTables, OfMeansHasOneCountWhereAllOfARowAreTheSame) {
+  auto& conditions = section_.results.families.front().cohorts.front().conditions;
+  conditions[1].answers = conditions[0].answers;
+  const auto table = tableOf(asHtml({section_}), "Mean M and variance s²");
+  EXPECT_EQ(table.headings, (Cells{"", "", "Interpolation", "FEM", "", "n", "M", "s²", "M", "s²"}));
+  EXPECT_EQ(table.rows[0], (Cells{"Orthopaedic surgeons", "6", "4.00", "2.40", "4.00", "2.40"}));
+}
+
+TEST_F(ReportTables, NameTheScaleOfTheirMeans) {
+  const auto page = asHtml({tests::madeUpSection()});
+  const std::string scale = "; scale from 1 (strongly disagree) to 5 (strongly agree)</caption>";
+  for (const auto* caption :
+       {"the declared correction", "Mean M and variance s² of the n answers"}) {
+    EXPECT_NE(page.find(caption + scale), std::string::npos) << caption;
+  }
 }
 
 TEST_F(ReportTables, OfWelchsTestsHasThePlainIntervalAndBothP) {
@@ -357,6 +375,19 @@ TEST_F(ReportTables, HaveVancouversNumbersInEveryTable) {
     const bool isInterval = cell.starts_with("[") && cell.find('%') == std::string::npos;
     EXPECT_FALSE(isInterval) << cell;
   }
+}
+
+// What prints 3.12 beside 3.13 for one number: fmt rounds halves to even, and differences are a
+// little off.
+TEST(Rounding, IsAwayFromZeroWhateverTheLastBits) {
+  EXPECT_EQ(study::rounded(3.125, 2), "3.13");
+  EXPECT_EQ(study::rounded(0.125, 2), "0.13");
+  EXPECT_EQ(study::rounded(-1.125, 2), "-1.13");
+  EXPECT_EQ(study::rounded(4.325 - 3.2, 2), "1.13");
+  EXPECT_EQ(study::rounded(1.005, 2), "1.01");
+  EXPECT_EQ(study::rounded(1.0049999, 2), "1.00");
+  EXPECT_EQ(study::rounded(62.5, 0), "63");
+  EXPECT_EQ(study::formatP(0.0625), ".063");
 }
 
 TEST(Wording, WritesBoundsAndOnesWithTheirDigits) {
