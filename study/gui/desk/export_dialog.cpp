@@ -78,7 +78,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
   connect(exact_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
   connect(texts_, &QCheckBox::toggled, this, &ExportDialog::updateChoices);
-  connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateChoices);
+  connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateButton);
+  connect(target_, &PathField::pathChanged, this, &ExportDialog::updateButton);
   updateChoices();
 }
 
@@ -107,9 +108,17 @@ void ExportDialog::updateChoices() {
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlier_, hasCodes);
   clear();
-  const bool isReasoned = audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty();
-  setObstacle(isReasoned ? QString() : tr("Give a reason."));
+  updateButton();
   showIdentifiability();
+}
+
+void ExportDialog::updateButton() {
+  const bool needsReason = audienceOf(*audience_) == Audience::Unblinded;
+  setObstacle(
+      !hasSessions(*mode_)                                 ? noSessions()
+      : needsReason && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
+      : target_->path().isEmpty()                          ? tr("Choose a new folder.")
+                                                           : QString());
 }
 
 void ExportDialog::showIdentifiability() {

@@ -28,6 +28,7 @@ class ExportDialog final : public WorkDialog {
  private:
   ExportOptions options() const;
   void updateChoices();
+  void updateButton();
   /// Shows how many participants the folder would make identifiable, before it is written.
   void showIdentifiability();
 

@@ -18,6 +18,11 @@
 #include "study/words/words.h"
 
 namespace study::gui {
+namespace {
+
+constexpr int kCountRole = Qt::UserRole + 1;  ///< number of sessions of a mode
+
+}  // namespace
 
 QString describe(const Verification& verification) {
   QString words;
@@ -47,9 +52,18 @@ QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent) {
         QString::fromStdString(
             said(count == 1 ? "{} ({} session)" : "{} ({} sessions)", said(name), count)),
         static_cast<int>(mode));
+    choice->setItemData(choice->count() - 1, count, kCountRole);
   }
   choice->setCurrentIndex(choice->findData(static_cast<int>(defaultRunMode(study))));
   return choice;
+}
+
+bool hasSessions(const QComboBox& choice) {
+  return choice.currentData(kCountRole).toInt() > 0;
+}
+
+QString noSessions() {
+  return QObject::tr("There are no such sessions yet.");
 }
 
 RunMode chosenMode(const QComboBox& choice) {
@@ -81,6 +95,9 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
+  connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
+    setObstacle(path.isEmpty() ? tr("Choose a new folder.") : QString());
+  });
 }
 
 void BackupDialog::work() {
@@ -206,6 +223,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   addFigures();
   connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &ReportDialog::updateChoices);
+  connect(target_, &PathField::pathChanged, this, &ReportDialog::updateChoices);
   connect(figures_, &QCheckBox::toggled, this, &ReportDialog::updateChoices);
   updateChoices();
 }
@@ -241,8 +259,11 @@ void ReportDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
   fit();
-  const bool isReasoned = !isOfPeople || !reason_->text().trimmed().isEmpty();
-  setObstacle(isReasoned ? QString() : tr("Give a reason."));
+  setObstacle(
+      !hasSessions(*mode_)                                ? noSessions()
+      : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
+      : target_->path().isEmpty()                         ? tr("Choose a new file.")
+                                                          : QString());
 }
 
 void ReportDialog::work() {

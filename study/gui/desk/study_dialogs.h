@@ -86,6 +86,10 @@ QString describe(const Verification& verification);
 
 /// A list of run modes to choose from, each with its number of sessions.
 QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent);
+/// Whether there are sessions of the chosen mode.
+bool hasSessions(const QComboBox& choice);
+/// Why nothing can be done with a mode that has no sessions.
+QString noSessions();
 RunMode chosenMode(const QComboBox& choice);
 
 /// An unused path for a new file or folder next to a study, with today's date:

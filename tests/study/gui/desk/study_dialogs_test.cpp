@@ -207,8 +207,32 @@ TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
   tests::photographInAllThemes(dialog, QStringLiteral("amend"));
 }
 
+TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
+  const auto expectObstacle = [](QDialog& dialog, const char* words) {
+    EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled()) << words;
+    EXPECT_EQ(dialog.findChild<QLabel*>(QStringLiteral("obstacle"))->text().toStdString(), words);
+  };
+  ReportDialog report(summary());
+  ExportDialog data(summary());
+  for (QDialog* dialog : {static_cast<QDialog*>(&report), static_cast<QDialog*>(&data)}) {
+    EXPECT_TRUE(dialog->findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
+    for (auto* choice : dialog->findChildren<QComboBox*>()) {
+      const int live = choice->findData(static_cast<int>(RunMode::Live));
+      if (choice->accessibleName() == QStringLiteral("Which sessions"))
+        choice->setCurrentIndex(live);
+    }
+    expectObstacle(*dialog, "There are no such sessions yet.");
+  }
+  BackupDialog backup(summary());
+  EXPECT_TRUE(backup.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
+  backup.findChild<PathField*>()->setPath(QString());
+  expectObstacle(backup, "Choose a new folder.");
+}
+
 TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
-  ReportDialog dialog(summary());
+  auto study = summary();
+  study.sessions[RunMode::Live] = 1;
+  ReportDialog dialog(study);
   dialog.show();
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
   auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
