@@ -1,10 +1,12 @@
 #include "study/gui/desk/measurement_dialogs.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
 #include <QDir>
 #include <QFileInfo>
+#include <QScreen>
 
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/widgets/background_task.h"
@@ -83,10 +85,10 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
           .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
-  auto* pictures = new QHBoxLayout;  // beside each other: the result below stays in sight
+  auto* pictures = new QBoxLayout(QBoxLayout::LeftToRight);
   pictures->addWidget(picture_, 1);
   pictures->addWidget(cutPicture_, 1);
-  form().addRow(pictures);
+  addBeside(pictures);
   const auto lookAnew = [this] {
     form_->setVisible(false);
     look();
@@ -97,6 +99,7 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPlot::choose);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
+  connect(target_, &PathField::pathChanged, this, &ImportCutDialog::updateButton);
   look();
 }
 
@@ -140,18 +143,32 @@ haptics::recordings::ImportOptions ImportCutDialog::options() const {
 void ImportCutDialog::preview() {
   const auto& look = picture_->look();
   cutPicture_->setVisible(look.has_value());
+  isPossible_ = look.has_value();
   if (look) {
+    constexpr int kRoomForPictures = 1180;  // [px]
+    resize(
+        std::max(width(), std::min(kRoomForPictures, screen()->availableSize().width())), height());
     try {
       cutPicture_->show(look->trace, importRecording(look->recording, options()));
     } catch (const UserError& error) {
       cutPicture_->setVisible(false);
+      isPossible_ = false;
       showOutcome(
           Outcome::Warning,
           tr("No cut can be taken from this recording yet"),
           QString::fromUtf8(error.what()));
     }
   }
+  updateButton();
   fit();
+}
+
+void ImportCutDialog::updateButton() {
+  setObstacle(
+      recording_->path().isEmpty() ? tr("Choose a recording.")
+      : !isPossible_               ? tr("No cut can be taken from this recording.")
+      : target_->path().isEmpty()  ? tr("Choose a new file.")
+                                   : QString());
 }
 
 void ImportCutDialog::work() {
@@ -193,6 +210,17 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
   form().addRow(tr("Folder of series"), series_);
   form().addRow(tr("Title"), title_);
   form().addRow(tr("To a new file"), target_);
+  const auto updateButton = [this] {
+    setObstacle(
+        series_->path().isEmpty()            ? tr("Choose the folder of series.")
+        : title_->text().trimmed().isEmpty() ? tr("Give a title.")
+        : target_->path().isEmpty()          ? tr("Choose a new file.")
+                                             : QString());
+  };
+  connect(series_, &PathField::pathChanged, this, updateButton);
+  connect(title_, &QLineEdit::textChanged, this, updateButton);
+  connect(target_, &PathField::pathChanged, this, updateButton);
+  updateButton();
   fit();
 }
 
@@ -229,6 +257,9 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   form().addRow(tr("Spheres"), spheres_);
   form().addRow(tr("Seed"), seed_);
   form().addRow(tr("To a new file"), target_);
+  connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
+    setObstacle(path.isEmpty() ? tr("Choose a new file.") : QString());
+  });
   fit();
 }
 

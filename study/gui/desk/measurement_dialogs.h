@@ -31,6 +31,7 @@ class ImportCutDialog final : public WorkDialog {
   /// Shows the cut that an import would make of it.
   void preview();
   haptics::recordings::ImportOptions options() const;
+  void updateButton();
 
   PathField* recording_;
   PathField* columns_;
@@ -40,6 +41,7 @@ class ImportCutDialog final : public WorkDialog {
   PathField* target_;
   RecordingPlot* picture_;
   CutPlot* cutPicture_;
+  bool isPossible_ = false;  ///< a cut can be taken
 };
 
 /// Fits a reaming material to a folder of measured series.

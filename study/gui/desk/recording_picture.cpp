@@ -63,7 +63,7 @@ RecordingPreview lookAt(
 RecordingPlot::RecordingPlot(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), words_(quietLabel({}, this)) {
   words_->setObjectName(QStringLiteral("recording-words"));
-  plot_->setMinimumHeight(220);
+  plot_->setMinimumHeight(180);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
@@ -195,7 +195,7 @@ CutPlot::CutPlot(QWidget* parent)
       landmarks_(quietLabel({}, this)) {
   change_->setObjectName(QStringLiteral("cut-change"));
   landmarks_->setObjectName(QStringLiteral("cut-landmarks"));
-  plot_->setMinimumHeight(220);
+  plot_->setMinimumHeight(180);
   plot_->xAxis->setLabel(tr("travel [units]"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);

@@ -62,6 +62,18 @@ WorkDialog::WorkDialog(
   clear();
 }
 
+void WorkDialog::addBeside(QBoxLayout* pictures) {
+  auto* page = qobject_cast<QVBoxLayout*>(scroll_->widget()->layout());
+  const int place = page->indexOf(form_);
+  page->takeAt(place);
+  body_ = new QHBoxLayout;
+  body_->setSpacing(24);
+  body_->addLayout(form_, 1);
+  body_->addLayout(pictures, 1);
+  pictures_ = pictures;
+  page->insertLayout(place, body_);
+}
+
 QHBoxLayout* WorkDialog::makeButtons() {
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
@@ -126,6 +138,16 @@ void WorkDialog::fit() {
     resize(width(), std::min(needed, most));
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   }
+}
+
+void WorkDialog::resizeEvent(QResizeEvent* event) {
+  constexpr int kWideEnough = 1000;  // [px] for a form and a picture
+  if (pictures_ != nullptr) {
+    const bool isWide = event->size().width() >= kWideEnough;
+    body_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    pictures_->setDirection(isWide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  }
+  QDialog::resizeEvent(event);
 }
 
 void WorkDialog::showEvent(QShowEvent* event) {

@@ -40,6 +40,8 @@ class WorkDialog : public QDialog {
       const QString& line,
       const QString& more = {},
       Outcome outcome = Outcome::Good);
+  /// Places pictures beside the form; below it where the dialog is narrow.
+  void addBeside(QBoxLayout* pictures);
   /// Shows details without a result.
   void showDetails(const QString& more);
   void clear();
@@ -49,6 +51,7 @@ class WorkDialog : public QDialog {
   /// Called when the button is pressed.
   virtual void work() = 0;
 
+  void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -56,6 +59,8 @@ class WorkDialog : public QDialog {
 
   QScrollArea* scroll_;
   FieldForm* form_;
+  QBoxLayout* body_ = nullptr;      ///< the form, with pictures beside it
+  QBoxLayout* pictures_ = nullptr;  ///< nullptr: there are none
   QLabel* line_;
   class WrittenFile* written_;
   QTextBrowser* more_;

@@ -4,7 +4,10 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -50,6 +53,30 @@ TEST_F(MeasurementTest, ImportsACutThatAProtocolCanRead) {
   tests::photographInAllThemes(dialog, QStringLiteral("import"));
 }
 
+TEST_F(MeasurementTest, SaysWhyAButtonCannotBePressed) {
+  const auto obstacle = [](QDialog& dialog) {
+    const auto words = dialog.findChild<QLabel*>(QStringLiteral("obstacle"))->text().toStdString();
+    EXPECT_EQ(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled(), words.empty());
+    return words;
+  };
+  FitMaterialDialog fit;
+  EXPECT_EQ(obstacle(fit), "Choose the folder of series.");
+  set(fit, "series", folder_ / "series");
+  EXPECT_EQ(obstacle(fit), "");
+  set(fit, "target", "");
+  EXPECT_EQ(obstacle(fit), "Choose a new file.");
+  BuildBoneDialog bone;
+  EXPECT_EQ(obstacle(bone), "");
+  set(bone, "target", "");
+  EXPECT_EQ(obstacle(bone), "Choose a new file.");
+  ImportCutDialog cut;
+  EXPECT_EQ(obstacle(cut), "Choose a recording.");
+  set(cut, "recording", folder_.write("text.txt", "no recording"));
+  EXPECT_EQ(obstacle(cut), "No cut can be taken from this recording.");
+  set(cut, "recording", folder_.write("recording.txt", tests::textOf({})));
+  EXPECT_EQ(obstacle(cut), "");
+}
+
 TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
   // So long a name that a picture of the field shows it, and not the scratch folder's.
   std::filesystem::create_directory(folder_ / "measured-in-november");
@@ -66,6 +93,10 @@ TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
   const auto words = picture->words().toStdString();
   EXPECT_NE(words.find(std::to_string(look.survey.rows) + " rows"), std::string::npos) << words;
   EXPECT_NE(words.find(look.trace.calibration.name), std::string::npos) << words;
+  dialog.resize(1240, 720);
+  QTest::qWait(1);  // sizes follow what is shown
+  EXPECT_EQ(dialog.findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0)
+      << "the pictures are beside the form";
   tests::photographInAllThemes(dialog, QStringLiteral("import-picture"));
   set(dialog, "recording", folder_.write("text.txt", "no recording"));
   EXPECT_FALSE(picture->isVisible());
