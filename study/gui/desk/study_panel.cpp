@@ -32,6 +32,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       textsRemark_(bodyLabel({}, this)),
       problem_(bodyLabel({}, this)),
       buttons_(new QVBoxLayout),
+      unfinished_(new QVBoxLayout),
       open_(new QPushButton(tr("Open"), this)),
       start_(makeStart()),
       forget_(new QPushButton(tr("Remove from list"), this)),
@@ -65,6 +66,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   layout->addWidget(makeRemark(*keyRemark_, tr("Save a copy…"), &StudyPanel::keyRequested));
   layout->addWidget(
       makeRemark(*textsRemark_, tr("Fill in the texts…"), &StudyPanel::textsRequested));
+  layout->addLayout(unfinished_);
   layout->addWidget(open_);
   layout->addWidget(start_);
   layout->addWidget(scroll, 1);
@@ -244,9 +246,11 @@ void StudyPanel::show(const StudySummary& summary) {
                           : tr("%1 texts are still blank.").arg(summary.blanks));
   textsRemark_->parentWidget()->setVisible(summary.blanks > 0);
   showStart(false);
-  while (auto* item = parts_->takeAt(0)) {
-    delete item->widget();
-    delete item;
+  for (auto* shown : {unfinished_, parts_}) {
+    while (auto* item = shown->takeAt(0)) {
+      delete item->widget();
+      delete item;
+    }
   }
   showUnfinished(summary);
   showProgress(summary);
@@ -289,31 +293,54 @@ void StudyPanel::showDocuments(const StudySummary& summary) {
 }
 
 void StudyPanel::showUnfinished(const StudySummary& summary) {
-  if (!summary.unfinished.empty()) addHeading(tr("Unfinished sessions"));
-  for (const auto& session : summary.unfinished) parts_->addWidget(makeCard(session));
+  constexpr int kMostAbove = 2;  // the others are scrolled
+  for (const auto& session : summary.unfinished) {
+    auto* lines = unfinished_->count() < kMostAbove ? unfinished_ : parts_;
+    lines->addWidget(makeCard(session));
+  }
 }
 
+/// One sentence and the buttons, which are in sight on a small screen; the rest is shown on demand.
 QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
-  auto* card = new QFrame(place_);
+  auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
   card->setObjectName(
       QStringLiteral("unfinished-%1").arg(QString::fromStdString(session.participant)));
   auto* layout = new QVBoxLayout(card);
-  layout->addWidget(bodyLabel(describeUnfinished(session), card));
-  QString choices = session.isOpenElsewhere() ? QString() : tr("You can:");
-  for (const auto& choice : session.choices) {
-    choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +
-               QStringLiteral("•  ") + deskText(choice);
-  }
+  layout->addWidget(bodyLabel(
+      QString::fromStdString(said(
+          session.isOpenElsewhere() ? "Unfinished: {} ({}), step {} of {}; open in another window."
+                                    : "Unfinished: {} ({}), step {} of {}.",
+          session.participant,
+          said(nameOf(session.runMode)),
+          session.step + 1,
+          session.steps)),
+      card));
+  auto* buttons = new QHBoxLayout;
   if (!session.isOpenElsewhere()) {
     auto* button = new QPushButton(
         tr("Continue with %1").arg(QString::fromStdString(session.participant)), card);
     button->setProperty("role", QStringLiteral("tool"));
-    layout->insertWidget(0, button, 0, Qt::AlignLeft);  // visible however long the text is
+    buttons->addWidget(button);
     const auto id = static_cast<qlonglong>(session.id);
     connect(button, &QPushButton::clicked, this, [this, id] { emit resumeSessionRequested(id); });
   }
-  layout->addWidget(quietLabel(choices, card));
+  auto* details = new QPushButton(tr("Details"), card);
+  details->setObjectName(QStringLiteral("details"));
+  details->setProperty("role", QStringLiteral("tool"));
+  details->setCheckable(true);
+  buttons->addWidget(details);
+  buttons->addStretch(1);
+  layout->addLayout(buttons);
+  QString words = describeUnfinished(session);
+  if (!session.isOpenElsewhere()) words += QStringLiteral("\n") + tr("You can:");
+  for (const auto& choice : session.choices) {
+    words += QStringLiteral("\n•  ") + deskText(choice);
+  }
+  auto* more = quietLabel(words, card);
+  more->setVisible(false);
+  layout->addWidget(more);
+  connect(details, &QPushButton::toggled, more, &QWidget::setVisible);
   return card;
 }
 

@@ -73,7 +73,8 @@ class StudyPanel final : public QFrame {
     QLabel* heading = nullptr;
     std::vector<QPushButton*> buttons;
   };
-  QVBoxLayout* buttons_;  ///< the groups, row by row
+  QVBoxLayout* buttons_;     ///< the groups, row by row
+  QVBoxLayout* unfinished_;  ///< cards of sessions, in sight on a small screen
   QPushButton* open_;
   QWidget* start_;  ///< shown in place of the groups if there is no study
   std::vector<Group> groups_;

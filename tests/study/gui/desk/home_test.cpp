@@ -377,6 +377,26 @@ TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
   EXPECT_EQ(summaryOf(folder.toStdString()).blanks, 8U) << "institution and duration are there";
 }
 
+TEST_F(HomeTest, HasTheButtonThatContinuesInSightOnASmallScreen) {
+  const auto study = makeCrashedStudy();
+  for (const std::string language : {"en", "de", "nb"}) {
+    setDeskLanguage(language);
+    HomeWindow home;
+    home.resize(1024, 700);
+    home.show();
+    home.choose(study);
+    QTest::qWait(1);  // the window's layout is done in the event loop
+    const auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
+    ASSERT_NE(card, nullptr);
+    for (const auto* button : card->findChildren<QPushButton*>()) {
+      EXPECT_EQ(button->visibleRegion().boundingRect().size(), button->size())
+          << language << ": " << button->text().toStdString();
+    }
+    tests::photograph(home, QStringLiteral("home-unfinished-") + QString::fromStdString(language));
+  }
+  setDeskLanguage("en");
+}
+
 TEST_F(HomeTest, OffersToResumeAfterACrash) {
   HomeWindow home;
   home.resize(1240, 900);
@@ -386,6 +406,18 @@ TEST_F(HomeTest, OffersToResumeAfterACrash) {
   auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
   ASSERT_NE(card, nullptr);
   QCoreApplication::processEvents();  // the window's layout is done in the event loop
+  auto* details = card->findChild<QPushButton*>(QStringLiteral("details"));
+  const auto shown = [&] {
+    QString words;
+    for (auto* label : card->findChildren<QLabel*>()) {
+      if (label->isVisible()) words += label->text();
+    }
+    return words;
+  };
+  EXPECT_EQ(shown(), QStringLiteral("Unfinished: P001 (live), step 5 of 19."));
+  QTest::mouseClick(details, Qt::LeftButton);
+  EXPECT_TRUE(shown().contains(QStringLiteral("What was felt until then is kept")));
+  details->toggle();
   QString words;
   for (auto* label : card->findChildren<QLabel*>()) words += label->text();
   EXPECT_TRUE(words.contains(QStringLiteral("Repeat the trial"))) << words.toStdString();
