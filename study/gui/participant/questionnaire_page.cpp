@@ -72,10 +72,13 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   head_ = new QWidget(inside);
   auto* head = new QVBoxLayout(head_);
   head->setContentsMargins(0, scaled(*this, kAboveTitle), 0, 0);
-  head->setSpacing(scaled(*this, 10));
-  head->addWidget(titleLabel(content.title, head_));
   const bool isConsent = std::any_of(
       items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
+  // So that both options are in sight on a laptop.
+  constexpr int kBetweenClauses = 6;  // [px] at scale 1
+  constexpr int kBelowTitle = 10;
+  head->setSpacing(scaled(*this, isConsent ? kBetweenClauses : kBelowTitle));
+  head->addWidget(titleLabel(content.title, head_));
   if (isConsent) {
     for (const auto& clause : clausesOf(content.introduction)) head->addWidget(clauseOf(clause));
   } else if (!content.introduction.isEmpty()) {
@@ -121,7 +124,7 @@ QFrame* QuestionnairePage::clauseOf(const QString& text) {
   auto* clause = new QFrame(head_);
   clause->setProperty("role", QStringLiteral("clause"));
   auto* layout = new QVBoxLayout(clause);
-  const int above = scaled(*this, 8);
+  const int above = scaled(*this, 5);
   layout->setContentsMargins(scaled(*this, 14), above, scaled(*this, 14), above / 2);
   layout->addWidget(textLabel(text, clause));
   return clause;
@@ -152,7 +155,9 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   mark->hide();
   auto* widget = makeItemWidget(item, content.choices, content.language, card);
   card->layout()->addWidget(mark);
-  if (!item.isRequired) widget->layout()->addWidget(quietLabel(tr("Optional"), widget));
+  // A name in place of a signature says itself when it is wanted.
+  if (!item.isRequired && !isSignature(items_, index))
+    widget->layout()->addWidget(quietLabel(tr("Optional"), widget));
   // The name is written beside the option that it signs.
   const bool signsOption = isSignature(items_, index) && !items_[index - 1].consentOption.empty();
   auto* options = signsOption ? card->findChild<OptionButtons*>() : nullptr;
