@@ -9,6 +9,8 @@
 #include "protocols/load_protocol.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/labels.h"
+#include "study/report/report_section.h"
 
 namespace study::gui {
 namespace {
@@ -30,6 +32,24 @@ std::string textOf(const std::string& source) {
     if (file.name == source + std::string(kProtocolEnding)) return std::string(file.content);
   }
   return questionnaires::readTextFile(source);
+}
+
+/// "phase 7, Round 2": a part of a protocol, by its place from 0.
+QString titleOfPart(const protocols::Protocol& protocol, const QString& kind, std::size_t place) {
+  const auto number = QString::number(place + 1);
+  if (kind == QStringLiteral("phases")) {
+    return QObject::tr("phase %1, %2").arg(number, phaseTitle(protocol.phases.at(place).id));
+  }
+  if (kind == QStringLiteral("cohorts")) {
+    return QObject::tr("cohort %1, %2")
+        .arg(number, cohortTitle(protocol, protocol.cohorts.at(place).id));
+  }
+  if (kind == QStringLiteral("families")) {
+    return QObject::tr("comparisons %1, %2")
+        .arg(number, QString::fromStdString(protocol.analysis.families.at(place).title));
+  }
+  return QObject::tr("condition %1, %2")
+      .arg(number, QString::fromStdString(protocol.conditions.at(place).title));
 }
 
 /// "1 warning", "3 warnings", in the language of the desk.
@@ -68,24 +88,44 @@ QString CheckedProtocol::problemsInWords() const {
   QStringList lines;
   for (const auto& problem : problems) {
     const auto place = placeInWords(problem.path);
-    const auto fix = deskText(problem.fix);
+    const auto fix = inWords(problem.fix);
     lines << (problem.severity == Severity::Error ? QStringLiteral("✕  ") : QStringLiteral("!  ")) +
-                 (place.isEmpty() ? place : place + QStringLiteral(": ")) + deskText(problem.what) +
+                 (place.isEmpty() ? place : place + QStringLiteral(": ")) + inWords(problem.what) +
                  (fix.isEmpty() ? fix : QStringLiteral("  →  ") + fix);
   }
   return lines.join(QLatin1Char('\n'));
 }
 
-QString placeInWords(const std::string& path) {
+QString CheckedProtocol::inWords(const base::Message& text) const {
+  if (!loaded) return deskText(text);
+  report::ReportSection section;
+  section.protocol = loaded->protocol;
+  section.instruments = loaded->instruments;
+  section.words = words::wordsIn(deskLanguage());
+  return QString::fromStdString(section.inWords(text));
+}
+
+QString CheckedProtocol::placeInWords(const std::string& path) const {
   static const QRegularExpression kIndex(QStringLiteral("\\[(\\d+)\\]"));
+  static const QRegularExpression kPart(
+      QStringLiteral("^[.](?:analysis[.])?(phases|conditions|cohorts|families)\\[(\\d+)\\]"));
   const QString all = QString::fromStdString(path);
   const auto root = all.indexOf(u'$');
   QString inside = root < 0 ? QString() : all.mid(root + 1);
+  QString part;
+  if (const auto found = kPart.match(inside); root == 0 && loaded && found.hasMatch()) {
+    part = titleOfPart(loaded->protocol, found.captured(1), found.captured(2).toULongLong());
+    inside.remove(0, found.capturedLength());
+  }
   for (auto index = kIndex.match(inside); index.hasMatch(); index = kIndex.match(inside)) {
     const auto number = QString::number(index.captured(1).toInt() + 1);
     inside.replace(index.capturedStart(), index.capturedLength(), QLatin1Char(' ') + number);
   }
-  QStringList parts{root < 0 ? all : all.left(root).trimmed()};
+  const auto file = (root < 0 ? all : all.left(root).trimmed()).toStdString();
+  const auto* instrument = loaded ? loaded->instrument(file) : nullptr;
+  QStringList parts{
+      QString::fromStdString(instrument == nullptr ? file : instrument->title.in(deskLanguage())),
+      part};
   parts << inside.split(u'.');
   parts.removeAll(QString());
   return parts.join(QStringLiteral(" › ")).replace(u'_', u' ');

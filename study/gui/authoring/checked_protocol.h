@@ -23,11 +23,13 @@ struct CheckedProtocol {
   std::string verdict() const;
   /// All problems, a line each: "! Consent › introduction: … → what to do".
   QString problemsInWords() const;
+  /// A text of a problem, with titles in place of the ids of conditions, cohorts, blocks,
+  /// instruments and items.
+  QString inWords(const base::Message& text) const;
+  /// The place of a problem in a file for readers: "$.phases[4].text" → "phase 5, Round 1 › text".
+  /// As long as the protocol has errors, its parts have no titles.
+  QString placeInWords(const std::string& path) const;
 };
-
-/// The place of a problem in a file for readers: "consent-punch $.phases[4].text" → "consent-punch
-/// › phases 5 › text".
-QString placeInWords(const std::string& path);
 
 /// Reads and checks a protocol as `palpate protocol check` does. An unreadable file is reported as
 /// a problem.

@@ -269,9 +269,9 @@ void ProtocolWindow::showProblems() {
     const bool isError = problem.severity == Severity::Error;
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
-        placeInWords(problem.path),
-        deskText(problem.what),
-        deskText(problem.fix)};
+        checked_.placeInWords(problem.path),
+        checked_.inWords(problem.what),
+        checked_.inWords(problem.fix)};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

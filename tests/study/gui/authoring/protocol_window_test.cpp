@@ -147,8 +147,9 @@ TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
 }
 
 TEST_F(ProtocolWindowTest, NamesPlacesWithoutSignsOfTheFileFormat) {
+  const CheckedProtocol broken;
   EXPECT_EQ(
-      placeInWords("consent-punch $.phases[4].data_kept"),
+      broken.placeInWords("consent-punch $.phases[4].data_kept"),
       QStringLiteral("consent-punch › phases 5 › data kept"));
   ProtocolWindow window(QStringLiteral("punch-face-validity"));
   auto* problems = problemsOf(window);
@@ -158,6 +159,22 @@ TEST_F(ProtocolWindowTest, NamesPlacesWithoutSignsOfTheFileFormat) {
     EXPECT_FALSE(problems->item(row, 1)->text().contains(u'$'));
     EXPECT_TRUE(problems->item(row, 1)->toolTip().contains(u'$')) << "for the author of a file";
   }
+}
+
+TEST_F(ProtocolWindowTest, NamesPartsOfAProtocolByTheirTitles) {
+  const auto checked = checkProtocol("punch-face-validity");
+  EXPECT_EQ(
+      checked.placeInWords("$.phases[6].questionnaires[0]"),
+      QStringLiteral("phase 7, Round 2 › questionnaires 1"));
+  EXPECT_EQ(
+      checked.placeInWords("$.analysis.families[0].test"),
+      QStringLiteral("comparisons 1, Realism of the three methods › test"));
+  EXPECT_EQ(
+      checked.placeInWords("consent-punch $.introduction"),
+      QStringLiteral("Consent › introduction"));
+  const auto words = checked.problemsInWords();
+  EXPECT_TRUE(words.contains(QStringLiteral("'KF'"))) << words.toStdString();
+  EXPECT_FALSE(words.contains(QStringLiteral("'kalman'"))) << words.toStdString();
 }
 
 TEST_F(ProtocolWindowTest, ReloadsAChangedFile) {
