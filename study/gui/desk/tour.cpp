@@ -81,6 +81,8 @@ Tour::Tour(QWidget* parent)
       back_(new QPushButton(tr("Back"), this)),
       next_(new QPushButton(this)) {
   setWindowTitle(tr("Palpate in three steps"));
+  translator_.setLanguage(deskLanguage());
+  QCoreApplication::installTranslator(&translator_);
   heading_->setProperty("role", QStringLiteral("heading"));
   next_->setObjectName(QStringLiteral("tour-next"));
   next_->setProperty("role", QStringLiteral("main"));

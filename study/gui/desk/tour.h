@@ -12,6 +12,7 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/desk/virtual_punch.h"
+#include "study/gui/session/catalogue_translator.h"
 
 namespace study::gui {
 class TrialPage;
@@ -53,6 +54,7 @@ class Tour final : public QDialog {
   void endFeeling();
   void showRecord();
 
+  CatalogueTranslator translator_;  ///< of the participant's pages
   protocols::LoadedProtocol protocol_;
   VirtualPunch punch_;
   std::optional<TrialRecord> felt_;

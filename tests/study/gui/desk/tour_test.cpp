@@ -6,6 +6,7 @@
 
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/trial_page.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
@@ -53,6 +54,20 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   ASSERT_GT(record->rowCount(), 4);
   EXPECT_EQ(record->item(0, 1)->text().toLongLong(), tour.felt()->traceSamples);
   tests::photographInAllThemes(tour, QStringLiteral("tour-3"));
+}
+
+TEST_F(TourTest, HasTheParticipantsPageInTheLanguageOfTheDesk) {
+  setDeskLanguage("de");
+  {
+    Tour tour;
+    tour.show();
+    auto* page = tour.findChild<TrialPage*>();
+    QTest::mouseClick(buttonSaying(page, QStringLiteral("Beginnen")), Qt::LeftButton);
+    QString words;
+    for (const auto* label : page->findChildren<QLabel*>()) words += label->text();
+    EXPECT_TRUE(words.contains(QStringLiteral("(mindestens 1)"))) << words.toStdString();
+  }
+  setDeskLanguage("en");
 }
 
 TEST_F(TourTest, ShowsAnEmptyRecordWithoutATrial) {
