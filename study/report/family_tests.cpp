@@ -1,28 +1,14 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "analysis/registry/registry.h"
 #include "study/report/html_writer.h"
+#include "study/report/statistics_tables.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {
-
-/// The heading of a column of p values.
-std::string_view headingOf(std::string_view test) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShort{
-      {{"paired_t", "Paired t"},
-       {"sign_flip", "Sign flip"},
-       {"signed_rank", "Signed rank"},
-       {"mixed_model", "Mixed model"},
-       {"ordinal_model", "Ordinal model"}}};
-  for (const auto& [id, heading] : kShort) {
-    if (id == test) return heading;
-  }
-  return analysis::statisticalTest(test).title;
-}
 
 /// Writes one family's tests.
 class TestsWriter : HtmlWriter {
@@ -147,7 +133,7 @@ class TestsWriter : HtmlWriter {
     for (std::size_t i = 0; !pairs.empty() && i < pairs.front().tests.size(); ++i) {
       const auto& test = pairs.front().tests[i];
       if (!test.isInFamily) continue;
-      headings.push_back(say(headingOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
+      headings.push_back(say(shortNameOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
     }
     headings.push_back(say("Equivalence"));
     table(

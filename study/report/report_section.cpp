@@ -331,9 +331,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   return named;
 }
 
-ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
-  auto felt = renderedForceResult(study, mode);
-  auto [firstDay, lastDay] = daysOf(study, mode);
+ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words) {
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
@@ -348,13 +346,23 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = computeResults(study, mode),
-      .curves = std::move(felt.curves),
-      .curvesReason = std::move(felt.reason),
-      .quality = qualityOf(study, mode),
-      .landmarks = landmarksOf(study, mode),
+      .curves = {},
+      .curvesReason = {},
+      .quality = {},
+      .landmarks = {},
       .warnings = warningsOf(study),
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};
+}
+
+ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
+  auto section = gatherResults(study, mode, words);
+  auto felt = renderedForceResult(study, mode);
+  section.curves = std::move(felt.curves);
+  section.curvesReason = std::move(felt.reason);
+  section.quality = qualityOf(study, mode);
+  section.landmarks = landmarksOf(study, mode);
+  return section;
 }
 
 }  // namespace study::report

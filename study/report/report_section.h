@@ -144,6 +144,11 @@ std::string scaleInWords(const ReportSection& section, const protocols::Family& 
 /// The figures that were painted: pairs of a file name ("realism-answers") and the SVG element.
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 
+/// Reads a study and computes the results of its sessions of @p mode. What was felt in trials is
+/// not read.
+/// @throws storage::StorageError  if the study cannot be read.
+ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words = {});
+
 /// Reads a study and computes what a report shows of its sessions of @p mode. Figures are not
 /// painted.
 /// @throws storage::StorageError  if the study cannot be read.

@@ -135,6 +135,13 @@ struct StudyPlan {
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& question);
 
+/// The effects (d_z) and the numbers of participants for which a table of power is shown.
+std::vector<double> effectsToShow(const StudyPlan& plan);
+std::vector<std::uint64_t> sizesToShow(const FamilyPlan& family);
+
+/// "trials on the device".
+std::string partInWords(StepKind kind);
+
 std::string studyPlanAsText(const StudyPlan& plan);
 
 /// A paragraph on numbers of participants and durations for an application to an ethics committee.

@@ -193,15 +193,10 @@ std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
 }
 
 std::string powerTable(const StudyPlan& plan, const FamilyPlan& family) {
-  std::set<double> effects{0.5, 0.8, 1.0, 1.2, 1.5, std::abs(plan.question.dz)};
-  effects.erase(0.0);
-  std::set<std::uint64_t> sizes{6, 8, 10, 12, 16, 20, 24, 30};
-  for (const auto& prospect : family.prospects) {
-    if (prospect.participants > 1) sizes.insert(prospect.participants);
-  }
+  const auto effects = effectsToShow(plan);
   std::string text = "  power of a paired t-test on participants' means, by d_z:\n             N";
   for (const double dz : effects) text += fmt::format("{:>8g}", dz);
-  for (const auto n : sizes) {
+  for (const auto n : sizesToShow(family)) {
     text += fmt::format("\n{:>14}", n);
     for (const double dz : effects) {
       text += fmt::format("{:>8}", share(analysis::pairedTPower(dz, n, family.alphaPerTest)));
@@ -289,30 +284,6 @@ std::string votesText(const StudyPlan& plan) {
   return text;
 }
 
-std::string wordsFor(const PartOfSession& part) {
-  switch (part.kind) {
-    case StepKind::Reading:
-      return "information and debriefing";
-    case StepKind::Consent:
-      return "consent";
-    case StepKind::Form:
-      return "forms";
-    case StepKind::Benchmark:
-      return "the real tool";
-    case StepKind::Trial:
-      return "trials on the device";
-    case StepKind::Questionnaire:
-      return "questions about what was felt";
-    case StepKind::Preference:
-      return "votes";
-    case StepKind::Break:
-      return "breaks";
-    case StepKind::Interview:
-      return "interview";
-  }
-  return {};
-}
-
 std::string lengthText(const StudyPlan& plan) {
   const auto& pace = plan.question.pace;
   std::string text = fmt::format(
@@ -321,7 +292,8 @@ std::string lengthText(const StudyPlan& plan) {
     std::string of = counted(part.steps, "step");
     if (part.items > 0) of += ", " + counted(part.items, "item");
     if (part.cuts > 0) of += ", " + counted(static_cast<std::uint64_t>(part.cuts), "cut");
-    text += fmt::format("  {:>6.1f} min  {} ({})\n", part.seconds / 60.0, wordsFor(part), of);
+    text +=
+        fmt::format("  {:>6.1f} min  {} ({})\n", part.seconds / 60.0, partInWords(part.kind), of);
   }
   text += fmt::format(
       "  Assumed: {:g} s an item, {:g} s an answer in words, {:g} s a cut, {:g} s before a trial, "
@@ -429,6 +401,44 @@ std::string conditionsInWords(const StudyPlan& plan) {
 }
 
 }  // namespace
+
+std::vector<double> effectsToShow(const StudyPlan& plan) {
+  std::set<double> effects{0.5, 0.8, 1.0, 1.2, 1.5, std::abs(plan.question.dz)};
+  effects.erase(0.0);
+  return {effects.begin(), effects.end()};
+}
+
+std::vector<std::uint64_t> sizesToShow(const FamilyPlan& family) {
+  std::set<std::uint64_t> sizes{6, 8, 10, 12, 16, 20, 24, 30};
+  for (const auto& prospect : family.prospects) {
+    if (prospect.participants > 1) sizes.insert(prospect.participants);
+  }
+  return {sizes.begin(), sizes.end()};
+}
+
+std::string partInWords(StepKind kind) {
+  switch (kind) {
+    case StepKind::Reading:
+      return "information and debriefing";
+    case StepKind::Consent:
+      return "consent";
+    case StepKind::Form:
+      return "forms";
+    case StepKind::Benchmark:
+      return "the real tool";
+    case StepKind::Trial:
+      return "trials on the device";
+    case StepKind::Questionnaire:
+      return "questions about what was felt";
+    case StepKind::Preference:
+      return "votes";
+    case StepKind::Break:
+      return "breaks";
+    case StepKind::Interview:
+      return "interview";
+  }
+  return {};
+}
 
 std::string ethicsParagraph(const StudyPlan& plan) {
   const auto cohorts = cohortsInWords(plan);

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 
-#include <QFontDatabase>
 #include <QScreen>
-#include <QTextBrowser>
 
 #include "study/cohort/simulated_participant.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
-#include "study/results/results.h"
-#include "study/results/results_text.h"
+#include "study/report/plan_tables.h"
+#include "study/report/statistics_tables.h"
 #include "study/results/study_plan.h"
 #include "study/session/unblinding.h"
 
@@ -29,15 +28,9 @@ int countOf(const StudySummary& study, RunMode mode) {
   return found == study.sessions.end() ? 0 : found->second;
 }
 
-/// Shows the details in a fixed-width font, with space for tables.
-void showAsTables(WorkDialog& dialog, QTextEdit::LineWrapMode wrapping) {
-  constexpr int kHeight = 340;  // [px]
-  constexpr int kWidth = 1240;
-  auto* tables = dialog.findChild<QTextBrowser*>(QStringLiteral("more"));
-  tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  tables->setLineWrapMode(wrapping);
-  tables->setMinimumHeight(kHeight);
-  tables->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 13px;"));
+/// Makes a dialog wide enough for tables, as far as the screen has room.
+void widen(QDialog& dialog) {
+  constexpr int kWidth = 1240;  // [px]
   dialog.resize(std::min(kWidth, dialog.screen()->availableSize().width()), dialog.height());
 }
 
@@ -169,7 +162,8 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       participants_(new QSpinBox(this)),
       effect_(new QDoubleSpinBox(this)),
-      power_(new QDoubleSpinBox(this)) {
+      power_(new QDoubleSpinBox(this)),
+      result_(new ResultView(this)) {
   participants_->setObjectName(QStringLiteral("participants"));
   participants_->setAccessibleName(tr("Participants of each cohort"));
   participants_->setRange(0, kMostPlanned);
@@ -187,7 +181,8 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Participants of each cohort"), participants_);
   form().addRow(tr("Effect to find (Cohen's d_z)"), effect_);
   form().addRow(tr("Power to reach"), power_);
-  showAsTables(*this, QTextEdit::WidgetWidth);
+  addResult(result_);
+  result_->hide();
   fit();
 }
 
@@ -196,15 +191,21 @@ void PlanDialog::work() {
   if (participants_->value() > 0) {
     question.participants = static_cast<std::uint64_t>(participants_->value());
   }
-  std::string plan;
+  StudyPlan plan;
   const bool isDone = BackgroundTask::run(
       this, tr("Computing"), Matter::PlanNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "simulating studies");
         auto study = Study::open(folder_, Access::ReadOnly);
-        plan = studyPlanAsText(planOf(study.protocol(), question));
+        plan = planOf(study.protocol(), question);
       });
-  if (!isDone) return clear();
-  showDetails(QString::fromStdString(plan));
+  result_->setVisible(isDone);
+  if (isDone) {
+    const auto words = words::wordsIn(deskLanguage());
+    result_->show(
+        QString::fromStdString(report::planInWords(plan, words)), report::planTables(plan, words));
+    widen(*this);
+  }
+  fit();
 }
 
 StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
@@ -217,7 +218,8 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
       folder_(study.folder),
       mode_(makeRunModeBox(study, this)),
       profile_(new QComboBox(this)),
-      reason_(new QLineEdit(this)) {
+      reason_(new QLineEdit(this)),
+      result_(new ResultView(this)) {
   profile_->setAccessibleName(tr("Which tests"));
   const auto add = [&](const QString& words, Profile profile) {
     profile_->addItem(words, static_cast<int>(profile));
@@ -230,8 +232,13 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Tests"), profile_);
   form().addRow(tr("Reason for unblinding"), reason_);
-  showAsTables(*this, QTextEdit::NoWrap);
-  connect(mode_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::updateChoices);
+  addResult(result_);
+  const auto forget = [this] {
+    section_.reset();
+    updateChoices();
+  };
+  connect(mode_, &QComboBox::currentIndexChanged, this, forget);
+  connect(profile_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::showResults);
   connect(reason_, &QLineEdit::textChanged, this, &StatisticsDialog::updateChoices);
   updateChoices();
 }
@@ -239,26 +246,39 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
 void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
+  setObstacle(
+      !hasSessions(*mode_)                                ? noSessions()
+      : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
+                                                          : QString());
+  showResults();
+}
+
+void StatisticsDialog::showResults() {
+  result_->setVisible(section_.has_value());
+  if (section_) {
+    const auto profile = static_cast<Profile>(profile_->currentData().toInt());
+    result_->show(
+        QString::fromStdString(report::answerInWords(*section_)),
+        report::statisticsTables(*section_, profile));
+  }
   fit();
-  const bool isReasoned = !isOfPeople || !reason_->text().trimmed().isEmpty();
-  setObstacle(isReasoned ? QString() : tr("Give a reason."));
 }
 
 void StatisticsDialog::work() {
   const auto mode = chosenMode(*mode_);
-  const auto profile = static_cast<Profile>(profile_->currentData().toInt());
   const auto reason =
       mode == RunMode::Simulated ? std::string() : reason_->text().trimmed().toStdString();
-  std::string tables;
-  const bool isDone = BackgroundTask::run(
+  section_.reset();
+  const auto words = words::wordsIn(deskLanguage());
+  BackgroundTask::run(
       this, tr("Computing"), Matter::StatisticsNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "computing the tables");
         auto study = Study::open(folder_, accessForUnblinding(reason));
         recordUnblinding(study, mode, EventKind::UnblindedResults, reason);
-        tables = resultsAsText(study, computeResults(study, mode), profile);
+        section_ = report::gatherResults(study, mode, words);
       });
-  if (!isDone) return clear();
-  showDetails(QString::fromStdString(tables));
+  if (section_) widen(*this);
+  showResults();
 }
 
 }  // namespace study::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <QComboBox>
@@ -11,6 +12,8 @@
 #include "study/gui/desk/study_summary.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
+#include "study/gui/widgets/result_view.h"
+#include "study/report/report_section.h"
 
 namespace study::gui {
 
@@ -72,9 +75,11 @@ class PlanDialog final : public WorkDialog {
   QSpinBox* participants_;
   QDoubleSpinBox* effect_;
   QDoubleSpinBox* power_;
+  ResultView* result_;
 };
 
-/// Shows the tables of a study, as `palpate stats run` prints them.
+/// Shows what a study found: the answer as the report says it, then the tables of `palpate stats
+/// run`, of which those of the declared tests come first.
 class StatisticsDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -86,11 +91,14 @@ class StatisticsDialog final : public WorkDialog {
 
  private:
   void updateChoices();
+  void showResults();
 
   std::string folder_;
+  std::optional<report::ReportSection> section_;  ///< what is shown
   QComboBox* mode_;
   QComboBox* profile_;
   QLineEdit* reason_;
+  ResultView* result_;
 };
 
 }  // namespace study::gui

@@ -74,6 +74,11 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
   page->insertLayout(place, body_);
 }
 
+void WorkDialog::addResult(QWidget* result) {
+  auto* page = qobject_cast<QVBoxLayout*>(scroll_->widget()->layout());
+  page->insertWidget(page->indexOf(more_), result, 1);
+}
+
 QHBoxLayout* WorkDialog::makeButtons() {
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);

@@ -42,6 +42,8 @@ class WorkDialog : public QDialog {
       Outcome outcome = Outcome::Good);
   /// Places pictures beside the form; below it where the dialog is narrow.
   void addBeside(QBoxLayout* pictures);
+  /// Places a widget of the dialog's own where details are.
+  void addResult(QWidget* result);
   /// Shows details without a result.
   void showDetails(const QString& more);
   void clear();

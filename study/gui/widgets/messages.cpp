@@ -158,6 +158,8 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "The texts were not changed.",
         "New sessions use the same texts as before."),
     failure(
+        TableNotSaved, "Save the table", "The table was not saved.", "The study was not changed."),
+    failure(
         TextsNotSaved,
         "Fill in the texts",
         "The texts were not saved.",

@@ -36,6 +36,7 @@ enum class Matter {
   StudyNotVerified,
   SystemNotChecked,
   TextsNotChanged,
+  TableNotSaved,
   TextsNotSaved,
   VirtualPunchNotStarted,
   // What the operator should know.

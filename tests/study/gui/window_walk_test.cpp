@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "haptics/engine/built_in_models.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
+#include "study/cohort/simulated_participant.h"
 #include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/authoring/texts_dialog.h"
@@ -100,6 +102,7 @@ class Windows {
         {"ParticipantWindow", [this] { return participant(); }},
         {"PinDialog", [] { return make<PinDialog>(); }},
         {"PlanDialog", [=] { return make<PlanDialog>(summary); }},
+        {"PlanDialog_Done", [=] { return done<PlanDialog>(summary); }},
         {"PreviewWindow", [this] { return make<PreviewWindow>(protocol_); }},
         {"ProtocolWindow",
          [] { return make<ProtocolWindow>(QStringLiteral("punch-face-validity")); }},
@@ -109,6 +112,7 @@ class Windows {
         {"SimulateDialog", [=] { return make<SimulateDialog>(summary); }},
         {"SimulationView", [] { return knee(); }},
         {"StatisticsDialog", [=] { return make<StatisticsDialog>(summary); }},
+        {"StatisticsDialog_Done", [this] { return done<StatisticsDialog>(simulated()); }},
         {"TextsDialog", [this] { return make<TextsDialog>(protocol_); }},
         {"Tour", [] { return make<Tour>(); }},
         {"VerifyDialog", [=] { return make<VerifyDialog>(summary); }},
@@ -124,6 +128,25 @@ class Windows {
   template <typename Window, typename... Arguments>
   static Opened make(Arguments&&... arguments) {
     return {nullptr, std::make_shared<Window>(std::forward<Arguments>(arguments)...)};
+  }
+
+  /// A dialog whose work is done.
+  template <typename Dialog>
+  static Opened done(const StudySummary& summary) {
+    auto opened = make<Dialog>(summary);
+    opened.window->template findChild<QPushButton*>(QStringLiteral("go"))->click();
+    return opened;
+  }
+
+  /// A study with simulated participants.
+  StudySummary simulated() {
+    const std::string folder = folder_ / "simulated";
+    if (!std::filesystem::exists(folder)) {
+      SimulatedClock clock;
+      auto study = Study::create(folder, protocol_, clock, 7, tests::knownSecret());
+      simulateCohorts(study, clock, 4, 7, [](const auto&) {});
+    }
+    return summaryOf(folder);
   }
 
   static BackgroundTask::Work waits() {
@@ -369,6 +392,7 @@ INSTANTIATE_TEST_SUITE_P(
         "ParticipantWindow",
         "PinDialog",
         "PlanDialog",
+        "PlanDialog_Done",
         "PreviewWindow",
         "ProtocolWindow",
         "ReportDialog",
@@ -377,6 +401,7 @@ INSTANTIATE_TEST_SUITE_P(
         "SimulateDialog",
         "SimulationView",
         "StatisticsDialog",
+        "StatisticsDialog_Done",
         "TextsDialog",
         "Tour",
         "VerifyDialog"),

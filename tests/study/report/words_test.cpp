@@ -11,10 +11,13 @@
 #include "analysis/data/reason.h"
 #include "analysis/summary/flags.h"
 #include "haptics/registry/device_kinds.h"
+#include "protocols/load_protocol.h"
 #include "protocols/model/messages.h"
 #include "questionnaires/reading/instrument_problems.h"
 #include "study/model/messages.h"
 #include "study/report/html_report.h"
+#include "study/report/plan_tables.h"
+#include "study/report/statistics_tables.h"
 #include "study/report/study_parts.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
@@ -100,6 +103,13 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   report::asHtml(sections);
   section.history.versionsSinceBegun = 0;
   report::asHtml(sections);
+  for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
+    section.results.runMode = mode;
+    report::answerInWords(section);
+  }
+  for (const auto profile : {Profile::Declared, Profile::AsPublished, Profile::Recommended}) {
+    report::statisticsTables(section, profile);
+  }
   std::string missing;
   for (const auto& sentence : section.words.missing()) missing += "  " + sentence + "\n";
   EXPECT_EQ(missing, "");
@@ -115,6 +125,23 @@ TEST_P(WordsTest, TranslateEverySentenceOnSites) {
   std::vector<report::ReportSection> sections{tests::madeUpSectionOfSites()};
   auto& words = sections.front().words = wordsIn(GetParam());
   report::asHtml(sections);
+  report::statisticsTables(sections.front(), Profile::Recommended);
+  EXPECT_EQ(words.missing(), (std::set<std::string, std::less<>>()));
+}
+
+TEST_P(WordsTest, TranslateEverySentenceOfAPlan) {
+  const auto words = wordsIn(GetParam());
+  questionnaires::Problems problems;
+  for (const auto* id : {"punch-face-validity", "punch-counterbalanced", "two-devices"}) {
+    const auto protocol = *protocols::loadProtocolFile(id, problems);
+    for (const std::uint64_t participants : {2, 12}) {
+      const auto plan = planOf(protocol, {.participants = participants, .studies = 0});
+      report::planInWords(plan, words);
+      report::planTables(plan, words);
+    }
+  }
+  StudyPlan empty;
+  report::planInWords(empty, words);
   EXPECT_EQ(words.missing(), (std::set<std::string, std::less<>>()));
 }
 

@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDate>
 #include <QFileInfo>
@@ -25,10 +26,12 @@
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/task_dialogs.h"
 #include "study/gui/widgets/message_box.h"
+#include "study/gui/widgets/result_view.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/model/clock.h"
-#include "study/results/results.h"
-#include "study/results/results_text.h"
+#include "study/report/plan_tables.h"
+#include "study/report/statistics_tables.h"
+#include "study/report/study_parts.h"
 #include "study/results/study_plan.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
@@ -163,16 +166,59 @@ TEST_F(StudyDialogsTest, ReportHasPagesOfLetterSizeAndNoQuotesIfAsked) {
       tests::contentOf(out_ / "without.html").size(), tests::contentOf(out_ / "with.html").size());
 }
 
-TEST_F(StudyDialogsTest, StatisticsAreThoseOfTheCommandLine) {
+TEST_F(StudyDialogsTest, StatisticsAnswerFirstAndThenShowTheDeclaredTests) {
   StatisticsDialog dialog(summary());
-  dialog.show();
-  QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+  press(dialog);
   SystemClock clock;
   auto study = Study::open(this->study(), clock, storage::Database::Access::ReadOnly);
-  const auto tables =
-      resultsAsText(study, computeResults(study, RunMode::Simulated), Profile::Declared);
-  EXPECT_EQ(more(dialog).trimmed(), QString::fromStdString(tables).trimmed());
+  const auto section = report::gather(study, RunMode::Simulated);
+  const auto* answer = dialog.findChild<QLabel*>(QStringLiteral("answer"));
+  EXPECT_TRUE(answer->text().contains(QString::fromStdString(report::verdictOf(section))))
+      << answer->text().toStdString();
+  auto& view = *dialog.findChild<ResultView*>();
+  const auto expected = report::statisticsTables(section, Profile::Declared);
+  EXPECT_EQ(asCsv(view.table()), asCsv(expected.front()));
+  EXPECT_EQ(view.table().rows.size(), 6U) << "three pairs in each of two cohorts";
+  const auto* cells = dialog.findChild<QTableWidget*>(QStringLiteral("results"));
+  EXPECT_EQ(cells->rowCount(), 6);
+  EXPECT_TRUE(cells->horizontalHeaderItem(2)->text() == QStringLiteral("In words"));
   tests::photographInAllThemes(dialog, QStringLiteral("statistics"));
+}
+
+TEST_F(StudyDialogsTest, StatisticsShowExploratoryTestsOnlyWhereAsked) {
+  StatisticsDialog dialog(summary());
+  press(dialog);
+  auto& view = *dialog.findChild<ResultView*>();
+  const auto csv = [&] { return asCsv(view.table()); };
+  EXPECT_EQ(csv().find("Exploratory."), std::string::npos) << csv();
+  for (auto* choice : dialog.findChildren<QComboBox*>()) {
+    const auto within = choice->findData(static_cast<int>(Profile::Recommended));
+    if (choice->accessibleName() == QStringLiteral("Which tests")) choice->setCurrentIndex(within);
+  }
+  EXPECT_NE(csv().find("Exploratory."), std::string::npos) << csv();
+  tests::photographInAllThemes(dialog, QStringLiteral("statistics-within"));
+}
+
+TEST_F(StudyDialogsTest, StatisticsAreCopiedAndSaved) {
+  StatisticsDialog dialog(summary());
+  press(dialog);
+  auto* cells = dialog.findChild<QTableWidget*>(QStringLiteral("results"));
+  QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("copy")), Qt::LeftButton);
+  const auto whole = QApplication::clipboard()->text();
+  EXPECT_EQ(whole.count(u'\n'), 7) << whole.toStdString();
+  EXPECT_TRUE(whole.startsWith(QStringLiteral("Cohort\tComparison\tIn words\t")))
+      << whole.toStdString();
+  cells->setFocus();
+  cells->selectRow(1);
+  QTest::keySequence(cells, QKeySequence::Copy);
+  const auto row = QApplication::clipboard()->text();
+  EXPECT_EQ(row.count(u'\n'), 1) << row.toStdString();
+  EXPECT_TRUE(row.contains(cells->item(1, 1)->text())) << row.toStdString();
+  const auto& view = *dialog.findChild<ResultView*>();
+  view.saveTo(QString::fromStdString(out_ / "table.csv"));
+  EXPECT_EQ(tests::contentOf(out_ / "table.csv"), asCsv(view.table()));
+  EXPECT_ANY_THROW(view.saveTo(QString::fromStdString(out_ / "table.csv")))
+      << "nothing is overwritten";
 }
 
 TEST_F(StudyDialogsTest, SimulationAddsParticipants) {
@@ -213,8 +259,12 @@ TEST_F(StudyDialogsTest, SayWhyTheyCannotStart) {
     EXPECT_EQ(dialog.findChild<QLabel*>(QStringLiteral("obstacle"))->text().toStdString(), words);
   };
   ReportDialog report(summary());
+  StatisticsDialog statistics(summary());
   ExportDialog data(summary());
-  for (QDialog* dialog : {static_cast<QDialog*>(&report), static_cast<QDialog*>(&data)}) {
+  for (QDialog* dialog :
+       {static_cast<QDialog*>(&report),
+        static_cast<QDialog*>(&statistics),
+        static_cast<QDialog*>(&data)}) {
     EXPECT_TRUE(dialog->findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
     for (auto* choice : dialog->findChildren<QComboBox*>()) {
       const int live = choice->findData(static_cast<int>(RunMode::Live));
@@ -286,14 +336,18 @@ TEST_F(StudyDialogsTest, ReportWritesFiguresInTheSizeOfAJournal) {
   EXPECT_NE(svg.find("width=\"120.000mm\""), std::string::npos) << svg.substr(0, 200);
 }
 
-TEST_F(StudyDialogsTest, PlanSaysWhatTheCommandLineSays) {
+TEST_F(StudyDialogsTest, PlanSaysFirstWhatTheStudyCanFind) {
   PlanDialog dialog(summary());
   dialog.findChild<QSpinBox*>(QStringLiteral("participants"))->setValue(12);
   press(dialog);
   questionnaires::Problems problems;
   const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
-  const auto expected = studyPlanAsText(planOf(protocol, {.participants = 12}));
-  EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
+  const auto plan = planOf(protocol, {.participants = 12});
+  EXPECT_EQ(
+      dialog.findChild<QLabel*>(QStringLiteral("answer"))->text().toStdString(),
+      report::planInWords(plan));
+  const auto& table = dialog.findChild<ResultView*>()->table();
+  EXPECT_EQ(asCsv(table), asCsv(report::planTables(plan).front()));
   tests::photographInAllThemes(dialog, QStringLiteral("plan"));
 }
 

@@ -1,0 +1,251 @@
+#include "study/report/plan_tables.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/planning/power.h"
+#include "study/results/apa_text.h"
+
+namespace study::report {
+namespace {
+
+std::string percent(double share) {
+  return fmt::format("{:.0f}\u00a0%", 100.0 * share);
+}
+
+std::string asCell(const std::optional<std::uint64_t>& number) {
+  return number ? std::to_string(*number) : "> 1 000 000";
+}
+
+class PlanWriter {
+ public:
+  PlanWriter(const StudyPlan& plan, const words::Words& words) : plan_(plan), words_(words) {}
+
+  std::string sentences() const {
+    if (plan_.families.empty()) {
+      return words_("The protocol declares no comparisons, so there is no power to compute.");
+    }
+    std::string text;
+    for (const auto& family : plan_.families) {
+      if (!text.empty()) text += "\n";
+      if (plan_.families.size() > 1) text += words_.say("“{}”", family.title) + ": ";
+      text += found(family) + needed(family);
+    }
+    return text;
+  }
+
+  std::vector<DataTable> tables() {
+    for (const auto& family : plan_.families) power(family);
+    cohorts();
+    orders();
+    session();
+    preferences();
+    auto& ethics = add("ethics", words_("For an ethics committee"), {words_("Paragraph")});
+    ethics.rows.push_back({ethicsParagraph(plan_)});
+    std::erase_if(tables_, [](const auto& table) { return table.rows.empty(); });
+    return std::move(tables_);
+  }
+
+ private:
+  // --- Sentences ---
+
+  std::string found(const FamilyPlan& family) const {
+    std::set<std::uint64_t> seen;
+    std::string text;
+    for (const auto& cohort : family.prospects) {
+      if (!cohort.power || !seen.insert(cohort.participants).second) continue;
+      text += words_.say(
+          "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
+          "probability "
+          "of {}.",
+          cohort.participants,
+          plan_.question.dz,
+          percent(*cohort.power));
+      text += " ";
+      if (cohort.canPairsBeSignificant) continue;
+      text += words_.say(
+          "No exact paired test can be significant, whatever participants answer: that takes {}.",
+          family.fewestForSignificance);
+      text += " ";
+    }
+    return text.empty() ? words_(
+                              "The protocol does not say how many participants will come: enter "
+                              "a number.") +
+                              " "
+                        : text;
+  }
+
+  std::string needed(const FamilyPlan& family) const {
+    auto text = words_.say(
+        "A probability of {} takes {} participants in a cohort",
+        percent(plan_.question.power),
+        asCell(family.forPower));
+    if (family.recommended && plan_.balancedBy > 1) {
+      text += words_.say("; {} balance the orders as well", *family.recommended);
+    }
+    return text + ".";
+  }
+
+  // --- Tables ---
+
+  DataTable& add(std::string name, std::string title, std::vector<std::string> headings) {
+    auto& table = tables_.emplace_back(DataTable{
+        .name = std::move(name), .description = std::move(title), .columns = {}, .rows = {}});
+    for (auto& heading : headings) {
+      // The first columns have titles of the protocol in them.
+      table.columns.push_back({std::move(heading), {}, table.columns.size() < 2});
+    }
+    return table;
+  }
+
+  void power(const FamilyPlan& family) {
+    const auto effects = effectsToShow(plan_);
+    std::vector<std::string> headings{words_("Participants in a cohort")};
+    for (const double dz : effects) headings.push_back(fmt::format("d_z = {:g}", dz));
+    const auto title =
+        plan_.families.size() > 1 ? words_("Power") + ": " + family.title : words_("Power");
+    auto& table = add("power-" + family.id, title, std::move(headings));
+    for (const auto n : sizesToShow(family)) {
+      std::vector<Cell> cells{std::to_string(n)};
+      for (const double dz : effects) {
+        cells.emplace_back(percent(analysis::pairedTPower(dz, n, family.alphaPerTest)));
+      }
+      table.rows.push_back(std::move(cells));
+    }
+    std::vector<Cell> needed{words_.say("needed for {}", percent(plan_.question.power))};
+    for (const double dz : effects) {
+      needed.emplace_back(
+          asCell(analysis::participantsForPower(dz, family.alphaPerTest, plan_.question.power)));
+    }
+    table.rows.push_back(std::move(needed));
+  }
+
+  void cohorts() {
+    auto& table =
+        add("cohorts",
+            words_("Cohorts"),
+            {words_("Question"),
+             words_("Cohort"),
+             "n",
+             words_("Power"),
+             words_("Power, simulated"),
+             words_("Found without a difference, simulated"),
+             words_("Smallest exact p"),
+             words_("In words")});
+    for (const auto& family : plan_.families) {
+      for (std::size_t i = 0; i < plan_.cohorts.size(); ++i) {
+        const auto& cohort = family.prospects[i];
+        if (cohort.participants == 0) continue;
+        table.rows.push_back(
+            {family.title,
+             plan_.cohorts[i].title,
+             std::to_string(cohort.participants),
+             cohort.power ? percent(*cohort.power) : std::string(),
+             cohort.found ? percent(cohort.found->pairedT.rate) : std::string(),
+             cohort.invented ? percent(cohort.invented->anyPairedT.rate) : std::string(),
+             formatP(cohort.pair.p),
+             words_(
+                 cohort.canPairsBeSignificant ? "Exact paired tests can be significant."
+                                              : "No exact paired test can be significant.")});
+      }
+    }
+  }
+
+  void orders() {
+    auto& table =
+        add("orders", words_("Orders"), {words_("Block"), words_("Methods"), words_("In words")});
+    for (const auto& block : plan_.blocks) {
+      table.rows.push_back({block.phase, std::to_string(block.conditions), balanceOf(block)});
+    }
+    for (const auto& cohort : plan_.cohorts) {
+      if (plan_.balancedBy < 2 || cohort.participants == 0) continue;
+      table.rows.push_back(
+          {cohort.title,
+           std::string(),
+           cohort.isBalanced
+               ? words_.say("{} participants balance every block.", cohort.participants)
+               : words_.say(
+                     "{} participants do not balance every block: a multiple of {} does.",
+                     cohort.participants,
+                     plan_.balancedBy)});
+    }
+  }
+
+  std::string balanceOf(const BlockPlan& block) const {
+    if (block.conditions < 2) return words_("Nothing to balance.");
+    if (block.hasOneOrder) {
+      return words_(
+          "All have the same order: what is felt later may seem better or worse for that alone.");
+    }
+    if (block.multipleOf == 0) {
+      return words_("An order is drawn for each participant: balanced on average only.");
+    }
+    return words_.say("Balanced for every multiple of {} participants.", block.multipleOf);
+  }
+
+  void session() {
+    auto& table =
+        add("session",
+            words_("Length of a session"),
+            {words_("Part"), words_("Minutes"), words_("Steps"), words_("Items"), words_("Cuts")});
+    const auto orNothing = [](auto number) {
+      return number > 0 ? std::to_string(number) : std::string();
+    };
+    for (const auto& part : plan_.length.parts) {
+      table.rows.push_back(
+          {words_(partInWords(part.kind)),
+           fmt::format("{:.1f}", part.seconds / 60.0),
+           std::to_string(part.steps),
+           orNothing(part.items),
+           orNothing(part.cuts)});
+    }
+    if (table.rows.empty()) return;
+    table.rows.push_back(
+        {words_("Total"),
+         fmt::format("{:.0f}", std::ceil(plan_.length.seconds / 60.0)),
+         std::string(),
+         std::string(),
+         std::string()});
+  }
+
+  void preferences() {
+    auto& table =
+        add("preferences",
+            words_("Preferences"),
+            {words_("After"),
+             words_("Cohort"),
+             words_("Alternatives"),
+             words_("Votes"),
+             words_("Votes for one that are significant")});
+    for (const auto& vote : plan_.votes) {
+      if (vote.votes == 0 || vote.alternatives < 2) continue;
+      table.rows.push_back(
+          {vote.phase,
+           vote.cohort,
+           std::to_string(vote.alternatives),
+           std::to_string(vote.votes),
+           vote.votesForSignificance ? std::to_string(*vote.votesForSignificance)
+           : vote.canDecide          ? std::string()
+                                     : words_("too few, even if all agree")});
+    }
+  }
+
+  const StudyPlan& plan_;
+  const words::Words& words_;
+  std::vector<DataTable> tables_;
+};
+
+}  // namespace
+
+std::string planInWords(const StudyPlan& plan, const words::Words& words) {
+  return PlanWriter(plan, words).sentences();
+}
+
+std::vector<DataTable> planTables(const StudyPlan& plan, const words::Words& words) {
+  return PlanWriter(plan, words).tables();
+}
+
+}  // namespace study::report

@@ -1,0 +1,411 @@
+#include "study/report/statistics_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/registry/registry.h"
+#include "study/model/data_table.h"
+#include "study/report/study_parts.h"
+#include "study/results/vote_tables.h"
+
+namespace study::report {
+namespace {
+
+using Cells = std::vector<Cell>;
+
+/// A name of analysis::TestRow as it is printed: "χ²" for "chi2".
+std::string symbolOf(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kSymbols{
+      {{"chi2", "χ²"},
+       {"cliff_delta", "δ"},
+       {"rank_biserial", "r"},
+       {"kendall_w", "W"},
+       {"partial_eta2", "η²"},
+       {"odds_ratio", "OR"},
+       {"bf10", "BF"},
+       {"icc", "ICC"}}};
+  const auto* const found =
+      std::ranges::find(kSymbols, name, &std::pair<std::string_view, std::string_view>::first);
+  return std::string(found == kSymbols.end() ? name : found->second);
+}
+
+/// "t(39.30) = 4.87".
+std::string statisticOf(const analysis::TestRow& test) {
+  const auto& [name, value] = test.statistic;
+  if (!value) return {};
+  std::string text = symbolOf(name);
+  if (test.df) {
+    const auto second = test.df2 ? fmt::format(", {:.4g}", *test.df2) : std::string();
+    text += fmt::format("({:.4g}{})", *test.df, second);
+  }
+  return text + " = " + rounded(value, 2);
+}
+
+/// "g_z = 1.12 [0.30, 1.90]".
+std::string effectOf(const analysis::TestRow& test) {
+  const auto& [name, value] = test.effect;
+  if (!value) return {};
+  const auto number = name == "bf10" ? formatBayesFactor(*value) : rounded(value, 2);
+  return symbolOf(name) + " " + withRelationSign(number) +
+         (test.effectInterval ? " " + formatInterval(test.effectInterval) : std::string());
+}
+
+std::string countOf(const analysis::TestRow& test) {
+  if (!test.n1) return {};
+  return test.n2 ? fmt::format("{} + {}", *test.n1, *test.n2) : std::to_string(*test.n1);
+}
+
+std::string orNothing(const std::optional<double>& value) {
+  return value ? rounded(value, 2) : std::string();
+}
+
+std::string orNothing(const std::optional<analysis::Interval>& interval) {
+  return interval ? formatInterval(interval) : std::string();
+}
+
+/// @param title  shown above the table
+DataTable tableOf(std::string name, std::string title, std::vector<std::string> headings) {
+  DataTable table{
+      .name = std::move(name), .description = std::move(title), .columns = {}, .rows = {}};
+  for (auto& heading : headings) {
+    // The first columns have titles of the protocol in them.
+    table.columns.push_back({std::move(heading), {}, table.columns.size() < 2});
+  }
+  return table;
+}
+
+class TablesWriter {
+ public:
+  TablesWriter(const ReportSection& section, Profile profile) : s_(section), profile_(profile) {}
+
+  std::vector<DataTable> all() {
+    for (const auto& family : s_.results.families) {
+      comparisons(family);
+      bySite(family);
+    }
+    means();
+    for (const auto& votes : voteTables(s_.results)) preferences(votes);
+    scores();
+    remarks();
+    return std::move(tables_);
+  }
+
+ private:
+  template <typename... Args>
+  std::string say(std::string_view english, Args&&... args) const {
+    return s_.words.say(english, std::forward<Args>(args)...);
+  }
+
+  void add(DataTable table) {
+    if (!table.rows.empty()) tables_.push_back(std::move(table));
+  }
+
+  std::string pairOf(const analysis::TestRow& test) const {
+    return s_.conditionTitle(test.group1) + " vs. " + s_.conditionTitle(test.group2);
+  }
+
+  // --- Comparisons ---
+
+  void comparisons(const FamilyResult& family) {
+    auto table = tableOf(
+        family.family.id,
+        family.family.title,
+        {say("Cohort"),
+         say("Comparison"),
+         say("In words"),
+         "n",
+         say("Test"),
+         say("Difference"),
+         say("{:g} % CI", 100.0 * (1.0 - family.family.alpha)),
+         say("Statistic"),
+         "p",
+         say("adjusted p"),
+         say("Effect size")});
+    for (const auto& part : family.cohorts) {
+      const auto row = [&](const std::string& groups, const analysis::TestRow& test) {
+        table.rows.push_back(cellsOf(family, s_.cohortTitle(part.cohort), groups, test, test));
+      };
+      if (!hasAnswers(part)) {
+        Cells cells(table.columns.size());
+        cells.front() = s_.cohortTitle(part.cohort);
+        cells[2] = say("No answers yet.");
+        table.rows.push_back(std::move(cells));
+        continue;
+      }
+      switch (profile_) {
+        case Profile::Declared:
+          for (const auto& [group1, group2, difference, test] : declaredIn(family, part)) {
+            table.rows.push_back(cellsOf(
+                family,
+                s_.cohortTitle(part.cohort),
+                s_.conditionTitle(group1) + " vs. " + s_.conditionTitle(group2),
+                *test,
+                *difference));
+          }
+          break;
+        case Profile::AsPublished:
+          for (const auto& test : part.comparisons.rows) row(pairOf(test), test);
+          break;
+        case Profile::Recommended:
+          for (const auto& test : part.within.overall) row(say("All methods"), test);
+          for (const auto& pair : part.within.rows) {
+            const auto groups =
+                s_.conditionTitle(pair.group1) + " vs. " + s_.conditionTitle(pair.group2);
+            for (const auto& test : pair.tests) row(groups, test);
+          }
+          break;
+      }
+    }
+    if (profile_ == Profile::Recommended) {
+      for (const auto& pair : family.between) {
+        for (const auto& test : pair.tests) {
+          const auto who = s_.cohortTitle(pair.cohort1) + " vs. " + s_.cohortTitle(pair.cohort2);
+          table.rows.push_back(cellsOf(family, who, s_.conditionTitle(pair.condition), test, test));
+        }
+      }
+    }
+    add(std::move(table));
+  }
+
+  /// @param difference  has the estimate, its interval and the effect; often @p test itself
+  Cells cellsOf(
+      const FamilyResult& family,
+      const std::string& who,
+      const std::string& groups,
+      const analysis::TestRow& test,
+      const analysis::TestRow& difference) const {
+    const auto& estimate = difference.estimate;
+    const bool isOfPoints = estimate.name == "difference";
+    return {
+        who,
+        groups,
+        inWords(family, test, estimate.value),
+        countOf(test),
+        say(shortNameOf(test.id)),
+        isOfPoints ? orNothing(estimate.value) : std::string(),
+        isOfPoints ? orNothing(difference.interval) : std::string(),
+        statisticOf(test),
+        test.p ? formatP(test.p) : std::string(),
+        test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
+        effectOf(difference)};
+  }
+
+  /// The pooled tests of a study that does not declare them are corrected as in the punch paper.
+  bool isCorrected(const FamilyResult& family) const {
+    return profile_ == Profile::AsPublished || !nameOf(family.family.correction).empty();
+  }
+
+  std::string inWords(
+      const FamilyResult& family,
+      const analysis::TestRow& test,
+      const std::optional<double>& difference) const {
+    if (!test.p && !test.effect.value) return say("Not tested: {}.", s_.inWords(test.reason));
+    if (!family.isConfirmatory(test.id) || !test.isSignificant) return say("Exploratory.");
+    if (!*test.isSignificant) return say("No significant difference.");
+    if (!difference) return say("A significant difference.");
+    const bool isFirst = *difference > 0.0;
+    return say(
+        "{} was rated significantly higher.",
+        s_.conditionTitle(isFirst ? test.group1 : test.group2));
+  }
+
+  void bySite(const FamilyResult& family) {
+    auto table = tableOf(
+        family.family.id + "-sites",
+        s_.results.families.size() > 1 ? family.family.title + ": " + say("By site")
+                                       : say("By site"),
+        {say("Cohort"),
+         say("Comparison"),
+         say("Site"),
+         "n",
+         say("Difference"),
+         say("{:g} % CI", 100.0 * (1.0 - family.family.alpha)),
+         "p"});
+    for (const auto& part : family.cohorts) {
+      if (!part.sites) continue;
+      for (const auto& pair : part.sites->rows) {
+        const auto who = s_.cohortTitle(part.cohort);
+        const auto groups =
+            s_.conditionTitle(pair.group1) + " vs. " + s_.conditionTitle(pair.group2);
+        for (const auto& site : pair.sites) {
+          table.rows.push_back(
+              {who,
+               groups,
+               site.site,
+               std::to_string(site.test.n),
+               orNothing(site.test.meanDifference),
+               orNothing(site.interval),
+               site.test.p ? formatP(site.test.p) : std::string()});
+        }
+        const auto together = say("All sites, random effects (REML, Knapp–Hartung)");
+        if (!pair.pooled) {
+          table.rows.push_back(
+              {who, groups, together, "", say("not pooled: {}", s_.inWords(pair.reason)), "", ""});
+          continue;
+        }
+        const auto& pooled = pair.pooled->knappHartung;
+        table.rows.push_back(
+            {who,
+             groups,
+             together,
+             "",
+             orNothing(pooled.estimate),
+             orNothing(pooled.interval),
+             formatP(pooled.p)});
+      }
+    }
+    add(std::move(table));
+  }
+
+  // --- What the comparisons are of ---
+
+  void means() {
+    auto table = tableOf(
+        "means",
+        say("Means"),
+        {say("Question"), say("Cohort"), say("Method"), "M", "s²", say("Answers")});
+    for (const auto& family : s_.results.families) {
+      for (const auto& part : family.cohorts) {
+        for (const auto& one : part.conditions) {
+          if (one.answers.total() == 0) continue;
+          table.rows.push_back(
+              {family.family.title,
+               s_.cohortTitle(part.cohort),
+               s_.conditionTitle(one.name),
+               orNothing(one.answers.mean()),
+               orNothing(one.answers.variance()),
+               std::to_string(one.answers.total())});
+        }
+      }
+    }
+    add(std::move(table));
+  }
+
+  void preferences(const VoteTable& votes) {
+    auto table = tableOf("preferences", say("Preferences"), {say("Cohort"), say("After")});
+    for (const auto& option : votes.options) {
+      table.columns.push_back({s_.conditionTitle(option), {}, true});
+    }
+    table.columns.push_back({say("exact p"), {}, false});
+    const auto row = [&](const std::string& who,
+                         const std::string& when,
+                         const analysis::VoteCounts& counts,
+                         const std::optional<double>& p) {
+      Cells cells{who, when};
+      for (const auto& share : counts.shares()) cells.push_back(std::to_string(share.votes));
+      cells.push_back(p ? formatP(p) : std::string());
+      table.rows.push_back(std::move(cells));
+    };
+    for (const auto& one : votes.cohorts) {
+      if (one.sum.total() == 0) continue;
+      const auto who = s_.cohortTitle(one.cohort);
+      for (const auto* vote : one.rounds) {
+        row(who, s_.blockTitle(vote->block), vote->votes, vote->test.exactP);
+      }
+      if (one.rounds.size() > 1) row(who, say("Sum"), one.sum, {});
+    }
+    if (table.rows.size() > 1) row(say("Total"), {}, votes.total, {});
+    add(std::move(table));
+  }
+
+  void scores() {
+    auto table = tableOf(
+        "scores",
+        say("Questionnaires"),
+        {say("Score"), say("Cohort"), say("About"), "n", "M", "SD", say("95 % CI")});
+    for (const auto& summary : s_.results.instruments) {
+      const auto instrument =
+          std::ranges::find(s_.instruments, summary.instrument, &questionnaires::Instrument::id);
+      if (instrument == s_.instruments.end()) continue;
+      const auto& language = s_.words.language();
+      for (const auto& score : summary.scores) {
+        if (score.values.empty()) continue;
+        table.rows.push_back(
+            {instrument->title.in(language) + ", " +
+                 instrument->score(score.score)->title.in(language),
+             s_.cohortTitle(score.cohort),
+             !score.condition.empty() ? s_.conditionTitle(score.condition)
+             : score.occasion.empty() ? std::string()
+                                      : say(score.occasion),
+             std::to_string(score.values.size()),
+             orNothing(score.mean),
+             orNothing(score.standardDeviation),
+             orNothing(score.interval)});
+      }
+    }
+    add(std::move(table));
+  }
+
+  void remarks() {
+    auto table = tableOf(
+        "remarks",
+        say("Remarks"),
+        {say("Cohort"), say("Remark"), say("Why it matters"), say("What to do")});
+    for (const auto& family : s_.results.families) {
+      for (const auto& [flag, found] : flagsByKind(family, isPooled(profile_, family.family))) {
+        for (const auto& [cohort, what] : found) {
+          std::string sentence;
+          for (const auto& piece : what->what) sentence += s_.inWords(piece);
+          table.rows.push_back(
+              {s_.cohortTitle(cohort), sentence, s_.words(flag->why), s_.words(flag->remedy)});
+        }
+      }
+    }
+    add(std::move(table));
+  }
+
+  const ReportSection& s_;
+  Profile profile_;
+  std::vector<DataTable> tables_;
+};
+
+}  // namespace
+
+std::string answerInWords(const ReportSection& section) {
+  const auto& words = section.words;
+  auto text = verdictOf(section);
+  if (text.empty()) {
+    text = words("Nothing can be compared yet: no completed session has answers to compare.");
+  }
+  switch (section.results.runMode) {
+    case RunMode::Live:
+      return text;
+    case RunMode::Pilot:
+      return words("Pilot sessions: not for publication.") + " " + text;
+    case RunMode::Simulated:
+      return words(
+                 "Simulated: nobody took part. These numbers show what the program does; they say "
+                 "nothing about any method.") +
+             " " + text;
+  }
+  return text;
+}
+
+std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile) {
+  return TablesWriter(section, profile).all();
+}
+
+std::string_view shortNameOf(std::string_view test) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kShort{
+      {{"paired_t", "Paired t"},
+       {"sign_flip", "Sign flip"},
+       {"signed_rank", "Signed rank"},
+       {"mixed_model", "Mixed model"},
+       {"ordinal_model", "Ordinal model"},
+       {"welch", "Welch’s t"},
+       {"tost", "Equivalence"},
+       {"bayes_factor", "Bayes factor"},
+       {"friedman", "Friedman"},
+       {"rm_anova", "Repeated-measures ANOVA"},
+       {"mann_whitney", "Mann–Whitney"},
+       {"brunner_munzel", "Brunner–Munzel"}}};
+  for (const auto& [id, name] : kShort) {
+    if (id == test) return name;
+  }
+  return analysis::statisticalTest(test).title;
+}
+
+}  // namespace study::report

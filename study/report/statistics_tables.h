@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/model/data_table.h"
+#include "study/report/report_section.h"
+
+namespace study::report {
+
+/// What kind of sessions the results are of, unless they are live; then verdictOf().
+std::string answerInWords(const ReportSection& section);
+
+/// The results of a study as tables in words, to be shown in a window, copied or saved: for each
+/// family the comparisons of @p profile, each with what it says in words or why it was not tested,
+/// and the differences by site; then means, preferences, scores, and what a reader has to know.
+/// Tables without rows are left out.
+std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile);
+
+/// The short name of a test, for a table: "Paired t".
+std::string_view shortNameOf(std::string_view test);
+
+}  // namespace study::report
