@@ -51,9 +51,7 @@ namespace {
 
 void require(std::uint64_t votes, std::uint64_t total, double level) {
   if (votes > total) throw std::invalid_argument("there are more votes for one option than votes");
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
+  requireConfidenceLevel(level);
 }
 
 /// The upper end of Wilson's interval.

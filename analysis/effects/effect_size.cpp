@@ -19,12 +19,6 @@
 namespace analysis {
 namespace {
 
-void checkLevel(double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
-}
-
 /// difference / standard deviation; std::nullopt for a variance of zero, or beyond a double.
 std::optional<double> ratio(const Contrast& contrast, const DoubleDouble& variance) {
   if (variance.isZero()) return std::nullopt;
@@ -118,7 +112,7 @@ std::optional<double> hedgesCorrection(double degreesOfFreedom) {
 
 MeanEffects effectSizes(
     std::span<const double> values1, std::span<const double> values2, double level) {
-  checkLevel(level);
+  requireConfidenceLevel(level);
   const Moments group1 = momentsOf(values1);
   const Moments group2 = momentsOf(values2);
   MeanEffects effects;
@@ -136,7 +130,7 @@ MeanEffects effectSizes(
 }
 
 PairedEffects effectSizes(const PairedTResult& test, double level) {
-  checkLevel(level);
+  requireConfidenceLevel(level);
   PairedEffects effects;
   effects.level = level;
   if (!test.t || !test.degreesOfFreedom) {
@@ -262,9 +256,7 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
 }
 
 HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
+  requireConfidenceLevel(level);
   if (!std::ranges::all_of(differences, [](double number) { return std::isfinite(number); })) {
     throw std::invalid_argument("a difference is infinite or no number");
   }

@@ -35,17 +35,15 @@ double welchSatterthwaite(const DoubleDouble& v1, double n1, const DoubleDouble&
   return (DoubleDouble(1.0) / inverse).high;
 }
 
-void addProbabilities(WelchResult& result) {
+template <typename Result>
+void addProbabilities(Result& result) {
   const double t = *result.t;
   const StudentDistribution law(*result.degreesOfFreedom);
-  const StudentDistribution toolpak(std::floor(*result.degreesOfFreedom + 0.5));
   const double p = law.twoSidedP(t);
-
   result.p = p;
   result.log10P = law.log10TwoSidedP(t);
   result.pLess = t < 0.0 ? 0.5 * p : 1.0 - 0.5 * p;
   result.pGreater = t < 0.0 ? 1.0 - 0.5 * p : 0.5 * p;
-  result.pToolpak = toolpak.twoSidedP(t);
 }
 
 void addTest(WelchResult& result, const Contrast& contrast) {
@@ -63,7 +61,10 @@ void addTest(WelchResult& result, const Contrast& contrast) {
     return;
   }
   result.degreesOfFreedom = welchSatterthwaite(v1, n1, v2, n2);
-  if (std::isfinite(t)) addProbabilities(result);
+  if (!std::isfinite(t)) return;
+  addProbabilities(result);
+  const StudentDistribution toolpak(std::floor(*result.degreesOfFreedom + 0.5));
+  result.pToolpak = toolpak.twoSidedP(t);
 }
 
 Reason whyIncomplete(const WelchResult& result) {
@@ -108,15 +109,7 @@ WelchResult welchTTest(const Moments& group1, const Moments& group2) {
 }
 
 std::optional<Interval> confidenceInterval(const WelchResult& result, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
-  if (!result.difference || !result.standardError || !result.degreesOfFreedom) return std::nullopt;
-
-  const StudentDistribution law(*result.degreesOfFreedom);
-  const double reach = law.twoSidedQuantile(1.0 - level) * *result.standardError;
-  if (!std::isfinite(std::abs(*result.difference) + reach)) return std::nullopt;
-  return Interval{.low = *result.difference - reach, .high = *result.difference + reach};
+  return studentInterval(result.difference, result.standardError, result.degreesOfFreedom, level);
 }
 
 StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2) {
@@ -167,16 +160,6 @@ Reason whyUndefined(const Moments& differences) {
   return differences.mean.isZero() ? reason("pairs_equal") : reason("differences_same");
 }
 
-void addProbabilities(PairedTResult& result) {
-  const double t = *result.t;
-  const StudentDistribution law(*result.degreesOfFreedom);
-  const double p = law.twoSidedP(t);
-  result.p = p;
-  result.log10P = law.log10TwoSidedP(t);
-  result.pLess = t < 0.0 ? 0.5 * p : 1.0 - 0.5 * p;
-  result.pGreater = t < 0.0 ? 1.0 - 0.5 * p : 0.5 * p;
-}
-
 void addTest(PairedTResult& result, const Moments& differences) {
   const auto n = static_cast<double>(differences.n);
   const DoubleDouble standardError = squareRoot(differences.variance / n);
@@ -218,16 +201,8 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
 }
 
 std::optional<Interval> confidenceInterval(const PairedTResult& result, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
-  if (!result.meanDifference || !result.standardError || !result.degreesOfFreedom) {
-    return std::nullopt;
-  }
-  const StudentDistribution law(*result.degreesOfFreedom);
-  const double reach = law.twoSidedQuantile(1.0 - level) * *result.standardError;
-  if (!std::isfinite(std::abs(*result.meanDifference) + reach)) return std::nullopt;
-  return Interval{.low = *result.meanDifference - reach, .high = *result.meanDifference + reach};
+  return studentInterval(
+      result.meanDifference, result.standardError, result.degreesOfFreedom, level);
 }
 
 namespace {

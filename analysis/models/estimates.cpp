@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/numerics/distributions.h"
@@ -21,14 +20,11 @@ WaldEstimate waldEstimate(std::string name, double value, double variance) {
 }
 
 std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
-  if (!estimate.p || !estimate.degreesOfFreedom) return std::nullopt;
-  const StudentDistribution law(*estimate.degreesOfFreedom);
-  const double reach = law.twoSidedQuantile(1.0 - level) * estimate.standardError;
-  if (!std::isfinite(reach)) return std::nullopt;
-  return Interval{.low = estimate.estimate - reach, .high = estimate.estimate + reach};
+  return studentInterval(
+      estimate.estimate,
+      estimate.standardError,
+      estimate.p ? estimate.degreesOfFreedom : std::nullopt,
+      level);
 }
 
 Interval confidenceInterval(const WaldEstimate& estimate, double level) {

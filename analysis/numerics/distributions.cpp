@@ -160,6 +160,19 @@ double StudentDistribution::twoSidedQuantile(double p) const {
   return boost::math::quantile(boost::math::complement(distribution, 0.5 * p));
 }
 
+std::optional<Interval> studentInterval(
+    const std::optional<double>& estimate,
+    const std::optional<double>& standardError,
+    const std::optional<double>& degreesOfFreedom,
+    double level) {
+  requireConfidenceLevel(level);
+  if (!estimate || !standardError || !degreesOfFreedom) return std::nullopt;
+  const StudentDistribution law(*degreesOfFreedom);
+  const double reach = law.twoSidedQuantile(1.0 - level) * *standardError;
+  if (!std::isfinite(std::abs(*estimate) + reach)) return std::nullopt;
+  return Interval{.low = *estimate - reach, .high = *estimate + reach};
+}
+
 double noncentralTProbability(double t, double degreesOfFreedom, double noncentrality) {
   check(t, degreesOfFreedom, noncentrality);
   constexpr double kFarOut = 100.0;
@@ -175,9 +188,7 @@ double noncentralTProbability(double t, double degreesOfFreedom, double noncentr
 
 Interval noncentralityInterval(double t, double degreesOfFreedom, double level) {
   check(t, degreesOfFreedom, 0.0);
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
+  requireConfidenceLevel(level);
   const double tail = 0.5 * (1.0 - level);
   return {
       .low = -upperLimit(-t, degreesOfFreedom, tail),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -31,6 +33,15 @@ class StudentDistribution {
  private:
   double degreesOfFreedom_;
 };
+
+/// The confidence interval: estimate ± quantile of t × standard error. std::nullopt if a value is
+/// missing or an end is beyond a double.
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+std::optional<Interval> studentInterval(
+    const std::optional<double>& estimate,
+    const std::optional<double>& standardError,
+    const std::optional<double>& degreesOfFreedom,
+    double level);
 
 /// P(T ≤ t) of the noncentral t distribution: T is a normal variable with mean δ and variance 1,
 /// divided by √(χ²/ν) of an independent χ² variable with ν degrees of freedom.

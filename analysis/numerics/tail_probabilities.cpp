@@ -113,10 +113,14 @@ double logNormalCdf(double x) {
   return std::log(normalUpperP(-x));
 }
 
-double normalTwoSidedQuantile(double level) {
+void requireConfidenceLevel(double level) {
   if (!(level > 0.0 && level < 1.0)) {
     throw std::invalid_argument("a confidence level lies between 0 and 1");
   }
+}
+
+double normalTwoSidedQuantile(double level) {
+  requireConfidenceLevel(level);
   return std::numbers::sqrt2 * boost::math::erf_inv(level);
 }
 

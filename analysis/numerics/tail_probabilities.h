@@ -4,6 +4,9 @@
 
 namespace analysis {
 
+/// @throws std::invalid_argument  for a level of confidence that is not between 0 and 1.
+void requireConfidenceLevel(double level);
+
 /// Probabilities below this are computed from their logarithm, because a double loses digits below
 /// 2.2e-308.
 inline constexpr double kSmallestExactP = 1e-300;

@@ -6,6 +6,7 @@
 
 #include "analysis/data/two_way_layout.h"
 #include "analysis/numerics/distributions.h"
+#include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
 namespace {
@@ -144,9 +145,7 @@ Reason whyMissing(const MeanSquares& squares) {
 
 IntraclassCorrelations intraclassCorrelations(
     std::span<const std::vector<double>> table, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
+  requireConfidenceLevel(level);
   const TwoWayLayout layout = twoWayLayout(table);
   IntraclassCorrelations all;
   all.subjects = layout.rows;

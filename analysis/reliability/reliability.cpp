@@ -8,6 +8,7 @@
 #include "analysis/data/moments.h"
 #include "analysis/data/two_way_layout.h"
 #include "analysis/numerics/distributions.h"
+#include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
 namespace {
@@ -92,9 +93,7 @@ Reason whyNoFactorModel(std::span<const std::vector<double>> columns, std::size_
 }  // namespace
 
 CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double level) {
-  if (!(level > 0.0 && level < 1.0)) {
-    throw std::invalid_argument("a confidence level lies between 0 and 1");
-  }
+  requireConfidenceLevel(level);
   const TwoWayLayout layout = twoWayLayout(answers);
   CronbachAlpha alpha;
   alpha.respondents = layout.rows;
