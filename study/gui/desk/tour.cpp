@@ -173,7 +173,11 @@ QWidget* Tour::makeTrialDemonstration() {
     drawn->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     drawn->setMinimumHeight(kLeastHeight);
   }
-  columns->addWidget(page_, 2);
+  // Long words of some languages wrap in a narrow window; a layout in a scroll area does not count
+  // the lines.
+  constexpr int kLeastOfPage = 440;  // [px]
+  page_->setMinimumHeight(kLeastOfPage);
+  columns->addWidget(page_, 3);
   columns->addWidget(plot_, 1);
   auto* layout = new QVBoxLayout(step);
   layout->addWidget(bodyLabel(

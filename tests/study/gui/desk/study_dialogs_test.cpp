@@ -286,12 +286,16 @@ TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
   dialog.show();
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
   auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
+  const auto choose = [&](RunMode mode) {
+    for (auto* choice : dialog.findChildren<QComboBox*>()) {
+      if (choice->accessibleName() != QStringLiteral("Which sessions")) continue;
+      choice->setCurrentIndex(choice->findData(static_cast<int>(mode)));
+    }
+  };
+  choose(RunMode::Simulated);
   EXPECT_TRUE(go->isEnabled()) << "simulated sessions need no reason";
   EXPECT_FALSE(reason->isVisible());
-  for (auto* choice : dialog.findChildren<QComboBox*>()) {
-    const int live = choice->findData(static_cast<int>(RunMode::Live));
-    if (choice->accessibleName() == QStringLiteral("Which sessions")) choice->setCurrentIndex(live);
-  }
+  choose(RunMode::Live);
   EXPECT_TRUE(reason->isVisible());
   EXPECT_FALSE(go->isEnabled());
   reason->setText(QStringLiteral("plan signed"));
