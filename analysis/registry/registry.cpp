@@ -382,15 +382,18 @@ using Use = StudyUse;
 
 // clang-format off
 // All tests: id, title, question, source, data, function, use in a study; kNeedsBound if it needs a
-// bound, kEachPair or kEachGroup if it has a row for each pair of groups or for each group.
+// bound, kEachPair or kEachGroup if it has a row for each pair of groups or for each group; kFewest if
+// reports leave it out for fewer people.
 constexpr auto kNeedsBound = StatisticalTest::Form::NeedsBound;
 constexpr auto kEachPair = StatisticalTest::Form::RowOfEachPair;
 constexpr auto kEachGroup = StatisticalTest::Form::RowOfEachGroup;
+constexpr auto kOneRow = StatisticalTest::Form::OneRow;
+constexpr std::size_t kFewest = 5;
 constexpr std::array kTests{
     StatisticalTest{"welch", "Welch's t-test", "Do two groups differ in their mean?", "Welch 1947", Shape::TwoGroups, welch},
     StatisticalTest{"student", "Student's t-test", "Do two groups of equal variance differ in their mean?", "Student 1908", Shape::TwoGroups, student},
     StatisticalTest{"mann_whitney", "Mann and Whitney's test", "Does one group tend to larger values? Exact, ties included", "Mann & Whitney 1947", Shape::TwoGroups, mannWhitney, Use::Cohorts},
-    StatisticalTest{"brunner_munzel", "Brunner and Munzel's test", "Does one group tend to larger values, if the scatter may differ?", "Brunner & Munzel 2000", Shape::TwoGroups, brunnerMunzel, Use::Cohorts},
+    StatisticalTest{"brunner_munzel", "Brunner and Munzel's test", "Does one group tend to larger values, if the scatter may differ?", "Brunner & Munzel 2000", Shape::TwoGroups, brunnerMunzel, Use::Cohorts, kOneRow, kFewest},
     StatisticalTest{"tost_groups", "Two one-sided t-tests of two groups", "Is the difference of two means within ±bound?", "Schuirmann 1987", Shape::TwoGroups, equivalenceOfGroups, Use::None, kNeedsBound},
     StatisticalTest{"bayes_factor_groups", "JZS Bayes factor of two groups", "How much do the data speak for a difference of two means?", "Rouder et al. 2009", Shape::TwoGroups, bayesFactorOfGroups},
     StatisticalTest{"one_way_anova", "One-way analysis of variance", "Do groups of equal variance differ in their mean?", "Fisher 1925", Shape::Groups, ofGroups<anova>},
@@ -414,15 +417,15 @@ constexpr std::array kTests{
     StatisticalTest{"icc_2_k", "Intraclass correlation ICC(2,k)", "The same of the mean of all raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayRandomAverage>},
     StatisticalTest{"icc_3_1", "Intraclass correlation ICC(3,1)", "How consistent are these raters?", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedSingle>},
     StatisticalTest{"icc_3_k", "Intraclass correlation ICC(3,k)", "The same of the mean of these raters", "Shrout & Fleiss 1979", Shape::Columns, intraclass<&Icc::twoWayMixedAverage>},
-    StatisticalTest{"cronbach_alpha", "Cronbach's alpha", "Do the items of a scale pull together?", "Cronbach 1951, Feldt 1965", Shape::Columns, cronbach},
-    StatisticalTest{"omega_total", "McDonald's omega", "How much of a sum of items do they have in common?", "McDonald 1999", Shape::Columns, omega},
+    StatisticalTest{"cronbach_alpha", "Cronbach's alpha", "Do the items of a scale pull together?", "Cronbach 1951, Feldt 1965", Shape::Columns, cronbach, Use::None, kOneRow, kFewest},
+    StatisticalTest{"omega_total", "McDonald's omega", "How much of a sum of items do they have in common?", "McDonald 1999", Shape::Columns, omega, Use::None, kOneRow, kFewest},
     StatisticalTest{"fisher_exact", "Fisher's exact test", "Do two sortings of the same cases have to do with each other?", "Fisher 1935, Freeman & Halton 1951", Shape::Categories, fisher},
     StatisticalTest{"mcnemar", "McNemar's test", "Do people change from one of two options as often as to it? Exact", "McNemar 1947", Shape::BeforeAfter, mcNemar},
     StatisticalTest{"stuart_maxwell", "Stuart and Maxwell's test", "Are options chosen as often the second time as the first?", "Stuart 1955, Maxwell 1970", Shape::BeforeAfter, stuartMaxwell},
     StatisticalTest{"equal_shares", "Exact multinomial test of equal shares", "Are options preferred equally often?", "Pearson 1900", Shape::Votes, equalShares},
     StatisticalTest{"cluster_robust", "Cluster-robust t-tests (CR2)", "Do groups differ in their mean, if values of a cluster go together?", "Bell & McCaffrey 2002", Shape::Clusters, clusterRobustRows, Use::None, kEachPair},
     StatisticalTest{"mixed_model", "Linear mixed model", "The same with random intercepts of clusters", "Bates et al. 2015, Kuznetsova et al. 2017", Shape::Clusters, mixedModel, Use::None, kEachPair},
-    StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair},
+    StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair, kFewest},
     StatisticalTest{"answer_probability", "Probability of a high answer, by the cumulative link mixed model", "How likely is an answer of --from or more, in all clusters?", "Christensen 2022", Shape::Clusters, answerProbabilities, Use::None, kEachGroup},
 };
 // clang-format on

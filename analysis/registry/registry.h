@@ -51,6 +51,9 @@ struct StatisticalTest {
   std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;
   StudyUse use = StudyUse::None;
   Form form = Form::OneRow;
+  /// The fewest people, of each group that is compared, with whom a report shows the test: with
+  /// fewer, its approximation is too rough to be put beside exact tests.
+  std::size_t fewestPeople = 0;
 
   bool hasSeveralRows() const noexcept {
     return form == Form::RowOfEachPair || form == Form::RowOfEachGroup;

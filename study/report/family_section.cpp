@@ -2,6 +2,7 @@
 
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
+#include "study/report/small_samples.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 #include "study/results/results_text.h"
@@ -30,6 +31,8 @@ class FamilyWriter : HtmlWriter {
     html_ += withinAsHtml(s_, f_, figures_.effects);
     html_ += sitesAsHtml(s_, f_, figures_.sites);
     checks();
+    const auto leftOut = leftOutInWords(f_, s_.words);
+    if (!leftOut.empty()) put("<p>{}</p>", escaped(leftOut));
     return std::move(html_);
   }
 

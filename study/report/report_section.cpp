@@ -9,6 +9,7 @@
 
 #include "protocols/load_protocol.h"
 #include "study/export/statistics_row.h"
+#include "study/report/small_samples.h"
 
 namespace study::report {
 namespace {
@@ -331,7 +332,11 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   return named;
 }
 
-ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words) {
+ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
+  auto felt = renderedForceResult(study, mode);
+  auto [firstDay, lastDay] = daysOf(study, mode);
+  auto results = computeResults(study, mode);
+  leaveOutSmallSamples(results);
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
@@ -345,11 +350,11 @@ ReportSection gatherResults(Study& study, RunMode mode, const words::Words& word
       // Simulated sessions can be repeated from a seed and must then give the same report.
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
-      .results = computeResults(study, mode),
-      .curves = {},
-      .curvesReason = {},
-      .quality = {},
-      .landmarks = {},
+      .results = std::move(results),
+      .curves = std::move(felt.curves),
+      .curvesReason = std::move(felt.reason),
+      .quality = qualityOf(study, mode),
+      .landmarks = landmarksOf(study, mode),
       .warnings = warningsOf(study),
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};

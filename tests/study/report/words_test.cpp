@@ -16,8 +16,7 @@
 #include "questionnaires/reading/instrument_problems.h"
 #include "study/model/messages.h"
 #include "study/report/html_report.h"
-#include "study/report/plan_tables.h"
-#include "study/report/statistics_tables.h"
+#include "study/report/small_samples.h"
 #include "study/report/study_parts.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
@@ -99,6 +98,10 @@ TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   report::asHtml(sections);
   const protocols::LocalizedText text(std::map<std::string, std::string>{{"en", "x."}});
   section.lastDay = "2026-03-09";
+  for (auto& method : section.results.families.front().cohorts.front().checks.methods) {
+    method.alpha.respondents = 4;
+  }
+  report::leaveOutSmallSamples(section.results);
   section.protocol.texts = {{"institution", text}, {"ethics", text}};
   report::asHtml(sections);
   section.history.versionsSinceBegun = 0;
@@ -164,6 +167,7 @@ std::map<std::string_view, std::string_view> allMessages() {
   add(analysis::kReasons);
   add(analysis::kFlagMessages);
   add(analysis::kWithinMessages);
+  add(report::kSmallSampleMessages);
   add(questionnaires::kWarnings);
   add(protocols::kMessages);
   add(kMessages);
