@@ -62,14 +62,15 @@ class TestsWriter : HtmlWriter {
     }
   }
 
-  /// p and, if the family has a correction, the adjusted p in brackets; bold if the test is
-  /// confirmatory and significant.
-  std::string pCell(const analysis::TestRow& test) const {
+  /// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
+  /// significant.
+  std::string pCell(const analysis::TestRow& test) {
     auto text = cellOfP(test.p);
     if (!test.p) return text;
     const bool isCorrected = !nameOf(f_.family.correction).empty();
     if (test.adjusted && isCorrected) text += " (" + cellOfP(test.adjusted) + ")";
     const bool isBold = f_.isConfirmatory(test.id) && test.isSignificant.value_or(false);
+    hasBold_ = hasBold_ || isBold;
     return isBold ? "<strong>" + text + "</strong>" : text;
   }
 
@@ -138,8 +139,9 @@ class TestsWriter : HtmlWriter {
     headings.push_back(say("Equivalence"));
     table(
         correction.empty()
-            ? say("The same, tested: p without correction")
-            : say("The same, tested: p, and in brackets p after {} correction", correction),
+            ? say("Tests of these differences: p without correction")
+            : say("Tests of these differences: p, and in brackets p after {} correction",
+                  correction),
         headings);
     for (const auto& part : f_.cohorts) {
       if (!isTested(part)) continue;
@@ -160,8 +162,9 @@ class TestsWriter : HtmlWriter {
     }
     if (f_.isNamed("welch")) return;
     note(
-        f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
-                      : "* the test that the protocol names; exploratory");
+        !f_.isDeclared ? "* the test that the protocol names; exploratory"
+        : hasBold_     ? "* the declared test; bold: adjusted p ≤ α."
+                       : "* the declared test; no adjusted p is ≤ α.");
   }
 
   void difference(const analysis::WithinComparison& c, bool areShown) {
@@ -240,6 +243,7 @@ class TestsWriter : HtmlWriter {
   }
 
   const FamilyResult& f_;
+  bool hasBold_ = false;  ///< whether a confirmatory test is significant
 };
 
 }  // namespace

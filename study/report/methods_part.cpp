@@ -40,8 +40,7 @@ class MethodsWriter : HtmlWriter {
     }
     put("<p>{}</p>", collection());
     put("<h4>{}</h4><p>{} {}</p>", say("Apparatus and force models"), apparatus(), models());
-    put("<h4>{}</h4><p>{}</p>", say("Procedure"), procedure());
-    put("<p>{} {}</p>", blinding(), exposure());
+    put("<h4>{}</h4><p>{}{} {}</p>", say("Procedure"), procedure(), blinding(), exposure());
     put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(s_, citations_));
     put("<h4>{}</h4>", say("How this was made"));
     put("<p>palpate {}; {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} {}.</p>",

@@ -45,6 +45,12 @@ bool holdsFigure(const QTextBlock& block) {
   return false;
 }
 
+/// Whether a paragraph is a note, which is about the table above: notes are grey (print_html.cpp).
+bool isNote(const QTextBlock& block) {
+  const auto first = block.begin();
+  return !first.atEnd() && first.fragment().charFormat().foreground().color() == QColor(0x444444);
+}
+
 Item itemOf(const QTextDocument& document, const QTextBlock& block) {
   const QRectF where = document.documentLayout()->blockBoundingRect(block);
   const auto* lines = block.layout();
@@ -327,6 +333,28 @@ bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, do
   return true;
 }
 
+/// Puts the note of a table on the page on which the table ends: begins a page before the last
+/// rows, or before the table. Returns whether it changed something.
+bool keepNote(
+    const std::vector<Item>& items, std::size_t at, double page, const QString& continued) {
+  auto* table = items[at].table;
+  if (table == nullptr || at + 1 == items.size() || items[at + 1].table != nullptr) return false;
+  if (!isNote(items[at + 1].block) || breaksPage(items[at + 1])) return false;
+  const double bottom = (std::floor((items[at].bottom - kSlack) / page) + 1.0) * page;
+  if (items[at + 1].bottom <= bottom + kSlack) return false;
+  int row = table->rows() - kLastRows + 1;
+  bool hasGroups = false;
+  for (int i = 0; i < table->rows(); ++i) hasGroups = hasGroups || spansColumns(*table, i);
+  while (hasGroups && row >= kFirstRows - 1 && !spansColumns(*table, row)) --row;
+  if (row >= kFirstRows - 1) {
+    divide(*table, row, continued);
+    return true;
+  }
+  if (beginsPage(items[at], page)) return false;
+  setPageBreak(items[at], QTextFormat::PageBreak_AlwaysBefore);
+  return true;
+}
+
 }  // namespace
 
 void fitColumns(QTextDocument& document) {
@@ -376,6 +404,7 @@ void choosePageBreaks(QTextDocument& document, const QString& continued) {
       divide(*items[begin].table, *items[begin].division, continued);
       layOutAgain(document);
     }
+    if (keepNote(itemsOf(document), begin, page, continued)) layOutAgain(document);
     if (beginPageAfterTable(itemsOf(document), begin, page)) layOutAgain(document);
     ++begin;  // the rest of a chain is checked again: its heading may have filled a page
   }

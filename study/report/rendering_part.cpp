@@ -218,13 +218,11 @@ class RenderingWriter : HtmlWriter {
   void quality() {
     const auto& q = s_.quality;
     put("<h4>{}</h4>", say("Rendering quality"));
-    put("<p>{}</p>", counts());
-    if (q.worstLateness) {
-      paragraph(
-          "In the worst trial 99 % of the ticks were at most {:.0f} µs late.", *q.worstLateness);
-    } else {
-      paragraph("The trials ran in virtual time, so there is no lateness to report.");
-    }
+    const auto lateness =
+        q.worstLateness ? say("In the worst trial 99 % of the ticks were at most {:.0f} µs late.",
+                              *q.worstLateness)
+                        : say("The trials ran in virtual time, so there is no lateness to report.");
+    put("<p>{} {}</p>", counts(), lateness);
     cutOff();
     if (q.reasons.empty()) return;
     put("<ul>");

@@ -161,7 +161,7 @@ class StatisticsWriter : HtmlWriter {
 
   static void gather(std::span<const analysis::TestRow> rows, Ids& ids) {
     for (const auto& row : rows) {
-      if (row.p || row.effect.value) ids.insert(row.id);
+      if (row.p || (row.effect.value && row.reason.empty())) ids.insert(row.id);
     }
   }
 

@@ -217,7 +217,8 @@ TEST_F(ReportTables, OfTestsWithinPeopleHasEachTestInItsColumn) {
       {"Mixed model", ".333 (.344)"},
       {"Ordinal model", ".335 (.345)"},
       {"Equivalence", ".327"}};
-  EXPECT_EQ(row("The same, tested: p, and in brackets p after Holm correction"), expected);
+  EXPECT_EQ(
+      row("Tests of these differences: p, and in brackets p after Holm correction"), expected);
   EXPECT_NE(page_.find("<strong>.321 (.343)</strong>"), std::string::npos)
       << "the declared test is significant";
 }

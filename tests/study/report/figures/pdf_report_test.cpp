@@ -185,6 +185,24 @@ TEST(PdfReport, DividesATableOnlyWithRowsOnEachSideAndKeepsItWithItsHeading) {
   EXPECT_GT(rowsAtFirst.size(), 2U) << "or this test sees no table that is divided";
 }
 
+TEST(PdfReport, KeepsANoteOnThePageWhereItsTableEnds) {
+  std::string table =
+      "<table><caption>Caption</caption><thead><tr><th>Column</th></tr></thead><tbody>";
+  for (int row = 10; row < 22; ++row) table += "<tr><td>row" + std::to_string(row) + "</td></tr>";
+  table += "</tbody></table><p class=\"note\">noted</p>";
+  std::set<std::size_t> pagesOfNote;
+  for (int paragraphs = 20; paragraphs < 60; ++paragraphs) {
+    std::string body;
+    for (int i = 0; i < paragraphs; ++i) body += "<p>line</p>";
+    const auto pages = pagesOf(
+        asPdf("<html><head><style></style></head><body>" + body + table + "</body></html>", "A"));
+    if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+    EXPECT_EQ(pageWith(*pages, "noted"), pageWith(*pages, "row21")) << paragraphs;
+    pagesOfNote.insert(pageWith(*pages, "noted"));
+  }
+  EXPECT_GT(pagesOfNote.size(), 1U) << "or no note comes near the end of a page";
+}
+
 /// A word on a page, with the distance of its ends from the top of the paper [pt].
 struct PrintedWord {
   std::string text;
