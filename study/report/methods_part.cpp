@@ -35,10 +35,9 @@ class MethodsWriter : HtmlWriter {
       : HtmlWriter(section), citations_(section.wording) {}
 
   std::string all() {
-    if (const auto& description = s_.protocol.study.description; !description.empty()) {
-      put("<p>{}</p>", say("The protocol describes the study as: “{}”", description));
-    }
-    put("<p>{}</p>", collection());
+    const auto& description = s_.protocol.study.description;
+    const auto described = say("The protocol describes the study as: “{}”", description);
+    put("<p>{} {}</p>", description.empty() ? std::string() : described, collection());
     put("<h4>{}</h4><p>{} {}</p>", say("Apparatus and force models"), apparatus(), models());
     put("<h4>{}</h4><p>{}{} {}</p>", say("Procedure"), procedure(), blinding(), exposure());
     put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(s_, citations_));

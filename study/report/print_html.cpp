@@ -14,7 +14,7 @@ h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size:
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.figcaption { margin-bottom: 12px; }
-p.reference { font-size: 7pt; margin-top: 0px; margin-bottom: 1px; }
+p.reference { font-size: 7pt; line-height: 90%; margin-top: 0px; margin-bottom: 0px; }
 p.verdict { font-size: 10pt; font-weight: bold; margin-top: 6px; margin-bottom: 8px; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
