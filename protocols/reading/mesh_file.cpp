@@ -11,8 +11,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -243,10 +241,9 @@ std::vector<NamedSurface> readMeshFile(const std::string& path) {
   if (std::filesystem::file_size(path, error) > kLargestMesh) {
     throw base::UserError("it is larger than 512 MB");
   }
-  std::ifstream file(path, std::ios::binary);
-  const auto text = base::readAll(file);
-  if (file.bad()) throw base::UserError("it cannot be read");
-  return readMesh(text);
+  const auto text = base::readFile(path);
+  if (!text) throw base::UserError("it cannot be read");
+  return readMesh(*text);
 }
 
 std::vector<NamedSurface> readObj(std::string_view text) {

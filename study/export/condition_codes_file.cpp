@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
@@ -23,8 +22,7 @@ std::string codesIn(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (error || size > kLargest) return {};
-  std::ifstream stream(file, std::ios::binary);
-  const auto text = base::readAll(stream);
+  const auto text = base::readFile(file).value_or("");
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
   const auto inside = json.find("palpate");  // the files of Psych-DS and BIDS have it inside this

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "base/file.h"
@@ -24,8 +22,7 @@ constexpr std::array kFilesNamingStudy{"codebook.json", "study.json", "dataset_d
 /// description contains the study's uuid.
 bool isExportOf(const fs::path& folder, const std::string& uuid) {
   for (const char* name : kFilesNamingStudy) {
-    std::ifstream stream(folder / name, std::ios::binary);
-    const auto text = base::readAll(stream);
+    const auto text = base::readFile(folder / name).value_or("");
     if (text.find('"' + uuid + '"') != std::string::npos) return true;
   }
   return false;
@@ -138,8 +135,7 @@ KnownCopy::Content contentOf(Study& study, const fs::path& file, const std::stri
   if (fingerprint.empty() || !fs::is_regular_file(file, ignored)) {
     return KnownCopy::Content::Unknown;
   }
-  std::ifstream stream(file, std::ios::binary);
-  const auto content = base::readAll(stream);
+  const auto content = base::readFile(file).value_or("");
   return fingerprintOf(study, content) == fingerprint ? KnownCopy::Content::AsWritten
                                                       : KnownCopy::Content::Changed;
 }

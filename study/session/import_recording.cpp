@@ -1,8 +1,6 @@
 #include "study/session/import_recording.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "base/file.h"
 #include "haptics/recordings/cut.h"
@@ -82,8 +80,7 @@ std::string withRecordedCut(std::string protocol, const std::string& file) {
 }
 
 std::string cutAsJsonWithSource(const std::string& recording, const haptics::recordings::Cut& cut) {
-  std::ifstream file(recording, std::ios::binary);
-  const auto bytes = base::readAll(file);
+  const auto bytes = base::readFile(recording).value_or("");
   return protocols::cutAsJson(cut, storage::sha256(bytes));
 }
 

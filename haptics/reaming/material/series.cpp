@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/file.h"
@@ -208,10 +207,10 @@ Series readSeries(std::string_view text, const std::string& name, const SeriesMa
 }
 
 std::string contentOfSeriesFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  auto text = base::readFile(path);
+  if (!text)
     throw base::UserError("There is no series '" + path + "': check the name and the folder.");
-  return base::readAll(file);
+  return std::move(*text);
 }
 
 Series readSeriesFile(const std::string& path, TestSet set, const SeriesMapping& mapping) {

@@ -1,7 +1,5 @@
 // Commands on names of participants and on erasures.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -48,9 +46,7 @@ void write(
 
 /// Repeats the erasures that a certificate lists in another copy of the study.
 int eraseBy(const ErasureArguments& options) {
-  std::ifstream stream(options.by, std::ios::binary);
-  const auto text = base::readAll(stream);
-  const auto erasures = report::erasuresIn(text);
+  const auto erasures = report::erasuresIn(base::readFile(options.by).value_or(""));
   if (erasures.empty()) {
     throw UserError(
         options.by +

@@ -6,12 +6,12 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <span>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -81,9 +81,9 @@ std::string fileWith(const TemporaryFolder& folder, const char* name, const std:
 std::string contentOf(const std::string& path) {
   std::error_code error;
   const bool isFile = fs::is_regular_file(path, error) && fs::file_size(path) <= kLargestReply;
-  std::ifstream stream(path, std::ios::binary);
-  if (!isFile || !stream) throw UserError(path + " cannot be read.");
-  return base::readAll(stream);
+  auto content = isFile ? base::readFile(path) : std::nullopt;
+  if (!content) throw UserError(path + " cannot be read.");
+  return std::move(*content);
 }
 
 /// Writes a request for a time stamp, which contains the SHA-256 of the head's line.

@@ -1,10 +1,11 @@
 // A computer becomes a station of a study.
 #include <algorithm>
-#include <fstream>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "study/collect/exchange/enrolment.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/model/user_error.h"
@@ -16,11 +17,9 @@ namespace {
 constexpr const char* kUsed = "enrolments";  // list of the station
 
 std::string contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UserError(path.string() + " cannot be read. Check its name and its rights.");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  auto text = base::readFile(path);
+  if (!text) throw UserError(path.string() + " cannot be read. Check its name and its rights.");
+  return std::move(*text);
 }
 
 void requireUnused(const StationEnrolment& enrolment, const storage::StationStore& station) {
