@@ -7,6 +7,7 @@
 #include <sodium.h>
 
 #include "base/random.h"
+#include "study/storage/hasher.h"
 
 namespace study {
 namespace {
@@ -46,9 +47,7 @@ bool drawsCodesForEachExport(Study& study, RunMode mode) {
 std::string drawnCodeSet() {
   std::array<unsigned char, kBytes> bytes{};
   randombytes_buf(bytes.data(), bytes.size());
-  std::array<char, 2 * kBytes + 1> text{};
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  return text.data();
+  return storage::inHexadecimal(bytes);
 }
 
 }  // namespace study

@@ -5,6 +5,8 @@
 
 #include <sodium.h>
 
+#include "study/storage/hasher.h"
+
 namespace study::storage {
 
 BlindingSecret BlindingSecret::drawn() {
@@ -31,10 +33,7 @@ BlindingSecret::Bytes BlindingSecret::digestOf(std::string_view text) const {
 }
 
 std::string BlindingSecret::hashOf(std::string_view text) const {
-  const auto hash = digestOf(text);
-  std::array<char, 2 * std::tuple_size_v<Bytes> + 1> hexadecimal{};
-  sodium_bin2hex(hexadecimal.data(), hexadecimal.size(), hash.data(), hash.size());
-  return hexadecimal.data();
+  return inHexadecimal(digestOf(text));
 }
 
 std::string BlindingSecret::commitment() const {

@@ -50,11 +50,22 @@ std::vector<std::byte> asBytes(const Hash& hash) {
   return {hash.begin(), hash.end()};
 }
 
-std::string inHexadecimal(const Hash& hash) {
-  std::array<char, 2 * std::tuple_size_v<Hash> + 1> text{};
-  sodium_bin2hex(
-      text.data(), text.size(), reinterpret_cast<const unsigned char*>(hash.data()), hash.size());
-  return text.data();
+std::string inHexadecimal(std::span<const unsigned char> bytes) {
+  std::string text(2 * bytes.size() + 1, '\0');
+  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  text.pop_back();  // the terminating zero
+  return text;
+}
+
+std::string inHexadecimal(std::span<const std::byte> bytes) {
+  return inHexadecimal({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+}
+
+bool readHexadecimal(std::string_view text, std::span<unsigned char> bytes) {
+  std::size_t size = 0;
+  const int code =
+      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
+  return code == 0 && size == bytes.size() && text.size() == 2 * size;
 }
 
 std::string inBase64(std::span<const std::byte> bytes) {

@@ -37,7 +37,19 @@ Hash hashOf(std::span<const std::byte> bytes);
 /// The bytes of a hash in the type of a BLOB column.
 std::vector<std::byte> asBytes(const Hash& hash);
 
-std::string inHexadecimal(const Hash& hash);
+/// Two digits for each byte, in lower case.
+std::string inHexadecimal(std::span<const unsigned char> bytes);
+std::string inHexadecimal(std::span<const std::byte> bytes);
+
+/// Fills @p bytes. @return  false unless @p text has exactly their digits
+bool readHexadecimal(std::string_view text, std::span<unsigned char> bytes);
+
+/// An array of unsigned char; std::nullopt unless @p text has exactly its digits.
+template <typename Bytes>
+std::optional<Bytes> fromHexadecimal(std::string_view text) {
+  Bytes bytes{};
+  return readHexadecimal(text, bytes) ? std::optional(bytes) : std::nullopt;
+}
 
 /// Base64 (RFC 4648, with padding), for files and events that can hold text only.
 std::string inBase64(std::span<const std::byte> bytes);

@@ -6,6 +6,7 @@
 #include <sodium.h>
 
 #include "study/model/event_kind.h"
+#include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -14,9 +15,7 @@ std::string sha256(std::string_view bytes) {
   std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
   crypto_hash_sha256(
       hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-  std::array<char, 2 * hash.size() + 1> text{};
-  sodium_bin2hex(text.data(), text.size(), hash.data(), hash.size());
-  return text.data();
+  return inHexadecimal(hash);
 }
 
 std::string sha256(std::string_view text, const std::vector<protocols::SourceFile>& files) {

@@ -16,6 +16,7 @@
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
 
 namespace study::storage {
 namespace {
@@ -30,24 +31,6 @@ using Seed = std::array<unsigned char, crypto_sign_SEEDBYTES>;
 using PublicKey = std::array<unsigned char, crypto_sign_PUBLICKEYBYTES>;
 using Signature = std::array<unsigned char, crypto_sign_BYTES>;
 static_assert(crypto_sign_SECRETKEYBYTES == 64);
-
-template <typename Bytes>
-std::string inHex(const Bytes& bytes) {
-  std::string text(2 * bytes.size() + 1, '\0');
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  text.pop_back();
-  return text;
-}
-
-template <typename Bytes>
-std::optional<Bytes> fromHex(const std::string& text) {
-  Bytes bytes{};
-  std::size_t size = 0;
-  const int code =
-      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
-  return code == 0 && size == bytes.size() && text.size() == 2 * size ? std::optional(bytes)
-                                                                      : std::nullopt;
-}
 
 const unsigned char* bytesOf(std::string_view text) {
   return reinterpret_cast<const unsigned char*>(text.data());
@@ -77,10 +60,10 @@ void makeKey(const fs::path& folder) {
   Seed seed{};
   randombytes_buf(uuid.data(), uuid.size());
   randombytes_buf(seed.data(), seed.size());
-  const auto unfinished = folder / (std::string(kKeyFile) + "." + inHex(uuid));
+  const auto unfinished = folder / (std::string(kKeyFile) + "." + inHexadecimal(uuid));
   writeNewFile(
       unfinished.string(),
-      std::string(kFirstLine) + "\n" + inHex(uuid) + "\n" + inHex(seed) + "\n");
+      std::string(kFirstLine) + "\n" + inHexadecimal(uuid) + "\n" + inHexadecimal(seed) + "\n");
   // link() instead of rename(), because link() does not replace an existing key.
   const int code = link(unfinished.c_str(), (folder / kKeyFile).c_str());
   const int reason = code == 0 ? 0 : errno;
@@ -138,31 +121,31 @@ StationStore::StationStore(fs::path folder) : folder_(std::move(folder)) {
   std::string secret;
   if (!std::getline(stream, first) || !std::getline(stream, uuid_) || !std::getline(stream, secret))
     fail(file, "it cannot be read");
-  const auto seed = fromHex<Seed>(secret);
+  const auto seed = fromHexadecimal<Seed>(secret);
   if (first != kFirstLine || !seed || uuid_.size() != 2 * kUuidSize) {
     fail(file, "it is no key of a station, or one of a later version");
   }
   PublicKey key{};
   crypto_sign_seed_keypair(key.data(), secretKey_.data(), seed->data());
-  publicKey_ = inHex(key);
+  publicKey_ = inHexadecimal(key);
 }
 
 std::string StationStore::sign(std::string_view text) const {
   Signature signature{};
   crypto_sign_detached(signature.data(), nullptr, bytesOf(text), text.size(), secretKey_.data());
-  return inHex(signature);
+  return inHexadecimal(signature);
 }
 
 bool StationStore::isSigned(
     std::string_view text, const std::string& signature, const std::string& publicKey) {
-  const auto bytes = fromHex<Signature>(signature);
-  const auto key = fromHex<PublicKey>(publicKey);
+  const auto bytes = fromHexadecimal<Signature>(signature);
+  const auto key = fromHexadecimal<PublicKey>(publicKey);
   return bytes && key &&
          crypto_sign_verify_detached(bytes->data(), bytesOf(text), text.size(), key->data()) == 0;
 }
 
 std::vector<std::byte> StationStore::sealFor(std::string_view text, const std::string& publicKey) {
-  const auto key = fromHex<PublicKey>(publicKey);
+  const auto key = fromHexadecimal<PublicKey>(publicKey);
   std::array<unsigned char, crypto_box_PUBLICKEYBYTES> box{};
   if (!key || crypto_sign_ed25519_pk_to_curve25519(box.data(), key->data()) != 0) {
     throw UserError(
@@ -179,7 +162,7 @@ std::vector<std::byte> StationStore::sealFor(std::string_view text, const std::s
 std::optional<std::string> StationStore::unseal(std::span<const std::byte> sealed) const {
   std::array<unsigned char, crypto_box_PUBLICKEYBYTES> publicBox{};
   std::array<unsigned char, crypto_box_SECRETKEYBYTES> secretBox{};
-  const auto key = fromHex<PublicKey>(publicKey_);
+  const auto key = fromHexadecimal<PublicKey>(publicKey_);
   const bool isUsable =
       sealed.size() >= crypto_box_SEALBYTES && key &&
       crypto_sign_ed25519_pk_to_curve25519(publicBox.data(), key->data()) == 0 &&

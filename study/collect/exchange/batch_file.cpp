@@ -1,10 +1,9 @@
-#include <span>
 
 #include <nlohmann/json.hpp>
 
 #include "study/collect/exchange/batch.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/storage_error.h"
+#include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study::collect {
@@ -22,7 +21,7 @@ using storage::StorageError;
 }
 
 json hexOrNull(const std::vector<std::byte>& bytes) {
-  return bytes.empty() ? json() : json(hexadecimalOf(bytes));
+  return bytes.empty() ? json() : json(storage::inHexadecimal(bytes));
 }
 
 json orNull(const std::optional<std::int64_t>& number) {
@@ -129,7 +128,7 @@ json asJson(const storage::StoredEvent& event) {
       {"detail", event.detail},
       {"sealed", hexOrNull(event.sealed)},
       {"content_hash", hexOrNull(event.content)},
-      {"hash", hexadecimalOf(event.hash)}};
+      {"hash", storage::inHexadecimal(event.hash)}};
 }
 
 json asJson(const SentChunk& sent) {
@@ -142,7 +141,7 @@ json asJson(const SentChunk& sent) {
       {"number", chunk.number},
       {"samples", chunk.samples},
       {"layout", chunk.layout},
-      {"hash", hexadecimalOf(chunk.hash)},
+      {"hash", storage::inHexadecimal(chunk.hash)},
       {"sha256", storage::sha256(data)}};
 }
 
@@ -182,8 +181,7 @@ std::string asText(const Batch& batch) {
   json keys = json::array();
   for (const auto& key : batch.keys) {
     keys.push_back(
-        {{"participant", key.participant},
-         {"key", hexadecimalOf(std::as_bytes(std::span(key.key.bytes())))}});
+        {{"participant", key.participant}, {"key", storage::inHexadecimal(key.key.bytes())}});
   }
   json traces = json::array();
   for (const auto& chunk : batch.chunks) traces.push_back(asJson(chunk));

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <span>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 #include <sodium.h>
 
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
 
 namespace study::collect {
 namespace {
@@ -77,7 +76,7 @@ class RunningHash {
   std::string statement() {
     std::array<std::byte, crypto_generichash_BYTES> hash{};
     crypto_generichash_final(&state_, reinterpret_cast<unsigned char*>(hash.data()), hash.size());
-    return std::string(kFirstWord) + " " + hexadecimalOf(hash);
+    return std::string(kFirstWord) + " " + storage::inHexadecimal(hash);
   }
 
  private:
@@ -112,13 +111,9 @@ class BundleWriter {
   void begin(const std::string& bundleKey) {
     Key key{};
     crypto_secretstream_xchacha20poly1305_keygen(key.data());
-    const auto receiver = bytesOfHexadecimal(bundleKey);
+    const auto receiver = storage::fromHexadecimal<PublicBox>(bundleKey).value();
     std::string sealed(key.size() + crypto_box_SEALBYTES, '\0');
-    crypto_box_seal(
-        bytesOf(sealed),
-        key.data(),
-        key.size(),
-        reinterpret_cast<const unsigned char*>(receiver.data()));
+    crypto_box_seal(bytesOf(sealed), key.data(), key.size(), receiver.data());
     std::string head(crypto_secretstream_xchacha20poly1305_HEADERBYTES, '\0');
     crypto_secretstream_xchacha20poly1305_init_push(&cipher_, bytesOf(head), key.data());
     sodium_memzero(key.data(), key.size());
@@ -259,7 +254,7 @@ std::uint64_t written(
 
 std::string bundleKeyOf(const storage::BlindingSecret& secret) {
   const auto box = boxOf(secret);
-  return hexadecimalOf(std::as_bytes(std::span(box.first)));
+  return storage::inHexadecimal(box.first);
 }
 
 Bundle writeBundle(
@@ -283,7 +278,7 @@ Bundle writeBundle(
   if (after == bundle.last) {
     throw UserError("The server has everything already: there is nothing to be put into a bundle.");
   }
-  if (bytesOfHexadecimal(bundleKey).size() != crypto_box_PUBLICKEYBYTES) {
+  if (!storage::fromHexadecimal<PublicBox>(bundleKey)) {
     throw UserError(
         "This station was enrolled without a key for bundles. Ask for a new enrolment.");
   }

@@ -1,14 +1,11 @@
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <span>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 #include <sodium.h>
 
+#include "base/file.h"
 #include "study/collect/exchange/enrolment.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/hasher.h"
@@ -34,13 +31,10 @@ std::string textIn(const json& object, const char* key) {
 }
 
 storage::BlindingSecret secretIn(const json& object) {
-  const auto text = textIn(object, "secret");
-  storage::BlindingSecret::Bytes bytes{};
-  std::size_t size = 0;
-  const int code =
-      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
-  if (code != 0 || size != bytes.size()) refuseEnrolment("it is damaged.");
-  return storage::BlindingSecret(bytes);
+  const auto bytes =
+      storage::fromHexadecimal<storage::BlindingSecret::Bytes>(textIn(object, "secret"));
+  if (!bytes) refuseEnrolment("it is damaged.");
+  return storage::BlindingSecret(*bytes);
 }
 
 /// The key pair with which a study signs enrolments.
@@ -56,10 +50,6 @@ SigningKey signingKeyOf(const storage::BlindingSecret& secret) {
   SigningKey key;
   crypto_sign_seed_keypair(key.open.data(), key.secret.data(), seed.data());
   return key;
-}
-
-std::string hexOf(std::span<const unsigned char> bytes) {
-  return hexadecimalOf(std::as_bytes(bytes));
 }
 
 std::string markOfKey(const std::string& key) {
@@ -86,7 +76,7 @@ std::string signatureOf(const json& outside, const SigningKey& key) {
       reinterpret_cast<const unsigned char*>(statement.data()),
       statement.size(),
       key.secret.data());
-  return hexOf(signature);
+  return storage::inHexadecimal(signature);
 }
 
 std::vector<StationEnrolment::Protocol> protocolsIn(const json& inside) {
@@ -111,20 +101,13 @@ std::vector<StationEnrolment::Protocol> protocolsIn(const json& inside) {
 }  // namespace
 
 std::string markOf(const storage::BlindingSecret& secret) {
-  return markOfKey(hexOf(signingKeyOf(secret).open));
+  return markOfKey(storage::inHexadecimal(signingKeyOf(secret).open));
 }
 
 std::string asText(
     const StationEnrolment& enrolment,
     const std::string& publicKey,
     const storage::BlindingSecret& studySecret) {
-  std::string secret(2 * enrolment.secret.bytes().size() + 1, '\0');
-  sodium_bin2hex(
-      secret.data(),
-      secret.size(),
-      enrolment.secret.bytes().data(),
-      enrolment.secret.bytes().size());
-  secret.pop_back();
   json protocols = json::array();
   for (const auto& protocol : enrolment.protocols) {
     json files = json::object();
@@ -135,7 +118,7 @@ std::string asText(
       {"study", enrolment.study},
       {"title", enrolment.title},
       {"seed", std::to_string(enrolment.seed)},
-      {"secret", secret},
+      {"secret", storage::inHexadecimal(enrolment.secret.bytes())},
       {"site", enrolment.station.site},
       {"station", enrolment.station.label},
       {"station_uuid", enrolment.station.uuid},
@@ -147,7 +130,7 @@ std::string asText(
   const auto key = signingKeyOf(studySecret);
   json outside{
       {"palpate_enrolment", kFormat},
-      {"signed_by", hexOf(key.open)},
+      {"signed_by", storage::inHexadecimal(key.open)},
       {"title", enrolment.title},
       {"site", enrolment.station.site},
       {"station", enrolment.station.label},
@@ -204,10 +187,8 @@ void write(const ServerSettings& home, const std::filesystem::path& folder) {
 }
 
 ServerSettings serverSettingsOf(const std::filesystem::path& folder) {
-  std::ifstream file(folder / kServerSettingsFile);
-  std::ostringstream text;
-  text << file.rdbuf();
-  const auto content = json::parse(text.str(), nullptr, false);
+  const auto text = base::readFile(folder / kServerSettingsFile).value_or("");
+  const auto content = json::parse(text, nullptr, false);
   if (!content.is_object()) {
     throw UserError(
         folder.string() +

@@ -1,11 +1,10 @@
 #include "study/collect/exchange/outbox.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
 #include "study/storage/transfer/session_facts.h"
 
 namespace study::collect {
@@ -36,7 +35,7 @@ Outbox::Outbox(const std::filesystem::path& folder, Clock& clock)
 
 std::string Outbox::hashOf(std::int64_t event) {
   const auto found = study_.events().stored(event - 1, 1);
-  return found.empty() ? std::string() : hexadecimalOf(found.front().hash);
+  return found.empty() ? std::string() : storage::inHexadecimal(found.front().hash);
 }
 
 Batch Outbox::emptyBatch(std::int64_t after) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/server/schema.h"
+#include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study::collect {
@@ -43,10 +43,11 @@ Answer ingest(
     Connection& server,
     const std::string& text,
     const std::vector<std::vector<std::byte>>& chunks) {
-  const auto digest = bytesOfHexadecimal(storage::sha256(text));
+  const auto digest =
+      storage::fromHexadecimal<std::array<unsigned char, 32>>(storage::sha256(text)).value();
   const auto said = server.query(
       "SELECT palpate.ingest($1, $2, $3)",
-      {text, Parameter::bytes(digest), Parameter::arrayOfBytes(chunks)});
+      {text, Parameter::bytes(std::as_bytes(std::span(digest))), Parameter::arrayOfBytes(chunks)});
   return answerIn(said.text(0, 0));
 }
 

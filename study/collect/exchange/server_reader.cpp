@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "protocols/load_protocol.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/exchange/protocol_files.h"
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study::collect {
@@ -136,7 +136,7 @@ void ServerReader::forEachSession(
       take(
           {.number = after,
            .asOf = rows.number(i, 1),
-           .sha256 = hexadecimalOf(rows.bytes(i, 2)),
+           .sha256 = storage::inHexadecimal(rows.bytes(i, 2)),
            .facts = rows.text(i, 3),
            .hasSamples = rows.text(i, 4) == "t"});
     }

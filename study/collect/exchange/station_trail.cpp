@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/model/event_kind.h"
 #include "study/model/session_state.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/evidence/trail_heads.h"
+#include "study/storage/hasher.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
@@ -150,8 +150,9 @@ std::string StationTrail::unsignedPart() const {
 }
 
 std::string StationTrail::head() const {
-  return signedUpTo_ == 0 ? std::string("-")
-                          : hexadecimalOf(events_[static_cast<std::size_t>(signedUpTo_ - 1)].hash);
+  return signedUpTo_ == 0
+             ? std::string("-")
+             : storage::inHexadecimal(events_[static_cast<std::size_t>(signedUpTo_ - 1)].hash);
 }
 
 std::vector<storage::StoredEvent> StationTrail::takeEvents() {

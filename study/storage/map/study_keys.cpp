@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <sodium.h>
 
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
+#include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/station_store.h"
 
@@ -22,21 +22,9 @@ constexpr const char* kList = "study-keys";
 constexpr const char* kFirstLine = "palpate study key 1";
 constexpr std::string_view kKeyWord = "key ";
 
-std::string inHex(const BlindingSecret& key) {
-  const auto& bytes = key.bytes();
-  std::string text(2 * bytes.size() + 1, '\0');
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  text.pop_back();
-  return text;
-}
-
-std::optional<BlindingSecret> fromHex(const std::string& text) {
-  BlindingSecret::Bytes bytes{};
-  std::size_t size = 0;
-  const int code =
-      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
-  const bool isSound = code == 0 && size == bytes.size() && text.size() == 2 * size;
-  return isSound ? std::optional(BlindingSecret(bytes)) : std::nullopt;
+std::optional<BlindingSecret> keyFrom(std::string_view hexadecimal) {
+  const auto bytes = fromHexadecimal<BlindingSecret::Bytes>(hexadecimal);
+  return bytes ? std::optional(BlindingSecret(*bytes)) : std::nullopt;
 }
 
 /// The key in a line "COMMITMENT KEY FOLDER", if the line has that commitment.
@@ -45,7 +33,7 @@ std::optional<BlindingSecret> keyIn(const std::string& line, const std::string& 
   std::string committed;
   std::string hexadecimal;
   if (!(words >> committed >> hexadecimal) || committed != commitment) return std::nullopt;
-  auto key = fromHex(hexadecimal);
+  auto key = keyFrom(hexadecimal);
   return key && key->commitment() == commitment ? key : std::nullopt;
 }
 
@@ -105,7 +93,7 @@ bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folde
   const auto station = StationStore::openOrCreate(StationStore::defaultFolder());
   std::string where = std::filesystem::absolute(folder).string();
   std::replace(where.begin(), where.end(), '\n', ' ');
-  station.append(kList, commitment + " " + inHex(key) + " " + where);
+  station.append(kList, commitment + " " + inHexadecimal(key.bytes()) + " " + where);
   return true;
 }
 
@@ -146,7 +134,7 @@ void writeKeyFile(const std::string& path, const BlindingSecret& key, const std:
           "person, and keep a copy apart from the study: it cannot be made again.\n",
           kFirstLine,
           kKeyWord,
-          inHex(key),
+          inHexadecimal(key.bytes()),
           words));
 }
 
@@ -156,7 +144,7 @@ BlindingSecret readKeyFile(const std::string& path) {
   std::string second;
   const bool isRead = stream && std::getline(stream, first) && std::getline(stream, second);
   if (isRead && first == kFirstLine && second.starts_with(kKeyWord)) {
-    if (auto key = fromHex(second.substr(kKeyWord.size()))) return *key;
+    if (auto key = keyFrom(second.substr(kKeyWord.size()))) return *key;
   }
   throw UserError(
       path +

@@ -16,7 +16,6 @@
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/bundle.h"
 #include "study/collect/exchange/enrolment.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
 #include "study/export/export.h"
@@ -25,6 +24,7 @@
 #include "study/results/results_text.h"
 #include "study/session/collected_study.h"
 #include "study/session/verification.h"
+#include "study/storage/hasher.h"
 #include "study/storage/transfer/session_facts.h"
 #include "tests/study/collect/collected_study_at.h"
 #include "tests/study/walk.h"
@@ -305,7 +305,7 @@ class Campaign : public tests::CollectTest {
       auto study = Study::open(folderOf(label), clock_, kReadOnly);
       for (const auto& event : study.events().stored(0, study.events().last())) {
         chains.first += label + " " + std::to_string(event.seq) + " " +
-                        study::collect::hexadecimalOf(event.hash) + "\n";
+                        study::storage::inHexadecimal(event.hash) + "\n";
       }
       const auto rows = owner.query(
           "SELECT e.seq, encode(e.hash, 'hex') FROM palpate.event AS e JOIN palpate.station AS s "
@@ -361,7 +361,7 @@ class Campaign : public tests::CollectTest {
     const study::CollectedStudy::Trail trail{
         .station = study.station(),
         .events = study.events().last(),
-        .head = study::collect::hexadecimalOf(events.back().hash)};
+        .head = study::storage::inHexadecimal(events.back().hash)};
     all.add(trail, std::move(events));
   }
 

@@ -8,7 +8,6 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/enrolment.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/server/registry.h"
 #include "study/collect/server/schema.h"
 #include "study/model/user_error.h"

@@ -5,11 +5,11 @@
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/bundle.h"
 #include "study/collect/exchange/enrolment.h"
-#include "study/collect/exchange/hexadecimal.h"
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
 #include "study/model/user_error.h"
 #include "study/session/erasure.h"
+#include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/trace_store.h"
 #include "tests/study/collect/collected_study_at.h"
@@ -133,7 +133,7 @@ class Privacy : public tests::CollectTest {
         key,
         [&](const std::string& text, const auto& chunks) {
           all += text;
-          for (const auto& chunk : chunks) all += study::collect::hexadecimalOf(chunk);
+          for (const auto& chunk : chunks) all += study::storage::inHexadecimal(chunk);
           return true;
         });
     return all;
@@ -145,13 +145,13 @@ class Privacy : public tests::CollectTest {
     auto study = Study::open(folderOf("oslo"), clock_, study::storage::Database::Access::ReadOnly);
     study::storage::Statement rows(study.identities().database(), select);
     std::vector<std::string> found;
-    while (rows.step()) found.push_back(study::collect::hexadecimalOf(rows.blob(0)));
+    while (rows.step()) found.push_back(study::storage::inHexadecimal(rows.blob(0)));
     return found;
   }
 };
 
 std::string inHexadecimal(const std::string& text) {
-  return study::collect::hexadecimalOf(std::as_bytes(std::span(text)));
+  return study::storage::inHexadecimal(std::as_bytes(std::span(text)));
 }
 
 std::size_t timesIn(const std::string& content, const std::string& text) {
