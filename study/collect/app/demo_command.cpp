@@ -1,13 +1,12 @@
 // A demonstration on this computer alone: a private server, four stations, simulated participants.
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "protocols/load_protocol.h"
+#include "study/app/command_options.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/collect/app/collect_program.h"
 #include "study/collect/app/options.h"
@@ -43,13 +42,6 @@ constexpr std::array kStations{
     DemoStation{"oslo", "oslo-2"},
     DemoStation{"bergen", "bergen"},
     DemoStation{"tromso", "tromso"}};
-
-protocols::LoadedProtocol shippedProtocol() {
-  questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocolFile(kProtocol, problems);
-  if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
-  return std::move(*protocol);
-}
 
 /// The work of one site: enrolment, simulated participants, push.
 void runStation(const PrivateServer& postgres, const DemoStation& at, const DemoArguments& given) {
@@ -96,7 +88,7 @@ int demo(const DemoArguments& given) {
   {
     Connection owner(postgres.server());
     installSchema(owner);
-    addStudyOrVersion(owner, kStudy, shippedProtocol(), kSeed);
+    addStudyOrVersion(owner, kStudy, app::loadValidProtocol(kProtocol), kSeed);
   }
   for (const auto& station : kStations) runStation(postgres, station, given);
   const StationFolderOverride account(out / "accounts" / "analyst");
@@ -121,16 +113,18 @@ int demo(const DemoArguments& given) {
 }  // namespace
 
 void addDemoCommand(CLI::App& program, Action& action) {
-  const auto given = std::make_shared<DemoArguments>();
-  auto* noun = program.add_subcommand(
-      "demo", "Simulate four stations with participants and a private server, on this computer");
-  noun->add_option("--out", given->out, "New folder (default: palpate-sites)");
+  auto [noun, given] = app::addCommand(
+      program,
+      action,
+      "demo",
+      "Four stations with simulated participants and a private server, on this computer",
+      collect::demo);
+  noun->add_option("--out", given.out, "New folder (default: palpate-sites)");
   noun->add_option(
           "--participants",
-          given->participants,
+          given.participants,
           "Number of simulated participants of each station (default: 4)")
       ->check(CLI::Range(1, 1000));
-  noun->callback([&action, given] { action = [given] { return demo(*given); }; });
 }
 
 }  // namespace study::collect

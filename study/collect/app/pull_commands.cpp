@@ -1,13 +1,12 @@
 // Commands for the analyst: get the whole study, or check that the server has what stations sent.
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "study/app/command_options.h"
 #include "study/collect/app/collect_program.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/pull.h"
@@ -22,6 +21,7 @@ struct PullArguments {
   std::string study;
   std::string folder;
   std::string reason;
+  const CLI::App* stats = nullptr;  ///< has the options of 'palpate stats run'
 };
 
 /// Prints what was left out, and why. @return  whether all data are as the stations signed them
@@ -94,9 +94,9 @@ class TemporaryPull {
   PullResult pulled_;
 };
 
-/// @param words  the options of 'palpate stats run', which is run on the pulled study
-int statsOfAll(const PullArguments& given, std::vector<std::string> words) {
+int statsOfAll(const PullArguments& given) {
   const TemporaryPull all(given);
+  auto words = given.stats->remaining();
   const bool isSound = printProblems(all.pulled());
   words.insert(words.begin(), {"stats", "run", all.study().string(), "--reason", given.reason});
   const int status = runPalpate(std::move(words));
@@ -116,52 +116,58 @@ int checkStudy(const PullArguments& given) {
   return printProblems(all.pulled()) ? 0 : 1;
 }
 
+void addSource(CLI::App& command, PullArguments& given) {
+  addServerOption(command, given.server);
+  command.add_option(
+      "--study", given.study, "Name of the study on the server (default: the only one)");
+}
+
+void addReasonForReading(CLI::App& command, PullArguments& given) {
+  command
+      .add_option(
+          "--reason",
+          given.reason,
+          "Reason for reading data that can name conditions; the server keeps it")
+      ->required();
+}
+
 }  // namespace
 
 void addPullCommands(CLI::App& program, Action& action) {
-  const auto given = std::make_shared<PullArguments>();
-  auto* out = program.add_subcommand(
-      "pull", "Make one study folder on this computer from all data on the server");
-  addServerOption(*out, given->server);
-  out->add_option(
-      "--study", given->study, "Name of the study on the server (default: the only one)");
-  out->add_option("--out", given->folder, "New folder of the study")->required();
+  auto [out, pulling] = app::addCommand(
+      program,
+      action,
+      "pull",
+      "Make one study folder on this computer of all data on the server",
+      pullStudy);
+  addSource(*out, pulling);
+  out->add_option("--out", pulling.folder, "New folder of the study")->required();
   out->add_option(
          "--reason",
-         given->reason,
+         pulling.reason,
          "Reason for a copy that can name conditions; its audit trail and the server keep it")
       ->required();
-  out->callback([&action, given] { action = [given] { return pullStudy(*given); }; });
 
-  auto* stats = program.add_subcommand(
+  auto [stats, asking] = app::addCommand(
+      program,
+      action,
       "stats",
       "Print statistics of all data on the server; further options are those of 'palpate stats "
-      "run'");
-  addServerOption(*stats, given->server);
-  stats->add_option(
-      "--study", given->study, "Name of the study on the server (default: the only one)");
-  stats
-      ->add_option(
-          "--reason",
-          given->reason,
-          "Reason for reading data that can name conditions; the server keeps it")
-      ->required();
+      "run'",
+      statsOfAll);
+  asking.stats = stats;
+  addSource(*stats, asking);
+  addReasonForReading(*stats, asking);
   stats->allow_extras();
-  stats->callback([&action, given, stats] {
-    action = [given, words = stats->remaining()] { return statsOfAll(*given, words); };
-  });
 
-  auto* look = program.add_subcommand(
-      "check", "Pull into a temporary folder and compare all data with what the stations signed");
-  addServerOption(*look, given->server);
-  look->add_option(
-      "--study", given->study, "Name of the study on the server (default: the only one)");
-  look->add_option(
-          "--reason",
-          given->reason,
-          "Reason for reading data that can name conditions; the server keeps it")
-      ->required();
-  look->callback([&action, given] { action = [given] { return checkStudy(*given); }; });
+  auto [look, checking] = app::addCommand(
+      program,
+      action,
+      "check",
+      "Pull into a temporary folder and compare all data with what the stations signed",
+      checkStudy);
+  addSource(*look, checking);
+  addReasonForReading(*look, checking);
 }
 
 }  // namespace study::collect

@@ -1,6 +1,5 @@
 // Commands for the server's administrator: set up a study, take in bundles, revoke stations.
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "protocols/load_protocol.h"
+#include "study/app/command_options.h"
 #include "study/collect/app/collect_program.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/administration.h"
@@ -32,24 +31,13 @@ struct ServerArguments {
   std::string address;
   std::string reason;
   std::string file;
-  std::uint64_t seed = 0;
-  bool hasSeed = false;
+  std::optional<std::uint64_t> seed;
   int days = 30;
 };
 
-protocols::LoadedProtocol loaded(const std::string& file) {
-  questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocolFile(file, problems);
-  if (!protocol) {
-    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
-  }
-  return std::move(*protocol);
-}
-
 int addStudyOrProtocol(Connection& server, const ServerArguments& given) {
-  const auto protocol = loaded(given.protocol);
-  const bool isNew = addStudyOrVersion(
-      server, given.study, protocol, given.hasSeed ? std::optional(given.seed) : std::nullopt);
+  const auto protocol = app::loadValidProtocol(given.protocol);
+  const bool isNew = addStudyOrVersion(server, given.study, protocol, given.seed);
   if (isNew) {
     fmt::print(
         "'{}' is on the server: \"{}\".\nNext: on each station 'palpate collect key', and here "
@@ -161,67 +149,71 @@ int takeIn(const ServerArguments& given) {
   return 0;
 }
 
+void addStudyAndStation(CLI::App& command, ServerArguments& given) {
+  addServerOption(command, given.server);
+  command.add_option("--study", given.study, "Name of the study on the server");
+  command.add_option("--station", given.station, "Name of the station")->required();
+}
+
 }  // namespace
 
 void addServerCommands(CLI::App& program, Action& action) {
-  const auto given = std::make_shared<ServerArguments>();
-  auto* make = program.add_subcommand(
+  auto [make, given] = app::addCommand(
+      program,
+      action,
       "init",
       "Update the database schema; create a study (--study, --protocol) or enrol a station "
-      "(--station)");
-  addServerOption(*make, given->server);
-  make->add_option("--study", given->study, "Name of the study on the server");
+      "(--station)",
+      init);
+  addServerOption(*make, given.server);
+  make->add_option("--study", given.study, "Name of the study on the server");
   make->add_option(
           "--protocol",
-          given->protocol,
+          given.protocol,
           "Protocol of the study; for an existing study its new version")
       ->type_name("FILE");
-  auto* seed = make->add_option(
-      "--seed", given->seed, "Seed of the condition orders of all stations (default: random)");
   make->add_option(
-          "--station", given->station, "Enrol a station: write its enrolment to this new file")
+      "--seed", given.seed, "Seed of the condition orders of all stations (default: random)");
+  make->add_option(
+          "--station", given.station, "Enrol a station: write its enrolment to this new file")
       ->type_name("FILE");
-  make->add_option("--site", given->site, "Name of the site where the station is: \"oslo\"");
+  make->add_option("--site", given.site, "Name of the site where the station is: \"oslo\"");
   make->add_option(
-      "--name", given->name, "Name of the station (default: that of its site): \"oslo-2\"");
+      "--name", given.name, "Name of the station (default: that of its site): \"oslo-2\"");
   make->add_option(
-      "--key", given->key, "Public key of the station, as 'palpate collect key' prints it there");
+      "--key", given.key, "Public key of the station, as 'palpate collect key' prints it there");
   make->add_option(
           "--address",
-          given->address,
+          given.address,
           "How the station reaches the server, as for --server (default: the same)")
       ->type_name("WHERE");
   make->add_option(
-          "--days", given->days, "Number of days for which the enrolment is valid (default: 30)")
+          "--days", given.days, "Number of days for which the enrolment is valid (default: 30)")
       ->check(CLI::Range(1, 365));
-  make->callback([&action, given, seed] {
-    given->hasSeed = seed->count() > 0;
-    action = [given] { return init(*given); };
-  });
 
-  auto* in =
-      program.add_subcommand("ingest", "Load a file from 'palpate collect bundle' into the server");
-  addServerOption(*in, given->server);
-  in->add_option("FILE", given->file, "The bundle")->required();
-  in->callback([&action, given] { action = [given] { return takeIn(*given); }; });
+  auto [in, taking] = app::addCommand(
+      program, action, "ingest", "Take a file of 'palpate collect bundle' into the server", takeIn);
+  addServerOption(*in, taking.server);
+  in->add_option("FILE", taking.file, "The bundle")->required();
 
-  auto* out = program.add_subcommand(
-      "revoke", "Revoke a station's access: the server takes no more data from it");
-  addServerOption(*out, given->server);
-  out->add_option("--study", given->study, "Name of the study on the server");
-  out->add_option("--station", given->station, "Name of the station")->required();
-  out->add_option("--reason", given->reason, "Reason; the station shows it at its next push")
+  auto [out, revoking] = app::addCommand(
+      program,
+      action,
+      "revoke",
+      "Revoke a station's access: the server takes no more data from it",
+      revoke);
+  addStudyAndStation(*out, revoking);
+  out->add_option("--reason", revoking.reason, "Reason; the station shows it at its next push")
       ->required();
-  out->callback([&action, given] { action = [given] { return revoke(*given); }; });
 
-  auto* aside = program.add_subcommand(
+  auto [aside, setting] = app::addCommand(
+      program,
+      action,
       "set-aside",
-      "Let a station send everything again; its old data stay on the server under another name");
-  addServerOption(*aside, given->server);
-  aside->add_option("--study", given->study, "Name of the study on the server");
-  aside->add_option("--station", given->station, "Name of the station")->required();
-  aside->add_option("--reason", given->reason, "Reason; it is kept on the server")->required();
-  aside->callback([&action, given] { action = [given] { return setAside(*given); }; });
+      "Let a station send everything again; what the server has of it stays under another name",
+      setAside);
+  addStudyAndStation(*aside, setting);
+  aside->add_option("--reason", setting.reason, "Reason; it is kept on the server")->required();
 }
 
 }  // namespace study::collect

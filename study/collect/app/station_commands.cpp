@@ -1,11 +1,11 @@
 // Commands for the operator of a station: enrol, push, and see what has arrived.
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "study/app/command_options.h"
 #include "study/collect/app/collect_program.h"
 #include "study/collect/app/options.h"
 #include "study/collect/exchange/bundle.h"
@@ -30,7 +30,7 @@ struct StationArguments {
   std::int64_t afterEvent = -1;  ///< -1: after those of the last push
 };
 
-int printKey() {
+int printKey(const StationArguments& /*none*/) {
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
   fmt::print("{}\n", station.publicKey());
   return 0;
@@ -229,52 +229,61 @@ int statusOfServer(const StationArguments& given) {
   return 0;
 }
 
+int status(const StationArguments& given) {
+  return given.folder.empty() ? statusOfServer(given) : statusOfStation(given);
+}
+
 }  // namespace
 
 void addStationCommands(CLI::App& program, Action& action) {
-  const auto given = std::make_shared<StationArguments>();
-  auto* key =
-      program.add_subcommand("key", "Print the public key of this computer, for its enrolment");
-  key->callback([&action] { action = [] { return printKey(); }; });
+  app::addCommand(
+      program, action, "key", "Print the public key of this computer, for its enrolment", printKey);
 
-  auto* joining = program.add_subcommand(
-      "join", "Make the study's folder on this computer from an enrolment file");
-  joining->add_option("ENROLMENT", given->enrolment, "File from 'palpate collect init --station'")
+  auto [join, joining] = app::addCommand(
+      program,
+      action,
+      "join",
+      "Make the study's folder on this computer from an enrolment file",
+      joinStudy);
+  join->add_option("ENROLMENT", joining.enrolment, "File from 'palpate collect init --station'")
       ->required();
-  joining->add_option("FOLDER", given->folder, "New folder of the study")->required();
-  joining->add_option(
+  join->add_option("FOLDER", joining.folder, "New folder of the study")->required();
+  join->add_option(
       "--mark",
-      given->mark,
-      "Mark (fingerprint) of the study, as its administrator read it out; any other is refused");
-  joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
+      joining.mark,
+      "Mark (fingerprint) of the study, as its administrator read it out; another one is refused");
 
-  auto* push = program.add_subcommand(
-      "push", "Send the sessions and events that the server does not have yet");
-  push->add_option("FOLDER", given->folder, "Folder of the study")->required();
-  addServerOption(*push, given->server);
-  push->callback([&action, given] { action = [given] { return pushStudy(*given); }; });
+  auto [push, pushing] = app::addCommand(
+      program,
+      action,
+      "push",
+      "Send the sessions and events that the server does not have yet",
+      pushStudy);
+  push->add_option("FOLDER", pushing.folder, "Folder of the study")->required();
+  addServerOption(*push, pushing.server);
 
-  auto* bundle = program.add_subcommand(
+  auto [bundle, bundling] = app::addCommand(
+      program,
+      action,
       "bundle",
-      "Without a network: write what the server lacks to a file for 'palpate collect ingest'");
-  bundle->add_option("FOLDER", given->folder, "Folder of the study")->required();
-  bundle->add_option("--out", given->out, "New file")->required();
+      "Without a network: write what the server lacks to a file for 'palpate collect ingest'",
+      bundleStudy);
+  bundle->add_option("FOLDER", bundling.folder, "Folder of the study")->required();
+  bundle->add_option("--out", bundling.out, "New file")->required();
   bundle->add_option(
       "--after",
-      given->afterEvent,
+      bundling.afterEvent,
       "Number of the last event that the server has (default: as of the last push, or 0)");
-  bundle->callback([&action, given] { action = [given] { return bundleStudy(*given); }; });
 
-  auto* status = program.add_subcommand(
-      "status", "Show how many sessions have arrived at the server: of one station, or of all");
-  status->add_option("FOLDER", given->folder, "Folder of the study (default: all on the server)");
-  status->add_option("--study", given->study, "Name of the study on the server (default: all)");
-  addServerOption(*status, given->server);
-  status->callback([&action, given] {
-    action = [given] {
-      return given->folder.empty() ? statusOfServer(*given) : statusOfStation(*given);
-    };
-  });
+  auto [status, asking] = app::addCommand(
+      program,
+      action,
+      "status",
+      "Show how many sessions have arrived at the server: of one station, or of all",
+      collect::status);
+  status->add_option("FOLDER", asking.folder, "Folder of the study (default: all on the server)");
+  status->add_option("--study", asking.study, "Name of the study on the server (default: all)");
+  addServerOption(*status, asking.server);
 }
 
 }  // namespace study::collect
