@@ -16,7 +16,9 @@ std::string asWritten(const questionnaires::Response& response) {
   return stored.number ? exactly(*stored.number) : stored.text.value_or("");
 }
 
-std::vector<BackgroundQuestion> questionsOf(const protocols::LoadedProtocol& loaded) {
+}  // namespace
+
+std::vector<BackgroundQuestion> backgroundQuestionsOf(const protocols::LoadedProtocol& loaded) {
   std::vector<BackgroundQuestion> questions;
   for (const auto& phase : loaded.protocol.phases) {
     const auto* instrument = loaded.instrument(phase.instrument);
@@ -30,8 +32,6 @@ std::vector<BackgroundQuestion> questionsOf(const protocols::LoadedProtocol& loa
   return questions;
 }
 
-}  // namespace
-
 std::string BackgroundQuestion::column() const {
   std::string name = phase + "_" + item->id;
   for (char& c : name) {
@@ -41,7 +41,7 @@ std::string BackgroundQuestion::column() const {
 }
 
 PublicPeople::PublicPeople(Study& study, RunMode mode)
-    : study_(study), mode_(mode), questions_(questionsOf(study.protocol())) {
+    : study_(study), mode_(mode), questions_(backgroundQuestionsOf(study.protocol())) {
   const storage::Records records(study.database());
   std::set<std::string> seen;
   for (auto& session : records.sessions()) {

@@ -23,6 +23,9 @@ struct BackgroundQuestion {
   std::string column() const;
 };
 
+/// The background questions whose answers analysts see. @p loaded must outlive the result.
+std::vector<BackgroundQuestion> backgroundQuestionsOf(const protocols::LoadedProtocol& loaded);
+
 /// The people in a public export, and the facts about them that acquaintances may know: cohort,
 /// site, answers to forms about the person, and the order of conditions (which the protocol and the
 /// place in the design determine). A person is listed once, with their first completed session. The

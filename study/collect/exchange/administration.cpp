@@ -13,7 +13,7 @@
 #include "study/collect/exchange/push.h"
 #include "study/collect/exchange/server_reader.h"
 #include "study/collect/exchange/station_trail.h"
-#include "study/export/coarsening.h"
+#include "study/export/public_people.h"
 #include "study/model/user_error.h"
 #include "study/session/study.h"
 #include "study/storage/protocol_repository.h"
@@ -62,18 +62,12 @@ storage::BlindingSecret secretOf(const StudyOnServer& study) {
 /// (docs/decisions/0048).
 std::vector<BackgroundItem> backgroundOf(const protocols::LoadedProtocol& loaded) {
   std::vector<BackgroundItem> items;
-  for (const auto& phase : loaded.protocol.phases) {
-    const auto* instrument = loaded.instrument(phase.instrument);
-    if (phase.type != protocols::PhaseType::Form || instrument == nullptr) continue;
-    for (const auto& item : instrument->items) {
-      if (item.isIdentifying || !isQuasiIdentifier(item)) continue;
-      const GeneralisationHierarchy bands(item, loaded.protocol.languages.front());
-      items.push_back(
-          {.phase = phase.id,
-           .item = item.id,
-           .width = bands.bandWidth(),
-           .isWhole = bands.isWhole()});
-    }
+  for (const auto& question : backgroundQuestionsOf(loaded)) {
+    items.push_back(
+        {.phase = question.phase,
+         .item = question.item->id,
+         .width = question.coarsening.bandWidth(),
+         .isWhole = question.coarsening.isWhole()});
   }
   return items;
 }
