@@ -13,7 +13,6 @@
 #include "analysis/hypothesis_tests/t_tests.h"
 #include "analysis/numerics/distributions.h"
 #include "analysis/numerics/exact_arithmetic.h"
-#include "analysis/numerics/fair_coin.h"
 #include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
@@ -205,28 +204,6 @@ std::vector<double> walshAverages(std::span<const double> differences) {
   return averages;
 }
 
-void addInterval(HodgesLehmannResult& result, const std::vector<double>& averages, double level) {
-  std::vector<std::uint64_t> ranks(result.n);
-  std::iota(ranks.begin(), ranks.end(), std::uint64_t{1});
-  if (!WeightedBernoulliSum::isFeasible(ranks)) {
-    result.reason = reason("too_many_for_interval");
-    return;
-  }
-  const WeightedBernoulliSum law(ranks);
-  const double tail = 0.5 * (1.0 - level);
-  if (law.atMost(0) > tail) {
-    result.reason = reason("no_such_confidence");
-    return;
-  }
-  std::uint64_t low = 0;  // the largest sum of ranks that would be rejected
-  for (std::uint64_t high = averages.size(); high - low > 1;) {
-    const std::uint64_t middle = std::midpoint(low, high);
-    (law.atMost(middle) > tail ? high : low) = middle;
-  }
-  result.confidence = 1.0 - 2.0 * law.atMost(low);
-  result.interval = Interval{.low = averages[low], .high = averages[averages.size() - 1 - low]};
-}
-
 }  // namespace
 
 CliffDelta cliffDelta(
@@ -255,8 +232,7 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   return result;
 }
 
-HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double level) {
-  requireConfidenceLevel(level);
+HodgesLehmannResult hodgesLehmann(std::span<const double> differences) {
   if (!std::ranges::all_of(differences, [](double number) { return std::isfinite(number); })) {
     throw std::invalid_argument("a difference is infinite or no number");
   }
@@ -270,7 +246,6 @@ HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double le
   const std::size_t half = averages.size() / 2;
   result.estimate =
       averages.size() % 2 == 1 ? averages[half] : std::midpoint(averages[half - 1], averages[half]);
-  addInterval(result, averages, level);
   return result;
 }
 

@@ -104,22 +104,12 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level = 0.95);
 struct HodgesLehmannResult {
   std::uint64_t n = 0;
   std::optional<double> estimate;
-  std::optional<Interval> interval;  ///< both ends are Walsh averages and belong to it
-  /// Exact confidence of the interval if there are no ties; at least the level.
-  std::optional<double> confidence;
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Hodges & Lehmann's estimate (1963): the median of the Walsh averages (dᵢ + dⱼ)/2, i ≤ j.
 ///
-/// The interval contains the values that the exact signed rank test would not reject: from the C-th
-/// smallest to the C-th largest of the M = n(n + 1)/2 averages, with C the largest number for which
-/// P(V < C) ≤ (1 − level)/2. If not even C = 1 satisfies this, there is no interval: for a level of
-/// 0.95, below n = 6. Differences of zero count like any other. With ties the true confidence is at
-/// least `confidence`.
-///
-/// @throws std::invalid_argument  if a difference is infinite or NaN, or for a level that is not
-///     between 0 and 1.
-HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double level = 0.95);
+/// @throws std::invalid_argument  if a difference is infinite or NaN.
+HodgesLehmannResult hodgesLehmann(std::span<const double> differences);
 
 }  // namespace analysis

@@ -133,7 +133,6 @@ void addTests(RepeatedMeasuresResult& result, const TwoWayLayout& layout) {
   result.log10P = law.log10UpperP(f);
   result.greenhouseGeisser = epsilon;
   result.pGreenhouseGeisser = corrected.upperP(f);
-  result.log10PGreenhouseGeisser = corrected.log10UpperP(f);
 }
 
 }  // namespace

@@ -57,7 +57,6 @@ struct RepeatedMeasuresResult {
 
   std::optional<double> greenhouseGeisser;  ///< ε, from 1/(k − 1) to 1; 1 for spherical conditions
   std::optional<double> pGreenhouseGeisser;  ///< with both degrees of freedom times ε
-  std::optional<double> log10PGreenhouseGeisser;
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };

@@ -1,7 +1,6 @@
 #include "analysis/hypothesis_tests/friedman.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -178,7 +177,6 @@ void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
   result.imanDavenportF = f;
   const FisherDistribution fisher(df, df * static_cast<double>(ranking.b - 1));
   result.imanDavenportP = fisher.upperP(f);
-  result.imanDavenportLog10P = fisher.log10UpperP(f);
 }
 
 RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t second) {

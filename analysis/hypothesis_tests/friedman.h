@@ -50,8 +50,6 @@ struct FriedmanResult {
   std::optional<double> imanDavenportF;  ///< +infinity if all blocks agree
   std::optional<double> imanDavenportP;  ///< of F with k − 1 and (k − 1)(b − 1); 0 if F is infinite
 
-  std::optional<double> imanDavenportLog10P;  ///< defined even if p is too small for a double
-
   std::optional<double> exactP;  ///< over all permutations of the midranks within blocks
 
   std::vector<RankComparison> pairs;  ///< empty if the test is not defined

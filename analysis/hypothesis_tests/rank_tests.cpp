@@ -166,7 +166,6 @@ void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Pl
   const DoubleDouble deviation = squareRoot(variance) * 2.0;
   result.z = (exactQuotient(excess, 1) / deviation).high;
   result.pAsymptotic = normalTwoSidedP(*result.z);
-  result.log10PAsymptotic = log10NormalTwoSidedP(*result.z);
   result.pAsymptoticContinuity = normalTwoSidedP((exactQuotient(corrected, 1) / deviation).high);
 }
 

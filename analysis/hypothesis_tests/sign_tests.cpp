@@ -100,7 +100,6 @@ void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
   result.rankBiserial = exactQuotient(excess, ranks.sum).high;
   result.z = (exactQuotient(excess, 1) / deviation).high;
   result.pAsymptotic = normalTwoSidedP(*result.z);
-  result.log10PAsymptotic = log10NormalTwoSidedP(*result.z);
   result.pAsymptoticContinuity = normalTwoSidedP((exactQuotient(corrected, 1) / deviation).high);
 }
 

@@ -51,7 +51,6 @@ struct SignedRankResult {
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
-  std::optional<double> log10PAsymptotic;       ///< defined even if p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with V moved by ½ towards its mean
 
   Reason reason;  ///< why something above is missing; empty if nothing is

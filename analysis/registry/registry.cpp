@@ -146,9 +146,9 @@ Rows signFlip(const TestData& data, const TestSettings&) {
 }
 
 template <Zeros kZeros>
-Rows signedRank(const TestData& data, const TestSettings& settings) {
+Rows signedRank(const TestData& data, const TestSettings&) {
   const auto differences = differencesOf(data);
-  return {rowOf(signedRankTest(differences, kZeros), hodgesLehmann(differences, settings.level))};
+  return {rowOf(signedRankTest(differences, kZeros), hodgesLehmann(differences))};
 }
 
 Rows sign(const TestData& data, const TestSettings&) {

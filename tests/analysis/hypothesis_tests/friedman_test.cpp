@@ -97,7 +97,6 @@ TEST(FriedmanTest, ReachesFurtherThanADouble) {
   EXPECT_EQ(result.p, 0.0);
   // two degrees of freedom: e^(−χ²/2)
   EXPECT_NEAR(result.log10P.value(), -0.5 * result.chiSquared.value() / std::log(10.0), 1e-9);
-  EXPECT_LT(result.imanDavenportLog10P.value(), -10'000.0);
   EXPECT_LT(result.pairs.front().nemenyiLog10P, -1000.0);
 }
 

@@ -122,7 +122,6 @@ TEST(MannWhitneyTest, ReportsGroupsTooLargeForAnExactP) {
   EXPECT_EQ(result.pAsymptotic, 0.0);
   // σ² = n²/12 (2n + 1 − 2(n³ − n)/(2n(2n − 1))), so that z² = 2n − 1
   EXPECT_NEAR(result.z.value(), -std::sqrt(1'999'999.0), 1e-9);
-  EXPECT_LT(result.log10PAsymptotic.value(), -434'000.0);
 
   groups.n1 = groups.values.front().first = std::uint64_t{1} << 30;
   EXPECT_EQ(mannWhitneyTest(groups).reason.key(), "groups_too_large");

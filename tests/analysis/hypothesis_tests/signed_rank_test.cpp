@@ -95,9 +95,8 @@ TEST(SignedRankTest, LeavesTheExactPOutForVeryMany) {
   EXPECT_FALSE(result.p.has_value());
   EXPECT_FALSE(result.reason.empty());
   EXPECT_EQ(result.pAsymptotic, 0.0);
-  // z² = 3n(n + 1)/(2(2n + 1)); log₁₀ erfc(z/√2) with 40 digits
+  // z² = 3n(n + 1)/(2(2n + 1))
   EXPECT_NEAR(result.z.value() * result.z.value(), 3.0 * 3000 * 3001 / (2.0 * 6001), 1e-9);
-  EXPECT_NEAR(result.log10PAsymptotic.value(), -490.43708894049033, 1e-10);
 }
 
 TEST(SignedRankTest, HasTheSmallestPOfTheLawAtTheLargestV) {
@@ -112,50 +111,14 @@ TEST(SignedRankTest, RefusesValuesWithoutARank) {
 }
 
 TEST(HodgesLehmann, IsThatOfDepressionScores) {
-  // Hollander & Wolfe: θ = 0.46. By hand from the 45 averages: P(V ≤ 5) = 10/512 ≤ .025 < 14/512,
-  // so C = 6.
-  const auto result = hodgesLehmann(kDepression);
-  EXPECT_NEAR(result.estimate.value(), 0.46, 1e-12);
-  EXPECT_DOUBLE_EQ(result.confidence.value(), 1.0 - 20.0 / 512.0);
-
-  Values averages;
-  for (std::size_t i = 0; i < 9; ++i) {
-    for (std::size_t j = i; j < 9; ++j) averages.push_back((kDepression[i] + kDepression[j]) / 2);
-  }
-  std::ranges::sort(averages);
-  EXPECT_DOUBLE_EQ(result.interval.value().low, averages[5]);
-  EXPECT_DOUBLE_EQ(result.interval.value().high, averages[45 - 6]);
-}
-
-TEST(HodgesLehmann, HasNoIntervalForTooFewValues) {
-  const auto five = hodgesLehmann(Values{1, 2, 3, 4, 6});
-  EXPECT_EQ(five.estimate, 3.0);
-  EXPECT_FALSE(five.interval.has_value());
-  EXPECT_EQ(five.reason.key(), "no_such_confidence");
-  const auto six = hodgesLehmann(Values{1, 2, 3, 4, 6, 9});
-  EXPECT_EQ(six.interval.value().low, 1.0);  // 2/2⁶ ≤ .05: all averages
-  EXPECT_EQ(six.interval.value().high, 9.0);
-  EXPECT_EQ(six.confidence, 1.0 - 2.0 / 64.0);
+  // Hollander & Wolfe: θ = 0.46.
+  EXPECT_NEAR(hodgesLehmann(kDepression).estimate.value(), 0.46, 1e-12);
+  EXPECT_EQ(hodgesLehmann(Values{1, 2, 3, 4, 6}).estimate, 3.0);
 }
 
 TEST(HodgesLehmann, IsUndefinedForNone) {
   EXPECT_EQ(hodgesLehmann(Values{}).reason.key(), "no_differences");
   EXPECT_EQ(hodgesLehmann(Values{7.0}).estimate, 7.0);
-  EXPECT_FALSE(hodgesLehmann(Values{7.0}).interval.has_value());
-  EXPECT_THROW(hodgesLehmann(Values{7.0}, 1.0), std::invalid_argument);
-}
-
-TEST(HodgesLehmann, HasTheValuesThatTheTestDoesNotReject) {
-  const auto result = hodgesLehmann(kDepression);
-  const auto pOfShift = [](double shift) {
-    Values shifted = kDepression;
-    for (double& value : shifted) value -= shift;
-    return signedRankTest(shifted).p.value();
-  };
-  EXPECT_GT(pOfShift(result.interval->low + 1e-6), 0.05);
-  EXPECT_LE(pOfShift(result.interval->low - 1e-6), 0.05);
-  EXPECT_GT(pOfShift(result.interval->high - 1e-6), 0.05);
-  EXPECT_LE(pOfShift(result.interval->high + 1e-6), 0.05);
 }
 
 TEST(SignTest, IsABinomialTestOfOneHalf) {
