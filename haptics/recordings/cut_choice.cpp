@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -223,8 +222,6 @@ RecordingSurvey summariseCuts(const Recording& recording, const Trace& trace, do
   survey.maxForce = most;
 
   std::ranges::sort(travels);
-  survey.minTravel = travels.front();
-  survey.maxTravel = travels.back();
   travels.erase(std::unique(travels.begin(), travels.end()), travels.end());
   survey.distinctTravels = travels.size();
 

@@ -102,10 +102,8 @@ struct RecordingSurvey {
   Sampling sampling{};
   std::size_t saturatedRows = 0;  ///< rows with a saturated force sensor: their peaks are clipped
   std::size_t uncalibratedRows = 0;  ///< rows outside the calibrated range, saturated ones included
-  double minForce = 0.0;   ///< smallest force: the sensor's bias if the hand released the tool [N]
-  double maxForce = 0.0;   ///< [N]
-  double minTravel = 0.0;  ///< as recorded [travel units]
-  double maxTravel = 0.0;  ///< as recorded [travel units]
+  double minForce = 0.0;  ///< smallest force: the sensor's bias if the hand released the tool [N]
+  double maxForce = 0.0;  ///< [N]
   /// Number of different recorded travels: the resolution of the sensor.
   std::size_t distinctTravels = 0;
   std::size_t refusedLines = 0;

@@ -33,8 +33,7 @@ Sampling samplingOf(const Recording& recording) {
   return {
       .rate = steps / duration,
       .stepMin = least * kSecondsPerMillisecond,
-      .stepMax = most * kSecondsPerMillisecond,
-      .stepMean = duration / steps};
+      .stepMax = most * kSecondsPerMillisecond};
 }
 
 std::string decimal(double value, int digits) {
@@ -128,30 +127,11 @@ std::string quoted(std::string_view piece) {
 }
 
 /// A line without '\r', '\\' and '}' at its end.
-struct Core {
-  std::string_view text;
-  bool hadBrace = false;
-};
-
-Core coreOf(std::string_view line) {
+std::string_view coreOf(std::string_view line) {
   const auto withoutTail = [](std::string_view text, std::string_view tail) {
     return text.substr(0, text.find_last_not_of(tail) + 1);  // npos + 1 is 0: nothing remains
   };
-  const std::string_view unterminated = withoutTail(line, "\r\\");
-  const std::string_view core = withoutTail(unterminated, "}");
-  return {core, core.size() < unterminated.size()};
-}
-
-void countEnd(std::string_view line, Recording::LineEnds& ends) {
-  if (line.ends_with("\r\\")) {
-    ++ends.crBackslashLf;
-  } else if (line.ends_with('\\')) {
-    ++ends.backslashLf;
-  } else if (line.ends_with('\r')) {
-    ++ends.crlf;
-  } else {
-    ++ends.lf;
-  }
+  return withoutTail(withoutTail(line, "\r\\"), "}");
 }
 
 /// The result of reading a line: a row, or the reason why it is none.
@@ -194,7 +174,6 @@ class Reader {
       const bool isWhole = end != std::string_view::npos;
       const std::string_view line = text.substr(0, end);
       ++recording_.lines;
-      if (isWhole) countEnd(line, recording_.lineEnds);
       readLineOf(line, isWhole);
       text.remove_prefix(isWhole ? end + 1 : text.size());
     }
@@ -207,15 +186,13 @@ class Reader {
 
  private:
   void readLineOf(std::string_view line, bool isWhole) {
-    const Core core = coreOf(line);
-    const std::vector<std::string_view> fields = base::splitText(core.text, kBlanks);
+    const std::vector<std::string_view> fields = base::splitText(coreOf(line), kBlanks);
     if (fields.empty()) return;
     const ReadLine read = readLine(fields);
     if (!read.row) {
       refuse(read.reason, fields.size() == kColumns - 1);
     } else if (keepsTime(*read.row, isWhole)) {
       recording_.rows.push_back(*read.row);
-      recording_.rowsWithBrace += core.hadBrace ? 1 : 0;
     }
   }
 

@@ -44,14 +44,6 @@ struct Recording {
     std::string reason{};    ///< e.g. "2 numbers instead of 5"
   };
 
-  /// Number of lines with each kind of line end.
-  struct LineEnds {
-    std::size_t lf = 0;
-    std::size_t crlf = 0;
-    std::size_t crBackslashLf = 0;  ///< residue of an RTF export
-    std::size_t backslashLf = 0;
-  };
-
   std::string source{};                ///< file name, for messages and provenance
   std::string readingUnit = "counts";  ///< `counts`, `V`, `mV`, or `N` if the readings are forces
   std::optional<ForceCalibration> calibration{};  ///< of the recorder's sensor, if known
@@ -61,8 +53,6 @@ struct Recording {
   std::size_t lines = 0;                    ///< all lines, empty ones too
   std::size_t refusedCount = 0;             ///< number of lines that were neither rows nor empty
   std::vector<RefusedLine> refusedLines{};  ///< the first kMaxRefusedLines of them
-  LineEnds lineEnds{};
-  std::size_t rowsWithBrace = 0;  ///< number of rows that ended in '}'
 
   static constexpr std::size_t kMaxRefusedLines = 20;
 };
@@ -73,10 +63,9 @@ struct Recording {
 /// The rate is (rows − 1)/(last − first). It differs from the published 333 Hz, which is the
 /// inverse of the mean step rounded to whole milliseconds.
 struct Sampling {
-  double rate = 0.0;      ///< [Hz]
-  double stepMin = 0.0;   ///< [s]
-  double stepMax = 0.0;   ///< [s]
-  double stepMean = 0.0;  ///< [s]
+  double rate = 0.0;     ///< [Hz]
+  double stepMin = 0.0;  ///< [s]
+  double stepMax = 0.0;  ///< [s]
 };
 
 Sampling samplingOf(const Recording& recording);
