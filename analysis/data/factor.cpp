@@ -1,7 +1,6 @@
 #include "analysis/data/factor.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>

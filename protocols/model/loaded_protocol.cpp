@@ -1,7 +1,6 @@
 #include "protocols/model/loaded_protocol.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 

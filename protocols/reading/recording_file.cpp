@@ -1,8 +1,6 @@
 #include "protocols/reading/recording_file.h"
 
 #include <array>
-#include <cmath>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"

@@ -1,7 +1,6 @@
 // Parses JSON with the event (SAX) interface of nlohmann::json, because its tree interface accepts
 // duplicate keys and any nesting depth.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "questionnaires/reading/instrument_reader.h"

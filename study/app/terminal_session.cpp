@@ -9,7 +9,6 @@
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,6 @@
 // Simulates cohorts through the same session code that real participants use.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>

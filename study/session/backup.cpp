@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"

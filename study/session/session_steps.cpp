@@ -1,8 +1,6 @@
 // The course of a session: steps, trials, and the operator's decisions.
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "study/session/session.h"
 #include "study/storage/trial_repository.h"
 #include "study/words/counted.h"

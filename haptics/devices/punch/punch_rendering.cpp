@@ -1,5 +1,4 @@
 // Sends the device a scene that it renders itself: PunchDevice::renderOnDevice().
-#include <cmath>
 #include <vector>
 
 #include "haptics/devices/device.h"

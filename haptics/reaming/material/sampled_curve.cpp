@@ -1,6 +1,5 @@
 #include "haptics/reaming/material/sampled_curve.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace haptics::reaming {

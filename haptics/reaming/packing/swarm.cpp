@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <thread>
-#include <tuple>
 
 #include "base/random.h"
 #include "haptics/reaming/packing/density_fit.h"

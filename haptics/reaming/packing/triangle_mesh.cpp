@@ -5,7 +5,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <unordered_map>
 
 #include "haptics/reaming/packing/box_tree.h"
 

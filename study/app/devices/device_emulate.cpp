@@ -4,14 +4,11 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <mutex>
 #include <thread>
-
-#include <fmt/format.h>
 
 #include "haptics/emulators/fri_controller.h"
 #include "haptics/emulators/punch_emulator.h"

@@ -1,6 +1,5 @@
 #include "study/app/measurements/material_inputs.h"
 
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <map>

@@ -1,7 +1,6 @@
 #include "study/app/measurements/material_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

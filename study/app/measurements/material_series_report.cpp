@@ -1,6 +1,5 @@
 // The report on one series of a material: measured, filtered and normalised.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

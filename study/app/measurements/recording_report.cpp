@@ -1,7 +1,6 @@
 #include "study/app/measurements/recording_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>

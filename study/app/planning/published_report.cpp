@@ -1,7 +1,6 @@
 #include "study/app/planning/published_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
