@@ -93,7 +93,7 @@ std::optional<double> numberIn(std::string_view cell, char separator) {
   return decimalNumber(cell, separator == ',' ? DecimalMark::Point : DecimalMark::PointOrComma);
 }
 
-ColumnHead columnHeadOf(std::string_view cell) {
+ColumnHeading columnHeadingOf(std::string_view cell) {
   const auto open = cell.find_first_of("[(");
   if (open != std::string_view::npos) {
     const auto close = cell.find_first_of("])", open);

@@ -53,12 +53,12 @@ std::vector<std::string> cellsOf(std::string_view line, char separator);
 std::optional<double> numberIn(std::string_view cell, char separator);
 
 /// The heading of a column, split into name and unit: "Weg [mm]", "force_n", "Kraft (kN)".
-struct ColumnHead {
+struct ColumnHeading {
   std::string name;
   std::string unit;  ///< empty if none is given
 };
 
-ColumnHead columnHeadOf(std::string_view cell);
+ColumnHeading columnHeadingOf(std::string_view cell);
 
 /// The words in quotation marks, separated by commas.
 std::string listed(const std::vector<std::string>& words);

@@ -15,8 +15,8 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kFewest = 3;
-constexpr std::size_t kMost = 5000;
+constexpr std::size_t kSmallestSample = 3;
+constexpr std::size_t kLargestSample = 5000;
 
 /// Horner's scheme; the constant comes first.
 double polynomial(std::span<const double> coefficients, double x) {
@@ -34,7 +34,7 @@ double normalQuantile(double p) {
 std::vector<double> weightsOf(std::size_t count) {
   constexpr double kLargest[] = {0.0, 0.221157, -0.147981, -2.071190, 4.434685, -2.706056};
   constexpr double kSecond[] = {0.0, 0.042981, -0.293762, -1.752461, 5.682633, -3.582633};
-  if (count == kFewest) return {std::numbers::sqrt2 / 2.0};
+  if (count == kSmallestSample) return {std::numbers::sqrt2 / 2.0};
 
   const auto n = static_cast<double>(count);
   std::vector<double> weights(count / 2);
@@ -99,7 +99,7 @@ double pOf(const Statistic& statistic, std::size_t count) {
   constexpr double kDeviation[] = {-0.4803, -0.082676, 0.0030302};
   constexpr std::size_t kMostOfFew = 11;
 
-  if (count == kFewest) {
+  if (count == kSmallestSample) {
     const double angle = std::asin(std::sqrt(statistic.w)) - std::asin(std::sqrt(0.75));
     return std::clamp(6.0 / std::numbers::pi * angle, 0.0, 1.0);
   }
@@ -127,7 +127,7 @@ ShapiroWilkResult shapiroWilkTest(std::span<const double> values) {
 
   ShapiroWilkResult result;
   result.n = sorted.size();
-  if (sorted.size() < kFewest || sorted.size() > kMost) {
+  if (sorted.size() < kSmallestSample || sorted.size() > kLargestSample) {
     result.reason = reason("three_to_5000_values");
   } else if (sorted.front() == sorted.back()) {
     result.reason = reason("no_shape");
@@ -150,7 +150,7 @@ double medianOf(std::vector<double> values) {
 }
 
 /// Makes values that differ only by rounding errors equal, across all groups.
-void tidy(std::vector<std::vector<double>>& groups) {
+void removeRoundingNoise(std::vector<std::vector<double>>& groups) {
   std::vector<double> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
   const auto clean = withoutRoundingNoise(all);
@@ -184,7 +184,7 @@ BrownForsytheResult brownForsytheTest(std::span<const std::vector<double>> group
     deviations.push_back(values.empty() ? values : deviationsOf(values));
   }
 
-  tidy(deviations);
+  removeRoundingNoise(deviations);
   const OneWayAnovaResult anova = oneWayAnova(deviations);
   BrownForsytheResult result;
   result.degreesOfFreedom1 = anova.degreesOfFreedom1;

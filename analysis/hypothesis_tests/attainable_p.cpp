@@ -36,7 +36,7 @@ AttainableP power(double base, double exponent) {
 
 /// Distributes @p votes over @p options as equally as possible. Of all distributions of the votes
 /// for the other options, this is the most probable one and gives the largest p.
-std::vector<std::uint64_t> evenly(std::uint64_t votes, int options) {
+std::vector<std::uint64_t> evenVoteCounts(std::uint64_t votes, int options) {
   const auto count = static_cast<std::uint64_t>(options);
   std::vector<std::uint64_t> shares(count, votes / count);
   for (std::uint64_t i = 0; i < votes % count; ++i) ++shares[i];
@@ -48,7 +48,7 @@ std::optional<double> pOfWinner(std::uint64_t winner, std::uint64_t n, int k) {
   for (int i = 0; i < k; ++i) names.push_back(std::to_string(i));
   VoteCounts votes(names);
   votes.add(names[0], winner);
-  const auto others = evenly(n - winner, k - 1);
+  const auto others = evenVoteCounts(n - winner, k - 1);
   for (std::size_t i = 0; i < others.size(); ++i) votes.add(names[i + 1], others[i]);
   return equalSharesP(votes);
 }

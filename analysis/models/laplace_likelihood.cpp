@@ -28,14 +28,15 @@ double logLogistic(double x) {
 }
 
 /// The member @p number of each of the @p answers, as a vector.
-VectorXd each(const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
+VectorXd memberOfEach(
+    const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
   VectorXd numbers(static_cast<Index>(answers.size()));
   for (Index i = 0; const auto& answer : answers) numbers(i++) = answer.*number;
   return numbers;
 }
 
 double penalised(const std::vector<CumulativeLogit>& answers, const VectorXd& u) {
-  return 0.5 * u.squaredNorm() - each(answers, &CumulativeLogit::logProbability).sum();
+  return 0.5 * u.squaredNorm() - memberOfEach(answers, &CumulativeLogit::logProbability).sum();
 }
 
 }  // namespace
@@ -105,7 +106,9 @@ std::optional<double> LaplaceLikelihood::value(const VectorXd& parameters) {
 std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
-  const auto of = [&](double CumulativeLogit::*number) { return each(mode->answers, number); };
+  const auto of = [&](double CumulativeLogit::*number) {
+    return memberOfEach(mode->answers, number);
+  };
   const VectorXd slope = of(&CumulativeLogit::slope);
   const VectorXd weight = of(&CumulativeLogit::weight);
   const VectorXd weightSlope =
@@ -188,12 +191,12 @@ std::vector<CumulativeLogit> LaplaceLikelihood::answersAt(
 /// function.
 VectorXd LaplaceLikelihood::newtonStep(const Mode& mode) {
   if (u_.size() == 0) return u_;
-  const VectorXd weight = each(mode.answers, &CumulativeLogit::weight);
+  const VectorXd weight = memberOfEach(mode.answers, &CumulativeLogit::weight);
   Sparse d(u_.size(), u_.size());
   d.setIdentity();
   d += Sparse(mode.z * weight.asDiagonal() * mode.z.transpose());
   system_.compute(d);
-  const VectorXd downhill = mode.z * each(mode.answers, &CumulativeLogit::slope) - mode.u;
+  const VectorXd downhill = mode.z * memberOfEach(mode.answers, &CumulativeLogit::slope) - mode.u;
   const VectorXd step = system_.solve(downhill);
   return step.dot(downhill) > kNegligibleDecrease ? step : VectorXd::Zero(u_.size());
 }

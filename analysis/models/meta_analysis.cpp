@@ -130,7 +130,7 @@ class Pooling {
   Pooling(std::span<const EstimateWithError> sites, double level, double precision = kExact)
       : sites_(sites), level_(level), precision_(precision), equal_(checked(sites), 0.0) {}
 
-  PooledEstimate by(double tauSquared, double between) const {
+  PooledEstimate pooledWith(double tauSquared, double between) const {
     const Weighted weighted(sites_, tauSquared);
     const double error = std::sqrt(1.0 / weighted.weight());
     return estimate(weighted.mean(), error, std::nullopt, tauSquared, between);
@@ -153,9 +153,9 @@ class Pooling {
     MetaAnalysis result{
         .sites = sites_.size(),
         .q = equal_.deviation(1),
-        .common = by(0.0, simple),
-        .derSimonianLaird = by(simple, simple),
-        .reml = by(largest, largest),
+        .common = pooledWith(0.0, simple),
+        .derSimonianLaird = pooledWith(simple, simple),
+        .reml = pooledWith(largest, largest),
         .knappHartung = knappHartung(largest)};
     result.heterogeneityP = chiSquaredP(result.q, equal_.df());
     return result;

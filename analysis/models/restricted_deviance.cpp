@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Relative to a sum of squares: smaller values are rounding errors.
-constexpr double kNothing = 1e-12;
+constexpr double kNegligible = 1e-12;
 
 }  // namespace
 
@@ -122,7 +122,7 @@ std::optional<RestrictedDeviance::Profile> RestrictedDeviance::profileAt(
   at.residual = residualSumOfSquares_ - at.reducedY.squaredNorm() - right.dot(at.shift);
   const bool isSolved =
       at.system.info() == Eigen::Success && at.information.info() == Eigen::Success;
-  if (!isSolved || !(at.residual > kNothing * residualSumOfSquares_)) return std::nullopt;
+  if (!isSolved || !(at.residual > kNegligible * residualSumOfSquares_)) return std::nullopt;
 
   const double df = degreesOfFreedom();
   const double logDeterminants = at.system.matrixLLT().diagonal().array().log().sum() +
@@ -190,13 +190,13 @@ MatrixXd RestrictedDeviance::varianceHessian(
 }
 
 bool RestrictedDeviance::isExplainedByFixedEffects() const {
-  return !(residualSumOfSquares_ > kNothing * sumOfSquares_);
+  return !(residualSumOfSquares_ > kNegligible * sumOfSquares_);
 }
 
 bool RestrictedDeviance::isExplainedByFixedEffects(std::size_t intercept) const {
   const auto answers = static_cast<double>(answers_);
   const auto its = ztx_.middleRows(from_[intercept], levels_[intercept]);
-  return answers - its.squaredNorm() < kNothing * answers;
+  return answers - its.squaredNorm() < kNegligible * answers;
 }
 
 std::optional<double> RestrictedDeviance::value(const VectorXd& relativeVariances) const {

@@ -27,7 +27,7 @@ constexpr double kNear = 1e-8;  // predicted decrease of a step, relative to the
 
 struct Step {
   VectorXd move;
-  double promise = 0.0;  ///< −gᵀ move: near the minimum, twice the decrease of the function
+  double predictedDecrease = 0.0;  ///< −gᵀ move; near the minimum, twice the decrease
   bool isConvex = true;
 };
 
@@ -51,7 +51,7 @@ Step newtonStep(const VectorXd& at, const Derivatives& derivatives, double lower
   const VectorXd curvature = values.cwiseAbs().cwiseMax(kSmallestCurvature * largest);
   const VectorXd along = eigen.eigenvectors().transpose() * gradient;
   VectorXd move = -eigen.eigenvectors() * along.cwiseQuotient(curvature);
-  step.promise = -gradient.dot(move);
+  step.predictedDecrease = -gradient.dot(move);
   move *= std::min(1.0, kLongestStep / move.cwiseAbs().maxCoeff());
   if (move.allFinite()) step.move(free) = move;
   return step;
@@ -99,7 +99,8 @@ Minimum minimise(const Objective& objective, VectorXd start) {
     minimum.derivatives = *derivatives;
 
     const Step step = newtonStep(minimum.at, *derivatives, objective.lowerBound);
-    const bool isNear = step.promise <= kNear * (1.0 + std::abs(minimum.value)) && step.isConvex;
+    const bool isNear =
+        step.predictedDecrease <= kNear * (1.0 + std::abs(minimum.value)) && step.isConvex;
     if (isNear && (lastSteps++ == kLastSteps || !takeLastStep(objective, step, minimum))) {
       minimum.isFound = true;
       return minimum;

@@ -62,7 +62,7 @@ bool isSet(const Bits& bits, std::size_t i) {
 }
 
 /// Intersects @p bits with @p other; false if the result is empty.
-bool keep(Bits& bits, const Bits& other) {
+bool intersect(Bits& bits, const Bits& other) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i < bits.size(); ++i) any |= bits[i] &= other[i];
   return any != 0;
@@ -198,10 +198,10 @@ class SizeSearch {
       const auto& [first, second, p] = table_.comparisons[c];
       const auto& agreement = agreements_[c][at[first]][at[second]];
       if (first == group && second > group) {
-        if (!keep(left[second], agreement.forward[point])) return false;
+        if (!intersect(left[second], agreement.forward[point])) return false;
       }
       if (second == group && first > group) {
-        if (!keep(left[first], agreement.backward[point])) return false;
+        if (!intersect(left[first], agreement.backward[point])) return false;
       }
     }
     return true;

@@ -21,7 +21,8 @@ struct Bound {
 
 /// Numbers that satisfy all bounds, by the Bellman–Ford algorithm; std::nullopt if there are none:
 /// then a cycle of bounds has a negative sum, and the numbers fall in every round.
-std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std::size_t nodes) {
+std::optional<std::vector<double>> solveBounds(
+    const std::vector<Bound>& bounds, std::size_t nodes) {
   std::vector<double> number(nodes, 0.0);
   for (std::size_t round = 0; round <= nodes; ++round) {
     bool isChanged = false;
@@ -119,7 +120,7 @@ class RowSearch {
       const std::vector<std::size_t>& at,
       std::size_t next,
       const std::vector<Bound>& bounds) const {
-    auto numbers = solved(bounds, table_.groups.size() + 1);
+    auto numbers = solveBounds(bounds, table_.groups.size() + 1);
     if (!numbers || next == table_.comparisons.size()) return numbers;
     const auto& comparison = table_.comparisons[next];
     const auto& range = ranges_[next][at[comparison.first] * steps_ + at[comparison.second]];

@@ -10,7 +10,7 @@ namespace {
 
 using Convention = PublishedConvention;
 
-const char* wordFor(Convention::Test test) {
+const char* nameOfTest(Convention::Test test) {
   switch (test) {
     case Convention::Test::Welch:
       return "Welch";
@@ -49,7 +49,7 @@ std::vector<PublishedConvention> publishedConventions() {
 }
 
 std::string describe(const PublishedConvention& convention) {
-  std::string words = wordFor(convention.test);
+  std::string words = nameOfTest(convention.test);
   words += convention.tails == Convention::Tails::Two ? ", two-sided" : ", one-sided";
   words += convention.divisor == Convention::Divisor::Sample ? ", variances with n − 1"
                                                              : ", variances with n";

@@ -41,13 +41,13 @@ bool isMissing(const std::string& cell) {
   return cell.empty() || cell == "NA";
 }
 
-std::string noNumber(std::size_t line, const std::string& cell, char separator) {
+std::string notANumberMessage(std::size_t line, const std::string& cell, char separator) {
   const bool hasComma = cell.find(',') != std::string::npos && separator != ';';
   return "line " + std::to_string(line) + ": '" + cell + "' is no number" +
          (hasComma ? "; write the decimals after a point" : "");
 }
 
-void checkTwo(const std::vector<NamedValues>& groups, const std::string& column) {
+void requireTwoGroups(const std::vector<NamedValues>& groups, const std::string& column) {
   if (groups.size() == 2) return;
   std::vector<std::string> names;
   names.reserve(groups.size());
@@ -59,9 +59,9 @@ void checkTwo(const std::vector<NamedValues>& groups, const std::string& column)
 }
 
 /// A role and the indices of its columns in the file.
-struct Placed {
+struct ColumnsOfRole {
   const DataColumn* column = nullptr;
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> columnIndices;
 };
 
 std::string optionsOf(std::span<const DataColumn> columns) {
@@ -81,25 +81,25 @@ void checkRoles(std::span<const DataColumn> columns, const ChosenColumns& chosen
   }
 }
 
-std::vector<Placed> placed(
+std::vector<ColumnsOfRole> columnsByRole(
     const CsvTable& table, std::span<const DataColumn> columns, const ChosenColumns& chosen) {
   checkRoles(columns, chosen);
-  std::vector<Placed> result;
+  std::vector<ColumnsOfRole> result;
   std::size_t next = 0;
   for (const auto& column : columns) {
-    Placed one{.column = &column, .places = {}};
+    ColumnsOfRole one{.column = &column, .columnIndices = {}};
     const auto named = chosen.find(std::string(column.role));
     if (named != chosen.end() && !named->second.empty()) {
-      for (const auto& name : named->second) one.places.push_back(table.columnIndex(name));
+      for (const auto& name : named->second) one.columnIndices.push_back(table.columnIndex(name));
     } else if (column.kind == Kind::Numbers) {
-      for (std::size_t i = 0; i < table.columns.size(); ++i) one.places.push_back(i);
+      for (std::size_t i = 0; i < table.columns.size(); ++i) one.columnIndices.push_back(i);
     } else if (column.isRequired) {
       if (next >= table.columns.size()) {
         throw base::UserError(
             "the file has " + std::to_string(table.columns.size()) +
             " columns, and the test needs " + optionsOf(columns));
       }
-      one.places.push_back(next);
+      one.columnIndices.push_back(next);
     }
     if (column.isRequired) ++next;
     result.push_back(std::move(one));
@@ -110,13 +110,13 @@ std::vector<Placed> placed(
 /// Reads lines into TestData.
 class Reader {
  public:
-  Reader(const CsvTable& table, std::vector<Placed> roles, bool isGrouped)
+  Reader(const CsvTable& table, std::vector<ColumnsOfRole> roles, bool isGrouped)
       : table_(table), roles_(std::move(roles)), isGrouped_(isGrouped) {
     for (const auto& role : roles_) {
       const auto kind = role.column->kind;
       if (kind == Kind::Name) data_.names.push_back({std::string(role.column->role), {}});
       if (isGrouped_ || (kind != Kind::Number && kind != Kind::Numbers)) continue;
-      for (const auto place : role.places) {
+      for (const auto place : role.columnIndices) {
         data_.values.push_back({.name = table.columns[place], .values = {}});
       }
     }
@@ -135,7 +135,7 @@ class Reader {
     std::uint64_t count = 1;
     bool isComplete = true;
     for (const auto& role : roles_) {
-      for (const auto place : role.places) {
+      for (const auto place : role.columnIndices) {
         const auto& cell = row.cells[place];
         isComplete = isComplete && !isMissing(cell);
         if (role.column->kind == Kind::Name) {
@@ -183,12 +183,12 @@ class Reader {
     problems_.push_back(
         isCount ? "line " + std::to_string(line) + ": '" + cell +
                       "' is no number of cases, which is whole and not negative"
-                : noNumber(line, cell, table_.separator));
+                : notANumberMessage(line, cell, table_.separator));
     return 0.0;
   }
 
   const CsvTable& table_;
-  std::vector<Placed> roles_;
+  std::vector<ColumnsOfRole> roles_;
   bool isGrouped_;
   TestData data_;
   std::vector<std::string> problems_;
@@ -259,12 +259,13 @@ ContingencyTable contingencyTableOf(const TestData& data, bool isSquare) {
 
 TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen) {
   const CsvTable table = readCsv(csv);
-  auto roles = placed(table, columnsOf(shape), chosen);
+  auto roles = columnsByRole(table, columnsOf(shape), chosen);
   if (table.rows.empty()) throw base::UserError("the file has a header and no rows");
   const bool isGrouped = shape == DataShape::TwoGroups || shape == DataShape::Groups;
-  const auto groupColumn = isGrouped ? table.columns[roles.front().places.front()] : std::string();
+  const auto groupColumn =
+      isGrouped ? table.columns[roles.front().columnIndices.front()] : std::string();
   auto data = Reader(table, std::move(roles), isGrouped).all();
-  if (shape == DataShape::TwoGroups) checkTwo(data.values, groupColumn);
+  if (shape == DataShape::TwoGroups) requireTwoGroups(data.values, groupColumn);
   return data;
 }
 

@@ -13,9 +13,9 @@ namespace {
 struct Layout {
   double between = 0.0;
   double within = 0.0;
-  double betweenFreedom = 0.0;
-  double withinFreedom = 0.0;
-  double weighted = 0.0;  ///< Searle's mean group size n₀, times betweenFreedom
+  double betweenDegreesOfFreedom = 0.0;
+  double withinDegreesOfFreedom = 0.0;
+  double weighted = 0.0;  ///< Searle's mean group size n₀, times betweenDegreesOfFreedom
 };
 
 struct Cell {
@@ -43,8 +43,8 @@ void addMethod(const std::vector<Cell>& cells, Layout& layout) {
     layout.between += cell.n * apart * apart;
     layout.within += cell.square - cell.sum * cell.sum / cell.n;
   }
-  layout.betweenFreedom += groups - 1.0;
-  layout.withinFreedom += n - groups;
+  layout.betweenDegreesOfFreedom += groups - 1.0;
+  layout.withinDegreesOfFreedom += n - groups;
   layout.weighted += n - squaresOfN / n;
 }
 
@@ -65,10 +65,11 @@ AnswerDependence dependenceOf(const AnswerTable& table) {
   Layout layout;
   for (const auto& method : cells) addMethod(method, layout);
   AnswerDependence dependence{.answers = table.answers.size(), .participants = people.size()};
-  if (layout.betweenFreedom == 0.0 || layout.withinFreedom == 0.0) return dependence;
-  const double size = layout.weighted / layout.betweenFreedom;
-  const double between = layout.between / layout.betweenFreedom;
-  const double within = layout.within / layout.withinFreedom;
+  if (layout.betweenDegreesOfFreedom == 0.0 || layout.withinDegreesOfFreedom == 0.0)
+    return dependence;
+  const double size = layout.weighted / layout.betweenDegreesOfFreedom;
+  const double between = layout.between / layout.betweenDegreesOfFreedom;
+  const double within = layout.within / layout.withinDegreesOfFreedom;
   const double all = between + (size - 1.0) * within;
   if (!(all > 0.0)) return dependence;
   dependence.intraclassCorrelation = (between - within) / all;

@@ -123,7 +123,7 @@ void timeSteps(const AccuracyRun& run) {
 }
 
 /// Draws random noise and steps of magnitudes over 10^±decades.
-struct Adversary {
+struct HostileInput {
   std::mt19937_64 random;
   double decades;
 
@@ -165,7 +165,7 @@ void tallyErrors(
 void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
   constexpr int kFilters = 60;
   constexpr int kSteps = 40;
-  Adversary adversary{std::mt19937_64(7), decades};
+  HostileInput hostile{std::mt19937_64(7), decades};
   const std::vector<std::string> names{
       "palpate LDLᵀ",
       "palpate LDLᵀ, float",
@@ -176,9 +176,9 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
   constexpr std::size_t kOurs = 2;  // number of Palpate's filters, which come first in names
   std::vector<Tally> tallies(names.size());
   for (int i = 0; i < kFilters; ++i) {
-    const auto n = adversary.numbers();
+    const auto n = hostile.numbers();
     std::vector<double> travelled(kSteps);
-    for (auto& d : travelled) d = static_cast<double>(static_cast<float>(adversary.travelled()));
+    for (auto& d : travelled) d = static_cast<double>(static_cast<float>(hostile.travelled()));
     // The reference is the standard form with 100 digits.
     peers::StandardFilter<HundredDigits> reference(n);
     std::vector<double> expected;

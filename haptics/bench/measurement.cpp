@@ -13,17 +13,17 @@
 namespace haptics::bench {
 namespace {
 
-constexpr char kBetween = '\t';
+constexpr char kSeparator = '\t';
 constexpr const char* kNothing = "-";
 
-std::string inText(double value) {
+std::string asText(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   return {text, end};
 }
 
-std::string orNothing(const std::optional<double>& value) {
-  return value ? inText(*value) : kNothing;
+std::string asTextOrDash(const std::optional<double>& value) {
+  return value ? asText(*value) : kNothing;
 }
 
 std::optional<double> number(const std::string& text) {
@@ -36,7 +36,7 @@ std::optional<double> number(const std::string& text) {
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields{""};
   for (const char c : line) {
-    if (c == kBetween) {
+    if (c == kSeparator) {
       fields.emplace_back();
     } else {
       fields.back() += c;
@@ -69,11 +69,11 @@ std::vector<std::optional<Timing>> AccuracyRun::coldTimes(
 }
 
 std::string asLine(const Measurement& m) {
-  std::string line = m.family + kBetween + m.setting + kBetween + m.method + kBetween +
-                     inText(m.parameter) + kBetween;
-  line += orNothing(m.error) + kBetween + orNothing(m.bound) + kBetween;
-  line += m.time ? inText(m.time->median) + kBetween + inText(m.time->p99)
-                 : std::string(kNothing) + kBetween + kNothing;
+  std::string line = m.family + kSeparator + m.setting + kSeparator + m.method + kSeparator +
+                     asText(m.parameter) + kSeparator;
+  line += asTextOrDash(m.error) + kSeparator + asTextOrDash(m.bound) + kSeparator;
+  line += m.time ? asText(m.time->median) + kSeparator + asText(m.time->p99)
+                 : std::string(kNothing) + kSeparator + kNothing;
   return line;
 }
 
@@ -105,8 +105,8 @@ std::vector<Repeated> mergedOverProcesses(const std::vector<Measurement>& measur
   std::vector<Repeated> all;
   std::vector<Times> times;
   for (const auto& m : measurements) {
-    const std::string key =
-        m.family + kBetween + m.setting + kBetween + m.method + kBetween + inText(m.parameter);
+    const std::string key = m.family + kSeparator + m.setting + kSeparator + m.method + kSeparator +
+                            asText(m.parameter);
     const auto [place, isNew] = places.emplace(key, all.size());
     if (isNew) {
       all.push_back({.measurement = m});

@@ -146,7 +146,7 @@ struct StateTally {
 
 /// Runs filters with random noise and steps over 10^±decades, with correlations up to 0.999, in all
 /// four schemes.
-StateTally attackAll(
+StateTally stressTestAll(
     const StabilityKernels& way, double decades, bool hasProcess, bool isFloat, int filters) {
   std::mt19937_64 random(20261121);
   std::uniform_real_distribution<double> exponent(-decades, decades);
@@ -162,7 +162,7 @@ StateTally attackAll(
     for (auto& d : travelled) d = magnitude() * (random() % 2 == 0 ? 1.0 : -1.0);
     a.travelled = travelled.data();
     a.steps = static_cast<long>(travelled.size());
-    const auto verdict = isFloat ? way.attackFloat(a) : way.attack(a);
+    const auto verdict = isFloat ? way.stressTestFloat(a) : way.stressTest(a);
     if (verdict.isNoiseRefused) continue;
     tally.steps += a.steps;
     tally.negative += verdict.negative;
@@ -182,9 +182,9 @@ double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
       .scheme = scheme,
       .steps = 1000,
       .isResting = true};
-  const double soon = way.attack(a).force;
+  const double soon = way.stressTest(a).force;
   a.steps = steps;
-  const double late = way.attack(a).force;
+  const double late = way.stressTest(a).force;
   return std::isfinite(late) ? std::abs(late - soon) : std::numeric_limits<double>::infinity();
 }
 
@@ -196,8 +196,8 @@ void sweepFilter(double effort, StabilityResult& result) {
     for (const double decades : {1.0, 3.0, 6.0, 9.0, 12.0}) {
       for (const bool hasProcess : {true, false}) {
         const std::string q = hasProcess ? "" : ", Q = 0";
-        const auto inDouble = attackAll(*way, decades, hasProcess, false, share(effort, 600));
-        const auto inFloat = attackAll(*way, decades, hasProcess, true, share(effort, 600));
+        const auto inDouble = stressTestAll(*way, decades, hasProcess, false, share(effort, 600));
+        const auto inFloat = stressTestAll(*way, decades, hasProcess, true, share(effort, 600));
         checks.add(
             "negative variances, double" + q,
             decades,
@@ -236,7 +236,7 @@ void sweepFilter(double effort, StabilityResult& result) {
         {.q11 = -1.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = NAN, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
-    for (const auto& attack : unsound) accepted += way->attack(attack).isNoiseRefused ? 0 : 1;
+    for (const auto& test : unsound) accepted += way->stressTest(test).isNoiseRefused ? 0 : 1;
     checks.add("noise that is none, accepted", 0.0, accepted, 0.0, way->name);
     // 1e155 squared overflows: the filter may fail, but must not return a finite, plausible force.
     const double leap = 1e155;
@@ -248,7 +248,7 @@ void sweepFilter(double effort, StabilityResult& result) {
         .scheme = 2,
         .travelled = &leap,
         .steps = 1};
-    const auto verdict = way->attack(far);
+    const auto verdict = way->stressTest(far);
     const bool isSane = verdict.notFinite > 0 || (verdict.force >= 2.0 && verdict.force <= 3.0);
     checks.add(
         "Δθ = 1e155: a wrong force that looks right", 155.0, isSane ? 0.0 : 1.0, 0.0, way->name);

@@ -42,7 +42,7 @@ struct Run {
       aboveCoupling = std::max(aboveCoupling, force - coupling * gap * (1.0 + 1e-9));
     }
   }
-  void go(double from, double to, int steps) {
+  void moveReamer(double from, double to, int steps) {
     for (int i = 1; i <= steps; ++i) step(plunge.at(from + (to - from) * i / steps));
   }
   double massError() const {
@@ -72,32 +72,32 @@ struct Run {
   }
 };
 
-std::vector<double> alike(const Packing& packing, double density) {
+std::vector<double> uniformDensities(const Packing& packing, double density) {
   return std::vector<double>(packing.spheres.size(), density);
 }
 
-void judge(SweepChecks& sweep, const Run& run, const std::string& what, double parameter) {
+void addChecks(SweepChecks& sweep, const Run& run, const std::string& what, double parameter) {
   sweep.add(what + ": forces that are no number", parameter, run.isFinite ? 0.0 : 1.0, 0.0);
   sweep.add(what + ": force above its coupling [N]", parameter, run.aboveCoupling, 1e-6);
   sweep.add(what + ": mass unaccounted for, relative", parameter, run.massError(), 1e-6);
 }
 
-void stiff(const Packing& packing, SweepChecks& sweep) {
+void sweepStiffCoupling(const Packing& packing, SweepChecks& sweep) {
   for (const double coupling : {1e3, 1e5, 1e8}) {  // 10⁸ N/m is 10⁵ N/mm
-    Run run(packing, alike(packing, 2e5), {.coupling = coupling});
-    run.go(0.0, 0.004, 4000);
-    run.go(0.004, -0.001, 500);
-    judge(sweep, run, "stiff contact", coupling);
+    Run run(packing, uniformDensities(packing, 2e5), {.coupling = coupling});
+    run.moveReamer(0.0, 0.004, 4000);
+    run.moveReamer(0.004, -0.001, 500);
+    addChecks(sweep, run, "stiff contact", coupling);
   }
   for (const double density : {0.0, 1.0, 1e6, 1e12}) {
-    Run run(packing, alike(packing, density), {});
-    run.go(0.0, 0.008, 1000);
-    judge(sweep, run, "density [N/m²]", density);
+    Run run(packing, uniformDensities(packing, density), {});
+    run.moveReamer(0.0, 0.008, 1000);
+    addChecks(sweep, run, "density [N/m²]", density);
   }
 }
 
 /// A packing with spheres of 1/100 of the usual size among the others.
-void uneven(const Packing& packing, SweepChecks& sweep) {
+void sweepUnevenSpheres(const Packing& packing, SweepChecks& sweep) {
   auto mixed = packing;
   const std::size_t own = mixed.spheres.size();
   for (std::size_t i = 0; i < own; i += 3) {
@@ -108,35 +108,35 @@ void uneven(const Packing& packing, SweepChecks& sweep) {
     tiny.radius *= 0.02F;
     mixed.spheres.push_back(tiny);
   }
-  Run run(mixed, alike(mixed, 2e5), {});
-  run.go(0.0, 0.010, 3000);
-  run.go(0.010, 0.0, 1000);
-  judge(sweep, run, "tiny and huge spheres together", 50.0);
+  Run run(mixed, uniformDensities(mixed, 2e5), {});
+  run.moveReamer(0.0, 0.010, 3000);
+  run.moveReamer(0.010, 0.0, 1000);
+  addChecks(sweep, run, "tiny and huge spheres together", 50.0);
 }
 
-void misused(const Packing& packing, SweepChecks& sweep) {
+void sweepInvalidInput(const Packing& packing, SweepChecks& sweep) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   {
-    Run run(packing, alike(packing, 2e5), {});
+    Run run(packing, uniformDensities(packing, 2e5), {});
     for (const double depth : {0.015, 0.1, -0.05, 1e6, -1e6, 0.01}) {
       for (int i = 0; i < 300; ++i) run.step(run.plunge.at(depth));
     }
-    judge(sweep, run, "teleported into the bone and through it", 0.1);
+    addChecks(sweep, run, "teleported into the bone and through it", 0.1);
   }
   {
-    Run run(packing, alike(packing, 2e5), {});
-    run.go(0.0, 0.006, 500);
+    Run run(packing, uniformDensities(packing, 2e5), {});
+    run.moveReamer(0.0, 0.006, 500);
     for (int i = 0; i < 100; ++i) {
       run.step({kReamerRadius, {nan, 0.0, 0.0}, {0.0, 0.0, 1.0}});
       run.step({kReamerRadius, run.plunge.at(0.006).centre, {nan, nan, nan}});
       run.step(run.plunge.at(0.006));
     }
-    judge(sweep, run, "pose that is no number", 0.0);
+    addChecks(sweep, run, "pose that is no number", 0.0);
   }
   {
-    Run run(packing, alike(packing, 2e5), {.isSpinning = false});
-    run.go(0.0, 0.010, 1000);
-    judge(sweep, run, "spun backwards", 0.0);
+    Run run(packing, uniformDensities(packing, 2e5), {.isSpinning = false});
+    run.moveReamer(0.0, 0.010, 1000);
+    addChecks(sweep, run, "spun backwards", 0.0);
     sweep.add(
         "spun backwards: mass removed, relative", 0.0, run.bone.removedMass() / run.whole, 0.0);
   }
@@ -144,20 +144,20 @@ void misused(const Packing& packing, SweepChecks& sweep) {
     // Ream a core of the bone completely, and advance beyond it.
     auto core = packing;
     std::erase_if(core.spheres, [](const auto& s) { return std::hypot(s.x, s.y) > 0.018F; });
-    Run run(core, alike(core, 1e4), {.mostAdvance = 5e-4});
-    run.go(0.0, 0.06, 4000);
-    judge(sweep, run, "everything removed", 0.0);
+    Run run(core, uniformDensities(core, 1e4), {.mostAdvance = 5e-4});
+    run.moveReamer(0.0, 0.06, 4000);
+    addChecks(sweep, run, "everything removed", 0.0);
     sweep.add(
         "everything removed: mass left, relative", 0.0, run.bone.remainingMass() / run.whole, 1e-9);
     run.largestForce = 0.0;
-    run.go(0.06, 0.07, 1000);
+    run.moveReamer(0.06, 0.07, 1000);
     sweep.add("everything removed: force afterwards [N]", 0.0, run.largestForce, 0.0);
   }
 }
 
 /// Moves the reamer to and fro and around for ten minutes.
-void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
-  Run run(packing, alike(packing, 1e5), {});
+void sweepEndurance(const Packing& packing, double effort, SweepChecks& sweep) {
+  Run run(packing, uniformDensities(packing, 1e5), {});
   const double before = run.groupsRead(0.008);
   const std::size_t bytes = run.bone.field().bytes();
   const int steps = std::max(1000, static_cast<int>(effort * 600'000));
@@ -168,7 +168,7 @@ void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
     pose.centre.y = 0.002 * std::sin(0.0013 * i);
     run.step(pose);
   }
-  judge(sweep, run, "ten minutes", 10.0);
+  addChecks(sweep, run, "ten minutes", 10.0);
   sweep.add(
       "ten minutes: groups a step looks at, times as many",
       10.0,
@@ -186,10 +186,10 @@ void enduring(const Packing& packing, double effort, SweepChecks& sweep) {
 void sweepReaming(double effort, StabilityResult& result) {
   const Packing packing = *reaming::pack(reaming::Acetabulum(), {.count = 4000});
   SweepChecks sweep(result, "reaming");
-  stiff(packing, sweep);
-  uneven(packing, sweep);
-  misused(packing, sweep);
-  enduring(packing, effort, sweep);
+  sweepStiffCoupling(packing, sweep);
+  sweepUnevenSpheres(packing, sweep);
+  sweepInvalidInput(packing, sweep);
+  sweepEndurance(packing, effort, sweep);
 }
 
 }  // namespace haptics::bench

@@ -10,9 +10,9 @@ namespace {
 constexpr double kMiddle = 6.0;  // [travel units]
 
 /// Renders a scene along a cut, and computes its mesh in every step, as in the paper's loop.
-class Felt {
+class RenderedCut {
  public:
-  Felt(const char* name, engine::SceneSpec spec, int elements)
+  RenderedCut(const char* name, engine::SceneSpec spec, int elements)
       : name_(name),
         scene_(spec),
         elements_(engine::publishedElements(elements).parameters),
@@ -49,10 +49,11 @@ class Felt {
 void measureRefresh(const AccuracyRun& run) {
   if (run.isShortRun) return;
   for (const int elements : {5, 10, 15, 100, 1000}) {
-    Felt interpolation("interpolation", {.model = engine::publishedInterpolation()}, elements);
-    Felt finiteElements(
+    RenderedCut interpolation(
+        "interpolation", {.model = engine::publishedInterpolation()}, elements);
+    RenderedCut finiteElements(
         "finite elements", {.model = engine::publishedElements(elements)}, elements);
-    Felt kalman(
+    RenderedCut kalman(
         "Kalman filter",
         {.model = engine::publishedFilter(models::KalmanScheme::AuthorsFirmware, elements)},
         elements);

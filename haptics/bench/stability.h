@@ -96,8 +96,8 @@ struct StabilityKernels {
   const char* name = "";
   double (*chainStiffness)(const double* elementStiffnesses, int elements, double tool) = nullptr;
   float (*chainStiffnessFloat)(const float* elementStiffnesses, int elements, float tool) = nullptr;
-  FilterStressResult (*attack)(const FilterStressTest& attack) = nullptr;
-  FilterStressResult (*attackFloat)(const FilterStressTest& attack) = nullptr;
+  FilterStressResult (*stressTest)(const FilterStressTest& test) = nullptr;
+  FilterStressResult (*stressTestFloat)(const FilterStressTest& test) = nullptr;
   /// Evaluates a cubic between two nodes at @p x; returns false if the nodes are refused.
   bool (*cubic)(const double nodeA[3], const double nodeB[3], double x, double& force) = nullptr;
 };

@@ -25,7 +25,7 @@ Scalar chainStiffness(const Scalar* elementStiffnesses, int elements, Scalar too
 }
 
 template <typename Scalar>
-FilterStressResult attack(const FilterStressTest& a) {
+FilterStressResult stressTest(const FilterStressTest& a) {
   const models::KalmanNoise<Scalar> noise{
       .processForce = static_cast<Scalar>(a.q11),
       .processCovariance = static_cast<Scalar>(a.q12),
@@ -70,8 +70,8 @@ const StabilityKernels kKernels{
 #endif
     &chainStiffness<double>,
     &chainStiffness<float>,
-    &attack<double>,
-    &attack<float>,
+    &stressTest<double>,
+    &stressTest<float>,
     &cubic};
 
 }  // namespace PALPATE_KERNELS

@@ -23,7 +23,7 @@ struct Range {
   double low = INFINITY;
   double high = -INFINITY;
 
-  void take(double least, double most) {
+  void extendTo(double least, double most) {
     low = std::min(low, least);
     high = std::max(high, most);
   }
@@ -53,9 +53,9 @@ class Wall {
         return;
       }
       const double left = (ticks - i) / point_.rate;
-      if (left <= kWindow) late_.take(lowInTick_, highInTick_);
+      if (left <= kWindow) late_.extendTo(lowInTick_, highInTick_);
       if (left > kWindowDistance && left <= kWindowDistance + kWindow)
-        early_.take(lowInTick_, highInTick_);
+        early_.extendTo(lowInTick_, highInTick_);
     }
     point_.amplitude = late_.width();
   }
@@ -73,14 +73,14 @@ class Wall {
   }
 
  private:
-  double seen() const {
+  double encoderTravel() const {
     return point_.quantum > 0.0 ? point_.quantum * std::round(travel_ / point_.quantum) : travel_;
   }
 
   void tick() {
     observer_.observe(force_, travel_ - last_, velocity_, period_);
     last_ = travel_;
-    const double beyond = seen() - kWall;
+    const double beyond = encoderTravel() - kWall;
     double wanted = beyond > 0.0 ? point_.stiffness * beyond : 0.0;
     if (beyond > 0.0) wanted = observer_.damped(wanted, velocity_, period_);
     pending_.push_back(wanted);

@@ -44,7 +44,7 @@ class DeviceError : public std::runtime_error {
 
 /// Statistics of a connection: messages received, lost and sent, and their timing.
 struct LinkReport {
-  bool isThere = false;        ///< false for a simulated device: the other members are then unused
+  bool hasLink = false;        ///< false for a simulated device: the other members are then unused
   std::uint64_t received = 0;  ///< messages that were used
   std::uint64_t lost = 0;      ///< messages that never arrived
   std::uint64_t doubled = 0;   ///< messages that arrived twice; the second was ignored

@@ -9,7 +9,7 @@
 namespace haptics::devices {
 
 WireDevice::WireDevice(Capabilities capabilities, KeeperLimits keeping)
-    : capabilities_(std::move(capabilities)), keeping_(keeping) {}
+    : capabilities_(std::move(capabilities)), keeperLimits_(keeping) {}
 
 void WireDevice::close() noexcept {
   stopKeeper();
@@ -18,7 +18,7 @@ void WireDevice::close() noexcept {
 }
 
 void WireDevice::enterOpen() {
-  why_.store("");
+  faultMessage_.store("");
   setLifecycle(Lifecycle::Open);
   startKeeper();
 }
@@ -28,12 +28,12 @@ void WireDevice::startKeeper() {
   keeper_ = std::jthread([this](const std::stop_token& stop) {
     timing::raisePriority(timing::kLoopPriority);
     while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
-      if (waitForMessage(timing::now() + keeping_.turn)) {
+      if (waitForMessage(timing::now() + keeperLimits_.longestWait)) {
         isNew_ = false;
         keepAlive();
       }
       if (!isConnected()) fail("it has been unplugged, or its port has failed");
-      if (timing::now() - hostTime_ > keeping_.silence) fail("it has fallen silent");
+      if (timing::now() - hostTime_ > keeperLimits_.silence) fail("it has fallen silent");
     }
   });
 }
@@ -90,13 +90,13 @@ void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results)
 }
 
 void WireDevice::fail(const char* why) noexcept {
-  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
+  if (lifecycle() != Lifecycle::Faulted) faultMessage_.store(why);
   disconnect(true);
   setLifecycle(Lifecycle::Faulted);
 }
 
 std::string WireDevice::fault() const {
-  const std::string why = why_.load();
+  const std::string why = faultMessage_.load();
   return why.empty() ? why : name() + ": " + why;
 }
 
@@ -110,7 +110,7 @@ bool WireDevice::wait(std::int64_t deadline) noexcept {
 }
 
 void WireDevice::resetCounts() noexcept {
-  report_ = {.isThere = true};
+  report_ = {.hasLink = true};
   drift_ = {};
 }
 

@@ -38,7 +38,7 @@ class WireDevice : public Device, private Pacer {
   /// The keeper's time limits.
   struct KeeperLimits {
     /// Longest wait in one iteration of the keeper's loop, which then checks whether to stop [ns].
-    std::int64_t turn;
+    std::int64_t longestWait;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
@@ -90,9 +90,9 @@ class WireDevice : public Device, private Pacer {
   std::array<std::int64_t, 64> sentAt_{};
 
  private:
-  KeeperLimits keeping_;
+  KeeperLimits keeperLimits_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
-  std::atomic<const char*> why_{""};
+  std::atomic<const char*> faultMessage_{""};
   std::jthread keeper_;
 };
 

@@ -101,7 +101,7 @@ bool FriAnswerMatcher::take(const wire::fri::Header& header, std::int64_t now) n
   }
   noteReceived(header.sequence);
   if (message != nullptr && !message->isAnswerable) {
-    ++counts_.unasked;
+    ++counts_.whileIdle;
   } else if (!isInTime) {
     ++counts_.late;
   } else {

@@ -70,12 +70,12 @@ class FriCommandCheck {
 class FriAnswerMatcher {
  public:
   struct Counts {
-    std::uint64_t taken = 0;    ///< accepted answers
-    std::uint64_t missed = 0;   ///< answers that did not arrive before the next one was due
-    std::uint64_t lost = 0;     ///< answers missing in the client's own counter
-    std::uint64_t doubled = 0;  ///< answers to a message that was answered before
-    std::uint64_t late = 0;     ///< answers to a message older than a receive period
-    std::uint64_t unasked = 0;  ///< answers to a message sent in Idle
+    std::uint64_t taken = 0;      ///< accepted answers
+    std::uint64_t missed = 0;     ///< answers that did not arrive before the next one was due
+    std::uint64_t lost = 0;       ///< answers missing in the client's own counter
+    std::uint64_t doubled = 0;    ///< answers to a message that was answered before
+    std::uint64_t late = 0;       ///< answers to a message older than a receive period
+    std::uint64_t whileIdle = 0;  ///< answers to a message sent in Idle
     /// Answers to a message that was never sent, or was sent before a restart.
     std::uint64_t toUnknownMessage = 0;
     std::uint64_t restarts = 0;  ///< the client's counter went back in an answer that was in time

@@ -41,13 +41,13 @@ const FriController::Options& validated(const FriController::Options& options) {
         "the emulator talks to this machine only (127.0.0.0/8) unless other hosts are allowed");
   }
   if (options.client.port == 0) throw std::invalid_argument("a client has a port");
-  const FriSession::DwellTimes& stay = options.stay;
+  const FriSession::DwellTimes& dwellTimes = options.dwellTimes;
   if (std::min(
-          {stay.idle,
-           stay.monitoringWait,
-           stay.monitoringReady,
-           stay.commandingWait,
-           stay.commandingActive}) < 0) {
+          {dwellTimes.idle,
+           dwellTimes.monitoringWait,
+           dwellTimes.monitoringReady,
+           dwellTimes.commandingWait,
+           dwellTimes.commandingActive}) < 0) {
     throw std::invalid_argument("the time to stay in a state is not negative");
   }
   return options;
@@ -55,7 +55,7 @@ const FriController::Options& validated(const FriController::Options& options) {
 
 FriSession::Options sessionOf(const FriController::Options& options) noexcept {
   return {
-      .stay = options.stay,
+      .dwellTimes = options.dwellTimes,
       .period = options.sendPeriod,
       .isTorque = isTorque(options),
       .restartsMotion = options.restartsMotion};
@@ -246,7 +246,7 @@ void FriController::sendImpostor(const wire::fri::MonitoringMessage& message) no
 }
 
 void FriController::readImpostor() noexcept {
-  for (int i = 0; i < kBacklog && impostor_.receive(in_); ++i) ++report_.misled;
+  for (int i = 0; i < kBacklog && impostor_.receive(in_); ++i) ++report_.impostorAnswers;
 }
 
 bool FriController::receive(std::int64_t deadline) noexcept {
@@ -277,10 +277,10 @@ void FriController::take(std::span<const std::uint8_t> datagram) noexcept {
   }
   isReceivePeriodAnswered_ = true;
   periodsSinceAnswered_ = static_cast<int>(answers_.nextSequence() - 1U - answer_.header.reflected);
-  act(answer_);
+  execute(answer_);
 }
 
-void FriController::act(const wire::fri::CommandMessage& answer) noexcept {
+void FriController::execute(const wire::fri::CommandMessage& answer) noexcept {
   if (!session_.isCommanding()) return;
   const auto command = answer.data.value_or(wire::fri::CommandData{});
   if (!session_.isActive()) {
@@ -327,7 +327,7 @@ std::string FriController::status() const {
 
 FriController::Reply FriController::command(std::string_view line) {
   if (line == "status") return {.isTaken = true, .text = status()};
-  auto problem = orders_.give(line);
+  auto problem = orders_.executeLine(line);
   if (problem) return {.isTaken = false, .text = *std::move(problem)};
   return {.isTaken = true};
 }

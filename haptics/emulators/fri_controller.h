@@ -45,7 +45,7 @@ class FriController {
     int receiveMultiplier = 1;
     FriArm::Options arm;
     FriLimits limits;
-    FriSession::DwellTimes stay;
+    FriSession::DwellTimes dwellTimes;
     bool restartsMotion = false;     ///< the robot's program restarts a motion that failed
     Impairment::Options impairment;  ///< random faults of messages
     std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and overlayZeroAt
@@ -117,7 +117,7 @@ class FriController {
   bool corrupt(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
   void readImpostor() noexcept;
   void take(std::span<const std::uint8_t> datagram) noexcept;
-  void act(const wire::fri::CommandMessage& answer) noexcept;
+  void execute(const wire::fri::CommandMessage& answer) noexcept;
   void stopMotion(FriEndReason end, int joint = 0) noexcept;
   void brake() noexcept;
   void restart() noexcept;

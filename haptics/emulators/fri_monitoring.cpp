@@ -47,7 +47,7 @@ void addAnswers(Line& line, const FriAnswerMatcher::Counts& counts) {
   line.add("answers_lost", counts.lost);
   line.add("answers_doubled", counts.doubled);
   line.add("answers_late", counts.late);
-  line.add("unasked", counts.unasked);
+  line.add("unasked", counts.whileIdle);
   line.add("never_sent", counts.toUnknownMessage);
   line.add("client_restarts", counts.restarts);
   line.add("undecodable", counts.undecodable);
@@ -65,7 +65,7 @@ void addInjected(Line& line, const FriReport& report) {
   line.add("injected_wrong_version", report.wrongVersion);
   line.add("injected_stalled", report.stalled);
   line.add("injected_impostor", report.impostors);
-  line.add("misled", report.misled);
+  line.add("misled", report.impostorAnswers);
 }
 
 }  // namespace

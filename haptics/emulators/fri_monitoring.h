@@ -37,10 +37,10 @@ struct FriReport {
   std::uint64_t sixJoints = 0;     ///< messages with six joints
   std::uint64_t notANumber = 0;    ///< messages in which a joint is NaN
   std::uint64_t wrongVersion = 0;  ///< messages framed as another version
-  std::uint64_t stalled = 0;      ///< periods in which nothing was sent because of an ordered stall
-  std::uint64_t impostors = 0;    ///< datagrams sent by the impostor
-  std::uint64_t misled = 0;       ///< answers that the client sent to the impostor
-  std::uint64_t latePeriods = 0;  ///< periods that run() began late by a period or more
+  std::uint64_t stalled = 0;    ///< periods in which nothing was sent because of an ordered stall
+  std::uint64_t impostors = 0;  ///< datagrams sent by the impostor
+  std::uint64_t impostorAnswers = 0;  ///< answers that the client sent to the impostor
+  std::uint64_t latePeriods = 0;      ///< periods that run() began late by a period or more
 };
 
 /// The report as one line of key=value pairs; the reason of the last end comes last, in quotes.

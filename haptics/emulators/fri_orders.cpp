@@ -45,14 +45,14 @@ std::uint32_t bitOf(FriOrders::Event event) noexcept {
 
 }  // namespace
 
-struct FriOrders::Word {
+struct FriOrders::Command {
   std::string_view name;
   std::string_view usage;
   std::size_t arguments;
   void (*execute)(FriOrders& orders, int first, int second);
 };
 
-const FriOrders::Word FriOrders::kWords[] = {
+const FriOrders::Command FriOrders::kCommands[] = {
     {"drop", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Drop, n); }},
     {"double", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Double, n); }},
     {"reorder", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Reorder, n); }},
@@ -85,42 +85,42 @@ const FriOrders::Word FriOrders::kWords[] = {
     {"restart", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Restart); }},
     {"idle", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Idle); }}};
 
-std::optional<std::string> FriOrders::give(std::string_view line) {
+std::optional<std::string> FriOrders::executeLine(std::string_view line) {
   const auto words = wordsOf(line);
   if (words.empty()) return "There is no word in this line.";
-  for (const Word& word : kWords) {
-    if (word.name == words.front()) return execute(word, line, std::span(words).subspan(1));
+  for (const Command& command : kCommands) {
+    if (command.name == words.front()) return execute(command, line, std::span(words).subspan(1));
   }
   return "'" + std::string(line) + "' is no command. There are: " + help();
 }
 
 std::string FriOrders::help() {
   std::string known;
-  for (const Word& word : kWords) {
-    known +=
-        std::string(word.name) + (word.usage.empty() ? "" : " ") + std::string(word.usage) + ", ";
+  for (const Command& command : kCommands) {
+    known += std::string(command.name) + (command.usage.empty() ? "" : " ") +
+             std::string(command.usage) + ", ";
   }
   return known + "status, help, quit; N and MS are whole numbers from 1 to 1000000";
 }
 
 std::optional<std::string> FriOrders::execute(
-    const Word& word, std::string_view line, std::span<const std::string_view> texts) {
+    const Command& command, std::string_view line, std::span<const std::string_view> texts) {
   std::array<int, 2> arguments{};
-  bool isUnderstood = texts.size() == word.arguments;
-  for (std::size_t i = 0; isUnderstood && i < word.arguments; ++i) {
-    const auto argument = argumentFrom(texts[i], word.usage);
+  bool isUnderstood = texts.size() == command.arguments;
+  for (std::size_t i = 0; isUnderstood && i < command.arguments; ++i) {
+    const auto argument = argumentFrom(texts[i], command.usage);
     isUnderstood = argument.has_value();
     arguments[i] = argument.value_or(0);
   }
   if (!isUnderstood) {
     const std::string form =
-        std::string(word.name) + (word.usage.empty() ? "" : " ") + std::string(word.usage);
+        std::string(command.name) + (command.usage.empty() ? "" : " ") + std::string(command.usage);
     return "'" + std::string(line) + "': the command is \"" + form + "\"" +
-           (word.arguments == 0 || word.usage == kQualityLevels
+           (command.arguments == 0 || command.usage == kQualityLevels
                 ? ""
                 : "; N and MS are whole numbers from 1 to 1000000");
   }
-  word.execute(*this, arguments[0], arguments[1]);
+  command.execute(*this, arguments[0], arguments[1]);
   return std::nullopt;
 }
 

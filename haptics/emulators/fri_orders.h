@@ -35,7 +35,7 @@ class FriOrders {
 
   /// Executes a line such as "drop 3"; see FriController::command().
   /// @return std::nullopt, or a message about what is wrong with the line.
-  std::optional<std::string> give(std::string_view line);
+  std::optional<std::string> executeLine(std::string_view line);
 
   /// All commands of the emulated arm with their arguments, in one line.
   static std::string help();
@@ -46,10 +46,10 @@ class FriOrders {
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }
 
  private:
-  struct Word;
-  static const Word kWords[];
+  struct Command;
+  static const Command kCommands[];
   std::optional<std::string> execute(
-      const Word& word, std::string_view line, std::span<const std::string_view> texts);
+      const Command& command, std::string_view line, std::span<const std::string_view> texts);
   void add(OneTimeFault order, int howMany) noexcept;
   void raise(Event event) noexcept;
   /// The number of send periods in a time, rounded up.

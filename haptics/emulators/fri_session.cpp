@@ -95,29 +95,29 @@ FriEndReason FriSession::reasonToEnd(const Input& input) const noexcept {
   if (input.quality < ConnectionQuality::Level::Good) return FriEndReason::QualityLost;
   if (!isActive())
     return periods_ * period > kMirrorTime ? FriEndReason::NotMirrored : FriEndReason::None;
-  const int time = options_.stay.commandingActive;
+  const int time = options_.dwellTimes.commandingActive;
   return time > 0 && periods_ >= time ? FriEndReason::Completed : FriEndReason::None;
 }
 
 void FriSession::advanceState(const Input& input) noexcept {
   const bool isGood = input.quality >= ConnectionQuality::Level::Good;
-  const DwellTimes& stay = options_.stay;
+  const DwellTimes& dwellTimes = options_.dwellTimes;
   switch (state_) {
     case State::Idle:
-      if (!isClosed_ && periods_ >= stay.idle) enter(State::MonitoringWait);
+      if (!isClosed_ && periods_ >= dwellTimes.idle) enter(State::MonitoringWait);
       break;
     case State::MonitoringWait:
-      if (isGood && periods_ >= stay.monitoringWait) enter(State::MonitoringReady);
+      if (isGood && periods_ >= dwellTimes.monitoringWait) enter(State::MonitoringReady);
       break;
     case State::MonitoringReady:
       if (!isGood) {
         enter(State::MonitoringWait);
-      } else if (isQueued_ && !isStopped_ && periods_ >= stay.monitoringReady) {
+      } else if (isQueued_ && !isStopped_ && periods_ >= dwellTimes.monitoringReady) {
         enter(State::CommandingWait);
       }
       break;
     case State::CommandingWait:
-      if (mirrored_ >= kMirrored && periods_ >= stay.commandingWait) {
+      if (mirrored_ >= kMirrored && periods_ >= dwellTimes.commandingWait) {
         enter(State::CommandingActive);
       }
       break;

@@ -130,7 +130,7 @@ class FriSession {
   };
 
   struct Options {
-    DwellTimes stay;
+    DwellTimes dwellTimes;
     int period = 1;               ///< send period [ms], 1 to 100
     bool isTorque = false;        ///< torque mode: a command must arrive every kCommandTimeout
     bool restartsMotion = false;  ///< the robot's program restarts a motion that failed

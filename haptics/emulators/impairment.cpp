@@ -54,7 +54,7 @@ int Impairment::waiting(Fault fault) const noexcept {
   return static_cast<int>(std::min(orders_[indexOf(fault)].load(std::memory_order_relaxed), kMost));
 }
 
-void Impairment::note(Fault fault) noexcept {
+void Impairment::countFault(Fault fault) noexcept {
   counts_[indexOf(fault)].fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -96,20 +96,20 @@ Impairment::Delivery Impairment::decide(std::span<const std::uint8_t> frame) noe
   std::optional<Fault> fault;
   if (isFit) fault = nextFault();
   if (!fault) {
-    age(true);
+    countDownHeld(true);
     return {.frame = frame};
   }
-  age(*fault == Fault::Double || *fault == Fault::Garbage);
+  countDownHeld(*fault == Fault::Double || *fault == Fault::Garbage);
   return impair(frame, *fault);
 }
 
 Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fault fault) noexcept {
   switch (fault) {
     case Fault::Drop:
-      note(fault);
+      countFault(fault);
       return {.copies = 0};
     case Fault::Double:
-      note(fault);
+      countFault(fault);
       return {.frame = frame, .copies = 2};
     case Fault::Reorder:
       hold(frame, fault, kSoon);
@@ -119,10 +119,10 @@ Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fau
       hold(frame, fault, delay_.load(std::memory_order_relaxed));
       return {.copies = 0};
     case Fault::Garbage:
-      note(fault);
+      countFault(fault);
       return {.garbage = makeGarbage(), .frame = frame};
     case Fault::Damage:
-      note(fault);
+      countFault(fault);
       return {.frame = damage(frame)};
   }
   return {.frame = frame};
@@ -130,7 +130,7 @@ Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fau
 
 void Impairment::countIntact() noexcept {
   passed_.fetch_add(1, std::memory_order_relaxed);
-  age(false);
+  countDownHeld(false);
 }
 
 void Impairment::hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept {
@@ -142,7 +142,7 @@ void Impairment::hold(std::span<const std::uint8_t> frame, Fault fault, int fram
   place.fault = fault;
 }
 
-void Impairment::age(bool overtakes) noexcept {
+void Impairment::countDownHeld(bool overtakes) noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     --places_[i].left;
     places_[i].isOvertaken = places_[i].isOvertaken || overtakes;
@@ -152,7 +152,7 @@ void Impairment::age(bool overtakes) noexcept {
 
 void Impairment::releaseAll() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
-    if (places_[i].isOvertaken) note(places_[i].fault);
+    if (places_[i].isOvertaken) countFault(places_[i].fault);
     places_[i].left = 0;
     places_[i].isOvertaken = false;  // already counted above
   }
@@ -164,7 +164,7 @@ std::span<const std::uint8_t> Impairment::nextDue() noexcept {
   for (std::size_t i = 0; i < held_; ++i) {
     const Held& place = places_[i];
     if (!isFlushing_ && (place.left > 0 || !place.isOvertaken)) continue;
-    if (!isFlushing_) note(place.fault);
+    if (!isFlushing_) countFault(place.fault);
     const std::size_t size = place.size;
     std::copy_n(place.bytes.begin(), size, scratch_.begin());
     std::move(

@@ -137,14 +137,14 @@ class Impairment {
   std::optional<Fault> randomFault() noexcept;
   bool hasRoomFor(Fault fault) const noexcept;
   void hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept;
-  void age(bool overtakes) noexcept;
+  void countDownHeld(bool overtakes) noexcept;
   void releaseAll() noexcept;
   /// The next held frame that is due; empty if there is none. Valid until the next frame is passed.
   std::span<const std::uint8_t> nextDue() noexcept;
   std::span<const std::uint8_t> makeGarbage() noexcept;
   std::span<const std::uint8_t> damage(std::span<const std::uint8_t> frame) noexcept;
   std::uint8_t anyByte() noexcept;
-  void note(Fault fault) noexcept;
+  void countFault(Fault fault) noexcept;
 
   template <typename Send>
   void sendDue(Send& send) {

@@ -48,7 +48,7 @@ std::string describe(const KalmanSpec& spec) {
 }
 
 /// Describes how fast a reamer advances through bone; empty for a reamer without a limit.
-std::string paceOf(const Reamer& reamer) {
+std::string describeFeed(const Reamer& reamer) {
   constexpr double kInMillimetres = 1000.0;
   const double feed = kInMillimetres * reamer.mostFeed();
   if (std::isinf(feed)) return "";
@@ -74,49 +74,49 @@ struct Builder {
   BoneView* bone = nullptr;
   std::vector<Pass> passes;
 
-  void in(const char* name, std::string why, std::size_t bytes) {
+  void use(const char* name, std::string why, std::size_t bytes) {
     passes.push_back({name, true, std::move(why), bytes});
   }
-  void out(const char* name, std::string why) {
+  void leaveOut(const char* name, std::string why) {
     passes.push_back({name, false, std::move(why), 0});
   }
 
   void interpolation(const InterpolationSpec& spec, const char* why, std::size_t bytes) {
     const bool isBothWays = spec.branches == Branches::Hysteresis;
-    in(kInterpolation, why, bytes);
+    use(kInterpolation, why, bytes);
     if (isBothWays) {
-      in(kOpening, "opening is felt as it was recorded", 0);
+      use(kOpening, "opening is felt as it was recorded", 0);
     } else {
-      out(kOpening, "opening goes back along the closing branch");
+      leaveOut(kOpening, "opening goes back along the closing branch");
     }
   }
 
-  void noBone() {
-    for (const auto* part : {kMaterial, kPacking, kRemoval}) out(part, "no bone is reamed");
+  void leaveOutBone() {
+    for (const auto* part : {kMaterial, kPacking, kRemoval}) leaveOut(part, "no bone is reamed");
   }
-  void noPunch() {
-    out(kInterpolation, "no cut is replayed");
-    out(kFiniteElements, "no meniscus is pressed");
-    out(kFilter, "there is one force, so nothing to fuse");
+  void leaveOutPunch() {
+    leaveOut(kInterpolation, "no cut is replayed");
+    leaveOut(kFiniteElements, "no meniscus is pressed");
+    leaveOut(kFilter, "there is one force, so nothing to fuse");
   }
 
   void operator()(const InterpolationSpec& spec) {
     auto recorded = std::make_unique<InterpolationModel>(spec);
     interpolation(spec, "this is the force", recorded->bytes());
     model = std::move(recorded);
-    out(kFiniteElements, "the force comes from the recording alone");
-    out(kFilter, "there is one force, so nothing to fuse");
-    noBone();
+    leaveOut(kFiniteElements, "the force comes from the recording alone");
+    leaveOut(kFilter, "there is one force, so nothing to fuse");
+    leaveOutBone();
   }
 
   void operator()(const FiniteElementsSpec& spec) {
     model = std::make_unique<FiniteElementModel>(spec);
-    out(kInterpolation, "the force comes from the finite elements alone");
-    in(kFiniteElements,
-       "this is the force: " + describe(spec.parameters),
-       sizeof(FiniteElementModel));
-    out(kFilter, "there is one force, so nothing to fuse");
-    noBone();
+    leaveOut(kInterpolation, "the force comes from the finite elements alone");
+    use(kFiniteElements,
+        "this is the force: " + describe(spec.parameters),
+        sizeof(FiniteElementModel));
+    leaveOut(kFilter, "there is one force, so nothing to fuse");
+    leaveOutBone();
   }
 
   void operator()(const KalmanSpec& spec) {
@@ -131,42 +131,42 @@ struct Builder {
         isAbsent ? "the filter corrects with it; beyond it there is no measurement (absent)"
                  : "the filter corrects with it",
         InterpolationModel(spec.interpolation).bytes());
-    in(kFiniteElements,
-       "the filter corrects with it: " + describe(spec.finiteElements.parameters),
-       sizeof(FiniteElementModel));
-    in(kFilter, "this is the force: " + describe(spec), sizeof(models::KalmanFilter<double>));
-    noBone();
+    use(kFiniteElements,
+        "the filter corrects with it: " + describe(spec.finiteElements.parameters),
+        sizeof(FiniteElementModel));
+    use(kFilter, "this is the force: " + describe(spec), sizeof(models::KalmanFilter<double>));
+    leaveOutBone();
   }
 
   /// @param of  what the torque is computed from.
   /// @param lack  the reason that is reported if the reamer turns but the model has no torque.
   void torque(const std::string& of, const char* lack) {
     if (!reamer.hasTorque) {
-      out(kTorque, "release 0.1, under which this study began, rendered forces alone");
+      leaveOut(kTorque, "release 0.1, under which this study began, rendered forces alone");
     } else if (reamer.speed == 0.0) {
-      out(kTorque, "the reamer stands still");
+      leaveOut(kTorque, "the reamer stands still");
     } else if (model->hasTorque()) {
-      in(kTorque, of, 0);
+      use(kTorque, of, 0);
     } else {
-      out(kTorque, lack);
+      leaveOut(kTorque, lack);
     }
   }
 
   void operator()(const MaterialSpec& spec) {
-    noPunch();
+    leaveOutPunch();
     const std::string curves = spec.isMeasured ? "the measured curves" : "its curves";
     const std::string why = "this is the force; " + curves + " were blended beforehand";
     if (spec.isRemoved) {
       auto reamed = std::make_unique<ReamedMaterialModel>(spec, reamer);
-      in(kMaterial, why, reamed->bytes());
-      out(kPacking, "the force depends on depth and feed alone");
-      in(kRemoval, "the reamer goes on as it removes bone" + paceOf(reamer), 0);
+      use(kMaterial, why, reamed->bytes());
+      leaveOut(kPacking, "the force depends on depth and feed alone");
+      use(kRemoval, "the reamer goes on as it removes bone" + describeFeed(reamer), 0);
       model = std::move(reamed);
     } else {
       auto material = std::make_unique<MaterialModel>(spec, reamer);
-      in(kMaterial, why, material->bytes());
-      out(kPacking, "the force depends on depth alone");
-      out(kRemoval, "the bone stays as it is");
+      use(kMaterial, why, material->bytes());
+      leaveOut(kPacking, "the force depends on depth alone");
+      leaveOut(kRemoval, "the bone stays as it is");
       model = std::move(material);
     }
     torque(
@@ -176,20 +176,22 @@ struct Builder {
   }
 
   void operator()(const PackingSpec& spec) {
-    noPunch();
-    out(kMaterial, "the spheres have been fitted to it; the curve itself is not needed");
+    leaveOutPunch();
+    leaveOut(kMaterial, "the spheres have been fitted to it; the curve itself is not needed");
     const std::string spheres =
         "this is the force: " + std::to_string(spec.bone->packing.spheres.size()) + " spheres";
     if (spec.isRemoved) {
       auto removal = std::make_unique<RemovalModel>(spec, isSeen, reamer);
       bone = removal->view();
-      in(kPacking, spheres, removal->bytes());
-      in(kRemoval, "what the reamer goes through is taken away" + paceOf(reamer), removal->bytes());
+      use(kPacking, spheres, removal->bytes());
+      use(kRemoval,
+          "what the reamer goes through is taken away" + describeFeed(reamer),
+          removal->bytes());
       model = std::move(removal);
     } else {
       auto packing = std::make_unique<PackingModel>(spec, reamer);
-      in(kPacking, spheres, packing->bytes());
-      out(kRemoval, "the bone stays as it is");
+      use(kPacking, spheres, packing->bytes());
+      leaveOut(kRemoval, "the bone stays as it is");
       model = std::move(packing);
     }
     torque(
@@ -242,16 +244,16 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
     mesh_.emplace(shownTissue(spec), spec.tissueDrawing);
     std::string why = "the tissue is shown and follows the ";
     why.append(nameIn(kTissueDrawingNames, spec.tissueDrawing));
-    builder.in(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);
+    builder.use(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);
   } else {
-    builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");
+    builder.leaveOut(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");
   }
   bone_ = builder.bone;
   if (bone_ != nullptr) {
-    builder.in(
+    builder.use(
         kBoneView, "the bone is shown; the tick names the spheres that change", sizeof(BoneView));
   } else {
-    builder.out(kBoneView, spec.isVisualised ? "nothing in it changes" : "nothing is shown");
+    builder.leaveOut(kBoneView, spec.isVisualised ? "nothing in it changes" : "nothing is shown");
   }
   model_ = std::move(builder.model);
   passes_ = std::move(builder.passes);

@@ -9,7 +9,7 @@ namespace {
 const SafetyLimits& checked(const SafetyLimits& limits) {
   const bool isSound = limits.maxVelocity > 0.0 && limits.rampTime > 0.0 &&
                        std::isfinite(limits.rampTime) && limits.softStartShare > 0.0 &&
-                       limits.softStartShare <= 1.0 && limits.patience > 0.0;
+                       limits.softStartShare <= 1.0 && limits.longestSilence > 0.0;
   if (!isSound) throw std::invalid_argument("a limit of velocity or time must be above 0");
   return limits;
 }
@@ -106,7 +106,7 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
   if (lastScene_ == nullptr) sample.marks |= TickSample::NoScene;
   if (isStopped()) {
     sample.marks |= TickSample::Stopped;
-    gate_.shut();
+    gate_.close();
     limiter_.release();
     torqueLimiter_.release();
     energy_.reset();

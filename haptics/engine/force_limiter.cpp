@@ -43,7 +43,7 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   return result;
 }
 
-void ForceGate::shut() noexcept {
+void ForceGate::close() noexcept {
   gain_ = 0.0;
   silence_ = 0.0;
   isWaiting_ = true;
@@ -60,7 +60,7 @@ std::uint8_t ForceGate::closingReasons(const Input& input, double dt) noexcept {
 
 ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
   Output output{.reasons = closingReasons(input, dt)};
-  output.isSilenceTooLong = silence_ > limits_.patience;
+  output.isSilenceTooLong = silence_ > limits_.longestSilence;
   const double step = dt / limits_.rampTime;
   if (input.missedPeriods > 1) {
     output.reasons |= MissedPeriods;

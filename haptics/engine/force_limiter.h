@@ -25,7 +25,7 @@ struct SafetyLimits {
   double softStartShare = 0.1;
 
   /// Time without a new sample after which the engine stops [s], > 0.
-  double patience = 0.1;
+  double longestSilence = 0.1;
 
   /// Adds damping when the scene generates energy; if false, the energy is only reported.
   bool isPassivityControlled = false;
@@ -111,7 +111,7 @@ class ForceGate {
   struct Output {
     double gain = 0.0;  ///< [0, 1]
     std::uint8_t reasons = None;
-    bool isSilenceTooLong = false;  ///< no new sample for longer than SafetyLimits::patience
+    bool isSilenceTooLong = false;  ///< no new sample for longer than SafetyLimits::longestSilence
   };
 
   explicit ForceGate(const SafetyLimits& limits) noexcept : limits_(limits) {}
@@ -120,7 +120,7 @@ class ForceGate {
   Output step(const Input& input, double dt) noexcept;
 
   /// Sets the gain to 0 without a ramp; the next force starts softly.
-  void shut() noexcept;
+  void close() noexcept;
 
   /// Lets the present force fade and the next one start softly.
   void startSoftly() noexcept { isWaiting_ = true; }

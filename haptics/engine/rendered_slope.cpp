@@ -28,7 +28,7 @@ class Sweep {
     const double most = std::max(kind.travel.most, end);
     most_ = most + 0.05 * (most - least_);  // a hand overshoots the end of the travel
     travel_ = least_;
-    feel();
+    measureStep();
   }
 
   RenderedSlope run() {
@@ -45,7 +45,7 @@ class Sweep {
  private:
   double range() const noexcept { return most_ - least_; }
 
-  void feel() noexcept {
+  void measureStep() noexcept {
     const double moved = travel_ - lastTravel_;
     const auto response =
         scene_.respond({.travel = travel_, .velocity = moved * rate_, .dt = 1.0 / rate_});
@@ -69,7 +69,7 @@ class Sweep {
     const auto ticks = std::max(1L, std::lround(seconds * rate_));
     for (long i = 1; i <= ticks; ++i) {
       travel_ = from + (goal - from) * static_cast<double>(i) / static_cast<double>(ticks);
-      feel();
+      measureStep();
     }
   }
 
@@ -106,7 +106,7 @@ class Sweep {
     const auto ticks = std::lround(kRest * rate_);
     for (long i = 0; i < ticks; ++i) {
       const double before = force_;
-      feel();
+      measureStep();
       if (i < settling) continue;
       low = i == settling ? force_ : std::min(low, force_);
       high = i == settling ? force_ : std::max(high, force_);

@@ -39,7 +39,7 @@ constexpr uint32_t kTimerValue = 0xE000E018;
 constexpr uint32_t kWhole = 0xFFFFFF;
 
 /// ARM semihosting: calls a function of the emulator or debugger.
-uint32_t ask(uint32_t operation, const void* parameter) {
+uint32_t callSemihosting(uint32_t operation, const void* parameter) {
   register uint32_t r0 asm("r0") = operation;
   register const void* r1 asm("r1") = parameter;
   asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
@@ -50,7 +50,7 @@ uint32_t ask(uint32_t operation, const void* parameter) {
 
 void print(const char* text) noexcept {
   constexpr uint32_t kWrite0 = 0x04;
-  ask(kWrite0, text);
+  callSemihosting(kWrite0, text);
 }
 
 void printNumber(uint32_t number, bool isHexadecimal) noexcept {
@@ -68,7 +68,7 @@ void exit(int status) noexcept {
   constexpr uint32_t kExitExtended = 0x20;
   constexpr uint32_t kApplicationExit = 0x20026;
   const uint32_t block[2] = {kApplicationExit, static_cast<uint32_t>(status)};
-  ask(kExitExtended, block);
+  callSemihosting(kExitExtended, block);
   for (;;) {
   }
 }

@@ -49,7 +49,7 @@ constexpr uint32_t kEnableInterrupts = 0xE000E100;
 constexpr uint32_t kTimerControl = 0xE000E010;
 constexpr uint32_t kTimerReload = 0xE000E014;
 constexpr uint32_t kTimerValue = 0xE000E018;
-constexpr uint32_t kTicksAMillisecond = 25'000;  // 25 MHz
+constexpr uint32_t kTicksPerMillisecond = 25'000;  // 25 MHz
 
 // QEMU transfers single bytes, too slowly for a thousand frames per second.
 constexpr uint16_t kRate = 250;  // [Hz]
@@ -69,7 +69,7 @@ class Board {
     at(kUartDivider) = 16;
     at(kUartControl) = 3 | 8;  // transmit and receive, with the receive interrupt
     at(kEnableInterrupts) = 1;
-    at(kTimerReload) = kTicksAMillisecond - 1;
+    at(kTimerReload) = kTicksPerMillisecond - 1;
     at(kTimerValue) = 0;
     at(kTimerControl) = 7;  // processor clock, with interrupt
   }
@@ -77,7 +77,7 @@ class Board {
   uint32_t micros() const noexcept {
     for (;;) {
       const uint32_t before = milliseconds;
-      const uint32_t passed = (kTicksAMillisecond - 1 - at(kTimerValue)) / 25;
+      const uint32_t passed = (kTicksPerMillisecond - 1 - at(kTimerValue)) / 25;
       if (milliseconds == before) return 1000 * before + passed;
     }
   }

@@ -140,7 +140,7 @@ std::vector<std::size_t> candidates(std::span<const Closure> closures) {
   return numbers;
 }
 
-[[noreturn]] void refuseAll(std::span<const Closure> closures, const std::string& source) {
+[[noreturn]] void refuseAllClosures(std::span<const Closure> closures, const std::string& source) {
   const auto isComplete = [](const Closure& closure) { return closure.isComplete; };
   const auto complete = std::ranges::count_if(closures, isComplete);
   if (complete > 0) {
@@ -159,7 +159,7 @@ std::vector<std::size_t> candidates(std::span<const Closure> closures) {
 CutChoice typicalClosure(
     const Trace& trace, std::span<const Closure> closures, const std::string& source) {
   const std::vector<std::size_t> numbers = candidates(closures);
-  if (numbers.empty()) refuseAll(closures, source);
+  if (numbers.empty()) refuseAllClosures(closures, source);
   std::vector<ForceCurve> curves;
   curves.reserve(numbers.size());
   for (const std::size_t number : numbers) {
@@ -179,7 +179,7 @@ CutChoice typicalClosure(
   return choice;
 }
 
-void requireOneWish(const ImportOptions& options) {
+void requireOneSelection(const ImportOptions& options) {
   if (options.rows && !options.closures.empty()) {
     throw std::invalid_argument("a cut is taken from closures or from rows, not from both");
   }
@@ -197,7 +197,7 @@ CutChoice chooseCut(
     std::span<const Closure> closures,
     const ImportOptions& options,
     const std::string& source) {
-  requireOneWish(options);
+  requireOneSelection(options);
   if (options.rows) return chosenRows(trace, *options.rows, source);
   if (closures.empty()) {
     throw base::UserError(

@@ -52,7 +52,8 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
 
 /// The opening branch recorded after the chosen closures; std::nullopt if rows were requested, the
 /// hand did not open, or the openings have no common travel.
-std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportReport& report) {
+std::optional<ForceCurve> openingBranchOf(
+    const Trace& trace, double maxSlope, ImportReport& report) {
   std::vector<ForceCurve> curves;
   for (const std::size_t number : report.closures) {
     auto branch = openingCurveOf(trace, report.survey.closures[number - 1].opening);
@@ -142,7 +143,7 @@ void reportPeak(ImportReport& report) {
   report.changes.insert(report.changes.begin(), std::move(words));
 }
 
-std::string shortest(double value) {
+std::string shortDecimal(double value) {
   std::string digits = decimal(value, 4);
   digits.erase(digits.find_last_not_of('0') + 1);
   if (digits.ends_with('.')) digits.pop_back();
@@ -150,14 +151,15 @@ std::string shortest(double value) {
 }
 
 /// Describes the readings outside the range of a calibration.
-std::string outside(const ForceCalibration& calibration) {
-  const std::string more = "more than " + shortest(calibration.highest) + " " + calibration.unit;
+std::string describeOutside(const ForceCalibration& calibration) {
+  const std::string more =
+      "more than " + shortDecimal(calibration.highest) + " " + calibration.unit;
   if (!std::isfinite(calibration.lowest)) return more;
-  return "less than " + shortest(calibration.lowest) + " or " + more;
+  return "less than " + shortDecimal(calibration.lowest) + " or " + more;
 }
 
 /// Adds warnings about saturated and uncalibrated readings in the chosen rows.
-void warnOfTheSensor(
+void addSensorWarnings(
     const Recording& recording, const ForceCalibration& calibration, ImportReport& report) {
   std::size_t saturated = 0;
   std::size_t uncalibrated = 0;
@@ -170,7 +172,7 @@ void warnOfTheSensor(
   }
   if (uncalibrated > 0) {
     report.changes.push_back(
-        std::to_string(uncalibrated) + " rows read " + outside(calibration) +
+        std::to_string(uncalibrated) + " rows read " + describeOutside(calibration) +
         ", beyond the sensor's calibration");
   }
   if (saturated > 0) {
@@ -245,8 +247,8 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   const ForceCurve recorded = drawn(trace, report);
   ForceCurve curve = limited(recorded, options.maxSlope, report);
   reportPeak(report);
-  auto opening = opened(trace, options.maxSlope, report);
-  warnOfTheSensor(recording, calibration, report);
+  auto opening = openingBranchOf(trace, options.maxSlope, report);
+  addSensorWarnings(recording, calibration, report);
   Cut cut{
       .name = options.name,
       .title = options.title,

@@ -92,7 +92,7 @@ std::size_t placeOf(
 }
 
 std::string unitIn(const std::string& cell) {
-  std::string unit = base::columnHeadOf(cell).unit;
+  std::string unit = base::columnHeadingOf(cell).unit;
   if (cell.find_first_of("[(") != std::string::npos) return unit;
   // Units after an underscore are often in lower case.
   unit = base::lowerCase(unit);

@@ -127,7 +127,7 @@ std::string quoted(std::string_view piece) {
 }
 
 /// A line without '\r', '\\' and '}' at its end.
-std::string_view coreOf(std::string_view line) {
+std::string_view trimmedLineOf(std::string_view line) {
   const auto withoutTail = [](std::string_view text, std::string_view tail) {
     return text.substr(0, text.find_last_not_of(tail) + 1);  // npos + 1 is 0: nothing remains
   };
@@ -186,7 +186,7 @@ class Reader {
 
  private:
   void readLineOf(std::string_view line, bool isWhole) {
-    const std::vector<std::string_view> fields = base::splitText(coreOf(line), kBlanks);
+    const std::vector<std::string_view> fields = base::splitText(trimmedLineOf(line), kBlanks);
     if (fields.empty()) return;
     const ReadLine read = readLine(fields);
     if (!read.row) {

@@ -28,10 +28,10 @@ std::size_t placeOf(
     std::string_view source) {
   if (column.number > 0) return column.number - 1;
   for (std::size_t place = 0; place < heads.size(); ++place) {
-    if (heads[place] == base::trimmed(column.head, " \t\r\"")) return place;
+    if (heads[place] == base::trimmed(column.heading, " \t\r\"")) return place;
   }
   throw base::UserError(
-      named(source) + " has no column '" + column.head + "' for the " + quantity +
+      named(source) + " has no column '" + column.heading + "' for the " + quantity +
       ". The columns in its head are " + base::listed(heads) + ": correct the columns file.");
 }
 

@@ -13,7 +13,7 @@ namespace haptics::recordings {
 
 /// A column of a table, identified by its heading, or by its number if the table has no headings.
 struct TableColumn {
-  std::string head{};
+  std::string heading{};
   std::size_t number = 0;  ///< from 1; 0: identified by its heading
 };
 

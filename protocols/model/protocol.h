@@ -43,7 +43,7 @@ struct DeviceRequirement {
   double maxForceRate = 0.0;    ///< limit of the rate of the force [N/s]
   double maxTorque = 5.0;       ///< limit of the torque about the tool's axis [N·m]
   double maxTorqueRate = 50.0;  ///< limit of the rate of the torque [N·m/s]
-  bool isTorqueAsked = false;   ///< whether a scene on this device has a torque about the tool's
+  bool needsTorque = false;     ///< whether a scene on this device has a torque about the tool's
                                 ///< axis
   double maxVelocity = 300.0;   ///< at a higher speed the tool is assumed to have slipped from the
                                 ///< hand [travel unit of the device/s]

@@ -249,7 +249,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<SceneDat
     return readCondition(node, protocol, files, sources);
   });
   for (auto& device : protocol.devices) {
-    device.isTorqueAsked =
+    device.needsTorque =
         std::any_of(protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& felt) {
           return felt.device == device.id && felt.model && haptics::engine::hasTorque(felt.scene());
         });

@@ -102,7 +102,7 @@ TableColumn readColumn(const Node& node) {
   if (column && !column->isText()) {
     return {.number = static_cast<std::size_t>(node.wholeNumber("column", 1, kMostColumns))};
   }
-  return {.head = node.text("column")};
+  return {.heading = node.text("column")};
 }
 
 void readTime(const Node& node, RecordingColumns& columns) {

@@ -34,7 +34,7 @@ struct Context {
 template <typename Spec>
 using Read = std::optional<Spec>;
 
-constexpr auto kUsualProcess = models::ProcessNoiseReading::StateOrder;
+constexpr auto kDefaultProcessNoise = models::ProcessNoiseReading::StateOrder;
 using haptics::reaming::TestSet;
 
 constexpr std::array kTestSets{
@@ -140,7 +140,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
     return;
   }
   constexpr double kMost = 1e9;
-  const auto reading = node.choice("process", engine::kProcessNames, kUsualProcess);
+  const auto reading = node.choice("process", engine::kProcessNames, kDefaultProcessNoise);
   auto noise = models::KalmanNoise<double>::published(reading);
   spec.isProcessAsPrinted = reading == models::ProcessNoiseReading::AsPrinted;
   if (spec.isProcessAsPrinted) refuseNumbersBesideAsPrinted(node);
@@ -156,7 +156,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
 
 Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   engine::KalmanSpec spec{
-      .noise = models::KalmanNoise<double>::published(kUsualProcess),
+      .noise = models::KalmanNoise<double>::published(kDefaultProcessNoise),
       .scheme = models::KalmanScheme::SpaceDomain};
   if (!node.isObjectWithOnlyKeys(
           {"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {

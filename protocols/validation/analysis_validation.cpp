@@ -156,8 +156,8 @@ class FamilyCheck {
   void comparison(std::size_t index) {
     const auto& pair = family_.comparisons[index];
     const std::string path = path_ + ".comparisons[" + std::to_string(index) + "]";
-    side(pair.first, path + ".first");
-    side(pair.second, path + ".second");
+    checkComparedCondition(pair.first, path + ".first");
+    checkComparedCondition(pair.second, path + ".second");
     if (pair.first.empty() || pair.second.empty()) return;
     if (pair.first == pair.second) {
       problems_.add(path, "a condition is compared with itself", "name two");
@@ -171,7 +171,7 @@ class FamilyCheck {
     if (isThere) problems_.add(path, "this pair is compared already", "keep one of the two");
   }
 
-  void side(const std::string& condition, const std::string& path) {
+  void checkComparedCondition(const std::string& condition, const std::string& path) {
     if (draft_.lacksCondition(condition)) {
       problems_.add(path, "there is no condition '" + shown(condition) + "'", "correct the name");
     } else if (isValidId(condition) && !isAskedAbout(condition)) {

@@ -133,7 +133,7 @@ using questionnaires::Referent;
 using questionnaires::shown;
 
 /// The items that one phase asks, and the place of the phase in the protocol.
-struct Asked {
+struct AskedItems {
   std::string instrument;
   std::string path;
   std::vector<Item> items;
@@ -163,10 +163,10 @@ std::vector<Item> itemsAsked(
   return items;
 }
 
-std::vector<Asked> askedIn(const LoadedProtocol& loaded, std::size_t index) {
+std::vector<AskedItems> askedIn(const LoadedProtocol& loaded, std::size_t index) {
   const auto& phase = loaded.protocol.phases[index];
   const std::string path = "$.phases[" + std::to_string(index) + "]";
-  std::vector<Asked> all;
+  std::vector<AskedItems> all;
   if (const auto* instrument = loaded.instrument(phase.instrument)) {
     all.push_back({instrument->id, path + ".instrument", instrument->items});
   }

@@ -17,13 +17,13 @@ namespace questionnaires {
 namespace {
 
 /// The first bytes from `first` to `last` begin a character of `length` bytes whose second byte is
-/// from secondLeast to secondMost (table 3-7 of the Unicode standard).
+/// from secondByteLeast to secondByteMost (table 3-7 of the Unicode standard).
 struct Lead {
   std::uint8_t first;
   std::uint8_t last;
   std::size_t length;
-  std::uint8_t secondLeast;
-  std::uint8_t secondMost;
+  std::uint8_t secondByteLeast;
+  std::uint8_t secondByteMost;
 };
 
 constexpr std::array kLeads{
@@ -45,8 +45,8 @@ std::size_t validUtf8Length(std::string_view text) noexcept {
     if (byte(0) < lead.first || byte(0) > lead.last) continue;
     if (text.size() < lead.length) return 0;
     for (std::size_t i = 1; i < lead.length; ++i) {
-      const std::uint8_t least = i == 1 ? lead.secondLeast : 0x80;
-      const std::uint8_t most = i == 1 ? lead.secondMost : 0xBF;
+      const std::uint8_t least = i == 1 ? lead.secondByteLeast : 0x80;
+      const std::uint8_t most = i == 1 ? lead.secondByteMost : 0xBF;
       if (byte(i) < least || byte(i) > most) return 0;
     }
     return lead.length;

@@ -67,7 +67,7 @@ class TextCheck {
 
  private:
   /// Reports @p text as missing if it lacks @p language.
-  void demand(
+  void requireLanguage(
       const std::string& path, const LocalizedText& text, const std::string& language) const;
   /// Reports languages of @p text that the instrument does not list.
   void inspectLanguages(const std::string& path, const LocalizedText& text) const;

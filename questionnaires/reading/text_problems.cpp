@@ -112,19 +112,19 @@ std::string placeholdersOf(const std::string& text) {
 }
 
 void TextCheck::inspect(const std::string& path, const LocalizedText& text) const {
-  demand(path, text, "en");
+  requireLanguage(path, text, "en");
   for (const auto& language : languages_) {
-    if (language != "en") demand(path, text, language);
+    if (language != "en") requireLanguage(path, text, language);
   }
   inspectLanguages(path, text);
 }
 
 void TextCheck::inspectResearcherText(const std::string& path, const LocalizedText& text) const {
-  demand(path, text, "en");
+  requireLanguage(path, text, "en");
   inspectLanguages(path, text);
 }
 
-void TextCheck::demand(
+void TextCheck::requireLanguage(
     const std::string& path, const LocalizedText& text, const std::string& language) const {
   if (text.has(language)) return;
   std::string fix = "write something: English is shown where another language has no text";

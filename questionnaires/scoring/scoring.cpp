@@ -9,7 +9,7 @@ namespace questionnaires {
 namespace {
 
 /// The keyed answer to an item, and its weight.
-struct Counted {
+struct WeightedAnswer {
   double x = 0.0;
   double weight = 1.0;
 };
@@ -28,20 +28,20 @@ std::optional<std::string> chosenIn(
 }
 
 /// The number of items that must be answered for the score.
-std::size_t needed(const Score& score) {
+std::size_t requiredAnswerCount(const Score& score) {
   const bool mayMiss = score.aggregate == Score::Aggregate::Mean || score.missingAs.has_value();
   const bool hasMinimum = score.leastAnswered > 0 && score.weightsFrom.empty();
   return mayMiss && hasMinimum ? score.leastAnswered : score.items.size();
 }
 
 /// The answered (or replaced) items of the score; @p weights is empty if every weight is 1.
-std::vector<Counted> countedItems(
+std::vector<WeightedAnswer> countedItems(
     const Instrument& instrument,
     const Score& score,
     const std::vector<double>& weights,
     const std::vector<Answer>& answers,
     ScoreResult& result) {
-  std::vector<Counted> counted;
+  std::vector<WeightedAnswer> counted;
   for (std::size_t i = 0; i < score.items.size(); ++i) {
     const Item* item = instrument.item(score.items[i]);
     if (item == nullptr) continue;
@@ -59,7 +59,7 @@ std::vector<Counted> countedItems(
   return counted;
 }
 
-std::optional<double> aggregateOf(const Score& score, const std::vector<Counted>& counted) {
+std::optional<double> aggregateOf(const Score& score, const std::vector<WeightedAnswer>& counted) {
   double sum = 0.0;
   double weights = 0.0;
   double count = 0.0;
@@ -81,7 +81,7 @@ std::optional<double> aggregateOf(const Score& score, const std::vector<Counted>
 
 std::string reasonFor(const ScoreResult& result, const Score& score) {
   return std::to_string(result.answered) + " of " + std::to_string(score.items.size()) +
-         " items were answered; this score needs " + std::to_string(needed(score));
+         " items were answered; this score needs " + std::to_string(requiredAnswerCount(score));
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ ScoreResult computeScore(
     weights = *chosen;
   }
   const auto counted = countedItems(instrument, score, weights, answers, result);
-  if (counted.empty() || result.answered < needed(score)) {
+  if (counted.empty() || result.answered < requiredAnswerCount(score)) {
     result.reason = reasonFor(result, score);
     return result;
   }

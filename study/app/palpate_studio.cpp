@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
   int status = 1;
   study::gui::askForPassphraseOfKey(folder.toStdString(), nullptr);
   study::gui::askForPassphraseOfNames(folder.toStdString(), nullptr);
-  study::gui::attempt(nullptr, study::gui::Matter::StudyNotOpened, [&] {
+  study::gui::attempt(nullptr, study::gui::MessageTopic::StudyNotOpened, [&] {
     auto study = study::Study::open(folder.toStdString());
     study::gui::OperatorWindow window(study, devices);
     const auto& title = study.protocol().protocol.study.title;

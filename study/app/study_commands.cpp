@@ -77,7 +77,7 @@ int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadValidProtocol(options.protocol);
   std::string passphrase;
-  if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kNewPassphraseOfNames);
+  if (options.hasNamesPassphrase) passphrase = askNewPassphrase(kAskNewNamesPassphrase);
   auto study = Study::create(options.folder, protocol, clock, options.seed);
   if (options.hasNamesPassphrase) {
     setPassphraseOfNames(study, passphrase, "when the study was made");

@@ -357,7 +357,7 @@ int accuracy(AccuracyOptions options) {
   }
   if (options.isShortRun) options.processes = 1;  // errors are the same in all processes
   const auto measured = measure(options);
-  present(options.out, "accuracy", reportOf(measured, options));
+  printAndWrite(options.out, "accuracy", reportOf(measured, options));
   return areWithinBounds(measured) ? 0 : 1;
 }
 

@@ -262,7 +262,7 @@ struct DevicesOptions {
 
 int benchDevices(const DevicesOptions& options) {
   const auto measured = measureDevices(options.bench);
-  present(options.out, "devices", reportOf(measured));
+  printAndWrite(options.out, "devices", reportOf(measured));
   if (!measured.isExact()) fmt::print("FAIL  not every fault was found, or too many were.\n");
   return measured.isExact() ? 0 : 1;
 }

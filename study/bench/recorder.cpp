@@ -72,13 +72,13 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
   const std::string raw = (scratch / "raw").string();
   storage::TraceStore store(storage::Database::create(traces, storage::traceSchema()));
   RawFile file(raw);
-  struct Way {
+  struct RecorderContestant {
     RecorderRun run;
-    std::function<void(const std::vector<TraceSample>&)> keep;
+    std::function<void(const std::vector<TraceSample>&)> store;
     double seconds = 0.0;
   };
   int number = 0;
-  Way ways[]{
+  RecorderContestant contestants[]{
       {{.way = "palpate: chunks of a second"},
        [&](const auto& chunk) {
          store.add({SessionId{1}, 0, 1}, number++, chunk);
@@ -87,22 +87,22 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
   const auto chunk = chunkOfACut();
   double chunks = 0.0;
   for (const auto start = Clock::now(); haptics::timing::secondsSince(start) < seconds; ++chunks) {
-    for (auto& way : ways) {
+    for (auto& contestant : contestants) {
       const auto before = Clock::now();
-      way.keep(chunk);
+      contestant.store(chunk);
       const double took = haptics::timing::secondsSince(before);
-      way.seconds += took;
-      way.run.worstCall = std::max(way.run.worstCall, 1e3 * took);
+      contestant.seconds += took;
+      contestant.run.worstCall = std::max(contestant.run.worstCall, 1e3 * took);
     }
   }
   store.database().execute("PRAGMA wal_checkpoint(TRUNCATE)");
   const double samples = chunks * static_cast<double>(chunk.size());
   std::vector<RecorderRun> runs;
-  for (auto& way : ways) {
+  for (auto& contestant : contestants) {
     const auto bytes = std::filesystem::file_size(runs.empty() ? traces : raw);
-    way.run.samplesPerSecond = samples / way.seconds;
-    way.run.bytesPerSample = static_cast<double>(bytes) / samples;
-    runs.push_back(way.run);
+    contestant.run.samplesPerSecond = samples / contestant.seconds;
+    contestant.run.bytesPerSample = static_cast<double>(bytes) / samples;
+    runs.push_back(contestant.run);
   }
   return runs;
 }

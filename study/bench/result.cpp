@@ -65,7 +65,7 @@ std::string asPlainText(const DataTable& table) {
   return text;
 }
 
-void present(const std::string& folder, const std::string& name, report::Document document) {
+void printAndWrite(const std::string& folder, const std::string& name, report::Document document) {
   for (const auto& part : document.parts) {
     for (const auto& table : part.tables) {
       if (table.description.empty()) continue;

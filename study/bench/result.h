@@ -12,7 +12,7 @@ namespace study::bench {
 /// empty, also writes all tables as CSV files, figures as SVG files, and the page NAME.html, which
 /// describes the computer.
 /// @throws storage::StorageError  if a file exists already or cannot be written.
-void present(const std::string& folder, const std::string& name, report::Document document);
+void printAndWrite(const std::string& folder, const std::string& name, report::Document document);
 
 /// The cell for a measured number: empty for std::nullopt, "no number" if it is infinite or NaN.
 Cell numberCell(const std::optional<double>& value);

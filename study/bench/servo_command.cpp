@@ -169,7 +169,7 @@ int servo(const ServoOptions& options) {
   const auto recorders = compareRecorders(options.disk, options.seconds);
   const auto loop = recordInLoop(options.disk, 1000.0, options.recording);
   const double rate = options.rates.front();
-  present(
+  printAndWrite(
       options.out,
       "servo",
       {.title = "Clock and recorder",

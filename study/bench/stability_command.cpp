@@ -197,7 +197,7 @@ int stability(const StabilityOptions& options) {
   const auto result = haptics::bench::runStability(options.effort, [](const std::string& sweep) {
     std::fprintf(stderr, "%s\n", sweep.c_str());
   });
-  present(options.out, "stability", reportOf(result));
+  printAndWrite(options.out, "stability", reportOf(result));
   int failed = 0;
   for (const auto& check : result.checks) {
     if (check.isPassed()) continue;

@@ -116,7 +116,7 @@ DataTable sizeTable(const StatsMeasurement& measured, std::int64_t answers) {
 
 int stats(const StatsOptions& options) {
   const auto measured = measure(options);
-  present(
+  printAndWrite(
       options.out,
       "stats",
       {.title = "From answers to the table: how fast",

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kProtocol = "punch-face-validity";
 constexpr std::uint64_t kSeed = 20'261'121;
-constexpr std::int64_t kSessionsATime = 10'000;  // sessions in one transaction
+constexpr std::int64_t kSessionsPerTransaction = 10'000;  // sessions in one transaction
 
 /// An item that every session of a cohort contains.
 struct AskedItem {
@@ -149,7 +149,7 @@ std::int64_t writeSessions(Study& study, std::int64_t answers) {
   std::int64_t session = 0;
   for (std::int64_t left = answers; left > 0;) {
     storage::Transaction transaction(study.database());
-    for (std::int64_t i = 0; i < kSessionsATime && left > 0; ++i)
+    for (std::int64_t i = 0; i < kSessionsPerTransaction && left > 0; ++i)
       left -= writer.add(++session, left);
     transaction.commit();
   }

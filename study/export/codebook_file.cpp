@@ -63,7 +63,7 @@ struct FormatFacts {
 };
 constexpr const char* kEmptyCell = "an empty cell";
 constexpr const char* kCodebook = "`codebook.json`";
-constexpr const char* kBeside = "the JSON file of the same name beside each table";
+constexpr const char* kSidecarFile = "the JSON file of the same name beside each table";
 constexpr std::array kFormats{
     FormatFacts{ExportFormat::Csv, kEmptyCell, kCodebook, ""},
     FormatFacts{
@@ -71,11 +71,11 @@ constexpr std::array kFormats{
         "`null`",
         kCodebook,
         "- Each table is an array of `study.json`, each row an object in it.\n"},
-    FormatFacts{ExportFormat::PsychDs, kEmptyCell, kBeside, ""},
+    FormatFacts{ExportFormat::PsychDs, kEmptyCell, kSidecarFile, ""},
     FormatFacts{
         ExportFormat::Bids,
         "`n/a`",
-        kBeside,
+        kSidecarFile,
         "- BIDS 1.8.0: cells are separated by tabs; tabs and new lines in free texts have become "
         "spaces. Whose a table below `beh` is, and of which session, says its path (`sub-…`, "
         "`ses-…`): it has no column for that. Questions and traces are in `sourcedata/`.\n"},

@@ -57,7 +57,7 @@ struct Readers {
   bool needParticipantColumn = true;  ///< false if the file's name identifies the participant of
                                       ///< all its rows
   /// Names of the quasi-identifiers that a public export releases (study/export/k_anonymity.h).
-  std::set<std::string> told = {};
+  std::set<std::string> releasedIdentifiers = {};
   ValueLists lists = {};
   /// The kind of device, if all devices of the study are of one kind; otherwise nullptr. A kind may
   /// have its own descriptions of tables.
@@ -264,7 +264,7 @@ class Column {
     if (list_ == ValueList::Sites && !readers.hasSites()) return false;
     if (!readers.isPublic) return true;
     return public_ && (public_->requiredIdentifier.empty() ||
-                       readers.told.count(public_->requiredIdentifier) == 1);
+                       readers.releasedIdentifiers.count(public_->requiredIdentifier) == 1);
   }
 
   /// The heading of the column, with the description and levels for @p readers.

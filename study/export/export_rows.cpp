@@ -69,13 +69,13 @@ class Bands {
   /// The band of an answer; empty for items that are no numbers about the person.
   std::string of(const storage::AnswerRecord& answer, const questionnaires::Item& item) {
     if (answer.step.kind != StepKind::Form || publicFormOf(item) != PublicForm::Bands) return {};
-    const auto& bands = known_.try_emplace(&item, item, "").first->second;
+    const auto& bands = hierarchies_.try_emplace(&item, item, "").first->second;
     return bands.levelCount() == 0 ? std::string() : bands.releasedValue(0, answer.answer.response);
   }
 
  private:
   // the language is empty, because labels of bands have no words
-  std::map<const questionnaires::Item*, GeneralisationHierarchy> known_;
+  std::map<const questionnaires::Item*, GeneralisationHierarchy> hierarchies_;
 };
 
 /// The day in a stored time such as "2026-11-23T08:15:00Z".

@@ -62,7 +62,7 @@ class PublicTables {
         codes_(conditionCodes(study, options.runMode.value_or(RunMode::Live))),
         allocation_(storage::Records(study.database()).allocation()) {
     for (const auto& column : release_.columns) {
-      if (column.level) readers_.told.insert(column.name);
+      if (column.level) readers_.releasedIdentifiers.insert(column.name);
     }
   }
 
@@ -175,7 +175,7 @@ class PublicTables {
   }
 
   /// The released value of a person for the quasi-identifier @p respect; empty if none is released.
-  std::string_view told(const char* respect, std::size_t person) const {
+  std::string_view releasedValue(const char* respect, std::size_t person) const {
     const auto* column = release_.column(respect);
     return column == nullptr || !column->level ? std::string_view() : column->values[person];
   }
@@ -183,12 +183,12 @@ class PublicTables {
   ExportedAnswer rowOf(const storage::AnswerRecord& answer, const Item& item) const {
     const auto& step = answer.step;
     const std::size_t person = sessionOf(answer);
-    const bool isPlaceKnown = step.position > 0 && !told(kOrderColumn, person).empty();
+    const bool isPlaceKnown = step.position > 0 && !releasedValue(kOrderColumn, person).empty();
     ExportedAnswer row;
     row.owner = {
         .participant = ids_[person],
-        .cohort = told(kCohortColumn, person),
-        .site = told(kSiteColumn, person)};
+        .cohort = releasedValue(kCohortColumn, person),
+        .site = releasedValue(kSiteColumn, person)};
     row.block = step.phase;
     if (isPlaceKnown) row.position = step.position;
     row.conditionCode = codeOf(step.condition);

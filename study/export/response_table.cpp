@@ -42,7 +42,7 @@ std::string labelOfResponse(const ExportedAnswer& row) {
 
 /// A getter for a member of the stored answer (GivenAnswer).
 template <typename Member>
-auto howGiven(Member member) {
+auto answerMember(Member member) {
   return [member](const ExportedAnswer& row) { return std::invoke(member, row.record->answer); };
 }
 
@@ -76,7 +76,7 @@ Columns<ExportedAnswer> columnsOfQuestion() {
         [](const ExportedAnswer& row) {
           return row.record->step.instrument;
         }).inPublic(),
-      C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic()};
+      C("item_id", Text{}, "Question", answerMember(&GivenAnswer::item)).inPublic()};
 }
 
 /// The columns on whether and how the statistics use an answer.
@@ -86,7 +86,7 @@ Columns<ExportedAnswer> columnsOfUse() {
       {"language",
        Text{},
        "Of the question as it is worded here",
-       howGiven(&GivenAnswer::language)},
+       answerMember(&GivenAnswer::language)},
       includedColumn<ExportedAnswer>(
           [](const ExportedAnswer& row) { return row.excluded.empty(); }),
       {"exclude_reason", Text{}, "Why they do not", &ExportedAnswer::excluded}};
@@ -99,7 +99,7 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       {"item_order",
        Integer{},
        "Where it stood on its page, from 1",
-       howGiven(&GivenAnswer::itemOrder)},
+       answerMember(&GivenAnswer::itemOrder)},
       C("item_type", OneOf{ValueList::ItemTypes}, itemTypesInWords(), itemTypeOf).inPublic(),
       C("key", Integer{}, "1: a high answer is good; -1: a low one is", keyOf).inPublic(),
       C("response",
@@ -119,15 +119,15 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       {"first_touch_s",
        Number{"s"},
        "From the page's appearance to the first touch of the item",
-       howGiven(&GivenAnswer::firstTouch)},
+       answerMember(&GivenAnswer::firstTouch)},
       {"response_time_s",
        Number{"s"},
        "… to the last change of the answer",
-       howGiven(&GivenAnswer::responseTime)},
+       answerMember(&GivenAnswer::responseTime)},
       {"n_changes",
        Integer{},
        "How often it was changed after the first touch",
-       howGiven(&GivenAnswer::changes)}};
+       answerMember(&GivenAnswer::changes)}};
 }
 
 /// The time of saving. Blinded folders leave it out, because the time between two answers depends

@@ -145,7 +145,7 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   }
   if (invalidTicks > 0) {
     // A single missing sample is extrapolated; on a link, single samples are lost now and then.
-    const bool isRare = link.isThere && static_cast<double>(invalidTicks) <
+    const bool isRare = link.hasLink && static_cast<double>(invalidTicks) <
                                             kWarnLateShare * static_cast<double>(ticks);
     found(
         isRare ? Verdict::Warn : Verdict::Fail,

@@ -21,26 +21,26 @@ class AnswerWriter : HtmlWriter {
 
   std::string all() {
     heading("The answer");
-    const auto* family = mainFamily(s_);
+    const auto* family = mainFamily(section_);
     if (family == nullptr) {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
       sentences();
       pooledAnswers();
-      html_ += caveatsOfRenderingAsHtml(s_);
+      html_ += caveatsOfRenderingAsHtml(section_);
       references(*family);
     }
     if (family != nullptr) {
       mainFigure(*family);
       tableOfAnswers();
     }
-    return std::move(html_) + weaknessesAsHtml(s_);
+    return std::move(html_) + weaknessesAsHtml(section_);
   }
 
  private:
   template <typename Do>
   void forEachAnswered(Do&& visit) const {
-    for (const auto& family : s_.results.families) {
+    for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
         if (hasAnswers(part)) visit(family, part);
       }
@@ -58,7 +58,7 @@ class AnswerWriter : HtmlWriter {
 
   /// Writes the main weakness of pooled tests next to their p values.
   void pooledAnswers() {
-    const bool isRepeated = std::ranges::any_of(s_.results.families, [](const auto& family) {
+    const bool isRepeated = std::ranges::any_of(section_.results.families, [](const auto& family) {
       if (!isPooled(Profile::Declared, family.family)) return false;
       return std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
         return raised.flag->id == "pseudo_replication";
@@ -73,19 +73,21 @@ class AnswerWriter : HtmlWriter {
   /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
   std::string cohortLabelOf(const FamilyResult& family, const CohortResult& part) const {
     const auto complete = part.within.participants;  // who judged every method
-    const auto who = escaped(s_.words.count(
+    const auto who = escaped(section_.words.count(
         complete > 0 ? complete : part.table.participants.size(),
         "{1} ({0} participant)",
         "{1} ({0} participants)",
-        s_.cohortTitle(part.cohort)));
-    return s_.results.families.size() > 1 ? say("“{}”", family.family.title) + ", " + who : who;
+        section_.cohortTitle(part.cohort)));
+    return section_.results.families.size() > 1 ? say("“{}”", family.family.title) + ", " + who
+                                                : who;
   }
 
   std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {
     auto rows = declaredIn(family, part);
     if (!isAnyDefined(family, part)) {
-      return rows.empty() ? std::string()
-                          : say("nothing can be tested: {}.", s_.words(rows.front().test->reason));
+      return rows.empty()
+                 ? std::string()
+                 : say("nothing can be tested: {}.", section_.words(rows.front().test->reason));
     }
     std::erase_if(rows, [](const auto& row) { return !row.isDefined(); });
     std::ranges::stable_sort(
@@ -101,16 +103,16 @@ class AnswerWriter : HtmlWriter {
   std::string inWords(const FamilyResult& family, const Declared& row) const {
     const bool isTurned = *row.difference->estimate.value < 0.0;
     const double sign = isTurned ? -1.0 : 1.0;
-    const auto& higher = s_.conditionTitle(isTurned ? row.group2 : row.group1);
-    const auto& lower = s_.conditionTitle(isTurned ? row.group1 : row.group2);
+    const auto& higher = section_.conditionTitle(isTurned ? row.group2 : row.group1);
+    const auto& lower = section_.conditionTitle(isTurned ? row.group1 : row.group2);
     auto interval = row.difference->interval;
     if (interval && isTurned) interval = analysis::Interval{-interval->high, -interval->low};
     std::string numbers;
     if (interval) {
-      numbers = s_.words.say(
+      numbers = section_.words.say(
                     "{:g} % CI {}",
                     100.0 * (1.0 - family.family.alpha),
-                    formatInterval(interval, s_.wording, s_.words)) +
+                    formatInterval(interval, section_.wording, section_.words)) +
                 ", ";
     }
     if (const auto& effect = row.difference->effect; effect.value) {
@@ -130,8 +132,8 @@ class AnswerWriter : HtmlWriter {
   std::string formatP(const FamilyResult& family, const analysis::TestRow& test) const {
     const auto correction = nameOf(family.family.correction);
     const bool isAdjusted = test.adjusted && !correction.empty();
-    return isAdjusted ? formatPWithSymbol(test.adjusted, correction, s_.wording)
-                      : formatPWithSymbol(test.p, {}, s_.wording);
+    return isAdjusted ? formatPWithSymbol(test.adjusted, correction, section_.wording)
+                      : formatPWithSymbol(test.p, {}, section_.wording);
   }
 
   // --- Figure and table ---
@@ -143,20 +145,20 @@ class AnswerWriter : HtmlWriter {
   }
 
   std::string mainSvg(const FamilyResult& family) const {
-    const auto place = static_cast<std::size_t>(&family - s_.results.families.data());
-    const auto& all = s_.figures.families;
+    const auto place = static_cast<std::size_t>(&family - section_.results.families.data());
+    const auto& all = section_.figures.families;
     const auto figures = place < all.size() ? all[place] : FamilyFigures{};
-    const auto kind = *mainFigureOf(s_, family);
+    const auto kind = *mainFigureOf(section_, family);
     return kind == MainFigure::Differences ? figures.effects
            : kind == MainFigure::Answers   ? figures.answers
-                                           : figures.people;
+                                           : figures.participantMeans;
   }
 
   void mainFigure(const FamilyResult& family) {
-    const auto kind = *mainFigureOf(s_, family);
+    const auto kind = *mainFigureOf(section_, family);
     const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
                          : kind == MainFigure::Answers   ? kAnswersCaption
-                                                         : kPeopleCaption;
+                                                         : kParticipantMeansCaption;
     figure(mainSvg(family), caption, "answer-figure");
   }
 
@@ -175,20 +177,21 @@ class AnswerWriter : HtmlWriter {
   /// The heading of the intervals' column, with their confidence level if it is the same for all
   /// families.
   std::string headingOfIntervals() const {
-    const auto percent = say("{:g} % CI", 100.0 * (1.0 - s_.results.families.front().family.alpha));
+    const auto percent =
+        say("{:g} % CI", 100.0 * (1.0 - section_.results.families.front().family.alpha));
     const auto mixed = say("CI at 1 − α");
     const auto same = [&](const auto& other) {
-      return other.family.alpha == s_.results.families.front().family.alpha;
+      return other.family.alpha == section_.results.families.front().family.alpha;
     };
-    return std::ranges::all_of(s_.results.families, same) ? percent : mixed;
+    return std::ranges::all_of(section_.results.families, same) ? percent : mixed;
   }
 
   /// The caption with the scale of all families; without it if theirs differ.
   std::string withCommonScale(const std::string& caption) const {
-    const auto& all = s_.results.families;
-    const auto scale = scaleInWords(s_, all.front().family);
+    const auto& all = section_.results.families;
+    const auto scale = scaleInWords(section_, all.front().family);
     const bool isCommon = std::ranges::all_of(
-        all, [&](const auto& other) { return scaleInWords(s_, other.family) == scale; });
+        all, [&](const auto& other) { return scaleInWords(section_, other.family) == scale; });
     return isCommon ? withScale(caption, all.front().family) : caption;
   }
 
@@ -201,7 +204,7 @@ class AnswerWriter : HtmlWriter {
          say("Difference"),
          headingOfIntervals(),
          say("Effect size"),
-         s_.wording == Wording::Vancouver ? "<i>P</i>" : kP},
+         section_.wording == Wording::Vancouver ? "<i>P</i>" : kP},
         "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
       if (!isAnyDefined(family, part)) {
@@ -283,7 +286,7 @@ std::optional<MainFigure> mainFigureOf(const ReportSection& section, const Famil
     });
   });
   if (hasDifferences && !family.isNamed("welch")) return MainFigure::Differences;
-  return isShownByPoint(family) ? MainFigure::Answers : MainFigure::People;
+  return isShownByPoint(family) ? MainFigure::Answers : MainFigure::ParticipantMeans;
 }
 
 const FamilyResult* mainFamily(const ReportSection& section) {

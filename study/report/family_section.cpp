@@ -15,23 +15,24 @@ class FamilyWriter : HtmlWriter {
  public:
   FamilyWriter(
       const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures)
-      : HtmlWriter(section), f_(family), figures_(figures) {}
+      : HtmlWriter(section), result_(family), figures_(figures) {}
 
   std::string all() {
-    if (std::ranges::none_of(f_.cohorts, hasAnswers)) {
+    if (std::ranges::none_of(result_.cohorts, hasAnswers)) {
       paragraph("Nobody has answered yet.");
       return std::move(html_);
     }
     means();
-    if (isShownByPoint(f_)) {
+    if (isShownByPoint(result_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
     }
-    figureOrReference(MainFigure::People, figures_.people, kPeopleCaption);
-    if (f_.isNamed("welch")) pooled();
-    html_ += withinAsHtml(s_, f_, figures_.effects);
-    html_ += sitesAsHtml(s_, f_, figures_.sites);
+    figureOrReference(
+        MainFigure::ParticipantMeans, figures_.participantMeans, kParticipantMeansCaption);
+    if (result_.isNamed("welch")) pooled();
+    html_ += withinAsHtml(section_, result_, figures_.effects);
+    html_ += sitesAsHtml(section_, result_, figures_.sites);
     checks();
-    const auto leftOut = leftOutInWords(f_, s_.words);
+    const auto leftOut = leftOutInWords(result_, section_.words);
     if (!leftOut.empty()) put("<p>{}</p>", escaped(leftOut));
     return std::move(html_);
   }
@@ -40,7 +41,7 @@ class FamilyWriter : HtmlWriter {
   /// The figure; if it is shown beside the answer, a reference to it.
   void figureOrReference(MainFigure kind, const std::string& svg, std::string_view caption) {
     const auto answers = say("The answers:");
-    if (mainFigureOf(s_, f_) == kind && !svg.empty()) {
+    if (mainFigureOf(section_, result_) == kind && !svg.empty()) {
       put("<p>{} {}</p>", answers, reference("answer-figure"));
     } else {
       figure(svg, caption);
@@ -48,9 +49,9 @@ class FamilyWriter : HtmlWriter {
   }
 
   void means() {
-    const auto& conditions = f_.cohorts.front().conditions;
+    const auto& conditions = result_.cohorts.front().conditions;
     std::vector<std::pair<std::string, std::vector<analysis::AnswerSample>>> rows;
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
       rows.emplace_back(cohort(part.cohort), std::vector<analysis::AnswerSample>());
       for (const auto& c : part.conditions) rows.back().second.push_back(c.answers);
@@ -65,7 +66,7 @@ class FamilyWriter : HtmlWriter {
       });
     });
     put("<table><caption>{}</caption><thead><tr><th></th>{}",
-        withScale(say("Mean M and variance s² of the n answers"), f_.family),
+        withScale(say("Mean M and variance s² of the n answers"), result_.family),
         isEachOfSameSize ? "<th></th>" : "");
     for (const auto& c : conditions) {
       put("<th colspan=\"{}\">{}</th>", isEachOfSameSize ? 2 : 3, condition(c.name));
@@ -98,21 +99,21 @@ class FamilyWriter : HtmlWriter {
       return std::ranges::any_of(
           part.comparisons.rows, [](const auto& test) { return test.p.has_value(); });
     };
-    if (std::ranges::none_of(f_.cohorts, isTested)) return;
-    const auto correction = nameOf(f_.family.correction);
+    if (std::ranges::none_of(result_.cohorts, isTested)) return;
+    const auto correction = nameOf(result_.family.correction);
     table(
-        correction.empty() ? say("Welch’s t-tests, α = {}", exactly(f_.family.alpha))
+        correction.empty() ? say("Welch’s t-tests, α = {}", exactly(result_.family.alpha))
                            : say("Welch’s t-tests with {} correction, α = {}",
                                  correction,
-                                 exactly(f_.family.alpha)),
+                                 exactly(result_.family.alpha)),
         {say("Comparison"),
          say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
+         say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha)),
          kT,
          kDf,
          kP,
          say("adjusted p")});
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
       const auto& perTest = part.comparisons.alphaPerTest;
       rowOver(
@@ -125,7 +126,7 @@ class FamilyWriter : HtmlWriter {
     }
     endTable();
     note(
-        f_.isConfirmatory("welch")
+        result_.isConfirmatory("welch")
             ? "All answers are pooled and taken as independent, as in the punch paper and as the "
               "protocol declares. Bold: adjusted p ≤ α."
             : "All answers are pooled and taken as independent, as in the punch paper "
@@ -135,7 +136,7 @@ class FamilyWriter : HtmlWriter {
   void pooled(const analysis::TestRow& test) {
     const auto pair = condition(test.group1) + " vs. " + condition(test.group2);
     if (!test.p) return row({pair}, notDefined(test.reason));
-    const bool isBold = f_.isConfirmatory("welch") && test.isSignificant.value_or(false);
+    const bool isBold = result_.isConfirmatory("welch") && test.isSignificant.value_or(false);
     const auto adjusted = cellOfP(test.adjusted);
     row(
         {pair,
@@ -149,11 +150,11 @@ class FamilyWriter : HtmlWriter {
 
   /// The effect of order, and the reliability of the scale.
   void checks() {
-    if (std::ranges::any_of(f_.cohorts, hasSlope)) {
+    if (std::ranges::any_of(result_.cohorts, hasSlope)) {
       put("<h4>{}</h4>", say("The order"));
       order();
     }
-    if (std::ranges::any_of(f_.cohorts, hasChecks)) {
+    if (std::ranges::any_of(result_.cohorts, hasChecks)) {
       put("<h4>{}</h4>", say("The scale"));
       scale();
     }
@@ -170,20 +171,20 @@ class FamilyWriter : HtmlWriter {
 
   void order() {
     put("<ul>");
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
       const auto& slope = part.position.slope;
       if (!slope.p) {
         put("<li>{}: {}</li>",
             cohort(part.cohort),
-            say("no slope over positions: {}.", s_.inWords(slope.reason)));
+            say("no slope over positions: {}.", section_.inWords(slope.reason)));
         continue;
       }
       put("<li>{}: {}</li>",
           cohort(part.cohort),
           say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
               rounded(slope.meanDifference, 2),
-              formatInterval(part.position.slopeInterval, s_.wording, s_.words),
+              formatInterval(part.position.slopeInterval, section_.wording, section_.words),
               slope.degreesOfFreedom.value_or(0.0),
               rounded(slope.t, 2),
               equalsOfP(slope.p)));
@@ -201,7 +202,7 @@ class FamilyWriter : HtmlWriter {
          say("McDonald’s ω"),
          say("Shapiro–Wilk W"),
          kP});
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!hasChecks(part)) continue;
       const auto& spread = part.checks.spread;
       rowOver(
@@ -231,7 +232,7 @@ class FamilyWriter : HtmlWriter {
         "F whether methods vary alike; no test above depends on either.");
   }
 
-  const FamilyResult& f_;
+  const FamilyResult& result_;
   const FamilyFigures& figures_;
 };
 

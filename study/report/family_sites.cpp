@@ -11,7 +11,7 @@ namespace {
 class SitesWriter : HtmlWriter {
  public:
   SitesWriter(const ReportSection& section, const FamilyResult& family)
-      : HtmlWriter(section), f_(family) {}
+      : HtmlWriter(section), result_(family) {}
 
   std::string all(const std::string& forest) {
     put("<h4>{}</h4>", say("By site"));
@@ -26,7 +26,7 @@ class SitesWriter : HtmlWriter {
         {say("Site"),
          kN,
          say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
+         say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha)),
          kP,
          say("Weight")});
     forEachComparison([&](const auto& sites, const auto& row) { comparison(sites, row); });
@@ -42,7 +42,7 @@ class SitesWriter : HtmlWriter {
  private:
   template <typename Write>
   void forEachComparison(Write write) {
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!part.sites || !hasAnswers(part)) continue;
       for (const auto& row : part.sites->rows) {
         rowOver(
@@ -68,7 +68,7 @@ class SitesWriter : HtmlWriter {
           say("All sites, random effects (REML, Knapp–Hartung)"), comparison.pooled->knappHartung);
       heterogeneity(*comparison.pooled);
     } else {
-      rowOver(say("not pooled: {}", s_.inWords(comparison.reason)));
+      rowOver(say("not pooled: {}", section_.inWords(comparison.reason)));
     }
     model(say("Mixed model, sites as random effects"), comparison.randomSites);
     if (const auto& fit = sites.randomSites.fit) {
@@ -101,7 +101,7 @@ class SitesWriter : HtmlWriter {
     row({which, "", rounded(test.estimate.value, 2), cellOf(test.interval), cellOfP(test.p), ""});
   }
 
-  const FamilyResult& f_;
+  const FamilyResult& result_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "analysis/registry/registry.h"
 #include "study/report/html_writer.h"
-#include "study/report/statistics_tables.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
@@ -14,19 +14,19 @@ namespace {
 class TestsWriter : HtmlWriter {
  public:
   TestsWriter(const ReportSection& section, const FamilyResult& family)
-      : HtmlWriter(section), f_(family) {}
+      : HtmlWriter(section), result_(family) {}
 
   std::string all(const std::string& effects) {
     put("<h4>{}</h4>", say("Within people"));
     paragraph(
-        f_.isDeclared
+        result_.isDeclared
             ? "The unit is the participant: what one person says about a method is averaged first. "
               "Declared in the protocol, and confirmatory: {}, α = {:g}. All else is exploratory."
             : "The unit is the participant: what one person says about a method is averaged first. "
               "The protocol names {}, α = {:g}, but did not both before the first participant "
               "and ever since: all is exploratory.",
-        declaredInWords(f_.family, s_.words),
-        f_.family.alpha);
+        declaredInWords(result_.family, section_.words),
+        result_.family.alpha);
     if (!isAnyTested()) {
       nothingTested();
       return std::move(html_);
@@ -34,7 +34,8 @@ class TestsWriter : HtmlWriter {
     overall();
     differences();
     tests();
-    if (mainFigureOf(s_, f_) != MainFigure::Differences) figure(effects, differencesCaption(f_));
+    if (mainFigureOf(section_, result_) != MainFigure::Differences)
+      figure(effects, differencesCaption(result_));
     between();
     return std::move(html_);
   }
@@ -47,16 +48,17 @@ class TestsWriter : HtmlWriter {
     });
   }
 
-  bool isAnyTested() const { return std::ranges::any_of(f_.cohorts, isTested); }
+  bool isAnyTested() const { return std::ranges::any_of(result_.cohorts, isTested); }
 
   std::string whyNotTested(const CohortResult& part) const {
     return say(
-        "nothing can be tested: {}.", s_.inWords(part.within.rows.front().test("paired_t").reason));
+        "nothing can be tested: {}.",
+        section_.inWords(part.within.rows.front().test("paired_t").reason));
   }
 
   /// The reasons why no cohort has a test.
   void nothingTested() {
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (part.within.rows.empty() || !hasAnswers(part)) continue;
       put("<p><em>{}</em>: {}</p>", cohort(part.cohort), whyNotTested(part));
     }
@@ -67,9 +69,9 @@ class TestsWriter : HtmlWriter {
   std::string pCell(const analysis::TestRow& test) {
     auto text = cellOfP(test.p);
     if (!test.p) return text;
-    const bool isCorrected = !nameOf(f_.family.correction).empty();
+    const bool isCorrected = !nameOf(result_.family.correction).empty();
     if (test.adjusted && isCorrected) text += " (" + cellOfP(test.adjusted) + ")";
-    const bool isBold = f_.isConfirmatory(test.id) && test.isSignificant.value_or(false);
+    const bool isBold = result_.isConfirmatory(test.id) && test.isSignificant.value_or(false);
     hasBold_ = hasBold_ || isBold;
     return isBold ? "<strong>" + text + "</strong>" : text;
   }
@@ -80,9 +82,9 @@ class TestsWriter : HtmlWriter {
 
   /// The tests of all methods together, above the tables of pairs.
   void overall() {
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!isTested(part)) continue;
-      auto lines = apaLines(part.within, f_.family, s_.words, s_.wording);
+      auto lines = apaLines(part.within, result_.family, section_.words, section_.wording);
       lines.resize(part.within.overall.size());  // the models' variances follow
       std::string sentences;
       for (const auto& line : lines) {
@@ -95,8 +97,8 @@ class TestsWriter : HtmlWriter {
   /// The numbers that the table beside the answer lacks; that table has the differences, unless
   /// pooled tests are declared.
   void differences() {
-    const bool areShown = !f_.isNamed("welch");
-    const auto ci = say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha));
+    const bool areShown = !result_.isNamed("welch");
+    const auto ci = say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha));
     table(
         say("Differences of participants’ means"),
         {say("Comparison"),
@@ -109,7 +111,7 @@ class TestsWriter : HtmlWriter {
          "BF<sub>10</sub>",
          say("Odds ratio"),
          ci});
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!hasAnswers(part)) continue;
       if (!isTested(part)) {
         rowOver(cohort(part.cohort) + ": " + whyNotTested(part));
@@ -128,13 +130,13 @@ class TestsWriter : HtmlWriter {
   }
 
   void tests() {
-    const auto correction = nameOf(f_.family.correction);
+    const auto correction = nameOf(result_.family.correction);
     std::vector<std::string> headings{say("Comparison")};
-    const auto& pairs = f_.cohorts.front().within.rows;
+    const auto& pairs = result_.cohorts.front().within.rows;
     for (std::size_t i = 0; !pairs.empty() && i < pairs.front().tests.size(); ++i) {
       const auto& test = pairs.front().tests[i];
       if (!test.isInFamily) continue;
-      headings.push_back(say(shortNameOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
+      headings.push_back(say(shortNameOf(test.id)) + (result_.isNamed(test.id) ? " *" : ""));
     }
     headings.push_back(say("Equivalence"));
     table(
@@ -143,7 +145,7 @@ class TestsWriter : HtmlWriter {
             : say("Tests of these differences: p, and in brackets p after {} correction",
                   correction),
         headings);
-    for (const auto& part : f_.cohorts) {
+    for (const auto& part : result_.cohorts) {
       if (!isTested(part)) continue;
       rowOver(cohort(part.cohort));
       for (const auto& comparison : part.within.rows) {
@@ -157,14 +159,14 @@ class TestsWriter : HtmlWriter {
       }
     }
     endTable();
-    if (f_.family.equivalenceBound) {
-      note("Equivalence: two one-sided tests within ±{:g}.", *f_.family.equivalenceBound);
+    if (result_.family.equivalenceBound) {
+      note("Equivalence: two one-sided tests within ±{:g}.", *result_.family.equivalenceBound);
     }
-    if (f_.isNamed("welch")) return;
+    if (result_.isNamed("welch")) return;
     note(
-        !f_.isDeclared ? "* the test that the protocol names; exploratory"
-        : hasBold_     ? "* the declared test; bold: adjusted p ≤ α."
-                       : "* the declared test; no adjusted p is ≤ α.");
+        !result_.isDeclared ? "* the test that the protocol names; exploratory"
+        : hasBold_          ? "* the declared test; bold: adjusted p ≤ α."
+                            : "* the declared test; no adjusted p is ≤ α.");
   }
 
   void difference(const analysis::WithinComparison& c, bool areShown) {
@@ -197,7 +199,7 @@ class TestsWriter : HtmlWriter {
     const auto isTestedPair = [](const BetweenResult& b) {
       return std::ranges::any_of(b.tests, [](const auto& test) { return test.p.has_value(); });
     };
-    if (std::ranges::none_of(f_.between, isTestedPair)) return;
+    if (std::ranges::none_of(result_.between, isTestedPair)) return;
     std::vector<std::string> headings{
         say("Method"),
         "<i>U</i>",
@@ -205,7 +207,7 @@ class TestsWriter : HtmlWriter {
         say("Brunner–Munzel p"),
         say("Cliff’s δ"),
         say("95 % CI")};
-    for (const auto* test : othersOf(f_.between.front())) {
+    for (const auto* test : othersOf(result_.between.front())) {
       headings.push_back(say(analysis::statisticalTest(test->id).title) + ", p");
     }
     table(
@@ -213,7 +215,7 @@ class TestsWriter : HtmlWriter {
             "the larger values"),
         headings);
     std::string last;
-    for (const auto& b : f_.between) {
+    for (const auto& b : result_.between) {
       if (!isTestedPair(b)) continue;
       const std::string pair = cohort(b.cohort1) + " vs. " + cohort(b.cohort2);
       if (pair != last) rowOver(pair);
@@ -242,7 +244,7 @@ class TestsWriter : HtmlWriter {
     return others;
   }
 
-  const FamilyResult& f_;
+  const FamilyResult& result_;
   bool hasBold_ = false;  ///< whether a confirmatory test is significant
 };
 
@@ -251,6 +253,26 @@ class TestsWriter : HtmlWriter {
 std::string withinAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure) {
   return TestsWriter(section, family).all(figure);
+}
+
+std::string_view shortNameOf(std::string_view test) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kShort{
+      {{"paired_t", "Paired t"},
+       {"sign_flip", "Sign flip"},
+       {"signed_rank", "Signed rank"},
+       {"mixed_model", "Mixed model"},
+       {"ordinal_model", "Ordinal model"},
+       {"welch", "Welch’s t"},
+       {"tost", "Equivalence"},
+       {"bayes_factor", "Bayes factor"},
+       {"friedman", "Friedman"},
+       {"rm_anova", "Repeated-measures ANOVA"},
+       {"mann_whitney", "Mann–Whitney"},
+       {"brunner_munzel", "Brunner–Munzel"}}};
+  for (const auto& [id, name] : kShort) {
+    if (id == test) return name;
+  }
+  return analysis::statisticalTest(test).title;
 }
 
 }  // namespace study::report

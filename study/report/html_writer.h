@@ -26,7 +26,7 @@ inline constexpr const char* kDf = "<i>df</i>";
 /// escape the text; put() takes markup.
 class HtmlWriter {
  public:
-  explicit HtmlWriter(const ReportSection& section) : s_(section) {}
+  explicit HtmlWriter(const ReportSection& section) : section_(section) {}
 
  protected:
   template <typename... Args>
@@ -37,13 +37,13 @@ class HtmlWriter {
 
   template <typename... Args>
   std::string say(std::string_view english, Args&&... args) const {
-    return escaped(s_.words.say(english, std::forward<Args>(args)...));
+    return escaped(section_.words.say(english, std::forward<Args>(args)...));
   }
 
   template <typename Number, typename... Args>
   std::string count(
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
-    return escaped(s_.words.count(number, one, many, std::forward<Args>(args)...));
+    return escaped(section_.words.count(number, one, many, std::forward<Args>(args)...));
   }
 
   template <typename... Args>
@@ -62,7 +62,7 @@ class HtmlWriter {
   }
 
   /// Begins a table; endTable() writes it. The first column holds names.
-  /// @param columns  the headings. Numbers are aligned right, cells below ofWords() left.
+  /// @param columns  the headings. Numbers are aligned right, cells below textHeading() left.
   /// @param key  for references, see reference(); empty: none
   void table(
       const std::string& caption,
@@ -74,7 +74,9 @@ class HtmlWriter {
     group_.clear();
   }
   /// The heading of a column of words.
-  static std::string ofWords(const std::string& heading) { return std::string(kOfWords) + heading; }
+  static std::string textHeading(const std::string& heading) {
+    return std::string(kTextHeading) + heading;
+  }
   /// @param words  over all columns that have no cell, such as why there are no numbers
   void row(std::vector<std::string> cells, std::string words = {}) {
     if (!group_.empty()) rows_.push_back({{}, std::exchange(group_, {})});
@@ -95,8 +97,8 @@ class HtmlWriter {
     if (std::ranges::all_of(rows_, [](const auto& row) { return row.first.empty(); })) return;
     std::string heads;
     for (const auto i : used) {
-      const bool isOfWords = columns_[i].starts_with(kOfWords);
-      heads += (isOfWords ? "" : "<th>") + columns_[i] + "</th>";
+      const bool isText = columns_[i].starts_with(kTextHeading);
+      heads += (isText ? "" : "<th>") + columns_[i] + "</th>";
     }
     put("{}</caption><thead><tr>{}</tr></thead><tbody>", caption_, heads);
     for (const auto& [cells, words] : rows_) {
@@ -104,8 +106,8 @@ class HtmlWriter {
       std::size_t written = 0;
       for (const auto i : used) {
         if (i >= cells.size()) break;
-        const bool isOfWords = columns_[i].starts_with(kOfWords);
-        all += (isOfWords ? "<td class=\"words\">" : "<td>") + cells[i] + "</td>";
+        const bool isText = columns_[i].starts_with(kTextHeading);
+        all += (isText ? "<td class=\"words\">" : "<td>") + cells[i] + "</td>";
         ++written;
       }
       if (!words.empty()) {
@@ -126,14 +128,15 @@ class HtmlWriter {
     return cellOf(mean, 2) + (deviation ? " (" + rounded(deviation, 2) + ")" : std::string());
   }
   std::string cellOf(const std::optional<analysis::Interval>& interval) const {
-    return interval ? escaped(formatInterval(interval, s_.wording, s_.words)) : std::string();
+    return interval ? escaped(formatInterval(interval, section_.wording, section_.words))
+                    : std::string();
   }
   std::string cellOfP(const std::optional<double>& p) const {
-    return p ? escaped(formatP(p, s_.wording)) : std::string();
+    return p ? escaped(formatP(p, section_.wording)) : std::string();
   }
   /// The part of a sentence that follows "p": "= .021" or "< .001".
   std::string equalsOfP(const std::optional<double>& p) const {
-    return withRelationSign(formatP(p, s_.wording));
+    return withRelationSign(formatP(p, section_.wording));
   }
   /// @param caption  in English: the text below the figure, or in its place.
   /// @param key  for references; empty: none
@@ -166,23 +169,27 @@ class HtmlWriter {
 
   /// A caption, followed by the scale of what a family compares.
   std::string withScale(const std::string& caption, const protocols::Family& family) const {
-    const auto scale = scaleInWords(s_, family);
+    const auto scale = scaleInWords(section_, family);
     return scale.empty() ? caption : caption + "; " + escaped(scale);
   }
 
   /// A message, with titles in place of the ids in it.
-  std::string inWords(const base::Message& message) const { return escaped(s_.inWords(message)); }
-  std::string notDefined(const base::Message& reason) const {
-    return escaped(s_.words.say("not defined: {}", s_.inWords(reason)));
+  std::string inWords(const base::Message& message) const {
+    return escaped(section_.inWords(message));
   }
-  std::string condition(const std::string& id) const { return escaped(s_.conditionTitle(id)); }
-  std::string cohort(const std::string& id) const { return escaped(s_.cohortTitle(id)); }
+  std::string notDefined(const base::Message& reason) const {
+    return escaped(section_.words.say("not defined: {}", section_.inWords(reason)));
+  }
+  std::string condition(const std::string& id) const {
+    return escaped(section_.conditionTitle(id));
+  }
+  std::string cohort(const std::string& id) const { return escaped(section_.cohortTitle(id)); }
 
-  const ReportSection& s_;
+  const ReportSection& section_;
   std::string html_;
 
  private:
-  static constexpr std::string_view kOfWords = "<th class=\"words\">";
+  static constexpr std::string_view kTextHeading = "<th class=\"words\">";
 
   static std::string idOf(const std::string& key) {
     return key.empty() ? std::string() : " id=\"" + key + "\"";

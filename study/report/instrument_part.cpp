@@ -13,12 +13,12 @@ class InstrumentWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    if (s_.results.instruments.empty()) return {};
+    if (section_.results.instruments.empty()) return {};
     table(
         say("Scores of participants"),
         {say("Score"),
-         ofWords(say("Cohort")),
-         ofWords(say("About")),
+         textHeading(say("Cohort")),
+         textHeading(say("About")),
          kN,
          kM,
          kSd,
@@ -31,7 +31,7 @@ class InstrumentWriter : HtmlWriter {
           "Where an interval passes an end of the scale, in brackets after the score, it ends "
           "there.");
     }
-    if (isOfConditions_ && mainFamily(s_) != nullptr) {
+    if (isOfConditions_ && mainFamily(section_) != nullptr) {
       put("<p class=\"note\">{}</p>",
           withReferences(
               "A score is one number for each participant. {} takes all answers, so its means are "
@@ -46,11 +46,11 @@ class InstrumentWriter : HtmlWriter {
  private:
   template <typename Do>
   void forEach(Do&& write) const {
-    for (const auto& summary : s_.results.instruments) {
-      const auto found =
-          std::ranges::find(s_.instruments, summary.instrument, &questionnaires::Instrument::id);
-      if (found == s_.instruments.end()) continue;
-      write(*found, escaped(found->title.in(s_.words.language())), summary);
+    for (const auto& summary : section_.results.instruments) {
+      const auto found = std::ranges::find(
+          section_.instruments, summary.instrument, &questionnaires::Instrument::id);
+      if (found == section_.instruments.end()) continue;
+      write(*found, escaped(found->title.in(section_.words.language())), summary);
     }
   }
 
@@ -86,7 +86,7 @@ class InstrumentWriter : HtmlWriter {
           isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
       isOfConditions_ = isOfConditions_ || !about.empty();
       row(
-          {escaped(kind.title.in(s_.words.language())) + ends,
+          {escaped(kind.title.in(section_.words.language())) + ends,
            cohort(score.cohort),
            !about.empty()     ? condition(about)
            : occasion.empty() ? occasion
@@ -106,8 +106,8 @@ class InstrumentWriter : HtmlWriter {
     table(
         title + say(": participants at or above the threshold of acceptability"),
         {say("Statement"),
-         ofWords(say("Cohort")),
-         ofWords(say("About")),
+         textHeading(say("Cohort")),
+         textHeading(say("About")),
          say("From"),
          kN,
          say("Acceptable"),
@@ -116,7 +116,7 @@ class InstrumentWriter : HtmlWriter {
       const auto* asked = instrument.item(item.item.itemId);
       const auto& interval = item.interval;
       row(
-          {escaped(asked == nullptr ? item.item.itemId : asked->text.in(s_.words.language())),
+          {escaped(asked == nullptr ? item.item.itemId : asked->text.in(section_.words.language())),
            cohort(item.cohort),
            item.condition.empty() ? std::string() : condition(item.condition),
            fmt::format("{:g}", item.item.acceptableFrom),

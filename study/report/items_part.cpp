@@ -18,7 +18,7 @@ class ItemsWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    for (const auto& instrument : s_.instruments) {
+    for (const auto& instrument : section_.instruments) {
       numbers(instrument);
       numbersByAlternative(instrument);
       choices(instrument);
@@ -37,8 +37,8 @@ class ItemsWriter : HtmlWriter {
   }
 
   std::string quotes() {
-    if (!s_.hasQuotes) return {};
-    for (const auto& instrument : s_.instruments) quotesOf(instrument);
+    if (!section_.hasQuotes) return {};
+    for (const auto& instrument : section_.instruments) quotesOf(instrument);
     return std::move(html_);
   }
 
@@ -47,27 +47,27 @@ class ItemsWriter : HtmlWriter {
   std::vector<const ItemSummary*> summariesOf(
       const questionnaires::Instrument& instrument, Condition&& isWanted) const {
     std::vector<const ItemSummary*> found;
-    for (const auto& summary : s_.results.answers.items) {
+    for (const auto& summary : section_.results.answers.items) {
       if (summary.instrument == instrument.id && isWanted(summary)) found.push_back(&summary);
     }
     return found;
   }
 
   std::string titleOf(const questionnaires::Instrument& instrument) const {
-    return escaped(instrument.title.in(s_.words.language()));
+    return escaped(instrument.title.in(section_.words.language()));
   }
 
   std::string questionOf(
       const questionnaires::Instrument& instrument, const std::string& id) const {
     const auto* item = instrument.item(id);
-    return escaped(item == nullptr ? id : report::questionOf(*item, s_.words.language()));
+    return escaped(item == nullptr ? id : report::questionOf(*item, section_.words.language()));
   }
 
   /// Numbers that are not about an alternative: a row for each question, a column for each cohort.
   void numbers(const questionnaires::Instrument& instrument) {
     const auto summaries =
         summariesOf(instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
-    const auto& cohorts = s_.results.flow;
+    const auto& cohorts = section_.results.flow;
     std::vector<std::set<std::size_t>> people(cohorts.size());  // behind the numbers of a cohort
     std::vector<std::pair<std::string, std::vector<std::string>>> questions;  // cell by cohort
     std::vector<std::vector<std::size_t>> sizes;                              // n of each cell
@@ -106,7 +106,7 @@ class ItemsWriter : HtmlWriter {
   /// A row for each question and cohort, a column for each alternative.
   void numbersByAlternative(const questionnaires::Instrument& instrument) {
     std::vector<std::string> columns{say("Cohort"), kN};
-    for (const auto& one : s_.protocol.conditions) columns.push_back(escaped(one.title));
+    for (const auto& one : section_.protocol.conditions) columns.push_back(escaped(one.title));
     const auto rows =
         summariesOf(instrument, [](const auto& one) { return one.mean && !one.condition.empty(); });
     table(captionOfNumbers(instrument, rows), columns);
@@ -119,7 +119,8 @@ class ItemsWriter : HtmlWriter {
       std::vector<std::string> cells(columns.size());
       for (; at != rows.end() && (*at)->item == first.item && (*at)->cohort == first.cohort; ++at) {
         people = std::max(people, (*at)->values.size());
-        cells[static_cast<std::size_t>(s_.conditionIndex((*at)->condition)) + 2] = meanOf(**at);
+        cells[static_cast<std::size_t>(section_.conditionIndex((*at)->condition)) + 2] =
+            meanOf(**at);
       }
       cells[0] = cohort(first.cohort);
       cells[1] = std::to_string(people);
@@ -135,7 +136,7 @@ class ItemsWriter : HtmlWriter {
     for (const auto* one : summaries) {
       if (const auto* item = instrument.item(one->item)) items.push_back(item);
     }
-    const auto scale = scaleInWords(items, s_.words);
+    const auto scale = scaleInWords(items, section_.words);
     return titleOf(instrument) + say(": every item by itself, M with SD in brackets") +
            (scale.empty() ? scale : "; " + escaped(scale));
   }
@@ -151,7 +152,7 @@ class ItemsWriter : HtmlWriter {
     const auto rows = summariesOf(instrument, [](const auto& one) { return !one.options.empty(); });
     table(
         titleOf(instrument) + say(": how often each option was chosen"),
-        {say("Cohort"), ofWords(say("About")), kN, ofWords(say("Chosen"))});
+        {say("Cohort"), textHeading(say("About")), kN, textHeading(say("Chosen"))});
     const std::string* item = nullptr;
     for (const auto* one : rows) {
       if (item == nullptr || *item != one->item) group(questionOf(instrument, one->item));
@@ -170,13 +171,13 @@ class ItemsWriter : HtmlWriter {
   /// The figures of an instrument's items, with a sentence that refers to them.
   void figures(const questionnaires::Instrument& instrument) {
     std::string references;
-    for (const auto& one : s_.figures.items) {
+    for (const auto& one : section_.figures.items) {
       if (one.instrument != instrument.id) continue;
       references += (references.empty() ? "" : ", ") + reference(keyOf(one));
     }
     if (references.empty()) return;
     put("<p>{} {}.</p>", say("Its answers by alternative:"), references);
-    for (const auto& one : s_.figures.items) {
+    for (const auto& one : section_.figures.items) {
       if (one.instrument != instrument.id) continue;
       const bool isChoice = !instrument.item(one.item)->options.empty();
       const auto* caption =
@@ -186,7 +187,8 @@ class ItemsWriter : HtmlWriter {
                 "diamond is the mean. Dots are single people, where there are fewer than ten.";
       captioned(
           one.svg,
-          fmt::format(fmt::runtime(escaped(s_.words(caption))), questionOf(instrument, one.item)),
+          fmt::format(
+              fmt::runtime(escaped(section_.words(caption))), questionOf(instrument, one.item)),
           keyOf(one));
     }
   }
@@ -208,19 +210,19 @@ class ItemsWriter : HtmlWriter {
     };
     for (const auto& [id, times] : summary.options) {
       const auto label =
-          item == nullptr ? id : questionnaires::labelOf(*item, id, s_.words.language());
+          item == nullptr ? id : questionnaires::labelOf(*item, id, section_.words.language());
       add(label.empty() ? id : label, std::ranges::count(chosen, id));
     }
     const auto others = std::ranges::count(chosen, "");
     isAnythingHidden_ = isAnythingHidden_ || others > 0;
     if (text.empty()) return text;  // all are hidden
-    add(s_.words("other answers"), others);
+    add(section_.words("other answers"), others);
     return escaped(text);
   }
 
   /// A paragraph for each question and alternative.
   void quotesOf(const questionnaires::Instrument& instrument) {
-    const auto& quotes = s_.results.answers.quotes;
+    const auto& quotes = section_.results.answers.quotes;
     for (auto at = quotes.begin(); at != quotes.end();) {
       const auto& first = *at;
       const auto end = std::find_if(at, quotes.end(), [&](const auto& q) {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostOnThePage = 3;
 
 /// Warnings about a study's files that say nothing about its results.
-constexpr std::array<std::string_view, 14> kOfFiles{
+constexpr std::array<std::string_view, 14> kFileWarnings{
     "no_normals",
     "normals_without_direction",
     "knee_never_seen",
@@ -40,7 +40,7 @@ class LimitationsWriter : HtmlWriter {
 
   /// The caveats on the rendering: the answer is then about something other than the methods. They
   /// come before the weaknesses.
-  std::string asRendered() {
+  std::string renderingCaveats() {
     for (const auto& limitation : limitations()) {
       if (!limitation.flag->concernsRendering) continue;
       for (const auto& found : limitation.found) {
@@ -50,7 +50,7 @@ class LimitationsWriter : HtmlWriter {
     return std::move(html_);
   }
 
-  std::string shortly() {
+  std::string briefly() {
     std::vector<std::string> points;
     for (const auto& limitation : limitations()) {
       // the sentences of the answer mention these two already
@@ -61,7 +61,7 @@ class LimitationsWriter : HtmlWriter {
         cohorts += (cohorts.empty() ? "" : ", ") + own;
       }
       points.push_back(inWords(limitation.flag->title()));
-      const bool isOfAll = cohortsIn(limitation) == s_.results.flow.size();
+      const bool isOfAll = cohortsIn(limitation) == section_.results.flow.size();
       if (!isOfAll) points.back() += " (" + escaped(cohorts) + ")";
     }
     const auto warned = warnings();
@@ -91,7 +91,7 @@ class LimitationsWriter : HtmlWriter {
       put("<p>{}{} <span class=\"source\">({})</span></p></dd>",
           sentences,
           inWords(flag.why),
-          escaped(s_.words(flag.source)));
+          escaped(section_.words(flag.source)));
     }
     if (!found.empty()) put("</dl>");
     std::string items;
@@ -105,7 +105,7 @@ class LimitationsWriter : HtmlWriter {
   /// protocol declares no pooled test, because the report then has none.
   std::vector<Limitation> limitations() const {
     std::vector<Limitation> all;
-    for (const auto& family : s_.results.families) {
+    for (const auto& family : section_.results.families) {
       for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
         auto same = std::ranges::find_if(
             all, [&](const auto& other) { return other.flag->id == raised.flag->id; });
@@ -121,8 +121,8 @@ class LimitationsWriter : HtmlWriter {
       const std::string& cohort,
       const analysis::Flag& flag) const {
     std::string what;
-    for (const auto& part : flag.what) what += s_.inWords(part);
-    const auto& title = s_.cohortTitle(cohort);
+    for (const auto& part : flag.what) what += section_.inWords(part);
+    const auto& title = section_.cohortTitle(cohort);
     const auto same = std::ranges::find(found, what, &std::pair<std::string, std::string>::first);
     if (same == found.end()) {
       found.emplace_back(what, title);
@@ -132,11 +132,12 @@ class LimitationsWriter : HtmlWriter {
   }
 
   std::size_t cohortsIn(const Limitation& limitation) const {
-    return static_cast<std::size_t>(std::ranges::count_if(s_.results.flow, [&](const auto& flow) {
-      return std::ranges::any_of(limitation.found, [&](const auto& found) {
-        return found.second.find(s_.cohortTitle(flow.cohort)) != std::string::npos;
-      });
-    }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(section_.results.flow, [&](const auto& flow) {
+          return std::ranges::any_of(limitation.found, [&](const auto& found) {
+            return found.second.find(section_.cohortTitle(flow.cohort)) != std::string::npos;
+          });
+        }));
   }
 
   /// What was found, after the names of the cohorts to which it applies.
@@ -145,16 +146,16 @@ class LimitationsWriter : HtmlWriter {
     const auto& [what, who] = found;
     const auto each = say("In each cohort") + ": ";
     const bool isOfAll =
-        limitation.found.size() == 1 && cohortsIn(limitation) == s_.results.flow.size();
-    const bool isOnlyCohort = s_.results.flow.size() == 1;
+        limitation.found.size() == 1 && cohortsIn(limitation) == section_.results.flow.size();
+    const bool isOnlyCohort = section_.results.flow.size() == 1;
     return (isOnlyCohort ? "" : isOfAll ? each : escaped(who) + ": ") + escaped(what);
   }
 
   /// What the check of the protocol says about its design.
   std::vector<std::string> warnings() const {
     std::vector<std::string> all;
-    for (const auto& warning : s_.warnings) {
-      if (std::ranges::find(kOfFiles, warning.what.key()) != kOfFiles.end()) continue;
+    for (const auto& warning : section_.warnings) {
+      if (std::ranges::find(kFileWarnings, warning.what.key()) != kFileWarnings.end()) continue;
       auto sentence = placeOf(warning.path) + inWords(warning.what);
       if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
     }
@@ -168,11 +169,11 @@ class LimitationsWriter : HtmlWriter {
       if (at != 0) return std::string::npos;
       return static_cast<std::size_t>(std::atoi(path.c_str() + list.size() + 3));
     };
-    const auto& phases = s_.protocol.phases;
-    const auto& conditions = s_.protocol.conditions;
+    const auto& phases = section_.protocol.phases;
+    const auto& conditions = section_.protocol.conditions;
     if (const auto i = indexIn("phases"); i < phases.size()) {
       const bool isBlock = phases[i].type == protocols::PhaseType::Block;
-      return isBlock ? escaped(s_.blockTitle(phases[i].id)) + ": " : std::string();
+      return isBlock ? escaped(section_.blockTitle(phases[i].id)) + ": " : std::string();
     }
     if (const auto i = indexIn("conditions"); i < conditions.size()) {
       return escaped(conditions[i].title) + ": ";
@@ -184,11 +185,11 @@ class LimitationsWriter : HtmlWriter {
 }  // namespace
 
 std::string caveatsOfRenderingAsHtml(const ReportSection& section) {
-  return LimitationsWriter(section).asRendered();
+  return LimitationsWriter(section).renderingCaveats();
 }
 
 std::string weaknessesAsHtml(const ReportSection& section) {
-  return LimitationsWriter(section).shortly();
+  return LimitationsWriter(section).briefly();
 }
 
 std::string limitationsAsHtml(const ReportSection& section) {

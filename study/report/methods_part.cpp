@@ -13,7 +13,7 @@ namespace {
 using protocols::PhaseType;
 
 // the kind of sources that are shown on the screen; all other kinds are felt
-constexpr std::string_view kSeenKind = "anatomy";
+constexpr std::string_view kShownSourceKind = "anatomy";
 
 /// A force model in words, with the works that it comes from.
 struct ModelText {
@@ -35,60 +35,60 @@ class MethodsWriter : HtmlWriter {
       : HtmlWriter(section), citations_(section.wording) {}
 
   std::string all() {
-    const auto& description = s_.protocol.study.description;
+    const auto& description = section_.protocol.study.description;
     const auto described = say("The protocol describes the study as: “{}”", description);
     put("<p>{} {}</p>", description.empty() ? std::string() : described, collection());
     put("<h4>{}</h4><p>{} {}</p>", say("Apparatus and force models"), apparatus(), models());
     put("<h4>{}</h4><p>{}{} {}</p>", say("Procedure"), procedure(), blinding(), exposure());
-    put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(s_, citations_));
+    put("<h4>{}</h4>{}", say("Analysis"), statisticsAsHtml(section_, citations_));
     put("<h4>{}</h4>", say("How this was made"));
     put("<p>palpate {}; {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} {}.</p>",
         appVersion(),
         say("version of the protocol"),
-        escaped(s_.protocol.study.version),
-        s_.protocolHash,
+        escaped(section_.protocol.study.version),
+        section_.protocolHash,
         say("study"),
-        s_.uuid,
+        section_.uuid,
         say("seed"),
-        s_.seed);
-    trail();
+        section_.seed);
+    auditTrail();
     sources();
     instruments();
     put("<h4>{}</h4>", say("References"));
-    for (const auto& entry : citations_.list(s_.words)) {
+    for (const auto& entry : citations_.list(section_.words)) {
       put("<p class=\"reference\">{}</p>", entry);
     }
     return std::move(html_);
   }
 
  private:
-  void trail() {
-    if (s_.trail.hash.empty()) return;
+  void auditTrail() {
+    if (section_.trail.hash.empty()) return;
     put("<p>{}</p>",
         say("The study's audit trail had {} events when this was written, the last one with the "
             "hash {}: whether a study goes on from there can be verified.",
-            s_.trail.events,
-            storage::inGroupsOfFour(s_.trail.hash)));
-    if (s_.commitment.empty()) return;
+            section_.trail.events,
+            storage::inGroupsOfFour(section_.trail.hash)));
+    if (section_.commitment.empty()) return;
     put("<p>{}</p>",
         say("Orders and codes of the conditions were fixed when the study was made. What they were "
             "drawn from has the commitment {}: any other would have another one.",
-            storage::inGroupsOfFour(s_.commitment)));
+            storage::inGroupsOfFour(section_.commitment)));
   }
 
   /// When and where the data were collected. Names what the study's texts lack.
   std::string collection() const {
     std::string text;
-    if (s_.results.runMode == RunMode::Simulated) {
+    if (section_.results.runMode == RunMode::Simulated) {
       text = say("The sessions were simulated: there are no dates of data collection.");
-    } else if (!s_.firstDay.empty()) {
-      text = s_.firstDay == s_.lastDay
-                 ? say("Data were collected on {}.", s_.firstDay)
-                 : say("Data were collected from {} to {}.", s_.firstDay, s_.lastDay);
+    } else if (!section_.firstDay.empty()) {
+      text = section_.firstDay == section_.lastDay
+                 ? say("Data were collected on {}.", section_.firstDay)
+                 : say("Data were collected from {} to {}.", section_.firstDay, section_.lastDay);
     }
     const auto ethics = textOf("ethics");
     auto institution = textOf("institution");
-    for (const auto& one : s_.protocol.study.organizations) {
+    for (const auto& one : section_.protocol.study.organizations) {
       if (!institution.empty()) break;
       institution = one;
     }
@@ -104,19 +104,20 @@ class MethodsWriter : HtmlWriter {
 
   /// What the laboratory wrote for the blank "[[key]]", without the stop that the sentence has.
   std::string textOf(const std::string& key) const {
-    const auto found = s_.protocol.texts.find(key);
-    if (found == s_.protocol.texts.end()) return {};
-    auto text = found->second.in(s_.words.language());
+    const auto found = section_.protocol.texts.find(key);
+    if (found == section_.protocol.texts.end()) return {};
+    auto text = found->second.in(section_.words.language());
     if (text.ends_with('.')) text.pop_back();
     return text;
   }
 
   std::string apparatus() const {
     std::string text;
-    for (const auto& device : s_.protocol.devices) {
+    for (const auto& device : section_.protocol.devices) {
       const auto& kind = *device.kind;
-      const auto force = s_.words.say("{:g} N and {:g} N/s", device.maxForce, device.maxForceRate);
-      const auto both = s_.words.say(
+      const auto force =
+          section_.words.say("{:g} N and {:g} N/s", device.maxForce, device.maxForceRate);
+      const auto both = section_.words.say(
           "{:g} N and {:g} N/s, {:g} N·m and {:g} N·m/s",
           device.maxForce,
           device.maxForceRate,
@@ -126,14 +127,14 @@ class MethodsWriter : HtmlWriter {
           (text.empty() ? "" : " ") +
           say("Device: {}. Forces act along one axis ({}, from {:g} to {:g}) and are limited to "
               "{}.",
-              s_.words(kind.name),
-              s_.words(kind.shown.axis),
+              section_.words(kind.name),
+              section_.words(kind.shown.axis),
               kind.shown.factor * kind.travel.least,
               kind.shown.factor * kind.travel.most,
-              device.isTorqueAsked ? both : force);
+              device.needsTorque ? both : force);
     }
-    if (s_.quality.rate > 0.0) {
-      text += " " + say("They were computed {:.0f} times a second.", s_.quality.rate);
+    if (section_.quality.rate > 0.0) {
+      text += " " + say("They were computed {:.0f} times a second.", section_.quality.rate);
     }
     return text;
   }
@@ -147,15 +148,16 @@ class MethodsWriter : HtmlWriter {
       cited.clear();
     };
     for (std::size_t kind = 0; kind < kModels.size(); ++kind) {
-      const auto english = s_.words(kModels[kind].english);  // of all: tests find missing ones
+      const auto english =
+          section_.words(kModels[kind].english);  // of all: tests find missing ones
       std::string conditions;
       auto works = std::string(kModels[kind].works);
-      for (const auto& one : s_.protocol.conditions) {
+      for (const auto& one : section_.protocol.conditions) {
         if (one.model->index() != kind) continue;
         if (isAsPublished(*one.model) && !works.ends_with(kPunchCode)) {
           works += ", " + std::string(kPunchCode);
         }
-        conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(one.id);
+        conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(one.id);
       }
       if (conditions.empty()) continue;
       if (works != cited) cite();
@@ -183,14 +185,14 @@ class MethodsWriter : HtmlWriter {
     const auto open = say("The protocol declares that conditions are hidden from nobody.");
     const auto hidden =
         say("Participants and operators saw labels only; no condition was named during a session.");
-    return s_.protocol.isOpenLabel ? open : hidden;
+    return section_.protocol.isOpenLabel ? open : hidden;
   }
 
   /// How many trials, strokes and answers of each condition count.
   std::string exposure() const {
-    const auto* family = mainFamily(s_);
+    const auto* family = mainFamily(section_);
     std::vector<std::pair<std::string, std::string>> counts;  // condition, counts
-    for (const auto& one : s_.quality.conditions) {
+    for (const auto& one : section_.quality.conditions) {
       std::uint64_t answers = 0;
       for (std::size_t i = 0; family != nullptr && i < family->cohorts.size(); ++i) {
         for (const auto& sample : family->cohorts[i].conditions) {
@@ -198,12 +200,12 @@ class MethodsWriter : HtmlWriter {
         }
       }
       counts.emplace_back(
-          s_.conditionTitle(one.condition),
+          section_.conditionTitle(one.condition),
           fmt::format(
               "{}, {}, {}",
-              s_.words.count(one.trials, "{} trial", "{} trials"),
-              s_.words.count(one.cuts, "{} cut or stroke", "{} cuts or strokes"),
-              s_.words.count(answers, "{} answer", "{} answers")));
+              section_.words.count(one.trials, "{} trial", "{} trials"),
+              section_.words.count(one.cuts, "{} cut or stroke", "{} cuts or strokes"),
+              section_.words.count(answers, "{} answer", "{} answers")));
     }
     if (counts.empty()) return {};
     const auto isSame = [&](const auto& one) { return one.second == counts.front().second; };
@@ -220,12 +222,12 @@ class MethodsWriter : HtmlWriter {
   std::string procedure() const {
     std::string text;
     std::string last;  // what was done in the last block
-    for (const auto& phase : s_.protocol.phases) {
+    for (const auto& phase : section_.protocol.phases) {
       if (phase.type == PhaseType::Benchmark) text += benchmark(phase) + " ";
       if (phase.type == PhaseType::Preference) text += preference(phase) + " ";
       if (phase.type != PhaseType::Block) continue;
       const auto done = block(phase);
-      const auto title = s_.blockTitle(phase.id);
+      const auto title = section_.blockTitle(phase.id);
       const auto likewise = say("So they did in {}.", title);
       text += (done == last ? likewise : say("In {}, {}", title, done)) + " ";
       last = done;
@@ -241,7 +243,7 @@ class MethodsWriter : HtmlWriter {
         "tool.",
         "To have something to compare with, every participant made at least {} cuts with the real "
         "tool.");
-    const auto& read = phase.text.in(s_.words.language());
+    const auto& read = phase.text.in(section_.words.language());
     const bool hasBlanks = read.find("[[") != std::string::npos;
     if (!read.empty() && !hasBlanks) text += " " + say("They read: “{}”", read);
     return text;
@@ -257,20 +259,21 @@ class MethodsWriter : HtmlWriter {
         "in all orders equally often"};
     std::string conditions;
     for (const auto& id : phase.trials.conditions) {
-      conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
+      conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
     }
-    std::string text = s_.words.say(
+    std::string text = section_.words.say(
         "every participant felt {} ({}) {}, under anonymous labels, with {} each.",
-        s_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
+        section_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
         conditions,
-        s_.words.say(
+        section_.words.say(
             kOrders[static_cast<std::size_t>(phase.trials.order.type)],
-            s_.blockTitle(phase.trials.order.of)),
-        s_.words.count(
+            section_.blockTitle(phase.trials.order.of)),
+        section_.words.count(
             phase.trials.minimumCuts, "at least {} cut or stroke", "at least {} cuts or strokes"));
     for (const auto& asked : phase.trials.questionnaires) {
-      text += " " +
-              s_.words.say("After each of them they answered “{}”.", s_.titleOf(asked.instrument));
+      text +=
+          " " + section_.words.say(
+                    "After each of them they answered “{}”.", section_.titleOf(asked.instrument));
     }
     return text;
   }
@@ -278,8 +281,8 @@ class MethodsWriter : HtmlWriter {
   std::string preference(const protocols::Phase& phase) const {
     std::string text =
         say("After {}, participants chose among the alternatives (“{}”).",
-            s_.blockTitle(phase.block),
-            s_.titleOf(phase.instrument));
+            section_.blockTitle(phase.block),
+            section_.titleOf(phase.instrument));
     if (!phase.hasOptionalTrials) return text;
     return text + " " +
            say("Before, they could feel each of them once more, or go on without; nothing is "
@@ -292,28 +295,28 @@ class MethodsWriter : HtmlWriter {
   }
 
   /// A list of the scenes' sources: those that are shown on the screen, or those that are felt.
-  void list(std::string_view words, bool isOfSeen) {
+  void list(std::string_view words, bool isOfShown) {
     std::string lines;
-    for (const auto& source : s_.sources) {
-      if ((source.kind == kSeenKind) != isOfSeen) continue;
+    for (const auto& source : section_.sources) {
+      if ((source.kind == kShownSourceKind) != isOfShown) continue;
       std::string conditions;
       for (const auto& id : source.conditions) {
-        conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
+        conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
       }
       lines += fmt::format("<li>{}: {}</li>", describe(source), escaped(conditions));
     }
-    if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", s_.words(words), lines);
+    if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", section_.words(words), lines);
   }
 
   std::string describe(const protocols::SceneDataSource& source) const {
-    const auto title = s_.words(source.title);
-    const auto kind = s_.words(source.kind);
+    const auto title = section_.words(source.title);
+    const auto kind = section_.words(source.kind);
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";
     text += source.file.empty() ? say("{} ({}, built into the program)", title, kind)
                                 : say("{} ({} '{}')", title, kind, source.file);
     std::string origin;
     for (const auto& part : source.origin) {
-      origin += (origin.empty() ? "" : ", ") + s_.words(part);
+      origin += (origin.empty() ? "" : ", ") + section_.words(part);
     }
     return origin.empty() ? text : text + ", " + escaped(origin);
   }
@@ -321,8 +324,8 @@ class MethodsWriter : HtmlWriter {
   /// The instruments by their sources, each of which is written once.
   void instruments() {
     std::vector<std::pair<std::string, std::string>> titles;  // source, titles
-    for (const auto& i : s_.instruments) {
-      const auto& title = i.title.in(s_.words.language());
+    for (const auto& i : section_.instruments) {
+      const auto& title = i.title.in(section_.words.language());
       const auto same =
           std::ranges::find(titles, i.source.citation, &std::pair<std::string, std::string>::first);
       if (same == titles.end()) {
@@ -332,7 +335,7 @@ class MethodsWriter : HtmlWriter {
       }
     }
     put("<p>{}</p><ul>", say("Instruments:"));
-    const auto own = s_.words("Palpate’s own wording.");
+    const auto own = section_.words("Palpate’s own wording.");
     for (const auto& [source, named] : titles) {
       const auto said = source == "Palpate's own wording." ? own : source;
       put("<li>{}{}</li>", escaped(named), said.empty() ? said : ": " + escaped(said));

@@ -41,7 +41,7 @@ std::string takeKey(std::string& html, Position at) {
 }
 
 /// Fills in the references to @p targets.
-void refer(std::string& html, const std::map<std::string, Target>& targets) {
+void fillInReferences(std::string& html, const std::map<std::string, Target>& targets) {
   constexpr std::string_view kBegin = "<a href=\"#";
   constexpr std::string_view kEnd = "\"></a>";
   for (auto at = html.find(kBegin); at != std::string::npos; at = html.find(kBegin, at + 1)) {
@@ -78,7 +78,7 @@ std::string Numbering::numbered(const std::string& page, const words::Words& wor
       html.insert(at + element.size() - 1, " id=\"" + target.id + "\"");
     }
   }
-  refer(html, targets);
+  fillInReferences(html, targets);
   return html;
 }
 

@@ -155,7 +155,7 @@ double widthOf(const QTextTableCell& cell) {
 }
 
 /// Narrows the widest columns to one width, so that the sum of all widths is @p most.
-void shareRoom(std::vector<double>& widths, double most) {
+void narrowWidestColumns(std::vector<double>& widths, double most) {
   std::vector<double> sorted = widths;
   std::ranges::sort(sorted);
   double left = most;
@@ -180,7 +180,7 @@ void fitColumns(QTextTable& table, double page, double padding) {
       widest = std::max(widest, width);
     }
   }
-  shareRoom(widths, page);
+  narrowWidestColumns(widths, page);
   double sum = 0.0;
   for (const double width : widths) sum += width;
   const double room = std::max(0.0, std::min(spanning, page) - sum) / table.columns();
@@ -314,7 +314,7 @@ bool leavesRoom(const std::vector<Item>& items, std::size_t at, double page) {
 
 /// Puts the items from @p begin to @p end, which belong together, on one page: shrinks a figure, or
 /// begins a page. Returns whether it changed something.
-bool mend(const std::vector<Item>& items, std::size_t begin, std::size_t end, double page) {
+bool keepTogether(const std::vector<Item>& items, std::size_t begin, std::size_t end, double page) {
   const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
   if (items[end].firstPart <= bottom + kSlack) return false;
   for (std::size_t i = begin; i < end; ++i) {
@@ -391,7 +391,7 @@ void choosePageBreaks(QTextDocument& document, const QString& continued) {
     looked = begin;
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
-    if (mend(items, begin, end, page)) {
+    if (keepTogether(items, begin, end, page)) {
       layOutAgain(document);
       continue;
     }

@@ -13,8 +13,8 @@ class PreferenceWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    if (s_.results.votes.empty()) return {};
-    const auto tables = voteTables(s_.results);
+    if (section_.results.votes.empty()) return {};
+    const auto tables = voteTables(section_.results);
     for (const auto& one : tables) tableOf(one);
     note("Exact multinomial test of equal shares, for each round by itself (exploratory).");
     if (std::ranges::any_of(tables, hasSums)) {
@@ -23,7 +23,7 @@ class PreferenceWriter : HtmlWriter {
           "are not tested.");
     }
     figure(
-        s_.figures.votes,
+        section_.figures.votes,
         "Preferences by cohort and round, with Wilson’s 95 % intervals; dashed: equal shares.");
     return std::move(html_);
   }
@@ -36,7 +36,7 @@ class PreferenceWriter : HtmlWriter {
 
   /// As Table 4 of the punch paper: by cohort and round, with sums and the total.
   void tableOf(const VoteTable& votes) {
-    std::vector<std::string> columns{say("Cohort"), ofWords(say("After"))};
+    std::vector<std::string> columns{say("Cohort"), textHeading(say("After"))};
     for (const auto& option : votes.options) columns.push_back(condition(option));
     columns.push_back(say("exact p"));
     table(say("How many participants named each method, with Wilson’s 95 % interval"), columns);
@@ -58,7 +58,7 @@ class PreferenceWriter : HtmlWriter {
   }
 
   void rowOf(const VoteResult& vote) {
-    std::vector<std::string> cells{cohort(vote.cohort), escaped(s_.blockTitle(vote.block))};
+    std::vector<std::string> cells{cohort(vote.cohort), escaped(section_.blockTitle(vote.block))};
     const auto shares = vote.votes.shares();
     for (std::size_t i = 0; i < shares.size(); ++i) {
       std::string cell = std::to_string(shares[i].votes);

@@ -142,7 +142,7 @@ void cells(std::string& html) {
 }
 
 /// Keeps both ends of an interval on one line: "[0.41, 2.42]".
-void intervals(std::string& html) {
+void keepIntervalsOnOneLine(std::string& html) {
   constexpr std::string_view kStops = ", ]";
   for (auto open = html.find('['); open != std::string::npos; open = html.find('[', open + 1)) {
     const auto gap = html.find_first_of(kStops, open + 1);
@@ -154,7 +154,7 @@ void intervals(std::string& html) {
 }
 
 /// Prevents line breaks within "p = .021", "[0.41, 2.42]", "95 %". Long codes may break anywhere.
-void breaks(std::string& html) {
+void preventLineBreaks(std::string& html) {
   for (const std::string_view sign : {"=", "&lt;", "&gt;"}) {
     replaceAll(html, " " + std::string(sign) + " ", "&nbsp;" + std::string(sign) + "&nbsp;");
   }
@@ -162,7 +162,7 @@ void breaks(std::string& html) {
   replaceAll(html, " %", "&nbsp;%");
   replaceAll(html, "doi:", "doi:&#8288;");
   replaceAll(html, "-%-", "&#8209;%&#8209;");
-  intervals(html);
+  keepIntervalsOnOneLine(html);
   for (auto span = spanOf(html, "<code>", "</code>", 0); span.begin != std::string::npos;
        span = spanOf(html, "<code>", "</code>", span.end)) {
     constexpr std::size_t kPiece = 8;
@@ -197,7 +197,7 @@ PrintHtml forPrint(std::string_view html, double scale) {
   replaceAll(text, "<figure>", "<p>");
   replaceAll(text, "<figcaption>", "</p><p class=\"figcaption\">");
   replaceAll(text, "</figcaption></figure>", "</p>");
-  breaks(text);
+  preventLineBreaks(text);
   return page;
 }
 

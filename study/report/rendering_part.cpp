@@ -32,24 +32,27 @@ class RenderingWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    if (s_.quality.trials == 0) {
+    if (section_.quality.trials == 0) {
       paragraph("There are no trials that count.");
       return std::move(html_);
     }
-    for (const auto& svg : s_.figures.felt) {
+    for (const auto& svg : section_.figures.felt) {
       figure(svg, isOfBone() ? kBoneCurvesCaption : kCurvesCaption);
     }
     flatCurves();
-    const bool isEmpty = std::all_of(
-        s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return curve.points.empty(); });
-    if (s_.curvesReason.empty() && isEmpty) {
+    const bool isEmpty =
+        std::all_of(section_.curves.begin(), section_.curves.end(), [](const auto& curve) {
+          return curve.points.empty();
+        });
+    if (section_.curvesReason.empty() && isEmpty) {
       note("No tool advanced in any trial: there is no curve of force over travel.");
-    } else if (s_.curvesReason.empty()) {
-      if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
+    } else if (section_.curvesReason.empty()) {
+      if (section_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
       manipulation();
       againstMaterial();
     } else {
-      put("<p>{}</p>", escaped(say("What was felt is not known: {}", s_.inWords(s_.curvesReason))));
+      put("<p>{}</p>",
+          escaped(say("What was felt is not known: {}", section_.inWords(section_.curvesReason))));
     }
     landmarks();
     quality();
@@ -61,7 +64,7 @@ class RenderingWriter : HtmlWriter {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
         {say("Pair"), say("All strokes [N]"), kN, say("By participant [N]"), say("95 % CI")});
-    for (const auto& d : renderedForceDifferences(s_.curves)) {
+    for (const auto& d : renderedForceDifferences(section_.curves)) {
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),
            rounded(d.pooled, 2),
@@ -77,7 +80,7 @@ class RenderingWriter : HtmlWriter {
   }
 
   bool isOfBone() const {
-    return std::any_of(s_.curves.begin(), s_.curves.end(), [](const auto& curve) {
+    return std::any_of(section_.curves.begin(), section_.curves.end(), [](const auto& curve) {
       return rmsFromIntended(curve).has_value();
     });
   }
@@ -85,7 +88,7 @@ class RenderingWriter : HtmlWriter {
   /// Why curves are flat at their largest force.
   void flatCurves() {
     std::string text;
-    for (const auto& curve : s_.curves) {
+    for (const auto& curve : section_.curves) {
       const auto force = flatForce(curve);
       if (!force) continue;
       const auto why = whyFlat(curve.condition, *force);
@@ -105,8 +108,8 @@ class RenderingWriter : HtmlWriter {
   }
 
   std::string whyFlat(const std::string& id, double force) const {
-    const auto& title = s_.conditionTitle(id);
-    const auto parts = haptics::engine::partsOf(*s_.protocol.condition(id)->model);
+    const auto& title = section_.conditionTitle(id);
+    const auto parts = haptics::engine::partsOf(*section_.protocol.condition(id)->model);
     const auto is = [&](double limit) { return std::abs(force - limit) < kAlike; };
     const auto atLimit =
         say("{} is flat at {:.2f} N, the largest force that the study allows.", title, force);
@@ -118,7 +121,8 @@ class RenderingWriter : HtmlWriter {
         say("{} is flat at {:.2f} N, its yield force: beyond it the model’s force is constant.",
             title,
             force);
-    if (is(s_.protocol.device(s_.protocol.condition(id)->device)->maxForce)) return atLimit;
+    if (is(section_.protocol.device(section_.protocol.condition(id)->device)->maxForce))
+      return atLimit;
     if (parts.filter != nullptr) return fused;
     const bool isClamped = parts.cut != nullptr && parts.cut->options.extrapolation ==
                                                        haptics::models::Extrapolation::AuthorsClamp;
@@ -128,7 +132,7 @@ class RenderingWriter : HtmlWriter {
   }
 
   const haptics::devices::DeviceKind& kindOf(const std::string& id) const {
-    return *s_.protocol.device(s_.protocol.condition(id)->device)->kind;
+    return *section_.protocol.device(section_.protocol.condition(id)->device)->kind;
   }
 
   /// The unit in which the travel of a condition is shown: "mm", "travel units".
@@ -146,7 +150,7 @@ class RenderingWriter : HtmlWriter {
     std::vector<std::string> conditions;
     std::vector<std::string_view> names;
     std::vector<std::string> columns{say("Landmark")};
-    for (const auto& one : s_.landmarks) {
+    for (const auto& one : section_.landmarks) {
       if (std::ranges::find(names, one.landmark) == names.end()) names.push_back(one.landmark);
       if (std::ranges::find(conditions, one.condition) != conditions.end()) continue;
       conditions.push_back(one.condition);
@@ -159,7 +163,7 @@ class RenderingWriter : HtmlWriter {
     for (const auto name : names) {
       std::vector<std::string> cells(columns.size());
       cells.front() = say(name);
-      for (const auto& one : s_.landmarks) {
+      for (const auto& one : section_.landmarks) {
         if (one.landmark != name) continue;
         const auto place = std::ranges::find(conditions, one.condition) - conditions.begin() + 1;
         const auto factor = kindOf(one.condition).shown.factor;
@@ -179,7 +183,7 @@ class RenderingWriter : HtmlWriter {
     table(
         say("Felt against the material: root mean square difference of the median force"),
         {say("Alternative"), "[N]"});
-    for (const auto& curve : s_.curves) {
+    for (const auto& curve : section_.curves) {
       const auto difference = rmsFromIntended(curve);
       if (difference) row({condition(curve.condition), rounded(difference, 2)});
     }
@@ -187,9 +191,9 @@ class RenderingWriter : HtmlWriter {
   }
 
   std::string counts() const {
-    const auto& q = s_.quality;
-    const auto trials = s_.words.count(q.trials, "{} trial", "{} trials");
-    const auto cuts = s_.words.count(q.cuts, "{} cut or stroke", "{} cuts or strokes");
+    const auto& q = section_.quality;
+    const auto trials = section_.words.count(q.trials, "{} trial", "{} trials");
+    const auto cuts = section_.words.count(q.cuts, "{} cut or stroke", "{} cuts or strokes");
     const auto all = say("{}, {}: all passed every check.", trials, cuts);
     const auto some =
         say("{}, {}: {} passed every check, {} did with a warning, {} failed.",
@@ -216,27 +220,27 @@ class RenderingWriter : HtmlWriter {
   }
 
   void quality() {
-    const auto& q = s_.quality;
+    const auto& q = section_.quality;
     put("<h4>{}</h4>", say("Rendering quality"));
     const auto lateness =
         q.worstLateness ? say("In the worst trial 99 % of the ticks were at most {:.0f} µs late.",
                               *q.worstLateness)
                         : say("The trials ran in virtual time, so there is no lateness to report.");
     put("<p>{} {}</p>", counts(), lateness);
-    cutOff();
+    saturatedTrials();
     if (q.reasons.empty()) return;
     put("<ul>");
     for (const auto& [reasons, trials] : q.reasons) {
       put("<li>{}</li>",
-          trials == 1 ? escaped(s_.words(reasons))
-                      : say("{} trials, the first one: {}", trials, s_.words(reasons)));
+          trials == 1 ? escaped(section_.words(reasons))
+                      : say("{} trials, the first one: {}", trials, section_.words(reasons)));
     }
     put("</ul>");
   }
 
   /// The alternatives whose scene asked for more force than the device may give.
-  void cutOff() {
-    const auto& all = s_.quality.cutOff;
+  void saturatedTrials() {
+    const auto& all = section_.quality.saturatedTrials;
     if (all.empty()) return;
     table(
         say("Trials in which the scene asked for more force than the device may give"),

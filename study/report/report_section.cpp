@@ -44,7 +44,7 @@ std::vector<storage::TrialRow> countedTrials(const storage::Records& records, Ru
 
 TrialQuality qualityOf(Study& study, RunMode mode) {
   TrialQuality quality;
-  std::map<std::string, SaturatedTrials> cutOff;
+  std::map<std::string, SaturatedTrials> saturatedTrials;
   std::map<std::string, ConditionTrials> felt;
   for (const auto& trial : countedTrials(storage::Records(study.database()), mode)) {
     if (trial.step.isOptionalRepetition()) {
@@ -66,7 +66,7 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     ++counted.trials;
     counted.cuts += trial.cuts;
     addReasons(quality.reasons, trial.reasons);
-    auto& ofCondition = cutOff[trial.step.condition];
+    auto& ofCondition = saturatedTrials[trial.step.condition];
     ++ofCondition.trials;
     if (trial.saturated > 0.0 && trial.contact > 0.0) {
       ofCondition.shares.push_back(trial.saturated / trial.contact);
@@ -76,11 +76,11 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     auto& counted = felt[condition.id];
     counted.condition = condition.id;
     if (counted.trials > 0) quality.conditions.push_back(counted);
-    auto& found = cutOff[condition.id];
+    auto& found = saturatedTrials[condition.id];
     if (found.shares.empty()) continue;
     found.condition = condition.id;
     std::ranges::sort(found.shares);
-    quality.cutOff.push_back(std::move(found));
+    quality.saturatedTrials.push_back(std::move(found));
   }
   return quality;
 }
@@ -320,7 +320,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   for (std::size_t i = 0; i < all.families.size(); ++i) {
     const auto& id = section.results.families[i].family.id;
     add(id + "-answers", all.families[i].answers);
-    add(id + "-people", all.families[i].people);
+    add(id + "-people", all.families[i].participantMeans);
     add(id + "-effects", all.families[i].effects);
     add(id + "-sites", all.families[i].sites);
   }
@@ -332,8 +332,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   return named;
 }
 
-ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
-  auto felt = renderedForceResult(study, mode);
+ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words) {
   auto [firstDay, lastDay] = daysOf(study, mode);
   auto results = computeResults(study, mode);
   leaveOutSmallSamples(results);
@@ -351,10 +350,10 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = std::move(results),
-      .curves = std::move(felt.curves),
-      .curvesReason = std::move(felt.reason),
-      .quality = qualityOf(study, mode),
-      .landmarks = landmarksOf(study, mode),
+      .curves = {},
+      .curvesReason = {},
+      .quality = {},
+      .landmarks = {},
       .warnings = warningsOf(study),
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};

@@ -18,10 +18,10 @@ namespace study::report {
 
 /// Figures as SVG elements; empty if they were not painted.
 struct FamilyFigures {
-  std::string answers;  ///< how often each point was chosen
-  std::string people;   ///< the rating of every participant
-  std::string effects;  ///< differences between methods
-  std::string sites;    ///< differences by site, pooled; empty if there are not several
+  std::string answers;           ///< how often each point was chosen
+  std::string participantMeans;  ///< the rating of every participant
+  std::string effects;           ///< differences between methods
+  std::string sites;             ///< differences by site, pooled; empty if there are not several
 };
 
 /// The answers to one item, by alternative.
@@ -74,8 +74,8 @@ struct TrialQuality {
       worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
   double rate = 0.0;  ///< nominal rate of the force loop [Hz]; 0 without trials
   std::vector<ConditionTrials> conditions;  ///< of those that were felt, in the protocol's order
-  std::vector<SaturatedTrials> cutOff;      ///< by condition, in the protocol's order
-  std::vector<TrialReasons> reasons;        ///< of all trials that did not pass, the force apart
+  std::vector<SaturatedTrials> saturatedTrials;  ///< by condition, in the protocol's order
+  std::vector<TrialReasons> reasons;  ///< of all trials that did not pass, the force apart
 };
 
 /// Where the cuts of a condition have a landmark, over all that count; each cut counts once.

@@ -52,22 +52,23 @@ class StatisticsWriter : HtmlWriter {
     list("Between cohorts, on participants’ means: {}.", between_);
     list("Of the scale: {}.", scale_);
     list("Of votes: {}.", votes_);
-    const auto wilson =
-        s_.words.say("Shares have Wilson’s interval {}.", citeIf(!votes_.empty(), "Wilson 1927"));
-    const auto cliff = s_.words.say(
+    const auto wilson = section_.words.say(
+        "Shares have Wilson’s interval {}.", citeIf(!votes_.empty(), "Wilson 1927"));
+    const auto cliff = section_.words.say(
         "Cliff’s δ has the interval of Feng and Cliff {}.",
         citeIf(!between_.empty(), "Feng & Cliff 2004"));
-    const auto exact = s_.words("Exact tests count all arrangements, ties included.");
-    const auto mixed = s_.words(
+    const auto exact = section_.words("Exact tests count all arrangements, ties included.");
+    const auto mixed = section_.words(
         "The linear mixed model is fitted by REML with Satterthwaite’s degrees of freedom.");
-    const auto ordinal = s_.words("The ordinal mixed model is fitted by Laplace’s approximation.");
+    const auto ordinal =
+        section_.words("The ordinal mixed model is fitted by Laplace’s approximation.");
     add(!votes_.empty(), wilson);
     add(!between_.empty(), cliff);
     add(!pairs_.empty() || !between_.empty() || !votes_.empty(), exact);
     add(pairs_.contains("mixed_model"), mixed);
     add(pairs_.contains("ordinal_model"), ordinal);
     corrections();
-    const auto validity = s_.words.say(
+    const auto validity = section_.words.say(
         "Evidence of validity is arranged by Messick’s sources {}.",
         citations_.cite("Messick 1995, Cook & Hatala 2016"));
     add(true, validity);
@@ -78,14 +79,15 @@ class StatisticsWriter : HtmlWriter {
  private:
   std::string plan() const {
     std::string text;
-    for (const auto& family : s_.protocol.analysis.families) {
-      text += say("Declared for “{}” in version {} of the protocol: {}, α = {}, {}.",
-                  family.title,
-                  s_.protocol.study.version,
-                  declaredInWords(family, s_.words),
-                  exactly(family.alpha),
-                  s_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
-              " ";
+    for (const auto& family : section_.protocol.analysis.families) {
+      text +=
+          say("Declared for “{}” in version {} of the protocol: {}, α = {}, {}.",
+              family.title,
+              section_.protocol.study.version,
+              declaredInWords(family, section_.words),
+              exactly(family.alpha),
+              section_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
+          " ";
       if (family.equivalenceBound) {
         text += say("Differences below {:g} points count as none.", *family.equivalenceBound) + " ";
       }
@@ -95,7 +97,7 @@ class StatisticsWriter : HtmlWriter {
 
   /// The changes that later versions of the protocol made to the families.
   std::string changes() const {
-    const auto& history = s_.history;
+    const auto& history = section_.history;
     if (history.versions < 2) return {};
     std::string text =
         say("There are {} versions of the protocol; the audit trail has each with its reason.",
@@ -140,7 +142,7 @@ class StatisticsWriter : HtmlWriter {
         break;
     }
     std::string keys;
-    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + s_.words(key);
+    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + section_.words(key);
     return say(
         "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
         change.version,
@@ -152,7 +154,7 @@ class StatisticsWriter : HtmlWriter {
 
   /// The consequence of a change for its family, as the end of a sentence.
   std::string consequenceOf(const FamilyChange& change) const {
-    return s_.words(
+    return section_.words(
         change.isHarmless ? "; it was put back as it was declared."
                           : ": all of it is exploratory.");
   }
@@ -193,17 +195,17 @@ class StatisticsWriter : HtmlWriter {
     std::string tests;
     for (const auto& test : analysis::statisticalTests()) {
       if (!ids.contains(test.id)) continue;
-      tests +=
-          (tests.empty() ? "" : "; ") + s_.words(test.title) + " " + citations_.cite(test.source);
+      tests += (tests.empty() ? "" : "; ") + section_.words(test.title) + " " +
+               citations_.cite(test.source);
     }
-    const auto sentence = s_.words.say(english, tests);
+    const auto sentence = section_.words.say(english, tests);
     add(!tests.empty(), sentence);
   }
 
   /// How p values are adjusted, each way once.
   void corrections() {
     std::set<protocols::CorrectionType> all;
-    for (const auto& family : s_.results.families) all.insert(family.family.correction);
+    for (const auto& family : section_.results.families) all.insert(family.family.correction);
     std::string list;
     for (const auto correction : all) {
       const auto name = nameOf(correction);
@@ -212,7 +214,8 @@ class StatisticsWriter : HtmlWriter {
       list += (list.empty() ? "" : ", ") + std::string(name) +
               (works.empty() ? std::string() : " " + citations_.cite(works));
     }
-    const auto sentence = s_.words.say("p values are adjusted before they are rounded: {}.", list);
+    const auto sentence =
+        section_.words.say("p values are adjusted before they are rounded: {}.", list);
     add(!list.empty(), sentence);
   }
 

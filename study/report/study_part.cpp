@@ -22,26 +22,26 @@ class HeadWriter : HtmlWriter {
 
  private:
   void head() {
-    if (s_.results.runMode == RunMode::Simulated) {
+    if (section_.results.runMode == RunMode::Simulated) {
       put("<p class=\"banner\">{}</p>",
           say("Simulated: nobody took part. These numbers show what the program does; they say "
               "nothing about any method."));
     }
-    if (s_.results.runMode == RunMode::Pilot) {
+    if (section_.results.runMode == RunMode::Pilot) {
       put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
     }
-    const auto verdict = verdictOf(s_);
+    const auto verdict = verdictOf(section_);
     if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
     synthetic();
-    if (!s_.results.families.empty()) heading("The question");
-    for (const auto& family : s_.results.families) declared(family);
+    if (!section_.results.families.empty()) heading("The question");
+    for (const auto& family : section_.results.families) declared(family);
   }
 
   void declared(const FamilyResult& result) {
     const auto& family = result.family;
     std::string compared;
-    for (const auto& id : conditionsOf(s_.protocol, family)) {
-      compared += (compared.empty() ? "" : ", ") + s_.conditionTitle(id);
+    for (const auto& id : conditionsOf(section_.protocol, family)) {
+      compared += (compared.empty() ? "" : ", ") + section_.conditionTitle(id);
     }
     paragraph(
         result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
@@ -50,20 +50,20 @@ class HeadWriter : HtmlWriter {
                             "exploratory: {}, α = {}.",
         family.title,
         compared,
-        declaredInWords(family, s_.words),
+        declaredInWords(family, section_.words),
         exactly(family.alpha));
   }
 
   void synthetic() {
     std::string made;
-    for (const auto& source : s_.sources) {
+    for (const auto& source : section_.sources) {
       if (!source.isSynthetic) continue;
       std::string conditions;
       for (const auto& id : source.conditions) {
-        conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
+        conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
       }
       made += (made.empty() ? "" : "; ") +
-              s_.words.say("{} (from: {})", conditions, s_.words(source.title));
+              section_.words.say("{} (from: {})", conditions, section_.words(source.title));
     }
     if (made.empty()) return;
     put("<p class=\"banner\">{}</p>",
@@ -99,7 +99,7 @@ class ParticipantWriter : HtmlWriter {
     int enrolled = 0;
     bool isAnyErased = false;
     std::string cohorts;
-    for (const auto& flow : s_.results.flow) {
+    for (const auto& flow : section_.results.flow) {
       enrolled += flow.enrolled;
       isAnyErased = isAnyErased || flow.erased > 0;
       if (flow.completed == 0) continue;
@@ -108,18 +108,18 @@ class ParticipantWriter : HtmlWriter {
     }
     put("<p>{}{}.</p>",
         say("{} of {} enrolled participants completed their sessions",
-            s_.results.completed(),
+            section_.results.completed(),
             enrolled),
         cohorts.empty() ? cohorts : " (" + cohorts + ")");
     std::vector<std::string> headings{say("Cohort")};
     for (const auto& [column, count] : kColumns) headings.push_back(say(column));
-    if (s_.results.completed() == enrolled) return;
+    if (section_.results.completed() == enrolled) return;
     table(say("Who took part"), headings);
-    for (const auto& flow : s_.results.flow) add(cohort(flow.cohort), flow);
+    for (const auto& flow : section_.results.flow) add(cohort(flow.cohort), flow);
     endTable();
     headings.front() = say("Site");
     table(say("Who took part, by site"), headings);
-    for (const auto& [site, flow] : s_.results.siteFlow) add(escaped(site), flow);
+    for (const auto& [site, flow] : section_.results.siteFlow) add(escaped(site), flow);
     endTable();
     notes(isAnyErased);
   }

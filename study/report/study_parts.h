@@ -122,7 +122,7 @@ inline constexpr std::string_view kAnswersCaption =
     "How often each point was chosen. Answers to negative statements are reversed, so that right "
     "is good; the middle of the scale is centred. Numbers are counts.";
 
-inline constexpr std::string_view kPeopleCaption =
+inline constexpr std::string_view kParticipantMeansCaption =
     "What participants thought, by the mean of all that each answered about a method: the box "
     "holds "
     "the middle half, with the median; the diamond is the mean. Dots are single people, where "
@@ -156,10 +156,13 @@ inline bool isShownByPoint(const FamilyResult& family) {
 
 /// The figure beside the answer.
 enum class MainFigure {
-  Differences,  ///< of the declared test within people
-  Answers,      ///< counts per point; for the pooled test, or if nothing is tested
-  People,       ///< means of participants; in place of Answers if the scale has many points
+  Differences,       ///< of the declared test within people
+  Answers,           ///< counts per point; for the pooled test, or if nothing is tested
+  ParticipantMeans,  ///< means of participants; in place of Answers if the scale has many points
 };
+
+/// The short name of a test, for a table: "Paired t".
+std::string_view shortNameOf(std::string_view test);
 
 /// The caption of the figure of differences.
 std::string_view differencesCaption(const FamilyResult& family);

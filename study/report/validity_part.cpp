@@ -9,7 +9,7 @@ namespace study::report {
 namespace {
 
 /// The smallest and the largest of some numbers.
-struct Spread {
+struct ValueRange {
   std::optional<double> least;
   std::optional<double> most;
 
@@ -30,7 +30,7 @@ class ValidityWriter : HtmlWriter {
   std::string all() {
     table(
         say("Validity evidence by Messick’s five sources"),
-        {say("Source"), ofWords(say("Evidence"))});
+        {say("Source"), textHeading(say("Evidence"))});
     source("Content", content());
     source("Response process", responseProcess());
     source("Internal structure", internalStructure());
@@ -50,11 +50,11 @@ class ValidityWriter : HtmlWriter {
   }
 
   std::string content() const {
-    if (s_.instruments.empty()) return {};
+    if (section_.instruments.empty()) return {};
     const auto cited = std::ranges::count_if(
-        s_.instruments, [](const auto& one) { return !one.source.citation.empty(); });
+        section_.instruments, [](const auto& one) { return !one.source.citation.empty(); });
     return count(
-        s_.instruments.size(),
+        section_.instruments.size(),
         "{} questionnaire or form was used; {} with a source, listed under “How this was made”. "
         "Whether experts judged its items is not recorded.",
         "{} questionnaires and forms were used; {} with a source, listed under “How this was "
@@ -63,7 +63,7 @@ class ValidityWriter : HtmlWriter {
   }
 
   std::string responseProcess() const {
-    const auto& q = s_.quality;
+    const auto& q = section_.quality;
     if (q.trials == 0) return {};
     return say(
         "The force at the handle was recorded: {} of {} trials passed every check of the "
@@ -73,26 +73,26 @@ class ValidityWriter : HtmlWriter {
   }
 
   std::string internalStructure() const {
-    Spread alpha;
-    for (const auto& family : s_.results.families) {
+    ValueRange alpha;
+    for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
         for (const auto& method : part.checks.methods) alpha.add(method.alpha.value);
       }
     }
-    const auto text = s_.words("Cronbach’s α of the statements about a method: {} to {}.");
+    const auto text = section_.words("Cronbach’s α of the statements about a method: {} to {}.");
     if (!alpha.least) return {};
     return escaped(
         fmt::format(fmt::runtime(text), rounded(alpha.least, 2), rounded(alpha.most, 2)));
   }
 
   std::string relations() const {
-    Spread delta;
-    for (const auto& family : s_.results.families) {
+    ValueRange delta;
+    for (const auto& family : section_.results.families) {
       for (const auto& between : family.between) {
         delta.add(between.test("mann_whitney").effect.value);
       }
     }
-    const auto text = s_.words("Cohorts differ by Cliff’s δ of {} to {} (exploratory).");
+    const auto text = section_.words("Cohorts differ by Cliff’s δ of {} to {} (exploratory).");
     if (!delta.least) return {};
     return escaped(
         fmt::format(fmt::runtime(text), rounded(delta.least, 2), rounded(delta.most, 2)));
@@ -102,7 +102,7 @@ class ValidityWriter : HtmlWriter {
     const auto text =
         say("Thresholds of acceptability were set for some items; see “Questionnaires”.");
     const bool hasThresholds = std::ranges::any_of(
-        s_.results.instruments, [](const auto& one) { return !one.acceptable.empty(); });
+        section_.results.instruments, [](const auto& one) { return !one.acceptable.empty(); });
     return hasThresholds ? text : std::string();
   }
 };

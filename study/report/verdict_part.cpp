@@ -19,11 +19,11 @@ std::string joined(const Names& names) {
 /// Says what was found without statistics.
 class VerdictWriter {
  public:
-  explicit VerdictWriter(const ReportSection& section) : s_(section), words_(section.words) {}
+  explicit VerdictWriter(const ReportSection& section) : section_(section), words_(section.words) {}
 
   std::string all() {
     std::string text = votes();
-    const auto* family = mainFamily(s_);
+    const auto* family = mainFamily(section_);
     if (family == nullptr) return text;
     if (best_.empty()) text += (text.empty() ? "" : " ") + ratings(*family);
     return text + comparisons(*family);
@@ -32,7 +32,7 @@ class VerdictWriter {
  private:
   /// Which alternative was named most often; empty if several were.
   std::string votes() {
-    for (const auto& table : voteTables(s_.results)) {
+    for (const auto& table : voteTables(section_.results)) {
       const auto total = table.total.total();
       if (total == 0) continue;
       std::uint64_t most = 0;
@@ -55,7 +55,7 @@ class VerdictWriter {
   /// @param phase  one that asked
   std::string said(
       const std::string& phase, std::uint64_t most, std::uint64_t total, std::size_t rounds) const {
-    const auto people = s_.results.completed();
+    const auto people = section_.results.completed();
     const auto origin =
         total != static_cast<std::uint64_t>(people) * rounds ? words_.say("in {} rounds", rounds)
         : rounds == 1
@@ -66,7 +66,7 @@ class VerdictWriter {
         people,
         "To {} participant, {} resembled the real tool most: {} of {} votes ({}).",
         "To {} participants, {} resembled the real tool most: {} of {} votes ({}).",
-        s_.introducedTitle(best_),
+        section_.introducedTitle(best_),
         most,
         total,
         origin);
@@ -75,7 +75,7 @@ class VerdictWriter {
         "Asked “{1}”, {0} participant named {2}: {3} of {4} votes ({5}).",
         "Asked “{1}”, {0} participants named {2} most often: {3} of {4} votes ({5}).",
         asked == nullptr ? std::string() : questionOf(*asked, words_.language()),
-        s_.introducedTitle(best_),
+        section_.introducedTitle(best_),
         most,
         total,
         origin);
@@ -86,10 +86,10 @@ class VerdictWriter {
 
   /// The question of a preference; nullptr if its instrument has none about alternatives.
   const questionnaires::Item* questionIn(const std::string& phase) const {
-    const auto& phases = s_.protocol.phases;
+    const auto& phases = section_.protocol.phases;
     const auto asks = std::ranges::find(phases, phase, &protocols::Phase::id);
     if (asks == phases.end()) return nullptr;
-    for (const auto& instrument : s_.instruments) {
+    for (const auto& instrument : section_.instruments) {
       if (instrument.id != asks->instrument) continue;
       for (const auto& item : instrument.items) {
         if (item.optionSource == questionnaires::OptionSource::Alternatives) return &item;
@@ -111,12 +111,12 @@ class VerdictWriter {
     }
     const auto mean = [](const auto& sum) { return sum.second.second / sum.second.first; };
     best_ = std::ranges::max_element(sums, {}, mean)->first;
-    const auto people = s_.results.completed();
+    const auto people = section_.results.completed();
     return words_.count(
         people,
         "{} participant rated {} highest.",
         "{} participants rated {} highest.",
-        s_.introducedTitle(best_));
+        section_.introducedTitle(best_));
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.
@@ -125,7 +125,7 @@ class VerdictWriter {
     Names higher;
     Names alike;
     std::string others;
-    for (const auto& condition : s_.protocol.conditions) {
+    for (const auto& condition : section_.protocol.conditions) {
       Names above;
       Names below;
       std::size_t tested = 0;
@@ -137,11 +137,11 @@ class VerdictWriter {
           ++tested;
           if (!row.test->isSignificant.value_or(false)) continue;
           const bool isAbove = (*row.difference->estimate.value > 0.0) == isFirst;
-          (isAbove ? above : below).push_back(s_.cohortTitle(part.cohort));
+          (isAbove ? above : below).push_back(section_.cohortTitle(part.cohort));
         }
       }
       if (tested == 0) continue;
-      const auto title = s_.introducedTitle(condition.id);
+      const auto title = section_.introducedTitle(condition.id);
       if (above.size() == tested) higher.push_back(title);
       if (above.empty() && below.empty()) alike.push_back(title);
       if (!above.empty() && above.size() < tested) {
@@ -167,7 +167,7 @@ class VerdictWriter {
     return text;
   }
 
-  const ReportSection& s_;
+  const ReportSection& section_;
   const words::Words& words_;
   std::string best_;  ///< condition; empty: not known
 };

@@ -12,7 +12,7 @@ namespace study {
 namespace {
 
 /// Degrees of freedom: whole numbers without decimals, others with two.
-std::string freedom(double df) {
+std::string formatDegreesOfFreedom(double df) {
   return df == std::floor(df) ? fmt::format("{:.0f}", df) : fmt::format("{:.2f}", df);
 }
 
@@ -26,16 +26,16 @@ std::string formatLimit(double value) {
 /// Writes the sentences of one language.
 class ApaWriter {
  public:
-  ApaWriter(const words::Words& words, Wording wording) : w_(words), wording_(wording) {}
+  ApaWriter(const words::Words& words, Wording wording) : words_(words), wording_(wording) {}
 
   std::string paired(const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& t = row.test("paired_t");
-    if (!t.p) return w_.say("paired t-test not defined: {}", w_(t.reason));
-    std::string line = w_.say(
+    if (!t.p) return words_.say("paired t-test not defined: {}", words_(t.reason));
+    std::string line = words_.say(
         "t({}) = {}, {}, mean difference {}, {:g} % CI {}",
-        freedom(*t.df),
+        formatDegreesOfFreedom(*t.df),
         rounded(t.statistic.value, 2),
-        pBoth(t, family),
+        formatRawAndAdjustedP(t, family),
         rounded(t.estimate.value, 2),
         100.0 * (1.0 - family.alpha),
         formatInterval(t.interval));
@@ -49,14 +49,15 @@ class ApaWriter {
   std::string exact(const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& flip = row.test("sign_flip");
     const auto& rank = row.test("signed_rank");
-    std::string line = flip.p ? w_.say("exact sign flip {}", pBoth(flip, family))
-                              : w_.say("sign flip not defined: {}", w_(flip.reason));
+    std::string line = flip.p
+                           ? words_.say("exact sign flip {}", formatRawAndAdjustedP(flip, family))
+                           : words_.say("sign flip not defined: {}", words_(flip.reason));
     line += "; ";
-    line += rank.p ? w_.say(
+    line += rank.p ? words_.say(
                          "signed rank V = {:g}, {}",
                          rank.statistic.value.value_or(0.0),
-                         pBoth(rank, family))
-                   : w_.say("signed rank not defined: {}", w_(rank.reason));
+                         formatRawAndAdjustedP(rank, family))
+                   : words_.say("signed rank not defined: {}", words_(rank.reason));
     if (const auto& bf10 = row.test("bayes_factor").effect.value) {
       line += "; BF10 " + withRelationSign(formatBayesFactor(*bf10));
     }
@@ -64,35 +65,35 @@ class ApaWriter {
   }
 
   std::string mixed(const analysis::TestRow& test, const protocols::Family& family) const {
-    if (!test.p) return w_.say("mixed model: no p value: {}", w_(test.reason));
-    return w_.say(
+    if (!test.p) return words_.say("mixed model: no p value: {}", words_(test.reason));
+    return words_.say(
         "mixed model: t({}) = {}, {}, difference {}",
-        freedom(*test.df),
+        formatDegreesOfFreedom(*test.df),
         rounded(test.statistic.value, 2),
-        pBoth(test, family),
+        formatRawAndAdjustedP(test, family),
         rounded(test.estimate.value, 2));
   }
 
   std::string ordinal(const analysis::TestRow& test, const protocols::Family& family) const {
-    return w_.say(
+    return words_.say(
         "ordinal mixed model: odds ratio {}, {:g} % CI {}, z = {}, {}",
         rounded(test.effect.value, 2),
         100.0 * (1.0 - family.alpha),
         formatInterval(test.effectInterval),
         rounded(test.statistic.value, 2),
-        pBoth(test, family));
+        formatRawAndAdjustedP(test, family));
   }
 
   std::string equivalence(const analysis::TestRow& test) const {
-    if (!test.p) return w_.say("equivalence not defined: {}", w_(test.reason));
-    return w_.say(
+    if (!test.p) return words_.say("equivalence not defined: {}", words_(test.reason));
+    return words_.say(
         "equivalent within ±{:g}: TOST {}",
         test.additional("equivalence_bound").value_or(0.0),
         formatPWithSymbol(test.p));
   }
 
   std::string friedman(const analysis::TestRow& test) const {
-    if (!test.p) return w_.say("Friedman’s test not defined: {}", w_(test.reason));
+    if (!test.p) return words_.say("Friedman’s test not defined: {}", words_(test.reason));
     std::string line = fmt::format(
         "Friedman χ²({:g}) = {}, {}, W = {}",
         test.df.value_or(0.0),
@@ -100,13 +101,13 @@ class ApaWriter {
         formatPWithSymbol(test.p),
         rounded(test.effect.value, 2));
     const auto exactP = test.additional("p_permutation");
-    if (exactP) line += w_.say(", exact {}", formatPWithSymbol(exactP));
+    if (exactP) line += words_.say(", exact {}", formatPWithSymbol(exactP));
     return line;
   }
 
   std::string anova(const analysis::TestRow& test) const {
-    if (!test.p) return w_.say("Repeated-measures ANOVA not defined: {}", w_(test.reason));
-    std::string line = w_.say(
+    if (!test.p) return words_.say("Repeated-measures ANOVA not defined: {}", words_(test.reason));
+    std::string line = words_.say(
         "Repeated-measures ANOVA F({:g}, {:g}) = {}, {}, partial η² = {}",
         *test.df,
         *test.df2,
@@ -123,9 +124,9 @@ class ApaWriter {
   }
 
   /// The sentence of a test that none of the functions above handles.
-  std::string other(const analysis::TestRow& test, const protocols::Family& family) const {
-    const auto title = w_(analysis::statisticalTest(test.id).title);
-    if (!test.reason.empty() && !test.p) return title + ": " + w_(test.reason);
+  std::string otherTest(const analysis::TestRow& test, const protocols::Family& family) const {
+    const auto title = words_(analysis::statisticalTest(test.id).title);
+    if (!test.reason.empty() && !test.p) return title + ": " + words_(test.reason);
     std::string line = title + ": ";
     const auto add = [&](const analysis::NamedNumber& number) {
       if (!number.name.empty()) {
@@ -134,27 +135,30 @@ class ApaWriter {
     };
     add(test.statistic);
     add(test.effect);
-    return line + (test.isInFamily ? pBoth(test, family) : formatPWithSymbol(test.p));
+    return line +
+           (test.isInFamily ? formatRawAndAdjustedP(test, family) : formatPWithSymbol(test.p));
   }
 
   std::string variances(const analysis::LinearMixedResult& mixed) const {
-    if (!mixed.fit) return w_.say("Mixed model not fitted: {}", w_(mixed.reason));
+    if (!mixed.fit) return words_.say("Mixed model not fitted: {}", words_(mixed.reason));
     std::string list;
     for (const auto& component : mixed.fit->components) {
-      list += fmt::format("{} {:.2f}", w_(component.name), component.variance);
-      list += component.isSingular ? " " + w_("(at its bound)") + ", " : ", ";
+      list += fmt::format("{} {:.2f}", words_(component.name), component.variance);
+      list += component.isSingular ? " " + words_("(at its bound)") + ", " : ", ";
     }
-    return w_.say("Mixed model, variances: {}residual {:.2f}", list, mixed.fit->residualVariance);
+    return words_.say(
+        "Mixed model, variances: {}residual {:.2f}", list, mixed.fit->residualVariance);
   }
 
   std::string ordinal(const analysis::CumulativeLinkResult& ordinal) const {
-    if (!ordinal.fit) return w_.say("Ordinal mixed model not fitted: {}", w_(ordinal.reason));
+    if (!ordinal.fit)
+      return words_.say("Ordinal mixed model not fitted: {}", words_(ordinal.reason));
     std::string list;
     for (const auto& component : ordinal.fit->components) {
       list += fmt::format(
-          "{}{} {:.2f}", list.empty() ? "" : ", ", w_(component.name), component.variance);
+          "{}{} {:.2f}", list.empty() ? "" : ", ", words_(component.name), component.variance);
     }
-    return w_.say("Ordinal mixed model (logit, Laplace), variances: {}", list);
+    return words_.say("Ordinal mixed model (logit, Laplace), variances: {}", list);
   }
 
  private:
@@ -163,7 +167,8 @@ class ApaWriter {
   }
 
   /// "p = .021, p_Holm = .063".
-  std::string pBoth(const analysis::TestRow& test, const protocols::Family& family) const {
+  std::string formatRawAndAdjustedP(
+      const analysis::TestRow& test, const protocols::Family& family) const {
     const auto name = nameOf(family.correction);
     return test.p && !name.empty() ? formatPWithSymbol(test.p) + ", " +
                                          study::formatPWithSymbol(test.adjusted, name, wording_)
@@ -171,7 +176,7 @@ class ApaWriter {
   }
 
   std::string formatInterval(const std::optional<analysis::Interval>& interval) const {
-    return study::formatInterval(interval, wording_, w_);
+    return study::formatInterval(interval, wording_, words_);
   }
 
   /// An interval in brackets: APA's "[0.41, 2.42]" as it is, Vancouver's "0.41 to 2.42" in
@@ -181,7 +186,7 @@ class ApaWriter {
     return wording_ == Wording::Vancouver && interval ? "(" + words + ")" : words;
   }
 
-  const words::Words& w_;
+  const words::Words& words_;
   Wording wording_;
 };
 
@@ -271,7 +276,7 @@ std::vector<std::string> apaLines(
     } else if (test.id == "ordinal_model") {
       if (test.p) lines.push_back(writer.ordinal(test, family));
     } else {
-      lines.push_back(writer.other(test, family));
+      lines.push_back(writer.otherTest(test, family));
     }
   }
   if (const auto* tost = analysis::findTest(row.tests, "tost")) {
@@ -293,7 +298,7 @@ std::vector<std::string> apaLines(
     } else if (test.id == "rm_anova") {
       lines.push_back(writer.anova(test));
     } else {
-      lines.push_back(writer.other(test, family));
+      lines.push_back(writer.otherTest(test, family));
     }
   }
   lines.push_back(writer.variances(analysis.mixed));

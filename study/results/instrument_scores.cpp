@@ -22,9 +22,9 @@ struct Form {
 };
 
 /// Collects the summary of one instrument.
-class Summarising {
+class InstrumentSummariser {
  public:
-  Summarising(
+  InstrumentSummariser(
       const protocols::Protocol& protocol, const Instrument& instrument, std::vector<Form> forms)
       : protocol_(protocol), instrument_(instrument), forms_(std::move(forms)) {}
 
@@ -170,7 +170,7 @@ std::vector<InstrumentSummary> summariseInstruments(
     std::vector<Form> list;
     for (auto& [visit, form] : forms) list.push_back(std::move(form));
     if (list.empty()) continue;
-    summaries.push_back(Summarising(loaded.protocol, instrument, std::move(list)).all());
+    summaries.push_back(InstrumentSummariser(loaded.protocol, instrument, std::move(list)).all());
   }
   return summaries;
 }

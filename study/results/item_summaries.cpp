@@ -46,9 +46,9 @@ std::vector<std::string> chosenIn(const questionnaires::Response& response) {
 }
 
 /// Collects the answers to every item.
-class Describing {
+class ItemSummariser {
  public:
-  Describing(
+  ItemSummariser(
       const protocols::LoadedProtocol& loaded,
       const std::map<SessionId, storage::SessionRecord>& sessions,
       const std::vector<AnswerRecord>& answers,
@@ -99,7 +99,7 @@ class Describing {
 
   /// Sort key: the order of cohorts and conditions in the protocol; items without a condition come
   /// first.
-  std::tuple<std::size_t, std::size_t> placeOf(
+  std::tuple<std::size_t, std::size_t> sortKeyOf(
       const std::string& cohort, const std::string& condition) const {
     const auto& protocol = loaded_.protocol;
     const auto cohorts = std::ranges::find(protocol.cohorts, cohort, &protocols::Cohort::id);
@@ -118,7 +118,7 @@ class Describing {
     };
     std::map<std::tuple<std::size_t, std::size_t>, Collected> cells;
     forEachAnswer(instrument, item, [&](const AnswerRecord& answer, const auto& session) {
-      auto& cell = cells[placeOf(session.cohort, answer.step.condition)];
+      auto& cell = cells[sortKeyOf(session.cohort, answer.step.condition)];
       cell.summary.instrument = instrument;
       cell.summary.item = item.id;
       cell.summary.cohort = session.cohort;
@@ -151,7 +151,7 @@ class Describing {
     });
     // Sorted by text, so that the order does not reveal which participant wrote a text.
     std::ranges::sort(quotes, {}, [&](const Quote& quote) {
-      return std::pair(placeOf({}, quote.condition), quote.text);
+      return std::pair(sortKeyOf({}, quote.condition), quote.text);
     });
     std::ranges::move(quotes, std::back_inserter(all));
   }
@@ -192,7 +192,7 @@ ItemResults summariseItems(
     const std::map<SessionId, storage::SessionRecord>& sessions,
     const std::vector<AnswerRecord>& answers,
     const std::map<Records::Alternative, std::string>& allocation) {
-  return Describing(loaded, sessions, answers, allocation).all();
+  return ItemSummariser(loaded, sessions, answers, allocation).all();
 }
 
 }  // namespace study

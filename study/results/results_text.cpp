@@ -167,7 +167,7 @@ class Writer {
         for (const auto& words : apaLines(row, family.family, {}, wording_)) line("    " + words);
       }
       if (cohort.sites) bySite(*cohort.sites);
-      checks(cohort);
+      writeChecks(cohort);
     }
     between(family);
   }
@@ -224,7 +224,7 @@ class Writer {
   }
 
   /// The effect of the position in the order, and the reliability of the scale.
-  void checks(const CohortResult& cohort) {
+  void writeChecks(const CohortResult& cohort) {
     const auto& slope = cohort.position.slope;
     line(
         slope.p ? fmt::format(

@@ -113,41 +113,41 @@ SiteDetectability atSites(
     const StudyPlanOptions& question,
     const analysis::SitePlan& sites,
     std::uint64_t participants) {
-  SiteDetectability prospect{
+  SiteDetectability detectability{
       .designEffect = sites.designEffect(participants),
       .power = analysis::pooledSitesPower(question.dz, participants, sites, family.alphaPerTest)};
-  if (question.studies == 0 || family.answers == 0) return prospect;
+  if (question.studies == 0 || family.answers == 0) return detectability;
   const auto simulated = [&](double dz) {
     return analysis::simulateSitePower(simulationOf(family, question, participants, dz), sites);
   };
-  prospect.found = simulated(question.dz);
-  prospect.invented = simulated(0.0);
-  return prospect;
+  detectability.found = simulated(question.dz);
+  detectability.falsePositives = simulated(0.0);
+  return detectability;
 }
 
-Detectability prospectOf(
+Detectability detectabilityOf(
     const FamilyPlan& family, const StudyPlanOptions& question, std::uint64_t participants) {
-  Detectability prospect{
+  Detectability detectability{
       .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
-  prospect.canPairsBeSignificant = prospect.pair.p <= family.alphaPerTest;
+  detectability.canPairsBeSignificant = detectability.pair.p <= family.alphaPerTest;
   if (family.conditions > 2) {
-    prospect.friedman =
+    detectability.friedman =
         analysis::smallestFriedmanP(participants, static_cast<int>(family.conditions));
   }
-  if (participants < 2) return prospect;
-  prospect.power = analysis::pairedTPower(question.dz, participants, family.alphaPerTest);
+  if (participants < 2) return detectability;
+  detectability.power = analysis::pairedTPower(question.dz, participants, family.alphaPerTest);
   if (question.studies > 0 && family.answers > 0) {
     const auto simulated = [&](double dz) {
       return analysis::simulatePower(simulationOf(family, question, participants, dz));
     };
-    prospect.found = simulated(question.dz);
-    prospect.invented = simulated(0.0);
+    detectability.found = simulated(question.dz);
+    detectability.falsePositives = simulated(0.0);
   }
   const auto& sites = question.sites;
   if (sites && participants >= sites->fewestParticipants()) {
-    prospect.sites = atSites(family, question, *sites, participants);
+    detectability.sites = atSites(family, question, *sites, participants);
   }
-  return prospect;
+  return detectability;
 }
 
 FamilyPlan declared(
@@ -192,10 +192,11 @@ FamilyPlan familyPlan(
   }
   for (const auto& cohort : study.cohorts) {
     const auto same =
-        std::ranges::find(plan.prospects, cohort.participants, &Detectability::participants);
-    plan.prospects.push_back(
-        same != plan.prospects.end() ? Detectability(*same)
-                                     : prospectOf(plan, study.question, cohort.participants));
+        std::ranges::find(plan.detectabilities, cohort.participants, &Detectability::participants);
+    plan.detectabilities.push_back(
+        same != plan.detectabilities.end()
+            ? Detectability(*same)
+            : detectabilityOf(plan, study.question, cohort.participants));
   }
   return plan;
 }

@@ -46,7 +46,7 @@ struct SiteDetectability {
   double power = 0.0;  ///< closed form, for the requested effect, pooled over sites
   std::optional<analysis::SimulatedSitePower> found;  ///< simulated with the requested effect
   /// Simulated without an effect: the rate of false positives.
-  std::optional<analysis::SimulatedSitePower> invented;
+  std::optional<analysis::SimulatedSitePower> falsePositives;
 };
 
 /// What a family of comparisons can detect with a number of participants.
@@ -61,7 +61,7 @@ struct Detectability {
                                 ///< participants
   std::optional<analysis::SimulatedPower> found;  ///< simulated with the requested effect
   /// Simulated without an effect: the rate of false positives.
-  std::optional<analysis::SimulatedPower> invented;
+  std::optional<analysis::SimulatedPower> falsePositives;
   /// At several sites, if each has two participants.
   std::optional<SiteDetectability> sites = {};
 };
@@ -88,7 +88,7 @@ struct FamilyPlan {
   /// Participants over all sites needed for the requested effect and power; std::nullopt without
   /// sites, or if no number suffices.
   std::optional<std::uint64_t> forPowerAtSites = {};
-  std::vector<Detectability> prospects = {};  ///< for every cohort, in the protocol's order
+  std::vector<Detectability> detectabilities = {};  ///< for every cohort, in the protocol's order
 };
 
 /// A vote between the alternatives of a block, in one cohort.

@@ -72,9 +72,9 @@ std::string ordersText(const StudyPlan& plan) {
   return text;
 }
 
-std::string pairVerdict(const FamilyPlan& family, const Detectability& prospect) {
-  const auto smallest = pText(prospect.pair);
-  if (prospect.canPairsBeSignificant) {
+std::string pairVerdict(const FamilyPlan& family, const Detectability& detectability) {
+  const auto smallest = pText(detectability.pair);
+  if (detectability.canPairsBeSignificant) {
     return fmt::format(
         "smallest exact p of a pair {}: below {}, so that exact paired tests can find something",
         smallest,
@@ -88,20 +88,20 @@ std::string pairVerdict(const FamilyPlan& family, const Detectability& prospect)
       family.fewestForSignificance);
 }
 
-std::string friedmanVerdict(const FamilyPlan& family, const Detectability& prospect) {
-  if (!prospect.friedman) return {};
-  const bool can = prospect.friedman->p <= family.alpha;
+std::string friedmanVerdict(const FamilyPlan& family, const Detectability& detectability) {
+  if (!detectability.friedman) return {};
+  const bool can = detectability.friedman->p <= family.alpha;
   return fmt::format(
       "    smallest exact p of Friedman's test {}: it {} find something at {}.\n",
-      pText(*prospect.friedman),
+      pText(*detectability.friedman),
       can ? "can" : "can NOT",
       pText(family.alpha));
 }
 
-std::string simulationText(const Detectability& prospect) {
-  if (!prospect.found || !prospect.invented) return {};
-  const auto& found = *prospect.found;
-  const auto& invented = *prospect.invented;
+std::string simulationText(const Detectability& detectability) {
+  if (!detectability.found || !detectability.falsePositives) return {};
+  const auto& found = *detectability.found;
+  const auto& falsePositives = *detectability.falsePositives;
   std::string text = fmt::format(
       "    simulated: found by the paired t-test {}, by the exact signed rank test {}, by "
       "Friedman's test {}.\n",
@@ -111,20 +111,20 @@ std::string simulationText(const Detectability& prospect) {
   text += fmt::format(
       "    simulated without any difference, at least one is found: paired t-tests {}, Welch's on "
       "pooled answers {}.\n",
-      share(invented.anyPairedT.rate),
-      share(invented.anyPooledWelch.rate));
+      share(falsePositives.anyPairedT.rate),
+      share(falsePositives.anyPooledWelch.rate));
   return text;
 }
 
-std::string siteVerdict(const StudyPlan& plan, const Detectability& prospect) {
+std::string siteVerdict(const StudyPlan& plan, const Detectability& detectability) {
   const auto& sites = *plan.question.sites;
-  if (!prospect.sites) {
+  if (!detectability.sites) {
     return fmt::format(
         "    at {}: too few. A site needs two participants to be pooled, {} in all.\n",
         counted(sites.sites, "site"),
         sites.fewestParticipants());
   }
-  const auto& at = *prospect.sites;
+  const auto& at = *detectability.sites;
   std::string text = fmt::format(
       "    at {}, between which the effect has a standard deviation of {:g} d_z: design effect "
       "{:.2f}; power of the\n    pooled difference {}.\n",
@@ -132,7 +132,7 @@ std::string siteVerdict(const StudyPlan& plan, const Detectability& prospect) {
       sites.deviation,
       at.designEffect,
       share(at.power));
-  if (!at.found || !at.invented) return text;
+  if (!at.found || !at.falsePositives) return text;
   text += fmt::format(
       "    simulated: found by the pooled difference {}, by a paired t-test that ignores sites "
       "{}.{}\n",
@@ -144,16 +144,16 @@ std::string siteVerdict(const StudyPlan& plan, const Detectability& prospect) {
   text += fmt::format(
       "    simulated without any difference over all sites, at least one is found: pooled {}, "
       "ignoring sites {}.\n",
-      share(at.invented->anyPooled.rate),
-      share(at.invented->anyPairedT.rate));
+      share(at.falsePositives->anyPooled.rate),
+      share(at.falsePositives->anyPairedT.rate));
   return text;
 }
 
 std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
   std::string text;
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
-    const auto& prospect = family.prospects[i];
-    if (prospect.participants == 0) {
+    const auto& detectability = family.detectabilities[i];
+    if (detectability.participants == 0) {
       text += fmt::format(
           "  {}: nobody has said how many will come (\"planned\", or --participants).\n",
           plan.cohorts[i].id);
@@ -162,18 +162,18 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
     text += fmt::format(
         "  {}, {}:\n    {}.\n{}",
         plan.cohorts[i].id,
-        counted(prospect.participants, "participant"),
-        pairVerdict(family, prospect),
-        friedmanVerdict(family, prospect));
-    if (prospect.power) {
+        counted(detectability.participants, "participant"),
+        pairVerdict(family, detectability),
+        friedmanVerdict(family, detectability));
+    if (detectability.power) {
       text += fmt::format(
           "    power of a paired t-test for d_z = {:g}{}: {}.\n",
           plan.question.dz,
           family.isCorrected ? " at the strictest step of the correction" : "",
-          share(*prospect.power));
+          share(*detectability.power));
     }
-    text += simulationText(prospect);
-    if (plan.question.sites) text += siteVerdict(plan, prospect);
+    text += simulationText(detectability);
+    if (plan.question.sites) text += siteVerdict(plan, detectability);
   }
   return text;
 }
@@ -366,20 +366,20 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
       plan.question.dz,
       plan.question.power);
   std::set<std::uint64_t> seen;
-  for (const auto& prospect : family.prospects) {
-    if (!prospect.power || !seen.insert(prospect.participants).second) continue;
+  for (const auto& detectability : family.detectabilities) {
+    if (!detectability.power || !seen.insert(detectability.participants).second) continue;
     words += fmt::format(
         "; with {} its power is {}, and an exact signed rank test {} reach significance",
-        prospect.participants,
-        share(*prospect.power),
-        prospect.canPairsBeSignificant ? "can" : "cannot");
-    if (prospect.sites) {
+        detectability.participants,
+        share(*detectability.power),
+        detectability.canPairsBeSignificant ? "can" : "cannot");
+    if (detectability.sites) {
       words += fmt::format(
           "; pooled over {}, between which the effect has a standard deviation of {:g} d_z, the "
           "power is {}",
           counted(plan.question.sites->sites, "site"),
           plan.question.sites->deviation,
-          share(prospect.sites->power));
+          share(detectability.sites->power));
     }
   }
   return words + ".";
@@ -410,8 +410,8 @@ std::vector<double> effectsToShow(const StudyPlan& plan) {
 
 std::vector<std::uint64_t> sizesToShow(const FamilyPlan& family) {
   std::set<std::uint64_t> sizes{6, 8, 10, 12, 16, 20, 24, 30};
-  for (const auto& prospect : family.prospects) {
-    if (prospect.participants > 1) sizes.insert(prospect.participants);
+  for (const auto& detectability : family.detectabilities) {
+    if (detectability.participants > 1) sizes.insert(detectability.participants);
   }
   return {sizes.begin(), sizes.end()};
 }

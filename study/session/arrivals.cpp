@@ -44,7 +44,7 @@ PushRecord lastPush(const std::string& study, const std::string& station) {
     std::istringstream words(line);
     PushRecord noted;
     std::string of;
-    if (!(words >> noted.utc >> of >> noted.have) || of != station) continue;
+    if (!(words >> noted.utc >> of >> noted.lastEvent) || of != station) continue;
     words >> noted.problem;
     last = noted;
   }
@@ -54,7 +54,7 @@ PushRecord lastPush(const std::string& study, const std::string& station) {
 void recordPush(
     const std::string& study, const std::string& station, const PushRecord& push) noexcept {
   try {
-    auto line = push.utc + " " + station + " " + std::to_string(push.have);
+    auto line = push.utc + " " + station + " " + std::to_string(push.lastEvent);
     if (!push.problem.empty()) line += " " + push.problem;
     storage::StationStore::openOrCreate(storage::StationStore::defaultFolder())
         .append(listOf(study), line);

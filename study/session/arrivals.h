@@ -23,9 +23,9 @@ Arrivals arrivalsBy(Study& study, std::int64_t event);
 /// The result of the last push of a study to its server. It is stored outside the study, for this
 /// user of the computer, so that the operator's windows can show it without a network.
 struct PushRecord {
-  std::string utc;        ///< of the push; empty: there was none
-  std::int64_t have = 0;  ///< number of events that the server had after the push
-  std::string problem;    ///< name of the refusal or kind of error; empty: it succeeded
+  std::string utc;             ///< of the push; empty: there was none
+  std::int64_t lastEvent = 0;  ///< number of events that the server had after the push
+  std::string problem;         ///< name of the refusal or kind of error; empty: it succeeded
 };
 
 /// @param study, station  their uuids

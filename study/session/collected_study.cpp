@@ -21,7 +21,7 @@ using storage::Database;
 using storage::Transaction;
 
 /// File of the EventSpool in the folder; it is removed when the trail is written.
-constexpr const char* kWaiting = "waiting.db";
+constexpr const char* kSpoolFile = "waiting.db";
 
 Database made(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
@@ -87,7 +87,7 @@ CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Origin& orig
     files_->study.setKey(storage::SealingKey(origin.secret.bytes()));
   }
   files_->begin();
-  events_ = std::make_unique<storage::EventSpool>((folder_ / kWaiting).string());
+  events_ = std::make_unique<storage::EventSpool>((folder_ / kSpoolFile).string());
   storage::ProtocolRepository protocols(files_->study);
   for (const auto& protocol : origin.protocols) {
     protocols.add(protocol, "collected", asUtc(clock.now().wall));
@@ -150,7 +150,7 @@ void CollectedStudy::addKey(const std::string& participant, const storage::Seali
 void CollectedStudy::add(const Trail& trail, std::vector<storage::StoredEvent> events) {
   for (auto& event : events) {
     if (event.session) event.session = static_cast<std::int64_t>(sessions_.at(*event.session));
-    lastOf_[event.session] = events_->count();
+    lastEventOf_[event.session] = events_->count();
     events_->put(event);
   }
   trails_.push_back(trail);
@@ -191,7 +191,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
     log.appendFromOtherTrail(
         key ? opened(event, *key) : event,
         key ? &*key : nullptr,
-        lastOf_.at(event.session) == place++);
+        lastEventOf_.at(event.session) == place++);
   });
 }
 
@@ -222,7 +222,7 @@ void CollectedStudy::finish(const std::string& reason) {
   }
   appendTrail(reason);
   events_.reset();
-  fs::remove(folder_ / kWaiting);
+  fs::remove(folder_ / kSpoolFile);
   files_->commit();
   files_.reset();
   {

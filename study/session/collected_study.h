@@ -89,7 +89,7 @@ class CollectedStudy {
   std::unique_ptr<storage::EventSpool> events_;  ///< events with the new numbers of their sessions
   /// Index in events_ of the last event of each session; at std::nullopt, of the last event without
   /// a session.
-  std::map<std::optional<std::int64_t>, std::size_t> lastOf_;
+  std::map<std::optional<std::int64_t>, std::size_t> lastEventOf_;
 };
 
 }  // namespace study

@@ -40,7 +40,7 @@ bool hasFixedOrder(const Protocol& protocol, const std::set<std::string>& blocks
 
 /// The permutation: which condition replaces each condition of the schedule that the seed draws.
 /// It lacks conditions that the protocol itself fixes.
-std::map<std::string, std::string> exchanged(
+std::map<std::string, std::string> conditionPermutation(
     const Protocol& protocol, const storage::BlindingSecret& secret, RunMode mode) {
   std::map<std::string, std::string> parts;
   const bool isPromised =
@@ -111,7 +111,7 @@ std::vector<Step> planOf(Study& study, const storage::SessionRow& row, bool isSe
   const auto secret = secretAt(study, row);
   auto schedule = scheduleOf(study, row, secret, isSecret);
   if (!secret) return sessionPlan(protocol, schedule);
-  const auto parts = exchanged(protocol, *secret, row.runMode);
+  const auto parts = conditionPermutation(protocol, *secret, row.runMode);
   for (auto& block : schedule.blocks) {
     for (auto& trial : block.trials) {
       const auto part = parts.find(trial.condition);

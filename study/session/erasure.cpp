@@ -152,7 +152,7 @@ void verifyAndResealTrail(Study& study, const ErasureRequest& request) {
 
 /// Texts (notes, reasons) that operators typed in sessions of this participant, but not in sessions
 /// of others.
-std::set<std::string> typedAbout(Study& study, const std::string& participant) {
+std::set<std::string> operatorTextsAbout(Study& study, const std::string& participant) {
   std::set<SessionId> theirs;
   for (const auto& row : sessionsOf(study, participant)) theirs.insert(row.id);
   std::set<std::string> texts;
@@ -182,7 +182,7 @@ storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
   for (const auto& text : storage::textsAbout(study.database(), request.participant)) {
     search.add(text, kShortestText);
   }
-  for (const auto& text : typedAbout(study, request.participant)) {
+  for (const auto& text : operatorTextsAbout(study, request.participant)) {
     search.add(text, kShortestText);
   }
   return search;
@@ -260,7 +260,7 @@ void finish(Study& study, const Erasure& erasure) {
   storage::ErasureRepository(study.database()).finish(erasure.id, asUtc(study.clock().now().wall));
 }
 
-ErasureReport perform(Study& study, const ErasureRequest& request) {
+ErasureReport eraseParticipant(Study& study, const ErasureRequest& request) {
   ErasureReport report{
       .erasure = {
           .participant = request.participant, .level = request.level, .reason = request.reason}};
@@ -294,13 +294,13 @@ ErasureReport perform(Study& study, const ErasureRequest& request) {
 
 ErasureReport erase(Study& study, const ErasureRequest& request) {
   requireErasable(study, request);
-  auto report = perform(study, request);
+  auto report = eraseParticipant(study, request);
   report.whyNotListed = listOnStation(report.listed);
   return report;
 }
 
 void repeatErasure(Study& study, const storage::ListedErasure& erasure) {
-  perform(
+  eraseParticipant(
       study,
       {.participant = erasure.participant,
        .level = erasure.level,

@@ -15,7 +15,7 @@ constexpr const char* kBenchmarkItem = "physical-cuts";
 
 /// The answer in its stored form: the answer to a numeric item is a number, also if it was entered
 /// without a decimal point.
-GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
+GivenAnswer inStoredForm(const questionnaires::Item& item, GivenAnswer answer) {
   using questionnaires::AnswerKind;
   const bool isNumber = questionnaires::answerKindOf(item.type) == AnswerKind::Number;
   const auto* whole = std::get_if<std::int64_t>(&answer.response);
@@ -85,8 +85,9 @@ void Session::record(const GivenAnswer& answer) {
     return;
   }
   transact([&] {
-    storage::AnswerRepository(study_.database()).put(visit(), asKept(item, answer), utcNow());
-    appendEvent(Actor::Participant, EventKind::Answered, storage::valuesOf(asKept(item, answer)));
+    storage::AnswerRepository(study_.database()).put(visit(), inStoredForm(item, answer), utcNow());
+    appendEvent(
+        Actor::Participant, EventKind::Answered, storage::valuesOf(inStoredForm(item, answer)));
   });
 }
 

@@ -106,7 +106,7 @@ void Session::keepTrial(const TrialRecord& record) {
             {"largest_nm", record.largestTorque},
             {"least_energy", record.leastRotationEnergy}});
   }
-  if (record.link.isThere)
+  if (record.link.hasLink)
     appendEvent(Actor::Program, EventKind::DeviceLink, valuesOf(record.link));
   if (!record.deviceFault.empty())
     appendEvent(Actor::Program, EventKind::DeviceFault, record.deviceFault);

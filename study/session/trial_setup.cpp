@@ -29,7 +29,7 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
            .maxTorqueRate = need.maxTorqueRate,
            .maxVelocity = need.maxVelocity,
            .isPassivityControlled = need.isPassivityControlled},
-      .keep = [&traces, visit = session.visit(), sealing](int number, const auto& samples) {
+      .storeChunk = [&traces, visit = session.visit(), sealing](int number, const auto& samples) {
         traces.add(visit, number, samples, sealing);
       }};
 }

@@ -11,7 +11,7 @@ namespace {
 
 // The columns are listed in a fixed order, so that a column that a later format adds does not
 // change hashes of older formats. Every value is hashed exactly, with its type.
-constexpr std::array kOfASession{
+constexpr std::array kSessionQueries{
     "SELECT p.id, p.code, p.cohort, p.run_mode, p.created_utc FROM participant AS p "
     "JOIN session AS s ON s.participant_id = p.id WHERE s.id = ?",
     "SELECT id, participant_id, number, protocol_id, run_mode, cohort, language, slot, slot_state, "
@@ -33,7 +33,7 @@ constexpr std::array kOfASession{
     "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n FROM cut "
     "WHERE session_id = ? ORDER BY step, attempt, number"};
 
-constexpr std::array kOfTheStudy{
+constexpr std::array kStudyQueries{
     "SELECT id, uuid, seed, random_version, app_version, created_utc FROM study ORDER BY id",
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
@@ -78,7 +78,7 @@ bool hasWrappedKey(const Database& database) {
 }
 
 /// Hashed only if the session has a station, so that hashes of other sessions stay the same.
-constexpr const char* kStationOfASession =
+constexpr const char* kSessionStationQuery =
     "SELECT site, station FROM session WHERE id = ? AND station <> ''";
 
 bool wasAnyoneErased(const Database& database) {
@@ -100,7 +100,7 @@ void addRows(Hasher& hasher, Statement& rows) {
 void addStation(const Database& database, SessionId session, Hasher& hasher) {
   // A file of an older format that was opened for reading only lacks the column `station`.
   if (!database.hasColumn("session", "station")) return;
-  Statement row(database, kStationOfASession);
+  Statement row(database, kSessionStationQuery);
   row.bind(1, static_cast<std::int64_t>(session));
   if (!row.step()) return;
   hasher.add("station");
@@ -112,7 +112,7 @@ void addStation(const Database& database, SessionId session, Hasher& hasher) {
 
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key) {
   Hasher hasher;
-  for (const char* select : kOfASession) {
+  for (const char* select : kSessionQueries) {
     Statement rows(database, select);
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
@@ -128,7 +128,7 @@ Hash contentHash(const Database& database, SessionId session, const SealingKey* 
 
 Hash contentHash(const Database& database) {
   Hasher hasher;
-  for (const char* select : kOfTheStudy) {
+  for (const char* select : kStudyQueries) {
     Statement rows(database, select);
     addRows(hasher, rows);
   }

@@ -40,7 +40,7 @@ bool isUnwritable(const std::string& path) {
 }
 
 /// A URI that makes SQLite read the file without locks and without a log ("immutable=1").
-std::string sealedName(const std::string& path) {
+std::string immutableUri(const std::string& path) {
   std::string name = "file:";
   for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
     constexpr std::string_view kOfUris = "%?#";
@@ -72,7 +72,7 @@ Database::Database(std::string path, int flags, Reading reading) : path_(std::mo
   const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
   const bool isImmutable = isOnlyRead && (reading == Reading::Immutable || isUnwritable(path_));
   const int code = sqlite3_open_v2(
-      (isImmutable ? sealedName(path_) : path_).c_str(),
+      (isImmutable ? immutableUri(path_) : path_).c_str(),
       &handle_,
       flags | SQLITE_OPEN_EXRESCODE | (isImmutable ? SQLITE_OPEN_URI : 0),
       nullptr);

@@ -54,13 +54,13 @@ StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
   const auto visit = readVisitKey(row);
   return {
       .visit = visit,
-      .kind = known(stepKindNamed(row.text(3)), row.text(3)),
+      .kind = requireKnown(stepKindNamed(row.text(3)), row.text(3)),
       .phase = row.text(4),
       .instrument = row.text(5),
       .position = static_cast<int>(row.number(6)),
       .label = static_cast<int>(row.number(7)),
       .condition = condition.in(row, 8, kAfterStep - 1, visit.session, visit.step),
-      .visitStatus = known(visitStatusNamed(row.text(9)), row.text(9))};
+      .visitStatus = requireKnown(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
 /// The value named @p name; std::nullopt if there is none of that type.
@@ -94,7 +94,7 @@ void fillIn(TrialRow& trial, const base::NamedArguments& values) {
   const auto text = [&](const char* name) {
     return valueIn<std::string>(values, name).value_or("");
   };
-  trial.verdict = known(verdictNamed(text("verdict")), text("verdict"));
+  trial.verdict = requireKnown(verdictNamed(text("verdict")), text("verdict"));
   trial.reasons = reasonsIn(text("verdict_reason"));
   trial.duration = real("duration_s").value_or(0.0);
   trial.ticks = whole("ticks").value_or(0);
@@ -163,8 +163,8 @@ std::vector<SessionRecord> Records::sessions() const {
          .participant = select.text(1),
          .number = static_cast<int>(select.number(2)),
          .cohort = select.text(3),
-         .runMode = known(runModeNamed(select.text(4)), select.text(4)),
-         .state = known(sessionStateNamed(select.text(5)), select.text(5)),
+         .runMode = requireKnown(runModeNamed(select.text(4)), select.text(4)),
+         .state = requireKnown(sessionStateNamed(select.text(5)), select.text(5)),
          .endReason = select.text(6),
          .language = select.text(7),
          .protocol = ProtocolId{select.number(8)},
@@ -284,8 +284,8 @@ std::vector<TrialRow> Records::trials() const {
         {.step = stepIn(select, condition),
          .device = select.text(k),
          .travelUnit = select.text(k + 4),
-         .ending = known(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
-         .verdict = known(verdictNamed(select.text(k + 2)), select.text(k + 2)),
+         .ending = requireKnown(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
+         .verdict = requireKnown(verdictNamed(select.text(k + 2)), select.text(k + 2)),
          .reasons = reasonsIn(select.text(k + 3)),
          .duration = select.real(k + 5),
          .ticks = select.number(k + 6),

@@ -49,7 +49,7 @@ SessionRow sessionIn(const Statement& row) {
       .site = row.text(15),
       .station = row.text(16),
       .slot = row.number(7),
-      .slotState = known(valueNamed<SlotState>(kSlotStates, row.text(8)), row.text(8)),
+      .slotState = requireKnown(valueNamed<SlotState>(kSlotStates, row.text(8)), row.text(8)),
       .state = *state,
       .step = static_cast<int>(row.number(10)),
       .attempt = static_cast<int>(row.number(11)),
@@ -277,7 +277,7 @@ VisitStatus SessionRepository::statusOf(const VisitKey& visit) const {
   Statement select(
       database_, "SELECT status FROM visit WHERE session_id = ? AND step = ? AND attempt = ?");
   select.bind(1, visit);
-  return select.step() ? known(visitStatusNamed(select.text(0)), select.text(0))
+  return select.step() ? requireKnown(visitStatusNamed(select.text(0)), select.text(0))
                        : VisitStatus::Open;
 }
 

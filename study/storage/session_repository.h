@@ -113,7 +113,7 @@ std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept;
 /// @throws StorageError  (Damaged) if @p value is std::nullopt, because this program does not know
 ///     the name.
 template <typename Value>
-Value known(const std::optional<Value>& value, const std::string& name) {
+Value requireKnown(const std::optional<Value>& value, const std::string& name) {
   if (value) return *value;
   throw StorageError(
       "The study holds '" + name + "', which this program does not know. Is it damaged?",

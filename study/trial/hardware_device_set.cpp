@@ -124,7 +124,7 @@ std::vector<CheckResult> preflight(
        isStrong ? ""
                 : "Scenes that ask for more are cut off, the same for every condition, and every "
                   "trial says so; scale the scenes (force_scale) or lower max_force_n."});
-  if (!need->isTorqueAsked) return found;
+  if (!need->needsTorque) return found;
   const bool canTurn = can.maxTorque >= need->maxTorque;
   found.push_back(
       {canTurn ? Finding::Pass : Finding::Warn,

@@ -44,7 +44,7 @@ void LiveTrial::tick(double dt, double lateness) noexcept {
   if (sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted) {
     isDeviceGone_.store(true, std::memory_order_relaxed);
   }
-  toKeep_->push(sample);
+  storeRing_->push(sample);
 }
 
 void LiveTrial::onCutLandmark(haptics::models::CutDetector<double>::Event landmark) noexcept {
@@ -66,8 +66,8 @@ void LiveTrial::record(const std::stop_token& stop) {
 
 void LiveTrial::drain() {
   TickSample sample;
-  while (toKeep_->pop(sample)) {
-    toPlot_->push(sample);
+  while (storeRing_->pop(sample)) {
+    plotRing_->push(sample);
     if (isTraceLost_.load(std::memory_order_relaxed)) continue;
     try {
       trial_.keep(sample);
@@ -103,7 +103,7 @@ TrialRecord LiveTrial::finish(TrialEnding ending) {
   if (isTraceLost_.load()) ending = TrialEnding::TraceLost;
   TrialRecord record = trial_.finish(ending);
   record.ticks = static_cast<std::int64_t>(report.ticks);
-  record.lostSamples = static_cast<std::int64_t>(toKeep_->lost());
+  record.lostSamples = static_cast<std::int64_t>(storeRing_->lost());
   if (report.ticks > 1 && report.seconds > 0.0) {
     record.achievedRate = static_cast<double>(report.ticks - 1) / report.seconds;
   }

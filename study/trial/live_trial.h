@@ -42,7 +42,7 @@ class LiveTrial {
   Status status() const noexcept;
 
   /// The next sample for a plot. Only one thread may call it; false if there is none.
-  bool nextToPlot(haptics::engine::TickSample& sample) noexcept { return toPlot_->pop(sample); }
+  bool nextToPlot(haptics::engine::TickSample& sample) noexcept { return plotRing_->pop(sample); }
 
   /// Switches the force off at once.
   void stop() noexcept { trial_.stop(); }
@@ -66,8 +66,8 @@ class LiveTrial {
   void drain();
 
   Trial& trial_;
-  std::unique_ptr<Ring> toKeep_ = std::make_unique<Ring>();
-  std::unique_ptr<Ring> toPlot_ = std::make_unique<Ring>();
+  std::unique_ptr<Ring> storeRing_ = std::make_unique<Ring>();
+  std::unique_ptr<Ring> plotRing_ = std::make_unique<Ring>();
   std::atomic<int> cuts_{0};
   std::atomic<double> travel_{0.0};
   std::atomic<double> force_{0.0};

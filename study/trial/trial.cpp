@@ -11,7 +11,7 @@ namespace {
 using haptics::engine::ForceLimiter;
 using haptics::engine::TickSample;
 
-constexpr double kFelt = 0.05;  // [N]: only a larger commanded force counts as contact
+constexpr double kContactForce = 0.05;  // [N]: only a larger commanded force counts as contact
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void TrialStatistics::add(const TickSample& sample) {
   if ((sample.marks & TickSample::Undefined) != 0) ++undefined_;
   if ((sample.interventions & ForceLimiter::Saturated) != 0) ++saturated_;
   if ((sample.interventions & ForceLimiter::Slewed) != 0) ++slewed_;
-  if (std::abs(sample.force) > kFelt) ++contact_;
+  if (std::abs(sample.force) > kContactForce) ++contact_;
   largestForce_ = std::max(largestForce_, std::abs(sample.force));
   if ((sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0) return;
   using Event = haptics::engine::CutDetector::Event;
@@ -115,7 +115,7 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
       slope_(haptics::engine::renderedSlope(
           setup.scene, *device.capabilities().kind, device.capabilities().rate)),
       engine_(device, setup.limits),
-      keep_(std::move(setup.keep)),
+      storeChunk_(std::move(setup.storeChunk)),
       statistics_(*device.capabilities().kind, device.capabilities().rate) {
   chunk_.reserve(static_cast<std::size_t>(rate()));
   engine_.setScene(&scene_);
@@ -135,7 +135,7 @@ void Trial::keep(const TickSample& sample) {
 
 void Trial::keepChunk() {
   if (chunk_.empty()) return;
-  keep_(chunks_, chunk_);
+  storeChunk_(chunks_, chunk_);
   kept_ += static_cast<std::int64_t>(chunk_.size());
   ++chunks_;
   chunk_.clear();

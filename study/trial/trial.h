@@ -58,13 +58,14 @@ class TrialStatistics {
 class Trial {
  public:
   /// Stores a chunk of about one second of samples; may throw storage::StorageError.
-  using Keep = std::function<void(int number, const std::vector<storage::TraceSample>& samples)>;
+  using StoreChunk =
+      std::function<void(int number, const std::vector<storage::TraceSample>& samples)>;
 
   /// What a trial renders, with which limits, and how samples are stored.
   struct Setup {
     haptics::engine::SceneSpec scene;
     haptics::engine::SafetyLimits limits;
-    Keep keep;
+    StoreChunk storeChunk;
   };
 
   /// Builds the scene and arms the device, which must be open and outlive the trial.
@@ -111,7 +112,7 @@ class Trial {
   haptics::engine::CompiledScene scene_;
   haptics::engine::RenderedSlope slope_;  ///< of the scene, at the device's rate
   haptics::engine::ForceEngine engine_;
-  Keep keep_;
+  StoreChunk storeChunk_;
   TrialStatistics statistics_;
   std::vector<storage::TraceSample> chunk_;
   int chunks_ = 0;

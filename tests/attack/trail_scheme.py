@@ -120,7 +120,7 @@ class Forger:
     def content(self, session):
         """The hash of what the tables hold of a session, or of the study itself."""
         data = b""
-        for query in queries("kOfASession") if session is not None else queries("kOfTheStudy"):
+        for query in queries("kSessionQueries") if session is not None else queries("kStudyQueries"):
             for row in self.study.execute(query, (session,) if session is not None else ()):
                 data += field(b"row") + b"".join(field(exact(value)) for value in row)
             data += field(b"end")

@@ -90,8 +90,8 @@ TEST(TextTable, FindsTheUnitInAHead) {
   const std::vector<Cells> heads{
       {"Weg [mm]", "Weg", "mm"}, {"force_n", "force", "n"}, {"Zeit", "Zeit", ""}};
   for (const auto& head : heads) {
-    EXPECT_EQ(base::columnHeadOf(head[0]).name, head[1]);
-    EXPECT_EQ(base::columnHeadOf(head[0]).unit, head[2]);
+    EXPECT_EQ(base::columnHeadingOf(head[0]).name, head[1]);
+    EXPECT_EQ(base::columnHeadingOf(head[0]).unit, head[2]);
   }
 }
 

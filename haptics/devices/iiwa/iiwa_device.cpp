@@ -60,7 +60,8 @@ Endpoint robotOf(const IiwaSettings& settings) {
 
 IiwaDevice::IiwaDevice(IiwaSettings settings)
     : WireDevice(
-          capabilitiesOf(settings), {.turn = 10 * kMillisecond, .silence = kFirstMessageTimeout}),
+          capabilitiesOf(settings),
+          {.longestWait = 10 * kMillisecond, .silence = kFirstMessageTimeout}),
       settings_(std::move(settings)),
       kinematics_(settings_.model, settings_.tool),
       guard_(settings_.model, settings_.margins),

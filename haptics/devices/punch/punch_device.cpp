@@ -43,7 +43,8 @@ Capabilities capabilitiesOf(const PunchSettings& settings) {
 }  // namespace
 
 PunchDevice::PunchDevice(PunchSettings settings)
-    : WireDevice(capabilitiesOf(settings), {.turn = 20 * kMillisecond, .silence = kSilenceTimeout}),
+    : WireDevice(
+          capabilitiesOf(settings), {.longestWait = 20 * kMillisecond, .silence = kSilenceTimeout}),
       settings_(std::move(settings)) {}
 
 PunchDevice::~PunchDevice() {

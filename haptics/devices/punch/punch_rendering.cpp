@@ -15,18 +15,18 @@ float f32(double value) {
 }
 
 /// Names the feature of the model that the board cannot render; nullptr if it can render the model.
-const char* whyNot(const engine::InterpolationSpec& spec) {
+const char* unsupportedFeature(const engine::InterpolationSpec& spec) {
   if (spec.branches != engine::Branches::ClosingOnly) return "an opening branch";
   if (spec.curve.size() > kLargestTable) return "a curve of more than 128 points";
   return nullptr;
 }
 
-const char* whyNot(const engine::FiniteElementsSpec& spec) {
+const char* unsupportedFeature(const engine::FiniteElementsSpec& spec) {
   if (!spec.elementStiffnesses.empty()) return "elements of different stiffness";
   return spec.parameters.elements > 255 ? "more than 255 elements" : nullptr;
 }
 
-void put(Model& model, const engine::FiniteElementsSpec& spec) {
+void fillIn(Model& model, const engine::FiniteElementsSpec& spec) {
   const auto& p = spec.parameters;
   model.elements = static_cast<std::uint8_t>(p.elements);
   model.readings = static_cast<std::uint8_t>(
@@ -40,15 +40,15 @@ void put(Model& model, const engine::FiniteElementsSpec& spec) {
   model.yieldForce = f32(p.yieldForce);
 }
 
-void put(Model& model, const engine::InterpolationSpec& spec) {
+void fillIn(Model& model, const engine::InterpolationSpec& spec) {
   model.tableSize = static_cast<std::uint8_t>(spec.curve.size());
   model.extrapolation = static_cast<std::uint8_t>(spec.options.extrapolation);
   model.rampLength = f32(spec.options.rampLength);
 }
 
-void put(Model& model, const engine::KalmanSpec& spec) {
-  put(model, spec.interpolation);
-  put(model, spec.finiteElements);
+void fillIn(Model& model, const engine::KalmanSpec& spec) {
+  fillIn(model, spec.interpolation);
+  fillIn(model, spec.finiteElements);
   model.scheme = static_cast<std::uint8_t>(spec.scheme);
   const auto& n = spec.noise;
   const double noise[] = {
@@ -69,25 +69,25 @@ struct ChipMessages {
   const char* obstacle = nullptr;
 
   void operator()(const engine::InterpolationSpec& spec) {
-    obstacle = whyNot(spec);
+    obstacle = unsupportedFeature(spec);
     if (obstacle != nullptr) return;
     model.kind = ModelKind::Interpolation;
-    put(model, spec);
+    fillIn(model, spec);
     addTables(spec);
   }
   void operator()(const engine::FiniteElementsSpec& spec) {
-    obstacle = whyNot(spec);
+    obstacle = unsupportedFeature(spec);
     model.kind = ModelKind::FiniteElements;
-    put(model, spec);
+    fillIn(model, spec);
   }
   void operator()(const engine::KalmanSpec& spec) {
-    obstacle = whyNot(spec.interpolation);
-    if (obstacle == nullptr) obstacle = whyNot(spec.finiteElements);
+    obstacle = unsupportedFeature(spec.interpolation);
+    if (obstacle == nullptr) obstacle = unsupportedFeature(spec.finiteElements);
     if (spec.isProcessAsPrinted) obstacle = "Q as it is printed";
     if (spec.smoothing != models::Smoothing::None) obstacle = "smoothing";
     if (obstacle != nullptr) return;
     model.kind = ModelKind::Kalman;
-    put(model, spec);
+    fillIn(model, spec);
     addTables(spec.interpolation);
   }
   void operator()(const engine::MaterialSpec&) { obstacle = "bone"; }

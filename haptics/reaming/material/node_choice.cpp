@@ -246,7 +246,7 @@ std::size_t sampleAt(const SampledCurve& curve, double x) {
   return static_cast<std::size_t>(found - curve.x.begin());
 }
 
-double off(const SampledCurve& curve, const Spline& spline, std::size_t i) {
+double deviationAt(const SampledCurve& curve, const Spline& spline, std::size_t i) {
   return std::abs(spline.at(curve.x[i]) - curve.y[i]);
 }
 
@@ -264,9 +264,9 @@ SplineComparison compareSplines(
     const auto published = sampleAt(curve, first.error.publishedAt);
     const auto floored = sampleAt(curve, first.error.flooredAt);
     const double v = std::abs(curve.y[published]);
-    if (v > 0.0) compared.publishedAtWorst = off(curve, compared.spline, published) / v;
+    if (v > 0.0) compared.publishedAtWorst = deviationAt(curve, compared.spline, published) / v;
     compared.flooredAtWorst =
-        off(curve, compared.spline, floored) / std::max(std::abs(curve.y[floored]), floor);
+        deviationAt(curve, compared.spline, floored) / std::max(std::abs(curve.y[floored]), floor);
     comparison.splines.push_back(std::move(compared));
   }
   return comparison;

@@ -93,7 +93,7 @@ std::optional<Column> columnOf(
     const std::string& name) {
   const auto given = mapping.heads.find(quantity.name);
   for (std::size_t place = 0; place < heads.size(); ++place) {
-    const base::ColumnHead head = base::columnHeadOf(base::lowerCase(heads[place]));
+    const base::ColumnHeading head = base::columnHeadingOf(base::lowerCase(heads[place]));
     const bool isUsual =
         std::any_of(quantity.heads.begin(), quantity.heads.end(), [&head](const char* usual) {
           return head.name == usual;

@@ -145,7 +145,7 @@ DensityFit fitNonNegative(
   constexpr double kGap = 1e-9;
   // At larger weights only a start for the next weight is needed.
   constexpr double kGapOnTheWay = 1e-2;
-  constexpr double kEase = 0.3;  // factor by which the weight falls from step to step
+  constexpr double kWeightFactor = 0.3;  // factor by which the weight falls from step to step
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
   const double row = squares / static_cast<double>(matrix.rows);  // mean squared norm of a row
@@ -157,12 +157,12 @@ DensityFit fitNonNegative(
   Vector y = Vector::Zero(static_cast<Eigen::Index>(matrix.rows));
   // With a small weight Newton's method may diverge from a bad start. So begin with a weight at
   // which it converges, and reduce it. Scaling y with the weight keeps the densities.
-  double eased = std::max(weight, 1.0);
+  double weightNow = std::max(weight, 1.0);
   while (true) {
     // λ is relative to the mean squared norm of a row, so the fit does not depend on units. The
     // bound avoids a division by zero for a zero matrix.
-    const Dual dual{matrix, forces, prior, std::max(eased * row, 1e-300)};
-    const double goal = eased > weight ? kGapOnTheWay : kGap;
+    const Dual dual{matrix, forces, prior, std::max(weightNow * row, 1e-300)};
+    const double goal = weightNow > weight ? kGapOnTheWay : kGap;
     point = dual.at(std::move(y));
     for (int step = 0; step < kMostSteps && gapOf(point) > goal; ++step) {
       auto next = dual.next(point);
@@ -170,10 +170,10 @@ DensityFit fitNonNegative(
       point = std::move(*next);
       ++fit.iterations;
     }
-    if (!(eased > weight)) break;
-    const double easier = std::max(weight, kEase * eased);
-    y = easier / eased * point.y;
-    eased = easier;
+    if (!(weightNow > weight)) break;
+    const double nextWeight = std::max(weight, kWeightFactor * weightNow);
+    y = nextWeight / weightNow * point.y;
+    weightNow = nextWeight;
   }
   fit.gap = gapOf(point);
   fit.densities = std::move(point.densities);

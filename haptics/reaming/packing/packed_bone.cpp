@@ -51,7 +51,7 @@ std::vector<double> valuesAt(const CurveNodes& curve, std::span<const double> de
 }
 
 /// Every @p stride-th value, beginning at stride / 2.
-std::vector<double> someOf(std::span<const double> all, std::size_t stride) {
+std::vector<double> everyNth(std::span<const double> all, std::size_t stride) {
   std::vector<double> some;
   for (std::size_t i = stride / 2; i < all.size(); i += stride) some.push_back(all[i]);
   return some;
@@ -65,7 +65,7 @@ struct VirtualExperiment {
   const Packing& packing;
   PlungePath plunge;
   std::vector<double> depths;
-  std::vector<double> torqueDepths = someOf(depths, kTorqueStride);
+  std::vector<double> torqueDepths = everyNth(depths, kTorqueStride);
 
   ContactMatrix forces(std::span<const double> at) const {
     return contactMatrix(packing, packing.coverage(), plunge, at);

@@ -61,7 +61,7 @@ class NearestFour {
     for (; at > 0 && all_[at - 1].distance > obstacle.distance; --at) all_[at] = all_[at - 1];
     all_[at] = obstacle;
   }
-  double room() const noexcept { return count_ > 0 ? all_[0].distance : kFar; }
+  double clearance() const noexcept { return count_ > 0 ? all_[0].distance : kFar; }
   double farthest() const noexcept { return count_ == 4 ? all_[3].distance : kFar; }
   bool hasFour() const noexcept { return count_ == 4; }
   const std::array<Obstacle, 4>& all() const noexcept { return all_; }
@@ -196,7 +196,7 @@ class Builder {
 
   /// The nearest obstacles around @p place, within a cell; distances above the largest radius are
   /// not distinguished.
-  NearestFour around(Vec3 place, bool isMixed) const noexcept {
+  NearestFour nearestObstacles(Vec3 place, bool isMixed) const noexcept {
     NearestFour nearest;
     if (isMixed) {
       const auto boundary = body_.nearest(place);
@@ -215,13 +215,14 @@ class Builder {
     }
     for (int k = from[2]; k <= to[2]; ++k) {
       for (int j = from[1]; j <= to[1]; ++j) {
-        for (int i = from[0]; i <= to[0]; ++i) look(cells_[indexOf(i, j, k)], place, nearest);
+        for (int i = from[0]; i <= to[0]; ++i) addNearest(cells_[indexOf(i, j, k)], place, nearest);
       }
     }
     return nearest;
   }
 
-  static void look(const std::vector<Sphere>& cell, Vec3 place, NearestFour& nearest) noexcept {
+  static void addNearest(
+      const std::vector<Sphere>& cell, Vec3 place, NearestFour& nearest) noexcept {
     for (const auto& sphere : cell) {
       const Vec3 away = sphere.centre() - place;
       const double square = dot(away, away);
@@ -259,8 +260,8 @@ class Builder {
 
   /// Moves from @p place to the locally largest space, and puts a sphere there.
   void fillAt(Vec3 place, const std::array<int, 3>& block, bool isMixed, double radius) {
-    auto nearest = around(place, isMixed);
-    double room = nearest.room();
+    auto nearest = nearestObstacles(place, isMixed);
+    double room = nearest.clearance();
     if (room < -0.2 * radius) return;  // deep inside a sphere or outside the body
     constexpr int kMostMoves = 5;
     Vec3 best = place;
@@ -269,13 +270,13 @@ class Builder {
       const auto tangent = tangentTo(nearest.all(), from, 2.0 * largest_);
       if (!tangent || !isIn(tangent->centre, block)) break;
       from = tangent->centre;
-      nearest = around(from, isMixed);
-      if (nearest.room() > room) {
-        room = nearest.room();
+      nearest = nearestObstacles(from, isMixed);
+      if (nearest.clearance() > room) {
+        room = nearest.clearance();
         best = from;
       }
       // The sphere touches its four nearest obstacles: it is locally the largest.
-      if (std::abs(nearest.room() - tangent->radius) < 1e-6 * largest_) break;
+      if (std::abs(nearest.clearance() - tangent->radius) < 1e-6 * largest_) break;
     }
     if (room < radius || !isIn(best, block)) return;
     put(best, block, isMixed);
@@ -296,7 +297,7 @@ class Builder {
   void put(Vec3 place, const std::array<int, 3>& block, bool isMixed) {
     const auto rounded = [&](double x) { return quantum_ * std::round(x / quantum_); };
     const Vec3 centre{rounded(place.x), rounded(place.y), rounded(place.z)};
-    const double room = std::min(around(centre, isMixed).room(), largest_);
+    const double room = std::min(nearestObstacles(centre, isMixed).clearance(), largest_);
     if (!(room > 0.0) || !isIn(centre, block)) return;
     const auto cell = cellOf(centre);
     cells_[indexOf(cell[0], cell[1], cell[2])].push_back(

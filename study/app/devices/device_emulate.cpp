@@ -28,7 +28,7 @@ void end(int) {
   isEnded = 1;
 }
 
-void say(const std::string& line) {
+void printLine(const std::string& line) {
   std::fputs((line + "\n").c_str(), stdout);
   std::fflush(stdout);
 }
@@ -61,7 +61,7 @@ void executeInput(
       const std::string line = buffer.substr(0, at);
       buffer.erase(0, at + 1);
       if (line == "quit") return;
-      if (!line.empty()) say(line == "help" ? "There are: " + help : obey(line));
+      if (!line.empty()) printLine(line == "help" ? "There are: " + help : obey(line));
     }
   }
 }
@@ -77,7 +77,7 @@ void raiseOwnPriority() {
 int emulateSerial(const EmulateArguments& arguments) {
   if (!arguments.firmware.empty()) {
     QemuPunch board(arguments.firmware, arguments.link);
-    say("ready port=" + board.port() + " qemu_pid=" + std::to_string(board.id()));
+    printLine("ready port=" + board.port() + " qemu_pid=" + std::to_string(board.id()));
     executeInput(
         arguments, QemuPunch::help(), [&](const std::string& line) { return board.command(line); });
     return 0;
@@ -111,7 +111,7 @@ int emulateSerial(const EmulateArguments& arguments) {
       timing::sleepUntil(due);
     }
   });
-  say("ready port=" + punch.port());
+  printLine("ready port=" + punch.port());
   const std::string help(emulators::PunchEmulator::help());
   executeInput(arguments, help, [&](const std::string& line) {
     const std::lock_guard lock(gate);
@@ -142,7 +142,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
       isTorque ? fri::ControlMode::JointImpedance : fri::ControlMode::CartesianImpedance;
   emulators::FriController controller(options);
   std::jthread loop([&](const std::stop_token& stop) { controller.run(stop); });
-  say("ready client=" + arguments.client + " local=" + controller.local().text());
+  printLine("ready client=" + arguments.client + " local=" + controller.local().text());
   executeInput(arguments, emulators::FriOrders::help(), [&](const std::string& line) {
     const auto reply = controller.command(line);
     if (!reply.isTaken) return "error " + reply.text;

@@ -23,10 +23,10 @@ namespace timing = haptics::timing;
 using haptics::wire::SketchForces;
 using haptics::wire::SketchMesh;
 
-volatile std::sig_atomic_t isEnough = 0;
+volatile std::sig_atomic_t isStopRequested = 0;
 
-void enough(int) {
-  isEnough = 1;
+void stopOnSignal(int) {
+  isStopRequested = 1;
 }
 
 /// A row of the CSV file: the time, then the values of the line. Missing values are empty cells.
@@ -59,8 +59,8 @@ int listen(const ListenArguments& arguments) {
   std::ostream& out = arguments.out.empty() ? std::cout : file;
   out << "time_s,kind,tool_displacement,finite_elements_n,interpolation_n,average_n\n"
       << std::flush;
-  std::signal(SIGINT, enough);
-  std::signal(SIGTERM, enough);
+  std::signal(SIGINT, stopOnSignal);
+  std::signal(SIGTERM, stopOnSignal);
 
   const std::int64_t begin = timing::now();
   const std::int64_t until = arguments.seconds > 0.0
@@ -70,7 +70,7 @@ int listen(const ListenArguments& arguments) {
   std::string line;
   std::int64_t understood = 0;
   std::int64_t others = 0;
-  while (port.isOpen() && isEnough == 0 && timing::now() < until) {
+  while (port.isOpen() && isStopRequested == 0 && timing::now() < until) {
     port.waitReadable(std::min(until, timing::now() + 100 * timing::kMillisecond));
     std::array<std::uint8_t, 512> bytes{};
     const std::size_t count = port.read(bytes);

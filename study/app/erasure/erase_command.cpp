@@ -101,7 +101,7 @@ int erase(ErasureArguments options) {
 int setPassphrase(const ErasureArguments& options) {
   auto study = Study::open(options.folder);
   askForNamesIfLocked(study);
-  setPassphraseOfNames(study, askNewPassphrase(kNewPassphraseOfNames), options.request.reason);
+  setPassphraseOfNames(study, askNewPassphrase(kAskNewNamesPassphrase), options.request.reason);
   fmt::print(
       "Names in {} are behind the passphrase, and in copies that are made from now on. Sessions "
       "ask "

@@ -22,7 +22,7 @@ struct EvidenceArguments {
   std::string folder;
   std::string out;
   std::string reason;
-  std::string noted;
+  std::string expectedHead;
   std::string witness;
   std::string newWitness;
   std::string certificate;
@@ -73,7 +73,9 @@ int verify(const EvidenceArguments& options) {
   auto verification = study::verify(
       study,
       {},
-      {.noted = options.noted, .witness = options.witness, .isOlderCopy = options.isOlderCopy});
+      {.noted = options.expectedHead,
+       .witness = options.witness,
+       .isOlderCopy = options.isOlderCopy});
   checkTimeStamps(study, options.certificate, verification);
   if (options.json) {
     std::fputs(verificationAsJson(verification).c_str(), stdout);
@@ -154,7 +156,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_flag("--json", verifying.json, "Print JSON");
   verify->add_option(
       "--expect",
-      verifying.noted,
+      verifying.expectedHead,
       "Head (hash of the trail's last event) noted earlier: fails if the trail does not contain "
       "it");
   verify->add_option(

@@ -131,7 +131,7 @@ struct VerifiedTimeStamp {
 /// Verifies with openssl that an authority's reply is a time stamp of @p head.
 /// @param reply  the content of the reply file
 /// @param certificate  path of the authority's root certificate (PEM)
-VerifiedTimeStamp prove(
+VerifiedTimeStamp verifyReply(
     const std::string& head, const std::string& reply, const std::string& certificate) {
   const TemporaryFolder scratch;
   const auto file = fileWith(scratch, "reply", reply);
@@ -203,7 +203,7 @@ int keepReply(Study& study, const TimeStampArguments& options) {
   std::string whyNot = "no request was made here";
   for (const auto& each : trail.all()) {
     if (each.head.purpose != kPurpose) continue;
-    const auto proven = prove(each.head.asLine(), reply, options.certificate);
+    const auto proven = verifyReply(each.head.asLine(), reply, options.certificate);
     whyNot = proven.whyNot;
     if (proven.utc.empty()) continue;
     keep(study, each.head.asLine(), reply, proven);
@@ -274,7 +274,7 @@ int timestamp(const TimeStampArguments& options) {
         "Without a network, --request FILE and --reply FILE do the same.");
   }
   const auto reply = contentOf(answer);
-  const auto proven = prove(head, reply, options.certificate);
+  const auto proven = verifyReply(head, reply, options.certificate);
   if (proven.utc.empty()) {
     throw UserError("What " + options.authority + " answered is not kept: " + proven.whyNot);
   }
@@ -293,7 +293,7 @@ void checkTimeStamps(Study& study, const std::string& certificate, Verification&
     if (certificate.empty()) continue;
     const auto line = textOf(event, "head");
     const auto head = storage::headIn(line);
-    const auto proven = prove(line, replyIn(event), certificate);
+    const auto proven = verifyReply(line, replyIn(event), certificate);
     if (!head || !trail.holds(*head)) {
       check.problems.push_back(
           "a head that was stamped on " + textOf(event, "utc") + " is not in the trail");

@@ -7,7 +7,7 @@
 namespace study::app {
 
 /// The question for a new passphrase that encrypts the names of participants.
-inline constexpr const char* kNewPassphraseOfNames =
+inline constexpr const char* kAskNewNamesPassphrase =
     "New passphrase for the names (write it down and keep it safe: without it, the names are lost)";
 
 /// Reads a passphrase from the terminal without echo, or a line of standard input if that is no

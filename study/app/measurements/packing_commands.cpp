@@ -57,7 +57,7 @@ std::string checkedEnding(const std::string& path) {
 std::unique_ptr<reaming::Solid> bodyOf(const BuildCommand& command) {
   if (command.mesh.empty()) return std::make_unique<reaming::Acetabulum>();
   auto body = readBody(command.mesh, command.unit);
-  for (const auto& said : body.said) fmt::print(stderr, "{}: {}\n", command.mesh, said);
+  for (const auto& remark : body.remarks) fmt::print(stderr, "{}: {}\n", command.mesh, remark);
   return std::make_unique<reaming::MeshSolid>(std::move(body.mesh));
 }
 
@@ -66,7 +66,7 @@ void printSyntheticMark(const reaming::PackedBone& bone) {
 }
 
 /// Prints the progress when the radius has changed. @return  true, to continue
-bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
+bool printPackingProgress(const reaming::PackingProgress& progress, double& lastRadius) {
   if (progress.radius == lastRadius) return true;
   lastRadius = progress.radius;
   fmt::print(
@@ -91,8 +91,9 @@ int buildPacking(BuildCommand& command) {
   bone.reamerRadius = kMillimetre * command.reamerRadius;
   try {
     double lastRadius = 0.0;
-    bone.packing = *reaming::pack(
-        *body, options, [&](const auto& progress) { return tell(progress, lastRadius); });
+    bone.packing = *reaming::pack(*body, options, [&](const auto& progress) {
+      return printPackingProgress(progress, lastRadius);
+    });
   } catch (const std::invalid_argument& wrong) {
     throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
   }
@@ -177,7 +178,7 @@ void addBuildPacking(CLI::App& noun, Action& action) {
 }
 
 struct DensityCommand {
-  const CLI::App* given = nullptr;  ///< for finding out which options were given
+  const CLI::App* parsedCommand = nullptr;  ///< for finding out which options were given
   std::string packing;
   MaterialChoice material;
   std::string out;
@@ -264,7 +265,7 @@ int fitDensities(DensityCommand& command) {
   checkedEnding(command.out);
   const bool isSwarm = command.method == "swarm";
   for (const auto* option : kSwarmOptions) {
-    if (!isSwarm && command.given->count(option) > 0) {
+    if (!isSwarm && command.parsedCommand->count(option) > 0) {
       throw UserError(std::string(option) + " is of a swarm: add --method swarm.");
     }
   }
@@ -312,7 +313,7 @@ void addFitDensities(CLI::App& noun, Action& action) {
       "fit",
       "Fit the densities of a packing's spheres to a material",
       app::fitDensities);
-  command.given = verb;
+  command.parsedCommand = verb;
   verb->add_option("PACKING", command.packing, "A packing from 'palpate packing build'")
       ->required();
   addMaterialOptions(*verb, command.material);

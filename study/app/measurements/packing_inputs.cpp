@@ -48,7 +48,7 @@ double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMe
         "The mesh is of no bone's size, neither in metres nor in millimetres. Say which with "
         "--unit m or --unit mm.");
   }
-  body.said.emplace_back(
+  body.remarks.emplace_back(
       likely == 1.0 ? "by its size its numbers are metres"
                     : "by its size its numbers are millimetres");
   return likely;
@@ -107,8 +107,8 @@ BodyMesh readBody(const std::string& path, const std::string& unit) {
   if (!std::filesystem::is_regular_file(path)) {
     throw UserError("There is no file " + path + ". Check the spelling and the folder.");
   }
-  BodyMesh body{.mesh = trianglesOf(surfacesIn(path)), .said = {}};
-  for (const auto& repair : reaming::repair(body.mesh)) body.said.push_back(repair);
+  BodyMesh body{.mesh = trianglesOf(surfacesIn(path)), .remarks = {}};
+  for (const auto& repair : reaming::repair(body.mesh)) body.remarks.push_back(repair);
   const double unitLength = unitOf(body.mesh, unit, body);
   for (auto& vertex : body.mesh.vertices) vertex = unitLength * vertex;
   std::string wrong;

@@ -37,7 +37,7 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
 /// A body from an STL, OBJ or PLY file, to be packed with spheres.
 struct BodyMesh {
   haptics::reaming::TriangleMesh mesh;  ///< [m]
-  std::vector<std::string> said;        ///< sentences on repairs and assumptions, for the user
+  std::vector<std::string> remarks;     ///< sentences on repairs and assumptions, for the user
 };
 
 /// @param unit  "m", "mm", or empty: it is derived from the size of the mesh.

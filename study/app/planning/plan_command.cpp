@@ -22,7 +22,7 @@ struct PlanOptions {
   bool json = false;
 };
 
-void takeShares(PlanOptions& options) {
+void applyShares(PlanOptions& options) {
   if (options.shares.empty()) return;
   const double sum = options.shares[0] + options.shares[1] + options.shares[2];
   if (std::abs(sum - 1.0) > 1e-9) {
@@ -35,7 +35,7 @@ void takeShares(PlanOptions& options) {
 }
 
 int plan(PlanOptions options) {
-  takeShares(options);
+  applyShares(options);
   if (options.sites) {
     options.question.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
   }

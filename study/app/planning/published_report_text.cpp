@@ -154,7 +154,7 @@ std::string describeExample(const PublishedReport& report) {
   return text;
 }
 
-std::string wholePart(const PublishedReport& report) {
+std::string wholeAnswersPart(const PublishedReport& report) {
   const auto& scale = *report.question.scale;
   std::string text = fmt::format(
       "Answers on {} … {}{} (sums and sums of squares are whole; every combination of sizes):\n",
@@ -183,7 +183,7 @@ std::string publishedReportAsText(const PublishedReport& report) {
   if (!report.atStated.empty()) text += statedPart(report);
   if (!report.atEqual.empty()) text += equalPart(report);
   if (!report.wholeAnswers.empty()) {
-    text += wholePart(report);
+    text += wholeAnswersPart(report);
   } else {
     text +=
         "Whole answers were not looked for: say what scale they were given on, for instance "

@@ -51,19 +51,20 @@ Json asJson(const std::optional<SiteDetectability>& sites) {
       {"design_effect", sites->designEffect},
       {"power", sites->power},
       {"simulated", asJson(sites->found)},
-      {"simulated_without_effect", asJson(sites->invented)}};
+      {"simulated_without_effect", asJson(sites->falsePositives)}};
 }
 
-Json asJson(const Detectability& prospect, const CohortPlan& cohort) {
+Json asJson(const Detectability& detectability, const CohortPlan& cohort) {
   return {
       {"cohort", cohort.id},
-      {"participants", prospect.participants},
-      {"smallest_pair", asJson(prospect.pair)},
-      {"can_find_pairs", prospect.canPairsBeSignificant},
-      {"smallest_friedman", prospect.friedman ? asJson(*prospect.friedman) : Json(nullptr)},
-      {"power", orNull(prospect.power)},
-      {"simulated", asJson(prospect.found)},
-      {"simulated_without_effect", asJson(prospect.invented)}};
+      {"participants", detectability.participants},
+      {"smallest_pair", asJson(detectability.pair)},
+      {"can_find_pairs", detectability.canPairsBeSignificant},
+      {"smallest_friedman",
+       detectability.friedman ? asJson(*detectability.friedman) : Json(nullptr)},
+      {"power", orNull(detectability.power)},
+      {"simulated", asJson(detectability.found)},
+      {"simulated_without_effect", asJson(detectability.falsePositives)}};
 }
 
 Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
@@ -83,8 +84,9 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
   const bool hasSites = plan.question.sites.has_value();
   if (hasSites) json["participants_for_power_at_sites"] = orNull(family.forPowerAtSites);
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
-    auto& prospect = json["prospects"].emplace_back(asJson(family.prospects[i], plan.cohorts[i]));
-    if (hasSites) prospect["at_sites"] = asJson(family.prospects[i].sites);
+    auto& detectability =
+        json["prospects"].emplace_back(asJson(family.detectabilities[i], plan.cohorts[i]));
+    if (hasSites) detectability["at_sites"] = asJson(family.detectabilities[i].sites);
   }
   return json;
 }

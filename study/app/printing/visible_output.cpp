@@ -78,7 +78,7 @@ ssize_t writeVisibly(void* cookie, const char* text, std::size_t count) {
 
 /// A stream that escapes text and writes it to @p output; returns @p otherwise if it cannot be
 /// created.
-FILE* visibly(Output& output, FILE* otherwise, int buffering) {
+FILE* openEscapingStream(Output& output, FILE* otherwise, int buffering) {
   FILE* stream = fopencookie(&output, "w", {nullptr, writeVisibly, nullptr, nullptr});
   if (stream == nullptr) return otherwise;
   std::fflush(otherwise);
@@ -114,8 +114,8 @@ void escapeControlCharactersInOutput() {
   static Output out{STDOUT_FILENO, {}};
   static Output error{STDERR_FILENO, {}};
   static const bool isDone = [] {
-    stdout = visibly(out, stdout, isatty(STDOUT_FILENO) != 0 ? _IOLBF : _IOFBF);
-    stderr = visibly(error, stderr, _IONBF);
+    stdout = openEscapingStream(out, stdout, isatty(STDOUT_FILENO) != 0 ? _IOLBF : _IOFBF);
+    stderr = openEscapingStream(error, stderr, _IONBF);
     return true;
   }();
   static_cast<void>(isDone);

@@ -30,7 +30,7 @@ std::string orMissing(const std::optional<double>& value) {
 }
 
 /// A name with spaces for underscores: "log odds ratio" for "log_odds_ratio".
-std::string spelled(std::string_view name) {
+std::string withSpaces(std::string_view name) {
   std::string text(name);
   for (char& c : text) c = c == '_' ? ' ' : c;
   return text;
@@ -76,7 +76,7 @@ void printRow(const analysis::TestRow& row, double level) {
   std::string line;
   const auto add = [&](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
   const auto addNumber = [&](const analysis::NamedNumber& number, const char* between) {
-    if (!number.name.empty()) add(spelled(number.name) + between + orMissing(number.value));
+    if (!number.name.empty()) add(withSpaces(number.name) + between + orMissing(number.value));
   };
   addNumber(row.estimate, " ");
   addNumber(row.statistic, " = ");
@@ -93,14 +93,14 @@ void printRow(const analysis::TestRow& row, double level) {
     fmt::print(
         "{:g} % confidence interval of the {}: {:.10g} to {:.10g}\n",
         100.0 * level,
-        spelled(of),
+        withSpaces(of),
         limits->low,
         limits->high);
   };
   interval(row.interval, row.estimate.name);
   interval(row.effectInterval, row.effect.name);
   for (const auto& number : row.more) {
-    fmt::print("{} = {}\n", spelled(number.name), orMissing(number.value));
+    fmt::print("{} = {}\n", withSpaces(number.name), orMissing(number.value));
   }
   if (!row.reason.empty()) fmt::print("{}\n", base::describe(row.reason));
 }

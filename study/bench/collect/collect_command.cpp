@@ -30,7 +30,7 @@ IngestSpeed sumOf(const std::vector<IngestSpeed>& parts) {
     sum.sent.answers += part.sent.answers;
     sum.sent.events += part.sent.events;
     sum.sent.reading += part.sent.reading;
-    sum.sent.taking += part.sent.taking;
+    sum.sent.ingesting += part.sent.ingesting;
     sum.copying += part.copying;
     sum.copyingAll += part.copyingAll;
   }
@@ -61,7 +61,7 @@ DataTable ingestTable(const CollectMeasurement& measured) {
         amountOfPeer / peer.processor,
         ours.processor / (peer.processor * share)};
   };
-  auto withReading = sum.sent.taking;
+  auto withReading = sum.sent.ingesting;
   withReading += sum.sent.reading;
   return {
       .name = "ingest",
@@ -79,10 +79,15 @@ DataTable ingestTable(const CollectMeasurement& measured) {
           row("answers, with all that travels; COPY of the answers",
               "answers/s",
               answers,
-              sum.sent.taking,
+              sum.sent.ingesting,
               answers,
               sum.copying),
-          row("… COPY of all rows", "answers/s", answers, sum.sent.taking, answers, sum.copyingAll),
+          row("… COPY of all rows",
+              "answers/s",
+              answers,
+              sum.sent.ingesting,
+              answers,
+              sum.copyingAll),
           row("… ingest() and what the station does before",
               "answers/s",
               answers,
@@ -108,7 +113,7 @@ DataTable growthTable(const CollectMeasurement& measured) {
   for (const auto& part : measured.parts) {
     const auto answers = static_cast<double>(part.sent.answers);
     table.rows.push_back(
-        {part.before, answers / part.sent.taking.wall, answers / part.copyingAll.wall});
+        {part.before, answers / part.sent.ingesting.wall, answers / part.copyingAll.wall});
   }
   return table;
 }
@@ -121,7 +126,7 @@ report::Chart growthChart(const CollectMeasurement& measured) {
   for (const auto& part : measured.parts) {
     const auto before = static_cast<double>(part.before);
     const auto answers = static_cast<double>(part.sent.answers);
-    chart.series[0].points.push_back({.x = before, .y = answers / part.sent.taking.wall});
+    chart.series[0].points.push_back({.x = before, .y = answers / part.sent.ingesting.wall});
     chart.series[1].points.push_back({.x = before, .y = answers / part.copyingAll.wall});
   }
   return chart;
@@ -205,7 +210,7 @@ DataTable planTable(const CollectMeasurement& measured) {
 
 int benchCollect(const CollectOptions& options) {
   const auto measured = measureCollection(options.size);
-  present(
+  printAndWrite(
       options.out,
       "collect",
       {.title = "Many sites into one server: how fast",

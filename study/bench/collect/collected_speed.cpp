@@ -87,7 +87,7 @@ void addTo(StationPush& sum, const StationPush& sent) {
   sum.events += sent.events;
   sum.traceBytes += sent.traceBytes;
   sum.reading += sent.reading;
-  sum.taking += sent.taking;
+  sum.ingesting += sent.ingesting;
   sum.traces += sent.traces;
 }
 
@@ -228,7 +228,7 @@ void pullAll(
   }
 }
 
-void weigh(Connection& owner, CollectMeasurement& measured) {
+void measureTableSizes(Connection& owner, CollectMeasurement& measured) {
   for (const std::string table : {"answer", "session", "event", "fact", "progress", "chunk"}) {
     const auto rows = owner.query(
         "SELECT (SELECT count(*) FROM palpate." + table + "), pg_table_size('palpate." + table +
@@ -260,7 +260,7 @@ CollectMeasurement measureCollection(const CollectSize& size) {
   count(postgres, instrument, size.repetitions, measured);
   std::fprintf(stderr, "pull\n");
   pullAll(postgres, size, instrument, measured);
-  weigh(owner, measured);
+  measureTableSizes(owner, measured);
   measured.sites = size.sites;
   measured.answers = measured.tables.front().rows;
   auto sent = measured.recorded.answers;

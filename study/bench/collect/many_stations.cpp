@@ -49,7 +49,7 @@ StationPush pushAll(collect::Outbox& outbox, Connection& server) {
     sent.reading += watch.elapsed();
     watch.start();
     const auto answer = collect::ingest(server, text, chunks);
-    (chunks.empty() ? sent.taking : sent.traces) += watch.elapsed();
+    (chunks.empty() ? sent.ingesting : sent.traces) += watch.elapsed();
     if (!answer.refused.empty()) throw UserError(collect::wordsFor(answer));
     sent.events += static_cast<std::int64_t>(batch.events.size());
     for (const auto& session : batch.sessions) {
@@ -111,7 +111,7 @@ void ManyStations::record(Study& study, int participants) {
   study.transact([&] { study.signTrail("simulated"); });
   const auto events = study.events().stored(0, study.events().last());
   for (const auto& row : study.sessions().all()) {
-    Recorded session{.facts = storage::factsOf(study.database(), row.id), .events = {}};
+    Recorded session{.facts = storage::sessionTablesOf(study.database(), row.id), .events = {}};
     session.facts["trial"].clear();
     session.facts["cut"].clear();
     for (const auto& event : events) {

@@ -20,9 +20,9 @@ struct StationPush {
   std::int64_t answers = 0;
   std::int64_t events = 0;
   std::uint64_t traceBytes = 0;
-  WorkTime reading;  ///< reading its folder and writing batches
-  WorkTime taking;   ///< ingest() of events and sessions
-  WorkTime traces;   ///< ingest() of samples
+  WorkTime reading;    ///< reading its folder and writing batches
+  WorkTime ingesting;  ///< ingest() of events and sessions
+  WorkTime traces;     ///< ingest() of samples
 };
 
 /// A study on a private server, and stations that send sessions of simulated participants to it:

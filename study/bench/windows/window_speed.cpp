@@ -186,7 +186,7 @@ struct Subject {
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
   std::unique_ptr<scene::SimulatedScene> scene;
-  double making = 0.0;  ///< time to build the scene [ms]
+  double buildTime = 0.0;  ///< time to build the scene [ms]
 };
 
 Subject kneeSubject(const SimulationOptions& options) {
@@ -197,7 +197,7 @@ Subject kneeSubject(const SimulationOptions& options) {
   QElapsedTimer clock;
   clock.start();
   subject.scene = std::make_unique<scene::KneeScene>(options.knee ? &*options.knee : nullptr);
-  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  subject.buildTime = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
 
@@ -228,11 +228,11 @@ Subject hipSubject(const SimulationOptions& options) {
   clock.start();
   subject.scene = std::make_unique<scene::HipScene>(scene::HipScene::Options{
       .packing = haptics::engine::partsOf(subject.spec.model).packing, .colours = options.colours});
-  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  subject.buildTime = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
 
-scene::Look lookAt(const LiveTrial& live, const Trial& trial) {
+scene::TrialSnapshot snapshotOf(const LiveTrial& live, const Trial& trial) {
   const auto status = live.status();
   return {
       .travel = status.travel,
@@ -267,10 +267,11 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   const auto picture = QString::fromStdString(subject.picture);
   SimulatedHand hand(subject.person);
   SimulatedDevice device(*subject.device, hand);
-  SimulationSpeed measured{.name = subject.name, .making = subject.making};
+  SimulationSpeed measured{.name = subject.name, .buildTime = subject.buildTime};
   measured.allBytes = bytesOfAllSpheres(subject.spec);
   Trial trial(
-      device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
+      device,
+      {.scene = subject.spec, .limits = subject.limits, .storeChunk = [](int, const auto&) {}});
   scene::SimulationView view(
       std::move(subject.scene),
       scene::makeRenderer(options.renderer),
@@ -281,7 +282,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   wait(0.5);  // until the window is shown and all spheres have been sent once
   const auto bytesBefore = view.renderer().sphereBytes();
   LiveTrial live(trial);
-  view.setLookSource([&] { return lookAt(live, trial); });
+  view.setSnapshotSource([&] { return snapshotOf(live, trial); });
   constexpr int kPictures = 5;
   for (int i = 0; i < kPictures; ++i) {
     wait(options.seconds / kPictures);
@@ -292,7 +293,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   measured.longest = view.longestInterval();
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
-  view.setLookSource({});
+  view.setSnapshotSource({});
   measured.felt = live.finish(TrialEnding::Finished);
   return measured;
 }

@@ -52,7 +52,7 @@ struct SimulationSpeed {
   TrialRecord felt;
   std::pair<int, int> size;    ///< of the picture that is scaled to the window [pixels]
   double longest = 0.0;        ///< the longest time from frame to frame [ms]
-  double making = 0.0;         ///< time to build the scene before the trial [ms]
+  double buildTime = 0.0;      ///< time to build the scene before the trial [ms]
   double bytesPerFrame = 0.0;  ///< number of bytes on spheres that a frame sends to the renderer
   double allBytes = 0.0;       ///< number of bytes on all spheres; 0 without spheres
 

@@ -89,7 +89,7 @@ DataTable simulationTable(
          view.latencyMedian,
          view.latencyP99,
          static_cast<std::int64_t>(view.frames),
-         measured.making,
+         measured.buildTime,
          static_cast<std::int64_t>(measured.felt.ticks),
          static_cast<std::int64_t>(measured.felt.lateTicks.value_or(0)),
          measured.bytesPerFrame,
@@ -178,7 +178,7 @@ int windows(const WindowsOptions& options) {
         {.heading = "Desk",
          .tables = {plotTable(plots), pageTable(waits, folder), homeTable(home)}});
   }
-  present(simulation.folder, "windows", document);
+  printAndWrite(simulation.folder, "windows", document);
   if (!remark.empty()) fmt::print("{}\n", remark);
   if (!isSparing)
     fmt::print("FAIL  a picture hands on more than 5 % of the bytes of all spheres.\n");

@@ -73,7 +73,7 @@ void runStation(const PrivateServer& postgres, const DemoStation& at, const Demo
       "{}: {} sessions, {} events and {:.1f} MB of samples sent.\n",
       at.label,
       pushed.sessions.arrived,
-      pushed.have,
+      pushed.lastEvent,
       static_cast<double>(pushed.traceBytes) / 1e6);
 }
 

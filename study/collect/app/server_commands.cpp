@@ -133,18 +133,18 @@ int setAside(const ServerArguments& given) {
   return 0;
 }
 
-int takeIn(const ServerArguments& given) {
+int ingestFile(const ServerArguments& given) {
   Connection server(given.server);
   const auto taken = withRole(server, kOwner, [&] {
     requireSchema(server);
     return ingestBundle(server, given.file);
   });
-  const auto added = static_cast<std::uint64_t>(taken.have - taken.before);
+  const auto added = static_cast<std::uint64_t>(taken.lastEvent - taken.before);
   fmt::print(
       "{} The server has all events of '{}' up to {}.\n",
       added == 0 ? "Nothing in it is new." : words::counted(added, "new event") + ".",
       taken.station,
-      taken.have);
+      taken.lastEvent);
   for (const auto& receipt : taken.erased) fmt::print("{}\n", wordsFor(receipt));
   return 0;
 }
@@ -192,7 +192,11 @@ void addServerCommands(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 365));
 
   auto [in, taking] = app::addCommand(
-      program, action, "ingest", "Take a file of 'palpate collect bundle' into the server", takeIn);
+      program,
+      action,
+      "ingest",
+      "Take a file of 'palpate collect bundle' into the server",
+      ingestFile);
   addServerOption(*in, taking.server);
   in->add_option("FILE", taking.file, "The bundle")->required();
 

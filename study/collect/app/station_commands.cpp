@@ -72,8 +72,9 @@ int bundleStudy(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
   const auto station = storage::StationStore::openOrCreate(storage::StationStore::defaultFolder());
-  const auto after = given.afterEvent >= 0 ? given.afterEvent
-                                           : lastPush(outbox.study(), outbox.station().uuid).have;
+  const auto after = given.afterEvent >= 0
+                         ? given.afterEvent
+                         : lastPush(outbox.study(), outbox.station().uuid).lastEvent;
   const auto bundle =
       writeBundle(outbox, station, serverSettingsOf(given.folder).bundleKey, after, given.out);
   fmt::print(
@@ -106,10 +107,10 @@ int pushStudy(const StationArguments& given) {
     recordPush(
         outbox.study(),
         outbox.station().uuid,
-        {.utc = asUtc(clock.now().wall), .have = have, .problem = std::string(problem)});
+        {.utc = asUtc(clock.now().wall), .lastEvent = have, .problem = std::string(problem)});
   };
   const auto noteProblem = [&](std::string_view problem) {
-    note(lastPush(outbox.study(), outbox.station().uuid).have, problem);
+    note(lastPush(outbox.study(), outbox.station().uuid).lastEvent, problem);
   };
   PushResult sent;
   try {
@@ -121,14 +122,14 @@ int pushStudy(const StationArguments& given) {
     noteProblem(error.name());
     throw;
   }
-  note(sent.have, {});
+  note(sent.lastEvent, {});
   fmt::print(
       "{}\n{}\n",
-      sent.have == sent.before ? std::string("The server has everything already.")
-                               : fmt::format(
-                                     "{} new events sent, {:.1f} MB of samples.",
-                                     sent.have - sent.before,
-                                     static_cast<double>(sent.traceBytes) / 1e6),
+      sent.lastEvent == sent.before ? std::string("The server has everything already.")
+                                    : fmt::format(
+                                          "{} new events sent, {:.1f} MB of samples.",
+                                          sent.lastEvent - sent.before,
+                                          static_cast<double>(sent.traceBytes) / 1e6),
       arrivedInWords(sent.sessions));
   for (const auto& receipt : sent.erased) {
     recordErasureReceipt(outbox.study(), outbox.station().uuid, receipt);
@@ -142,14 +143,14 @@ int statusOfStation(const StationArguments& given) {
   SystemClock clock;
   Outbox outbox(given.folder, clock);
   const auto noted = lastPush(outbox.study(), outbox.station().uuid);
-  auto have = noted.have;
+  auto have = noted.lastEvent;
   std::string reason;
   try {
     auto server = connectionFor(given);
     requireSchema(server);
-    const auto answer = ingest(server, outbox.question());
+    const auto answer = ingest(server, outbox.lastEventQuery());
     if (answer.refused.empty()) {
-      have = answer.have;
+      have = answer.lastEvent;
     } else {
       reason = wordsFor(answer);
     }

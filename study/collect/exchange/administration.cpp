@@ -37,7 +37,7 @@ void requireName(const std::string& name, const std::string& what) {
       std::to_string(kLongestName) + " at most.");
 }
 
-ProtocolOnServer asSent(const protocols::LoadedProtocol& protocol) {
+ProtocolOnServer protocolOnServerOf(const protocols::LoadedProtocol& protocol) {
   return {
       .sha256 = storage::sha256(protocol.text, protocol.files),
       .text = protocol.text,
@@ -125,7 +125,7 @@ bool addStudyOrVersion(
     const protocols::LoadedProtocol& protocol,
     std::optional<std::uint64_t> seed) {
   requireName(name, "a study");
-  const auto sent = asSent(protocol);
+  const auto sent = protocolOnServerOf(protocol);
   if (!server.query("SELECT 1 FROM palpate.study WHERE name = $1", {name}).isEmpty()) {
     const auto uuid = findStudy(server, name).uuid;
     const auto present = protocolsOf(server, uuid).back();
@@ -222,7 +222,7 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
     throw UserError(file.string() + " is of a station that this server does not know.");
   }
   IngestedBundle taken{
-      .station = rows.text(0, 1), .before = rows.number(0, 3), .have = rows.number(0, 3)};
+      .station = rows.text(0, 1), .before = rows.number(0, 3), .lastEvent = rows.number(0, 3)};
   const auto study = findStudy(server, rows.text(0, 2));
   Answer answer;
   const auto take = [&](const auto& text, const auto& chunks) {
@@ -231,13 +231,13 @@ IngestedBundle ingestBundle(Connection& server, const std::filesystem::path& fil
       throw Refused(
           answer.refused,
           file.string() + " begins with event " + std::to_string(bundle.first) + " of '" +
-              taken.station + "', and the server has only " + std::to_string(answer.have) +
+              taken.station + "', and the server has only " + std::to_string(answer.lastEvent) +
               ": an earlier bundle is missing. Take it in first, or make one of everything: "
               "palpate collect bundle --after " +
-              std::to_string(answer.have) + ".");
+              std::to_string(answer.lastEvent) + ".");
     }
     if (!answer.refused.empty()) throw Refused(answer.refused, wordsFor(answer));
-    taken.have = answer.have;
+    taken.lastEvent = answer.lastEvent;
     taken.erased.insert(taken.erased.end(), answer.erased.begin(), answer.erased.end());
     return true;
   };

@@ -51,9 +51,9 @@ EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request
 
 /// The result of ingestBundle().
 struct IngestedBundle {
-  std::string station;      ///< label
-  std::int64_t before = 0;  ///< the server had all events up to this one
-  std::int64_t have = 0;    ///< … and has them up to this one
+  std::string station;         ///< label
+  std::int64_t before = 0;     ///< the server had all events up to this one
+  std::int64_t lastEvent = 0;  ///< … and has them up to this one
   std::vector<ErasureReceipt> erased;
 };
 

@@ -58,10 +58,10 @@ std::string asText(const Batch& batch);
 
 /// The server's answer to a batch.
 struct Answer {
-  std::int64_t have = 0;     ///< the server has all events up to this number
-  std::int64_t pending = 0;  ///< sessions whose rows the server does not have yet
-  std::string head;          ///< hash of event `have`, hexadecimal; empty: there is none
-  std::string refused;       ///< why the batch was refused ("fork"); empty: it was stored
+  std::int64_t lastEvent = 0;  ///< the server has all events up to this number
+  std::int64_t pending = 0;    ///< sessions whose rows the server does not have yet
+  std::string head;            ///< hash of event `lastEvent`, hexadecimal; empty: there is none
+  std::string refused;         ///< why the batch was refused ("fork"); empty: it was stored
   std::string detail;
   std::vector<ErasureReceipt> erased = {};  ///< of the batch's sessions
 };

@@ -213,7 +213,7 @@ Answer answerIn(const std::string& text) {
          .left = receipt.value("left", std::int64_t{0})});
   }
   return {
-      .have = said["have"].get<std::int64_t>(),
+      .lastEvent = said["have"].get<std::int64_t>(),
       .pending = said.value("pending", std::int64_t{0}),
       .head = textOf("head"),
       .refused = textOf("refused"),

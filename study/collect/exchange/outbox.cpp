@@ -42,11 +42,11 @@ Batch Outbox::emptyBatch(std::int64_t after) {
   return {.study = study(), .station = station().uuid, .after = hashOf(after)};
 }
 
-Batch Outbox::question() {
+Batch Outbox::lastEventQuery() {
   return emptyBatch(0);
 }
 
-Batch Outbox::sample(std::int64_t event) {
+Batch Outbox::eventQuery(std::int64_t event) {
   Batch batch = emptyBatch(event - 1);
   batch.events = study_.events().stored(event - 1, 1);
   return batch;
@@ -62,7 +62,7 @@ void Outbox::addSessions(Batch& batch) {
     batch.sessions.push_back(
         {.number = static_cast<std::int64_t>(mark.session),
          .asOf = mark.lastEvent,
-         .facts = asText(storage::factsOf(study_.database(), mark.session))});
+         .facts = asText(storage::sessionTablesOf(study_.database(), mark.session))});
     const auto key = study_.events().keyOf(mark.session);
     if (key) batch.keys.push_back({.participant = mark.participant, .key = *key});
   }
@@ -70,7 +70,7 @@ void Outbox::addSessions(Batch& batch) {
 
 /// Sends the samples of trials that end in these events, before the events themselves.
 bool Outbox::sendChunks(const Batch& events, const std::function<bool(const Batch&)>& send) {
-  Batch part = question();
+  Batch part = lastEventQuery();
   std::size_t size = 0;
   for (const auto& event : events.events) {
     if (!isTrialsEnd(event)) continue;
@@ -81,7 +81,7 @@ bool Outbox::sendChunks(const Batch& events, const std::function<bool(const Batc
       part.chunks.push_back({.session = *event.session, .chunk = std::move(chunk)});
       if (size < limits_.traceBytes) continue;
       if (!send(part)) return false;
-      part = question();
+      part = lastEventQuery();
       size = 0;
     }
   }

@@ -39,11 +39,11 @@ class Outbox {
   void setLimits(const Limits& limits) noexcept { limits_ = limits; }
 
   /// An empty batch, which the server answers with its last event.
-  Batch question();
+  Batch lastEventQuery();
 
   /// A batch of the single event @p event, with which the server says whether it has the same
   /// event.
-  Batch sample(std::int64_t event);
+  Batch eventQuery(std::int64_t event);
 
   /// Calls @p send with all data after the event @p after, in order, in batches within the limits.
   /// Stops if @p send returns false.

@@ -17,13 +17,15 @@ namespace {
 /// was continued, and the server keeps an incident.
 void requireSame(Outbox& outbox, Connection& server, const Answer& answer) {
   if (!answer.refused.empty()) refuseIn(answer);
-  if (answer.have == 0) return;
-  if (answer.have <= outbox.lastEvent() && outbox.hashOf(answer.have) == answer.head) return;
-  const auto said = ingest(server, outbox.sample(std::min(answer.have, outbox.lastEvent())));
+  if (answer.lastEvent == 0) return;
+  if (answer.lastEvent <= outbox.lastEvent() && outbox.hashOf(answer.lastEvent) == answer.head)
+    return;
+  const auto said =
+      ingest(server, outbox.eventQuery(std::min(answer.lastEvent, outbox.lastEvent())));
   if (!said.refused.empty()) refuseIn(said);
   throw Refused(
       "older_copy",
-      "The server has " + std::to_string(answer.have) +
+      "The server has " + std::to_string(answer.lastEvent) +
           " events of this station, this folder only " + std::to_string(outbox.lastEvent()) +
           ": it is an older copy. Put the newest copy back before anybody takes part; if there is "
           "none, "
@@ -54,20 +56,20 @@ Answer ingest(
 PushResult push(
     Outbox& outbox, Connection& server, const std::function<void(const Answer&)>& sent) {
   requireSchema(server);
-  auto answer = ingest(server, outbox.question());
+  auto answer = ingest(server, outbox.lastEventQuery());
   requireSame(outbox, server, answer);
-  PushResult pushed{.before = answer.have, .have = answer.have};
-  outbox.forEachBatch(answer.have, [&](const Batch& batch) {
+  PushResult pushed{.before = answer.lastEvent, .lastEvent = answer.lastEvent};
+  outbox.forEachBatch(answer.lastEvent, [&](const Batch& batch) {
     answer = ingest(server, batch);
     if (!answer.refused.empty()) refuseIn(answer);
-    pushed.have = answer.have;
+    pushed.lastEvent = answer.lastEvent;
     ++pushed.batches;
     pushed.erased.insert(pushed.erased.end(), answer.erased.begin(), answer.erased.end());
     for (const auto& chunk : batch.chunks) pushed.traceBytes += chunk.chunk.data.size();
     if (sent) sent(answer);
     return true;
   });
-  pushed.sessions = outbox.arrivalsBy(pushed.have);
+  pushed.sessions = outbox.arrivalsBy(pushed.lastEvent);
   return pushed;
 }
 

@@ -14,8 +14,8 @@ namespace study::collect {
 
 /// The result of a push.
 struct PushResult {
-  std::int64_t before = 0;  ///< the last event that the server had
-  std::int64_t have = 0;    ///< the last event that it has now
+  std::int64_t before = 0;     ///< the last event that the server had
+  std::int64_t lastEvent = 0;  ///< the last event that it has now
   std::uint64_t batches = 0;
   std::uint64_t traceBytes = 0;
   Arrivals sessions;

@@ -106,7 +106,7 @@ std::vector<StationRow> ServerReader::stations() {
         {.id = rows.number(i, 0),
          .station = {.site = rows.text(i, 2), .label = rows.text(i, 3), .uuid = rows.text(i, 1)},
          .key = rows.text(i, 4),
-         .have = rows.number(i, 5)});
+         .lastEvent = rows.number(i, 5)});
   }
   return stations;
 }

@@ -19,7 +19,7 @@ struct StationRow {
   std::int64_t id = 0;
   Station station;
   std::string key;  ///< its public key, as it was enrolled
-  std::int64_t have = 0;
+  std::int64_t lastEvent = 0;
 };
 
 /// A session in the server's tables. It is not verified yet.

@@ -79,7 +79,7 @@ StationTrail::StationTrail(
       events_(std::move(events)),
       identities_(storeOf(keys)),
       traces_(storage::Database::inMemory(storage::traceSchema())) {
-  judge(study, station, vouchedUpTo);
+  checkTrail(study, station, vouchedUpTo);
   for (std::int64_t i = 0; i < signedUpTo_; ++i) {
     const auto& event = events_[static_cast<std::size_t>(i)];
     if (event.session) lastEvents_[*event.session] = event.seq;
@@ -91,7 +91,7 @@ StationTrail::StationTrail(
   transaction.commit();
 }
 
-void StationTrail::judge(
+void StationTrail::checkTrail(
     const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo) {
   // Drops the events from the first missing number on, because they cannot be checked; event n is
   // then the n-th of events_.
@@ -103,9 +103,9 @@ void StationTrail::judge(
   const storage::EventLog log(*database_);
   const auto broken = log.firstBreak();
   if (broken) problems_.push_back(*broken);
-  if (static_cast<std::int64_t>(events_.size()) != station.have) {
+  if (static_cast<std::int64_t>(events_.size()) != station.lastEvent) {
     problems_.push_back(
-        std::to_string(events_.size()) + " of " + std::to_string(station.have) +
+        std::to_string(events_.size()) + " of " + std::to_string(station.lastEvent) +
         " events that the server acknowledged are there");
   }
   const auto made = log.valuesOfMadeStudy();

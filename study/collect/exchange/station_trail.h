@@ -64,7 +64,7 @@ class StationTrail {
   std::vector<storage::StoredEvent> takeEvents();
 
  private:
-  void judge(
+  void checkTrail(
       const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo);
   bool agrees(std::int64_t session, const storage::StoredEvent& said);
   bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said);

@@ -68,53 +68,56 @@ Kind kindOf(std::string_view state, bool isConnected) {
 
 /// Messages of libpq and OpenSSL on failed logins, and what to tell the operator. They are always
 /// English, while messages of a server are in its own language.
-struct Cause {
-  std::string_view sign;
+struct LoginProblem {
+  std::string_view pattern;
   std::string_view words;
 };
-constexpr std::array kCauses{
-    Cause{
+constexpr std::array kLoginProblems{
+    LoginProblem{
         "certificate revoked",
         "The certificate of this computer was revoked. Ask the study's administrator for a new "
         "one."},
-    Cause{
+    LoginProblem{
         "alert certificate expired",
         "The certificate of this computer has expired. Ask the study's administrator for a new "
         "one."},
-    Cause{"unknown ca", "The server does not accept whoever issued this computer's certificate."},
-    Cause{"alert bad certificate", "The server does not accept this computer's certificate."},
-    Cause{
+    LoginProblem{
+        "unknown ca", "The server does not accept whoever issued this computer's certificate."},
+    LoginProblem{
+        "alert bad certificate", "The server does not accept this computer's certificate."},
+    LoginProblem{
         "certificate verify failed",
         "The certificate of the server was issued by somebody else than root.crt says, or it is "
         "not valid on the day that this computer's clock shows: look at the clock first. It may "
         "also be another server in its place."},
-    Cause{
+    LoginProblem{
         "does not match host name",
         "The certificate of the server is for another name: it may be another server in its "
         "place."},
-    Cause{
+    LoginProblem{
         "root certificate file",
         "This computer has not the certificate root.crt of the server: ask the server's "
         "administrator for it."},
-    Cause{
+    LoginProblem{
         "certificate authentication failed",
         "The certificate of this computer is for another role than that of its station: each "
         "station has its own."},
-    Cause{"valid client certificate", "The server wants a certificate of this computer."},
-    Cause{"alert certificate required", "The server wants a certificate of this computer."},
-    Cause{"private key file", "The key of this computer's certificate cannot be used."},
-    Cause{
+    LoginProblem{"valid client certificate", "The server wants a certificate of this computer."},
+    LoginProblem{"alert certificate required", "The server wants a certificate of this computer."},
+    LoginProblem{"private key file", "The key of this computer's certificate cannot be used."},
+    LoginProblem{
         "no encryption",
         "The server does not take this role without encryption: whoever enrols the station writes "
         "sslmode=verify-full into --address."},
-    Cause{"server does not support SSL", "The server cannot encrypt."},
-    Cause{"no password supplied", "A password is needed, and ~/.pgpass has none for this server."},
-    Cause{"SSL error", "The encryption does not come about."}};
+    LoginProblem{"server does not support SSL", "The server cannot encrypt."},
+    LoginProblem{
+        "no password supplied", "A password is needed, and ~/.pgpass has none for this server."},
+    LoginProblem{"SSL error", "The encryption does not come about."}};
 
 /// The text for the operator; empty if @p said contains no known message.
-std::string_view causeIn(std::string_view said) {
-  for (const auto& cause : kCauses) {
-    if (said.find(cause.sign) != std::string_view::npos) return cause.words;
+std::string_view loginProblemIn(std::string_view said) {
+  for (const auto& problem : kLoginProblems) {
+    if (said.find(problem.pattern) != std::string_view::npos) return problem.words;
   }
   return {};
 }
@@ -132,8 +135,8 @@ std::string wordsFor(Kind kind, const std::string& where, const std::string& sai
           "belong "
           "together): {}",
           where,
-          causeIn(said),
-          causeIn(said).empty() ? "" : " ",
+          loginProblemIn(said),
+          loginProblemIn(said).empty() ? "" : " ",
           said);
     case Kind::Denied:
       return "The server (" + where +
@@ -233,7 +236,7 @@ Parameter Parameter::arrayOfBytes(const std::vector<std::vector<std::byte>>& ele
 
 Rows::Rows(pg_result* result) : result_(result) {}
 
-void Rows::Clear::operator()(pg_result* result) const noexcept {
+void Rows::ResultDeleter::operator()(pg_result* result) const noexcept {
   PQclear(result);
 }
 
@@ -274,7 +277,7 @@ std::vector<std::byte> Rows::bytes(int row, int column) const {
   return bytes;
 }
 
-void Connection::Finish::operator()(pg_conn* connection) const noexcept {
+void Connection::ConnectionDeleter::operator()(pg_conn* connection) const noexcept {
   PQfinish(connection);
 }
 
@@ -308,7 +311,7 @@ void Connection::connectAgain() {
   auto* connection = connection_.get();
   const auto said = sentence(PQerrorMessage(connection));
   const bool serverSpoke = !stateIn(said).empty();
-  auto kind = causeIn(said).empty() ? Kind::Unreachable : Kind::LoginRefused;
+  auto kind = loginProblemIn(said).empty() ? Kind::Unreachable : Kind::LoginRefused;
   if (serverSpoke) {
     PQsetErrorVerbosity(connection, PQERRORS_SQLSTATE);
     PQreset(connection);

@@ -78,10 +78,10 @@ class Rows {
   std::vector<std::byte> bytes(int row, int column) const;
 
  private:
-  struct Clear {
+  struct ResultDeleter {
     void operator()(pg_result* result) const noexcept;
   };
-  std::unique_ptr<pg_result, Clear> result_;
+  std::unique_ptr<pg_result, ResultDeleter> result_;
 };
 
 /// A connection to PostgreSQL. Belongs to one thread.
@@ -122,7 +122,7 @@ class Connection {
   std::string user() const;
 
  private:
-  struct Finish {
+  struct ConnectionDeleter {
     void operator()(pg_conn* connection) const noexcept;
   };
   void connectAgain();
@@ -130,7 +130,7 @@ class Connection {
   Rows answer(bool wasSent);
   Rows checked(pg_result* result);
 
-  std::unique_ptr<pg_conn, Finish> connection_;
+  std::unique_ptr<pg_conn, ConnectionDeleter> connection_;
   std::chrono::milliseconds responseTimeout_ = std::chrono::minutes(10);
 };
 

@@ -27,11 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSuperuser = "postgres";
-constexpr auto kMostPatience = std::chrono::seconds(60);
-constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
+constexpr auto kStartTimeout = std::chrono::seconds(60);
+constexpr auto kPollInterval = std::chrono::milliseconds(20);
 
 /// The folder of PostgreSQL's programs of the newest version; empty if there is none.
-fs::path programs() {
+fs::path postgresProgramFolder() {
   fs::path newest;
   int version = 0;
   std::error_code error;
@@ -45,7 +45,7 @@ fs::path programs() {
 }
 
 /// The account of the server if this program runs as root; nullptr: this account.
-const passwd* otherAccount() {
+const passwd* serverAccount() {
   if (geteuid() != 0) return nullptr;
   // NOLINTBEGIN(concurrency-mt-unsafe): no other thread calls these
   const auto* account = getpwnam("postgres");
@@ -57,7 +57,7 @@ const passwd* otherAccount() {
 /// program ends.
 pid_t spawn(const fs::path& folder, const fs::path& log, std::vector<std::string> words) {
   std::vector<std::string> all{"setpriv", "--pdeathsig", "QUIT"};
-  if (const auto* account = otherAccount()) {
+  if (const auto* account = serverAccount()) {
     all.push_back("--reuid=" + std::to_string(account->pw_uid));
     all.push_back("--regid=" + std::to_string(account->pw_gid));
     all.emplace_back("--clear-groups");
@@ -101,7 +101,7 @@ fs::path makeFolder() {
   if (mkdtemp(name.data()) == nullptr) {
     throw UserError("No folder can be made in /tmp. Free some space there.");
   }
-  if (const auto* account = otherAccount()) {
+  if (const auto* account = serverAccount()) {
     if (chown(name.c_str(), account->pw_uid, account->pw_gid) != 0) failToStart({});
   }
   return name;
@@ -110,11 +110,11 @@ fs::path makeFolder() {
 }  // namespace
 
 bool PrivateServer::isInstalled() {
-  return !programs().empty();
+  return !postgresProgramFolder().empty();
 }
 
 PrivateServer::PrivateServer(Disk disk) {
-  const auto bin = programs();
+  const auto bin = postgresProgramFolder();
   if (bin.empty()) {
     throw UserError("PostgreSQL is not installed on this computer: sudo apt install postgresql.");
   }
@@ -176,8 +176,8 @@ void PrivateServer::listenAt(int port) {
 
 void PrivateServer::start() {
   const auto log = folder_ / "server.log";
-  id_ = spawn(folder_, log, {programs() / "postgres", "-D", folder_ / "data"});
-  const auto end = std::chrono::steady_clock::now() + kMostPatience;
+  id_ = spawn(folder_, log, {postgresProgramFolder() / "postgres", "-D", folder_ / "data"});
+  const auto end = std::chrono::steady_clock::now() + kStartTimeout;
   while (std::chrono::steady_clock::now() < end) {
     if (id_ <= 0 || waitpid(id_, nullptr, WNOHANG) == id_) {
       id_ = -1;  // it has ended by itself
@@ -187,7 +187,7 @@ void PrivateServer::start() {
       const Connection ready(server());
       return;
     } catch (const ServerError&) {
-      std::this_thread::sleep_for(kBetweenLooks);
+      std::this_thread::sleep_for(kPollInterval);
     }
   }
   failToStart(log);

@@ -6,13 +6,13 @@
 namespace study::gui {
 namespace {
 
-constexpr int kSettlesIn = 150;  // [ms]: editors write a file in several steps
+constexpr int kSettleTime = 150;  // [ms]: editors write a file in several steps
 
 }  // namespace
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   settleTimer_.setSingleShot(true);
-  settleTimer_.setInterval(kSettlesIn);
+  settleTimer_.setInterval(kSettleTime);
   const auto wait = [this] { settleTimer_.start(); };
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);

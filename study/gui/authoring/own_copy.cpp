@@ -39,7 +39,7 @@ void writeProtocol(const QString& file, const std::string& text) {
 
 QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent) {
   const auto title = askForText(
-      parent, Matter::OwnTitle, {}, QString::fromStdString(shipped.protocol.study.title));
+      parent, MessageTopic::OwnTitle, {}, QString::fromStdString(shipped.protocol.study.title));
   if (!title) return {};
   const auto name = asId(*title).isEmpty() ? QStringLiteral("my-protocol") : asId(*title);
   auto file = QFileDialog::getSaveFileName(
@@ -50,7 +50,7 @@ QString saveAsOwn(const protocols::LoadedProtocol& shipped, QWidget* parent) {
   if (file.isEmpty()) return {};
   if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
   const auto id = asId(QFileInfo(file).completeBaseName());
-  const bool isSaved = attempt(parent, Matter::OwnProtocolNotSaved, [&] {
+  const bool isSaved = attempt(parent, MessageTopic::OwnProtocolNotSaved, [&] {
     writeProtocol(
         file,
         protocols::withName(

@@ -86,7 +86,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
       steps_(new QListWidget(this)),
       languages_(new QComboBox(this)),
       sizes_(new QComboBox(this)),
-      said_(quietLabel({}, this)),
+      messageLabel_(quietLabel({}, this)),
       bar_(new QHBoxLayout),
       place_(new QScrollArea(this)),
       folder_(std::make_unique<QTemporaryDir>()) {
@@ -102,7 +102,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   sides->setStretchFactor(1, 1);
   sides->setSizes({260, 1000});
   layout->addWidget(sides, 1);
-  layout->addWidget(said_);
+  layout->addWidget(messageLabel_);
   constexpr int kLeastWidth = 640;  // [px]: of the bar in two lines
   inside->setMinimumWidth(kLeastWidth);
   setCentralWidget(inside);
@@ -120,7 +120,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
         tr("The texts still have blanks (%1); they are marked on the pages. Choose “Fill in the "
            "texts…” before a live session.")
             .arg(blanks);
-    setRole(*said_, "warn");
+    setRole(*messageLabel_, "warn");
   }
   SystemClock clock;
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
@@ -128,7 +128,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   goTo(0);
   fillSteps();
   connect(steps_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (row >= 0) attempt(this, Matter::PreviewNotShown, [&] { goTo(row); });
+    if (row >= 0) attempt(this, MessageTopic::PreviewNotShown, [&] { goTo(row); });
   });
   connect(languages_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseLanguage);
   connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
@@ -170,7 +170,7 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   auto* again = new QPushButton(tr("Restart this page"), this);
   again->setObjectName(QStringLiteral("again"));
   connect(again, &QPushButton::clicked, this, [this] {
-    attempt(this, Matter::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
+    attempt(this, MessageTopic::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
   });
   auto* pages = new QHBoxLayout;
   for (auto* button : {back, next, again}) {
@@ -236,7 +236,7 @@ void PreviewWindow::showSession() {
   const auto* controller = &previewSession_->controller;
   connect(controller, &SessionController::stepChanged, this, &PreviewWindow::updateStep);
   connect(controller, &SessionController::failed, this, [this](const QString& why) {
-    said_->setText(why);
+    messageLabel_->setText(why);
   });
   updateStep();
 }
@@ -245,7 +245,7 @@ void PreviewWindow::updateStep() {
   const auto& controller = previewSession_->controller;
   const auto& session = controller.session();
   stopKey_.setArmed(controller.isTrialRunning());
-  said_->setText(
+  messageLabel_->setText(
       session.state() == SessionState::Interrupted
           ? tr("The trial broke off. In a session the operator would decide; choose a page here.")
           : tr("A preview: nothing is saved. Answers on earlier pages are examples.") + blanks_);
@@ -255,7 +255,7 @@ void PreviewWindow::updateStep() {
 
 void PreviewWindow::chooseLanguage() {
   if (previewSession_->controller.session().isOver()) {
-    attempt(this, Matter::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
+    attempt(this, MessageTopic::PreviewNotShown, [&] { goTo(steps_->currentRow()); });
     return;
   }
   translator_.setLanguage(language());
@@ -296,7 +296,7 @@ ParticipantWindow& PreviewWindow::page() {
 }
 
 void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent) {
-  attempt(parent, Matter::PreviewNotShown, [&] {
+  attempt(parent, MessageTopic::PreviewNotShown, [&] {
     auto* window = new PreviewWindow(loaded);
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setAttribute(Qt::WA_QuitOnClose, false);

@@ -59,7 +59,7 @@ class PreviewWindow final : public QMainWindow {
   QComboBox* languages_;
   QComboBox* sizes_;
   QString blanks_;  ///< says how many blanks the texts have; empty: none
-  QLabel* said_;
+  QLabel* messageLabel_;
   QBoxLayout* bar_;
   QScrollArea* place_;
   std::unique_ptr<QTemporaryDir> folder_;

@@ -227,7 +227,7 @@ void ProtocolWindow::fillInTexts() {
   TextsDialog form(loaded, TextsDialog::Reason::NotNeeded, this);
   if (form.exec() != QDialog::Accepted || form.texts() == loaded.protocol.texts) return;
   QString file = source_;
-  const bool isSaved = attempt(this, Matter::TextsNotSaved, [&] {
+  const bool isSaved = attempt(this, MessageTopic::TextsNotSaved, [&] {
     questionnaires::Problems problems;
     const auto filled = protocols::withTexts(loaded, form.texts(), problems);
     if (!filled) throw UserError(questionnaires::describe(problems.all()));

@@ -103,19 +103,19 @@ bool ColumnsForm::offer(const std::string& file) {
   if (heads.size() < 3) return false;
   rows_.clear();
   for (const auto& line : lines) rows_.push_back(base::cellsOf(line.text, separator_));
-  hasHeads_ = std::ranges::none_of(
+  hasHeadings_ = std::ranges::none_of(
       heads, [&](const auto& cell) { return base::numberIn(cell, separator_).has_value(); });
   const QSignalBlocker quiet(this);
   for (auto* box : {time_, travel_, force_}) {
     box->clear();
     for (std::size_t i = 0; i < heads.size(); ++i) {
-      box->addItem(hasHeads_ ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
+      box->addItem(hasHeadings_ ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
     }
   }
   std::size_t time = 0;
   std::size_t force = heads.size() - 1;
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    const auto unit = base::columnHeadOf(heads[i]).unit;
+    const auto unit = base::columnHeadingOf(heads[i]).unit;
     if (const int place = placeOf(kTimeUnits, unit); place >= 0) {
       time = i;
       timeUnit_->setCurrentIndex(place);
@@ -155,8 +155,8 @@ void ColumnsForm::measureTravel() {
 haptics::recordings::RecordingColumns ColumnsForm::columns() const {
   const auto chosen = [this](const QComboBox& box) {
     const auto place = static_cast<std::size_t>(box.currentIndex());
-    return hasHeads_ ? haptics::recordings::TableColumn{.head = rows_.front()[place]}
-                     : haptics::recordings::TableColumn{.number = place + 1};
+    return hasHeadings_ ? haptics::recordings::TableColumn{.heading = rows_.front()[place]}
+                        : haptics::recordings::TableColumn{.number = place + 1};
   };
   const auto unit = forceUnit_->currentText().toStdString();
   return {

@@ -33,7 +33,7 @@ class ColumnsForm final : public QWidget {
 
   std::vector<std::vector<std::string>> rows_;  ///< cells; the first row may be the headings
   char separator_ = ',';
-  bool hasHeads_ = false;
+  bool hasHeadings_ = false;
   QComboBox* time_;
   QComboBox* timeUnit_;
   QComboBox* travel_;

@@ -104,7 +104,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
 void EraseDialog::fillIn() {
   participant_->clear();
   code_->clear();
-  attempt(this, Matter::ParticipantsNotListed, [&] {
+  attempt(this, MessageTopic::ParticipantsNotListed, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     for (const auto& [code, names] : namesByCode(study)) {
       const auto words = QString::fromStdString(code);
@@ -156,7 +156,7 @@ void EraseDialog::work() {
   const bool isDone = BackgroundTask::run(
       this,
       tr("Erasing"),
-      Matter::ParticipantNotErased,
+      MessageTopic::ParticipantNotErased,
       [&](const Progress&) { certificate = erase(); },
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) return clear();

@@ -130,7 +130,7 @@ void ExportDialog::showIdentifiability() {
                         : identifiabilityInWords(study, how)));
   } catch (const std::exception& error) {
     showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
-    go().setEnabled(false);
+    runButton().setEnabled(false);
   }
 }
 
@@ -149,7 +149,8 @@ void ExportDialog::work() {
     sessions = exportStudy(study, target, how, reason);
     what = how.publicClass ? "for the public" : blindingInWords(study, how);
   };
-  const bool isDone = BackgroundTask::run(this, tr("Exporting"), Matter::DataNotExported, write);
+  const bool isDone =
+      BackgroundTask::run(this, tr("Exporting"), MessageTopic::DataNotExported, write);
   if (!isDone) return;
   const QString path = target_->path();
   const QString line =

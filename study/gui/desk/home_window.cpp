@@ -273,7 +273,7 @@ void HomeWindow::fillInTexts() {
   const auto* study = chosen();
   if (study == nullptr) return;
   const auto folder = study->folder;
-  attempt(this, Matter::TextsNotChanged, [&] {
+  attempt(this, MessageTopic::TextsNotChanged, [&] {
     auto opened = Study::open(folder);
     const auto& protocol = opened.protocol();
     const bool hasBegun = opened.protocols().current().frozenUtc.has_value();
@@ -291,7 +291,7 @@ void HomeWindow::fillInTexts() {
 void HomeWindow::previewChosen() {
   const auto* study = chosen();
   if (study == nullptr) return;
-  attempt(this, Matter::PreviewNotShown, [&] {
+  attempt(this, MessageTopic::PreviewNotShown, [&] {
     auto opened = Study::open(study->folder, storage::Database::Access::ReadOnly);
     openPreview(opened.protocol(), this);
   });
@@ -427,7 +427,7 @@ void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> sessi
   if (open_) return;
   askForPassphraseOfKey(folder.toStdString(), this);
   askForPassphraseOfNames(folder.toStdString(), this);
-  const bool isOpen = attempt(this, Matter::StudyNotOpened, [&] {
+  const bool isOpen = attempt(this, MessageTopic::StudyNotOpened, [&] {
     open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_);
   });
   if (!isOpen) return;
@@ -493,7 +493,7 @@ void HomeWindow::askForProtocol() {
   for (const auto& name : shipped) {
     names << tr("%1 (ships with the program)").arg(QString::fromStdString(name));
   }
-  const auto chosen = askForChoice(this, Matter::WhichProtocol, names);
+  const auto chosen = askForChoice(this, MessageTopic::WhichProtocol, names);
   if (!chosen) return;
   if (*chosen > 0) {
     const auto index = static_cast<std::size_t>(*chosen) - 1;

@@ -17,17 +17,17 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
           tr("Save"),
           parent),
       folder_(study.folder),
-      wanted_(new QComboBox(this)),
+      task_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("Key"), tr("Keys (*.txt)"), this)),
       source_(new PathField(PathField::Kind::ExistingFile, tr("Key"), tr("Keys (*.txt)"), this)),
       passphrase_(new QLineEdit(this)),
       again_(new QLineEdit(this)) {
-  wanted_->setObjectName(QStringLiteral("wanted"));
-  wanted_->setAccessibleName(tr("What to do"));
-  wanted_->addItem(tr("Save a copy of the key"), static_cast<int>(Wanted::Save));
-  wanted_->addItem(tr("Take the key from a file"), static_cast<int>(Wanted::Take));
-  wanted_->addItem(tr("Put names behind a passphrase"), static_cast<int>(Wanted::SealNames));
+  task_->setObjectName(QStringLiteral("wanted"));
+  task_->setAccessibleName(tr("What to do"));
+  task_->addItem(tr("Save a copy of the key"), static_cast<int>(KeyTask::Save));
+  task_->addItem(tr("Take the key from a file"), static_cast<int>(KeyTask::Take));
+  task_->addItem(tr("Put names behind a passphrase"), static_cast<int>(KeyTask::SealNames));
   passphrase_->setObjectName(QStringLiteral("passphrase"));
   passphrase_->setAccessibleName(tr("Passphrase"));
   again_->setObjectName(QStringLiteral("again"));
@@ -40,13 +40,13 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
   reason_->setPlaceholderText(tr("who gets it: it goes into the audit trail"));
-  form().addRow(tr("What"), wanted_);
+  form().addRow(tr("What"), task_);
   form().addRow(tr("Reason"), reason_);
   form().addRow(tr("New file"), target_);
   form().addRow(tr("File of the key"), source_);
   form().addRow(tr("Passphrase"), passphrase_);
   form().addRow(tr("The same again"), again_);
-  connect(wanted_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
+  connect(task_, &QComboBox::currentIndexChanged, this, &KeyDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   source_->startIn(folderBeside(folder_));
@@ -56,33 +56,33 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   updateChoices();
 }
 
-KeyDialog::Wanted KeyDialog::wanted() const {
-  return static_cast<Wanted>(wanted_->currentData().toInt());
+KeyDialog::KeyTask KeyDialog::chosenTask() const {
+  return static_cast<KeyTask>(task_->currentData().toInt());
 }
 
 void KeyDialog::showState() {
-  attempt(this, Matter::KeyNotRead, [&] {
+  attempt(this, MessageTopic::KeyNotRead, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto words = keyStatusText(study);
     state_ = words.empty() ? tr("Nothing is sealed.")
                            : tr("Conditions: %1.").arg(QString::fromStdString(words));
     showDetails(state_);
     const bool needsKey = study.isSealed() && !study.hasKey();
-    wanted_->setCurrentIndex(
-        wanted_->findData(static_cast<int>(needsKey ? Wanted::Take : Wanted::Save)));
+    task_->setCurrentIndex(
+        task_->findData(static_cast<int>(needsKey ? KeyTask::Take : KeyTask::Save)));
   });
 }
 
 void KeyDialog::updateChoices() {
-  const bool saves = wanted() == Wanted::Save;
-  const bool takes = wanted() == Wanted::Take;
-  const bool seals = wanted() == Wanted::SealNames;
+  const bool saves = chosenTask() == KeyTask::Save;
+  const bool takes = chosenTask() == KeyTask::Take;
+  const bool seals = chosenTask() == KeyTask::SealNames;
   form().setRowVisible(reason_, !takes);
   form().setRowVisible(target_, saves);
   form().setRowVisible(source_, takes);
   form().setRowVisible(passphrase_, seals);
   form().setRowVisible(again_, seals);
-  go().setText(saves ? tr("Save") : takes ? tr("Take") : tr("Set"));
+  runButton().setText(saves ? tr("Save") : takes ? tr("Take") : tr("Set"));
   const bool isReasoned = !reason_->text().trimmed().isEmpty();
   const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
   setObstacle(
@@ -93,9 +93,9 @@ void KeyDialog::updateChoices() {
 }
 
 void KeyDialog::work() {
-  if (wanted() == Wanted::Save) return saveKey();
-  if (wanted() == Wanted::SealNames) return sealNames();
-  const bool isTaken = attempt(this, Matter::KeyNotTaken, [&] {
+  if (chosenTask() == KeyTask::Save) return saveKey();
+  if (chosenTask() == KeyTask::SealNames) return sealNames();
+  const bool isTaken = attempt(this, MessageTopic::KeyNotTaken, [&] {
     auto study = Study::open(folder_);
     importKey(study, source_->path().toStdString());
   });
@@ -106,7 +106,7 @@ void KeyDialog::work() {
 
 void KeyDialog::saveKey() {
   const auto target = target_->path();
-  const bool isSaved = attempt(this, Matter::KeyNotSaved, [&] {
+  const bool isSaved = attempt(this, MessageTopic::KeyNotSaved, [&] {
     auto study = Study::open(folder_);
     exportKey(study, target.toStdString(), reason_->text().trimmed().toStdString());
   });
@@ -120,7 +120,7 @@ void KeyDialog::saveKey() {
 }
 
 void KeyDialog::sealNames() {
-  const bool isSealed = attempt(this, Matter::NamesNotSealed, [&] {
+  const bool isSealed = attempt(this, MessageTopic::NamesNotSealed, [&] {
     auto study = Study::open(folder_);
     setPassphraseOfNames(
         study, passphrase_->text().toStdString(), reason_->text().trimmed().toStdString());

@@ -25,9 +25,9 @@ class KeyDialog final : public WorkDialog {
 
  private:
   /// What the operator has chosen to do; work() does it.
-  enum class Wanted { Save, Take, SealNames };
+  enum class KeyTask { Save, Take, SealNames };
 
-  Wanted wanted() const;
+  KeyTask chosenTask() const;
   void updateChoices();
   void showState();
   void saveKey();
@@ -35,7 +35,7 @@ class KeyDialog final : public WorkDialog {
 
   std::string folder_;
   QString state_;  ///< where the key is, in words
-  QComboBox* wanted_;
+  QComboBox* task_;
   QLineEdit* reason_;
   PathField* target_;
   PathField* source_;

@@ -14,10 +14,10 @@ namespace {
 
 /// Asks for a passphrase until @p opens returns true for it or the dialog is closed.
 void askUntilRight(
-    QWidget* parent, Matter matter, const std::function<bool(const std::string&)>& opens) {
+    QWidget* parent, MessageTopic topic, const std::function<bool(const std::string&)>& opens) {
   QString why;
   for (;;) {
-    const auto typed = askForText(parent, matter, {}, {}, why);
+    const auto typed = askForText(parent, topic, {}, {}, why);
     if (!typed || opens(typed->toStdString())) return;
     why = deskText("Wrong passphrase.");
   }
@@ -26,20 +26,20 @@ void askUntilRight(
 }  // namespace
 
 void askForPassphraseOfKey(const std::string& folder, QWidget* parent) {
-  attempt(parent, Matter::StudyNotOpened, [&] {
+  attempt(parent, MessageTopic::StudyNotOpened, [&] {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.isSealed() || study.hasKey() || !study.hasPassphrase()) return;
-    askUntilRight(parent, Matter::StudyPassphrase, [&](const std::string& typed) {
+    askUntilRight(parent, MessageTopic::StudyPassphrase, [&](const std::string& typed) {
       return study.unlock(typed);
     });
   });
 }
 
 void askForPassphraseOfNames(const std::string& folder, QWidget* parent) {
-  attempt(parent, Matter::StudyNotOpened, [&] {
+  attempt(parent, MessageTopic::StudyNotOpened, [&] {
     auto study = Study::open(folder, storage::Database::Access::ReadOnly);
     if (!study.identities().isLocked()) return;
-    askUntilRight(parent, Matter::NamesPassphrase, [&](const std::string& typed) {
+    askUntilRight(parent, MessageTopic::NamesPassphrase, [&](const std::string& typed) {
       return study.unlockNames(typed);
     });
   });

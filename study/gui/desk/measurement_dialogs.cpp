@@ -27,8 +27,8 @@ std::optional<QString> runWithProgress(
     const QString& title,
     const std::function<std::string(const Progress&)>& work) {
   std::string said;
-  const bool isDone =
-      BackgroundTask::run(parent, title, Matter::DocumentNotMade, [&](const Progress& progress) {
+  const bool isDone = BackgroundTask::run(
+      parent, title, MessageTopic::DocumentNotMade, [&](const Progress& progress) {
         said = work(progress);
       });
   return isDone ? std::optional(QString::fromStdString(said)) : std::nullopt;
@@ -89,18 +89,18 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   pictures->addWidget(picture_, 1);
   pictures->addWidget(cutPicture_, 1);
   addBeside(pictures);
-  const auto lookAnew = [this] {
+  const auto readAgain = [this] {
     form_->setVisible(false);
-    look();
+    showRecording();
   };
-  connect(recording_, &PathField::pathChanged, this, lookAnew);
-  connect(columns_, &PathField::pathChanged, this, lookAnew);
-  connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::look);
+  connect(recording_, &PathField::pathChanged, this, readAgain);
+  connect(columns_, &PathField::pathChanged, this, readAgain);
+  connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::showRecording);
   connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPlot::choose);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(target_, &PathField::pathChanged, this, &ImportCutDialog::updateButton);
-  look();
+  showRecording();
 }
 
 std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() const {
@@ -108,27 +108,27 @@ std::optional<haptics::recordings::RecordingColumns> ImportCutDialog::columns() 
   return form_->isVisibleTo(this) ? std::optional(form_->columns()) : std::nullopt;
 }
 
-std::optional<RecordingPreview> ImportCutDialog::readLook() {
+std::optional<RecordingPreview> ImportCutDialog::readPreview() {
   const auto file = recording_->path().toStdString();
   try {
-    return lookAt(file, columns());
+    return previewOf(file, columns());
   } catch (const std::exception& error) {
     const bool mayAsk = columns_->path().isEmpty() && form_->isHidden();
     if (mayAsk && form_->offer(file)) {
       form_->setVisible(true);
-      return readLook();
+      return readPreview();
     }
     showOutcome(Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
   }
   return std::nullopt;
 }
 
-void ImportCutDialog::look() {
+void ImportCutDialog::showRecording() {
   clear();
   const auto isFile = [](const QString& path) { return QFileInfo(path).isFile(); };
   const QString columns = columns_->path();
   const bool isThere = isFile(recording_->path()) && (columns.isEmpty() || isFile(columns));
-  picture_->show(isThere ? readLook() : std::nullopt);
+  picture_->show(isThere ? readPreview() : std::nullopt);
   constexpr int kMostCuts = 10'000;
   cut_->setRange(0, picture_->cuts() > 0 ? picture_->cuts() : kMostCuts);
   preview();
@@ -141,15 +141,15 @@ haptics::recordings::ImportOptions ImportCutDialog::options() const {
 }
 
 void ImportCutDialog::preview() {
-  const auto& look = picture_->look();
-  cutPicture_->setVisible(look.has_value());
-  isPossible_ = look.has_value();
-  if (look) {
+  const auto& shown = picture_->preview();
+  cutPicture_->setVisible(shown.has_value());
+  isPossible_ = shown.has_value();
+  if (shown) {
     constexpr int kRoomForPictures = 1180;  // [px]
     resize(
         std::max(width(), std::min(kRoomForPictures, screen()->availableSize().width())), height());
     try {
-      cutPicture_->show(look->trace, importRecording(look->recording, options()));
+      cutPicture_->show(shown->trace, importRecording(shown->recording, options()));
     } catch (const UserError& error) {
       cutPicture_->setVisible(false);
       isPossible_ = false;

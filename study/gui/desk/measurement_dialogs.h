@@ -25,8 +25,8 @@ class ImportCutDialog final : public WorkDialog {
  private:
   /// Shows the chosen recording before it is imported; asks for its columns if the punch's recorder
   /// did not write it.
-  void look();
-  std::optional<RecordingPreview> readLook();
+  void showRecording();
+  std::optional<RecordingPreview> readPreview();
   std::optional<haptics::recordings::RecordingColumns> columns() const;
   /// Shows the cut that an import would make of it.
   void preview();

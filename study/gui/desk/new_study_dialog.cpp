@@ -30,7 +30,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       folder_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
       advanced_(new QCheckBox(tr("Advanced"), this)),
       seed_(new QLineEdit(this)),
-      read_(new QPushButton(tr("Check protocol…"), this)),
+      checkProtocolButton_(new QPushButton(tr("Check protocol…"), this)),
       preview_(new QPushButton(tr("Preview…"), this)),
       fill_(new QPushButton(tr("Fill in the texts…"), this)),
       copy_(new QPushButton(tr("Save as…"), this)) {
@@ -55,7 +55,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   preview_->setObjectName(QStringLiteral("preview"));
   auto* looks = new QHBoxLayout;
   looks->setSpacing(8);
-  for (auto* button : {read_, preview_, fill_, copy_}) {
+  for (auto* button : {checkProtocolButton_, preview_, fill_, copy_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));
     looks->addWidget(button);
@@ -80,7 +80,9 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   connect(file_, &PathField::pathChanged, this, &NewStudyDialog::check);
   connect(folder_, &PathField::pathChanged, this, &NewStudyDialog::updateButton);
   connect(&watch_, &FileWatch::changed, this, &NewStudyDialog::check);
-  connect(read_, &QPushButton::clicked, this, [this] { emit protocolRequested(source()); });
+  connect(checkProtocolButton_, &QPushButton::clicked, this, [this] {
+    emit protocolRequested(source());
+  });
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(fill_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
@@ -104,7 +106,7 @@ void NewStudyDialog::check() {
   fit();
   watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
   checked_ = {};
-  read_->setEnabled(!source().isEmpty());
+  checkProtocolButton_->setEnabled(!source().isEmpty());
   if (!source().isEmpty()) checked_ = checkProtocol(source().toStdString());
   if (isOwn && checked_.loaded) rememberProtocolFolder(file_->path());
   showChecked();
@@ -150,7 +152,7 @@ void NewStudyDialog::work() {
   std::optional<std::uint64_t> seed;
   if (!seed_->text().isEmpty()) seed = seed_->text().toULongLong();
   const QString folder = folder_->path();
-  const bool isMade = attempt(this, Matter::StudyNotCreated, [&] {
+  const bool isMade = attempt(this, MessageTopic::StudyNotCreated, [&] {
     SystemClock clock;
     Study::create(folder.toStdString(), *checked_.loaded, clock, seed);
   });

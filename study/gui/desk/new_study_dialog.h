@@ -48,7 +48,7 @@ class NewStudyDialog final : public WorkDialog {
   PathField* folder_;
   QCheckBox* advanced_;
   QLineEdit* seed_;
-  QPushButton* read_;
+  QPushButton* checkProtocolButton_;
   QPushButton* preview_;
   QPushButton* fill_;
   QPushButton* copy_;  ///< of a shipped protocol

@@ -46,7 +46,7 @@ std::vector<WrittenDocument> allDocuments() {
   return documents;
 }
 
-std::vector<RecentStudy> without(const QString& folder) {
+std::vector<RecentStudy> recentStudiesExcept(const QString& folder) {
   auto studies = recentStudies();
   std::erase_if(studies, [&](const RecentStudy& study) { return study.folder == folder; });
   return studies;
@@ -71,7 +71,7 @@ std::vector<RecentStudy> recentStudies() {
 
 void addRecentStudy(const QString& folder, const QString& title) {
   const QString plain = plainFolder(folder);
-  auto studies = without(plain);
+  auto studies = recentStudiesExcept(plain);
   studies.insert(
       studies.begin(),
       {.folder = plain, .title = title, .opened = QDateTime::currentDateTimeUtc()});
@@ -79,7 +79,7 @@ void addRecentStudy(const QString& folder, const QString& title) {
 }
 
 void removeRecentStudy(const QString& folder) {
-  store(without(plainFolder(folder)));
+  store(recentStudiesExcept(plainFolder(folder)));
 }
 
 std::vector<WrittenDocument> documentsOf(const QString& study) {

@@ -17,20 +17,20 @@ namespace {
 
 constexpr double kMilli = 1e-3;
 
-QString sourceOfForce(const RecordingPreview& look) {
-  if (look.recording.readingUnit == "N") return RecordingPlot::tr("force in newtons");
+QString sourceOfForce(const RecordingPreview& preview) {
+  if (preview.recording.readingUnit == "N") return RecordingPlot::tr("force in newtons");
   return RecordingPlot::tr("force from %1 by calibration %2")
       .arg(
-          QString::fromStdString(look.recording.readingUnit),
-          QString::fromStdString(look.trace.calibration.name));
+          QString::fromStdString(preview.recording.readingUnit),
+          QString::fromStdString(preview.trace.calibration.name));
 }
 
-QString describe(const RecordingPreview& look) {
-  const auto& [recording, trace, survey] = look;
+QString describe(const RecordingPreview& preview) {
+  const auto& [recording, trace, survey] = preview;
   QString words = RecordingPlot::tr("%1 rows at %2 Hz; %3; %4 cuts")
                       .arg(survey.rows)
                       .arg(survey.sampling.rate, 0, 'f', 0)
-                      .arg(sourceOfForce(look))
+                      .arg(sourceOfForce(preview))
                       .arg(survey.closures.size());
   words += RecordingPlot::tr("; largest force %1 N").arg(survey.maxForce, 0, 'f', 2);
   if (survey.saturatedRows > 0) {
@@ -49,15 +49,15 @@ QString describe(const RecordingPreview& look) {
 
 }  // namespace
 
-RecordingPreview lookAt(
+RecordingPreview previewOf(
     const std::string& recording,
     const std::optional<haptics::recordings::RecordingColumns>& columns) {
-  RecordingPreview look{
+  RecordingPreview preview{
       .recording = readRecordingWithColumns(recording, columns), .trace = {}, .survey = {}};
-  look.trace = haptics::recordings::traceOf(
-      look.recording, haptics::recordings::calibrationFor(look.recording), {});
-  look.survey = haptics::recordings::summariseCuts(look.recording, look.trace);
-  return look;
+  preview.trace = haptics::recordings::traceOf(
+      preview.recording, haptics::recordings::calibrationFor(preview.recording), {});
+  preview.survey = haptics::recordings::summariseCuts(preview.recording, preview.trace);
+  return preview;
 }
 
 RecordingPlot::RecordingPlot(QWidget* parent)
@@ -77,10 +77,10 @@ RecordingPlot::RecordingPlot(QWidget* parent)
   show(std::nullopt);
 }
 
-void RecordingPlot::show(std::optional<RecordingPreview> look) {
-  look_ = std::move(look);
-  words_->setText(look_ ? describe(*look_) : QString());
-  setVisible(look_.has_value());
+void RecordingPlot::show(std::optional<RecordingPreview> preview) {
+  preview_ = std::move(preview);
+  words_->setText(preview_ ? describe(*preview_) : QString());
+  setVisible(preview_.has_value());
   draw();
 }
 
@@ -90,7 +90,7 @@ void RecordingPlot::choose(int cut) {
 }
 
 int RecordingPlot::cuts() const {
-  return look_ ? static_cast<int>(look_->survey.closures.size()) : 0;
+  return preview_ ? static_cast<int>(preview_->survey.closures.size()) : 0;
 }
 
 void RecordingPlot::draw() {
@@ -98,8 +98,8 @@ void RecordingPlot::draw() {
   plot_->clearItems();
   const auto& colours = themeOf(*this);
   paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis, plot_->yAxis2});
-  if (!look_) return plot_->replot();
-  const auto& rows = look_->recording.rows;
+  if (!preview_) return plot_->replot();
+  const auto& rows = preview_->recording.rows;
   const auto timeOf = [&](std::size_t row) {  // from 1
     return kMilli * (rows[row - 1].time - rows.front().time);
   };
@@ -108,11 +108,11 @@ void RecordingPlot::draw() {
   force->setPen(QPen(colours.force, 1));
   travel->setPen(QPen(colours.travel, 1));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    force->addData(timeOf(i + 1), look_->trace.force[i]);
-    travel->addData(timeOf(i + 1), look_->trace.travel[i]);
+    force->addData(timeOf(i + 1), preview_->trace.force[i]);
+    travel->addData(timeOf(i + 1), preview_->trace.travel[i]);
   }
   int number = 0;
-  for (const auto& closure : look_->survey.closures) {
+  for (const auto& closure : preview_->survey.closures) {
     auto* shade = new QCPItemRect(plot_);
     shade->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
     shade->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);

@@ -23,7 +23,7 @@ struct RecordingPreview {
 };
 
 /// Reads a recording. Throws as readRecordingWithColumns() does.
-RecordingPreview lookAt(
+RecordingPreview previewOf(
     const std::string& recording,
     const std::optional<haptics::recordings::RecordingColumns>& columns);
 
@@ -36,13 +36,13 @@ class RecordingPlot final : public QWidget {
   explicit RecordingPlot(QWidget* parent = nullptr);
 
   /// Shows a recording; std::nullopt: shows none.
-  void show(std::optional<RecordingPreview> look);
+  void show(std::optional<RecordingPreview> preview);
   using QWidget::show;
   /// Marks a cut, from 1; 0: none.
   void choose(int cut);
   int cuts() const;
   QString words() const { return words_->text(); }
-  const std::optional<RecordingPreview>& look() const noexcept { return look_; }
+  const std::optional<RecordingPreview>& preview() const noexcept { return preview_; }
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -50,7 +50,7 @@ class RecordingPlot final : public QWidget {
  private:
   void draw();
 
-  std::optional<RecordingPreview> look_;
+  std::optional<RecordingPreview> preview_;
   int chosen_ = 0;
   QCustomPlot* plot_;
   QLabel* words_;

@@ -55,7 +55,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
 void SelfTestDialog::test() {
   std::vector<FindingLine> lines;
   const bool isDone = BackgroundTask::run(
-      this, tr("Testing"), Matter::SystemNotChecked, [&](const Progress& progress) {
+      this, tr("Testing"), MessageTopic::SystemNotChecked, [&](const Progress& progress) {
         lines = testComputer(order_, progress);
       });
   if (!isDone) return;

@@ -90,7 +90,7 @@ void chooseAndOpenShape(QWidget* parent) {
       QDir::homePath(),
       QFileDialog::tr("Bones of spheres, and knees (*.packing *.obj)"));
   if (!path.isEmpty())
-    attempt(parent, Matter::FileNotShown, [&] { openShapeWindow(path, parent); });
+    attempt(parent, MessageTopic::FileNotShown, [&] { openShapeWindow(path, parent); });
 }
 
 }  // namespace study::gui

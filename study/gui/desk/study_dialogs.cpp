@@ -104,7 +104,7 @@ void BackupDialog::work() {
   Backup backup;
   const std::string target = target_->path().toStdString();
   const bool isDone = BackgroundTask::run(
-      this, tr("Backing up"), Matter::BackupNotSaved, [&](const Progress& progress) {
+      this, tr("Backing up"), MessageTopic::BackupNotSaved, [&](const Progress& progress) {
         backup = backUp(folder_, target, progress);
       });
   if (!isDone) return clear();
@@ -139,9 +139,9 @@ VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
 }
 
 void VerifyDialog::recordRestoredBackup() {
-  const auto reason = askForText(this, Matter::RestoredBackup);
+  const auto reason = askForText(this, MessageTopic::RestoredBackup);
   if (!reason) return;
-  const bool isNoted = attempt(this, Matter::BackupNotNoted, [&] {
+  const bool isNoted = attempt(this, MessageTopic::BackupNotNoted, [&] {
     auto study = Study::open(folder_);
     recordRestoredCopy(study, reason->trimmed().toStdString());
   });
@@ -152,7 +152,7 @@ void VerifyDialog::work() {
   Verification verification;
   std::size_t missing = 0;
   const bool isDone = BackgroundTask::run(
-      this, tr("Verifying"), Matter::StudyNotVerified, [&](const Progress& progress) {
+      this, tr("Verifying"), MessageTopic::StudyNotVerified, [&](const Progress& progress) {
         auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
         verification = verify(study, progress);
         missing = headsMissingIn(study);
@@ -281,9 +281,10 @@ void ReportDialog::work() {
       .format = {.width = width_->value(), .font = font_->value()},
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
   const bool isDone = BackgroundTask::run(
-      this, tr("Writing the report"), Matter::ReportNotWritten, [&](const Progress& progress) {
-        write(order, progress);
-      });
+      this,
+      tr("Writing the report"),
+      MessageTopic::ReportNotWritten,
+      [&](const Progress& progress) { write(order, progress); });
   form().setRowVisible(writtenFigures_, isDone && !order.figures.empty());
   writtenFigures_->show(QString::fromStdString(order.figures));
   if (!isDone) return clear();

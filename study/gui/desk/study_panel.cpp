@@ -35,7 +35,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       unfinished_(new QVBoxLayout),
       open_(new QPushButton(tr("Open"), this)),
       start_(makeStart()),
-      forget_(new QPushButton(tr("Remove from list"), this)),
+      removeButton_(new QPushButton(tr("Remove from list"), this)),
       place_(new QWidget(this)),
       parts_(new QVBoxLayout(place_)) {
   setProperty("role", QStringLiteral("card"));
@@ -46,10 +46,10 @@ StudyPanel::StudyPanel(QWidget* parent)
   problem_->setObjectName(QStringLiteral("problem"));
   open_->setProperty("role", QStringLiteral("main"));
   open_->setObjectName(QStringLiteral("open"));
-  forget_->setObjectName(QStringLiteral("forget"));
+  removeButton_->setObjectName(QStringLiteral("forget"));
   folder_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   connect(open_, &QPushButton::clicked, this, &StudyPanel::openRequested);
-  connect(forget_, &QPushButton::clicked, this, &StudyPanel::listRemovalRequested);
+  connect(removeButton_, &QPushButton::clicked, this, &StudyPanel::listRemovalRequested);
   place_->setProperty("role", QStringLiteral("plain"));
   parts_->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(this);
@@ -71,7 +71,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   layout->addWidget(start_);
   layout->addWidget(scroll, 1);
   layout->addLayout(buttons_);
-  layout->addWidget(forget_);
+  layout->addWidget(removeButton_);
   makeButtons();
   clear();
 }
@@ -215,7 +215,7 @@ void StudyPanel::clear() {
   sessions_->clear();
   folder_->clear();
   open_->setEnabled(false);
-  forget_->setVisible(false);
+  removeButton_->setVisible(false);
   showStart(true);
   enableActions(false);
 }
@@ -238,7 +238,7 @@ void StudyPanel::show(const StudySummary& summary) {
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
-  forget_->setVisible(!isSound);
+  removeButton_->setVisible(!isSound);
   enableActions(isSound);
   keyRemark_->parentWidget()->setVisible(summary.lacksKeyBackup);
   textsRemark_->setText(

@@ -78,7 +78,7 @@ class StudyPanel final : public QFrame {
   QPushButton* open_;
   QWidget* start_;  ///< shown in place of the groups if there is no study
   std::vector<Group> groups_;
-  QPushButton* forget_;
+  QPushButton* removeButton_;
   QWidget* place_;  ///< the progress, documents and unfinished sessions
   QVBoxLayout* parts_;
 };

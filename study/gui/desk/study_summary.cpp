@@ -38,7 +38,7 @@ void fillCohorts(Study& study, StudySummary& summary) {
 void fillArrivals(Study& study, StudySummary& summary) {
   if (study.station().isNone()) return;
   const auto last = lastPush(study.uuid(), study.station().uuid);
-  summary.arrivals = arrivalsBy(study, last.have);
+  summary.arrivals = arrivalsBy(study, last.lastEvent);
   summary.pushProblem = last.problem;
 }
 

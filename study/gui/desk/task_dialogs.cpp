@@ -10,8 +10,8 @@
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
-#include "study/report/plan_tables.h"
-#include "study/report/statistics_tables.h"
+#include "study/report/tables/plan_tables.h"
+#include "study/report/tables/statistics_tables.h"
 #include "study/results/study_plan.h"
 #include "study/session/unblinding.h"
 
@@ -89,14 +89,14 @@ void AmendDialog::updateButton() {
 
 void AmendDialog::work() {
   bool isSame = false;
-  const bool isDone = attempt(this, Matter::ProtocolNotChanged, [&] {
+  const bool isDone = attempt(this, MessageTopic::ProtocolNotChanged, [&] {
     auto study = Study::open(folder_);
     const auto& protocol = *checked_.loaded;
     isSame = storage::isSame(study.protocols().current(), protocol);
     if (!isSame) study.amend(protocol, reason_->text().trimmed().toStdString());
   });
   if (!isDone) return;
-  go().setEnabled(false);
+  runButton().setEnabled(false);
   if (isSame) {
     return showOutcome(Outcome::Warning, tr("This is the protocol that the study uses already."));
   }
@@ -132,7 +132,7 @@ void SimulateDialog::work() {
   const int wanted = participants_->value();
   const int more = wanted - participants_->minimum() + 1;
   const bool isDone = BackgroundTask::run(
-      this, tr("Simulating"), Matter::SimulationNotFinished, [&](const Progress& progress) {
+      this, tr("Simulating"), MessageTopic::SimulationNotFinished, [&](const Progress& progress) {
         SimulatedClock clock;
         auto study = Study::open(folder_, clock);
         int begun = 0;
@@ -193,7 +193,7 @@ void PlanDialog::work() {
   }
   StudyPlan plan;
   const bool isDone = BackgroundTask::run(
-      this, tr("Computing"), Matter::PlanNotComputed, [&](const Progress& progress) {
+      this, tr("Computing"), MessageTopic::PlanNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "simulating studies");
         auto study = Study::open(folder_, Access::ReadOnly);
         plan = planOf(study.protocol(), question);
@@ -271,7 +271,7 @@ void StatisticsDialog::work() {
   section_.reset();
   const auto words = words::wordsIn(deskLanguage());
   BackgroundTask::run(
-      this, tr("Computing"), Matter::StatisticsNotComputed, [&](const Progress& progress) {
+      this, tr("Computing"), MessageTopic::StatisticsNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "computing the tables");
         auto study = Study::open(folder_, accessForUnblinding(reason));
         recordUnblinding(study, mode, EventKind::UnblindedResults, reason);

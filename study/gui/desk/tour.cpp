@@ -147,9 +147,9 @@ QWidget* Tour::makeTrialDemonstration() {
       std::make_unique<scene::KneeScene>(),
       scene::makeRenderer(),
       scene::SimulationView::Pace::Display);
-  picture->setLookSource([this] {
+  picture->setSnapshotSource([this] {
     const auto status = punch_.status();
-    return scene::Look{
+    return scene::TrialSnapshot{
         .travel = status.travel,
         .force = status.force,
         .isCutThrough = status.isCutThrough,
@@ -239,7 +239,7 @@ QWidget* Tour::makeRecord() {
   record_->verticalHeader()->hide();
   makeReadOnly(*record_);
   record_->setSelectionMode(QAbstractItemView::NoSelection);
-  kept_ = bodyLabel({}, step);
+  storedDataLabel_ = bodyLabel({}, step);
   auto* layout = new QVBoxLayout(step);
   figure_ = new TravelPlot(step);
   record_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -259,7 +259,7 @@ QWidget* Tour::makeRecord() {
   columns->setSpacing(20);
   columns->addLayout(own, 1);
   columns->addLayout(report, 1);
-  layout->addWidget(kept_);
+  layout->addWidget(storedDataLabel_);
   layout->addLayout(columns, 1);
   layout->addWidget(quietLabel(
       tr("In a study this lies in its folder: answers and sessions in study.db, samples in "
@@ -281,7 +281,7 @@ void Tour::goTo(int step) {
 }
 
 void Tour::begin() {
-  if (!attempt(this, Matter::VirtualPunchNotStarted, [&] { punch_.begin(); })) return;
+  if (!attempt(this, MessageTopic::VirtualPunchNotStarted, [&] { punch_.begin(); })) return;
   plot_->begin(punch_.kind(), 1000.0);
   figure_->begin(punch_.kind());
   page_->setRunning(true);
@@ -301,20 +301,20 @@ void Tour::look() {
 void Tour::endFeeling() {
   watch_.stop();
   punch_.moveTo(0.0);
-  felt_ = punch_.finish();
+  trialRecord_ = punch_.finish();
   page_->setRunning(false);
 }
 
 void Tour::showRecord() {
   record_->setRowCount(0);
-  figure_->setVisible(felt_.has_value());
-  if (!felt_) {
-    kept_->setText(
+  figure_->setVisible(trialRecord_.has_value());
+  if (!trialRecord_) {
+    storedDataLabel_->setText(
         tr("You have not felt anything yet: go back to the first step, press Begin, and make a "
            "cut. Then its record appears here."));
     return;
   }
-  kept_->setText(
+  storedDataLabel_->setText(
       tr("Proof of what was felt, and how well it was rendered. It is kept with every trial, and "
          "says whether the trial can be relied on."));
   const auto add = [&](const QString& what, const QString& value) {
@@ -324,7 +324,7 @@ void Tour::showRecord() {
     record_->setItem(row, 1, new QTableWidgetItem(value));
   };
   figure_->refresh();
-  const auto& felt = *felt_;
+  const auto& felt = *trialRecord_;
   add(tr("Samples, a thousand a second"), QString::number(punch_.samples().size()));
   add(tr("Duration"), inUnits(felt.duration, "s", 1));
   add(tr("Cuts"), QString::number(felt.cuts.size()));

@@ -33,7 +33,7 @@ class Tour final : public QDialog {
 
   int step() const { return steps_->currentIndex(); }
   /// The record of the tour's trial; std::nullopt before the trial has ended.
-  const std::optional<TrialRecord>& felt() const noexcept { return felt_; }
+  const std::optional<TrialRecord>& trialRecord() const noexcept { return trialRecord_; }
 
   /// Whether the tour has neither been seen nor dismissed on this computer.
   static bool isNew();
@@ -57,7 +57,7 @@ class Tour final : public QDialog {
   CatalogueTranslator translator_;  ///< of the participant's pages
   protocols::LoadedProtocol protocol_;
   VirtualPunch punch_;
-  std::optional<TrialRecord> felt_;
+  std::optional<TrialRecord> trialRecord_;
   QTimer watch_;
   QLabel* heading_;
   QStackedWidget* steps_;
@@ -65,7 +65,7 @@ class Tour final : public QDialog {
   LivePlot* plot_ = nullptr;
   TravelPlot* figure_ = nullptr;
   QTableWidget* record_ = nullptr;
-  QLabel* kept_ = nullptr;
+  QLabel* storedDataLabel_ = nullptr;
   QPushButton* back_;
   QPushButton* next_;
 };

@@ -30,7 +30,7 @@ void VirtualPunch::begin() {
                .maxTorqueRate = need_.maxTorqueRate,
                .maxVelocity = need_.maxVelocity,
                .isPassivityControlled = need_.isPassivityControlled},
-          .keep = [this](int, const std::vector<storage::TraceSample>& chunk) {
+          .storeChunk = [this](int, const std::vector<storage::TraceSample>& chunk) {
             samples_.insert(samples_.end(), chunk.begin(), chunk.end());
           }});
   live_ = std::make_unique<LiveTrial>(*trial_);

@@ -23,19 +23,19 @@ WorkDialog::WorkDialog(
       form_(new FieldForm),
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
-      more_(new QTextBrowser(this)),
+      details_(new QTextBrowser(this)),
       obstacle_(quietLabel({}, this)),
-      go_(new QPushButton(verb, this)) {
+      runButton_(new QPushButton(verb, this)) {
   setWindowTitle(title);
   auto* heading = bodyLabel(title, this);
   heading->setProperty("role", QStringLiteral("heading"));
-  go_->setProperty("role", QStringLiteral("main"));
-  go_->setObjectName(QStringLiteral("go"));
-  go_->setDefault(true);
+  runButton_->setProperty("role", QStringLiteral("main"));
+  runButton_->setObjectName(QStringLiteral("go"));
+  runButton_->setDefault(true);
   line_->setObjectName(QStringLiteral("outcome"));
-  more_->setObjectName(QStringLiteral("more"));
-  more_->setAccessibleName(tr("Details"));
-  more_->setMinimumHeight(200);
+  details_->setObjectName(QStringLiteral("more"));
+  details_->setAccessibleName(tr("Details"));
+  details_->setMinimumHeight(200);
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form_->setVerticalSpacing(10);
@@ -48,7 +48,7 @@ WorkDialog::WorkDialog(
   page->addLayout(form_);
   page->addWidget(line_);
   page->addWidget(written_);
-  page->addWidget(more_, 1);
+  page->addWidget(details_, 1);
   page->addStretch(0);
   scroll_->setWidgetResizable(true);
   scroll_->setWidget(inside);
@@ -76,7 +76,7 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
 
 void WorkDialog::addResult(QWidget* result) {
   auto* page = qobject_cast<QVBoxLayout*>(scroll_->widget()->layout());
-  page->insertWidget(page->indexOf(more_), result, 1);
+  page->insertWidget(page->indexOf(details_), result, 1);
 }
 
 QHBoxLayout* WorkDialog::makeButtons() {
@@ -89,14 +89,14 @@ QHBoxLayout* WorkDialog::makeButtons() {
   obstacle_->setWordWrap(false);
   buttons->addWidget(obstacle_, 1);
   buttons->addWidget(close);
-  buttons->addWidget(go_);
+  buttons->addWidget(runButton_);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  connect(go_, &QPushButton::clicked, this, [this] { work(); });
+  connect(runButton_, &QPushButton::clicked, this, [this] { work(); });
   return buttons;
 }
 
 void WorkDialog::setObstacle(const QString& obstacle) {
-  go_->setEnabled(obstacle.isEmpty());
+  runButton_->setEnabled(obstacle.isEmpty());
   obstacle_->setText(obstacle);
 }
 
@@ -120,8 +120,8 @@ void WorkDialog::showWrittenFile(
 }
 
 void WorkDialog::showDetails(const QString& more) {
-  more_->setPlainText(more);
-  more_->setVisible(!more.isEmpty());
+  details_->setPlainText(more);
+  details_->setVisible(!more.isEmpty());
   fit();
 }
 
@@ -136,7 +136,7 @@ void WorkDialog::fit() {
       std::max(inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
   const int needed = own + layout()->spacing() + buttons->sizeHint().height();
   const int most = screen()->availableSize().height() - kFrame;
-  if (!isVisible() || more_->isHidden() || height() < needed) {
+  if (!isVisible() || details_->isHidden() || height() < needed) {
     // Beside a scroll bar labels wrap into more lines and then need the bar, so that it would stay
     // for good.
     scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

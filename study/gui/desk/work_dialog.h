@@ -25,7 +25,7 @@ class WorkDialog : public QDialog {
   WorkDialog(const QString& title, const QString& what, const QString& verb, QWidget* parent);
 
   FieldForm& form() noexcept { return *form_; }
-  QPushButton& go() noexcept { return *go_; }
+  QPushButton& runButton() noexcept { return *runButton_; }
 
   /// Enables the button, or says beside it what has to be done before.
   /// @param obstacle  "Give a reason."; empty: none
@@ -65,9 +65,9 @@ class WorkDialog : public QDialog {
   QBoxLayout* pictures_ = nullptr;  ///< nullptr: there are none
   QLabel* line_;
   class WrittenFile* written_;
-  QTextBrowser* more_;
+  QTextBrowser* details_;
   QLabel* obstacle_;
-  QPushButton* go_;
+  QPushButton* runButton_;
 };
 
 }  // namespace study::gui

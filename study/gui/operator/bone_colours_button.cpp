@@ -91,7 +91,7 @@ bool BoneColoursButton::confirmOpening() {
            each->screen() == screen();
   });
   if (!isBesideParticipant) return true;
-  return ask(this, Matter::BoneBesideParticipant);
+  return ask(this, MessageTopic::BoneBesideParticipant);
 }
 
 void BoneColoursButton::openWindow() {

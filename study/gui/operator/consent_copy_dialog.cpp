@@ -36,7 +36,8 @@ void saveConsentCopy(Study& study, const std::string& participant, QWidget* pare
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
   const auto write = [&] { writeConsentCopy(study, participant, path.toStdString()); };
-  if (attempt(parent, Matter::ConsentCopyNotSaved, write)) showWrittenFileMessage(parent, path);
+  if (attempt(parent, MessageTopic::ConsentCopyNotSaved, write))
+    showWrittenFileMessage(parent, path);
 }
 
 }  // namespace study::gui

@@ -12,7 +12,7 @@ namespace study::gui {
 
 ControlPanel::ControlPanel(QWidget* parent)
     : QWidget(parent),
-      who_(bodyLabel({}, this)),
+      participantLabel_(bodyLabel({}, this)),
       cohort_(quietLabel({}, this)),
       stop_(new QPushButton(tr("STOP: no force"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
@@ -23,8 +23,8 @@ ControlPanel::ControlPanel(QWidget* parent)
       close_(new QPushButton(tr("Close session"), this)),
       note_(new QLineEdit(this)),
       notes_(new QListWidget(this)) {
-  who_->setProperty("role", QStringLiteral("heading"));
-  who_->setObjectName(QStringLiteral("who"));
+  participantLabel_->setProperty("role", QStringLiteral("heading"));
+  participantLabel_->setObjectName(QStringLiteral("who"));
   stop_->setProperty("role", QStringLiteral("stop"));
   stop_->setToolTip(tr("Also Esc, Pause, F12, or a foot switch that types one of them"));
   resume_->setToolTip(tr("End the pause"));
@@ -38,7 +38,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(10);
-  layout->addWidget(who_);
+  layout->addWidget(participantLabel_);
   layout->addWidget(cohort_);
   layout->addWidget(stop_);
   auto* scroll = new QScrollArea(this);
@@ -59,12 +59,15 @@ QWidget* ControlPanel::makeButtons() {
   const auto repeat =
       add(tr("Repeat…"),
           SessionEvent::RepeatedStep,
-          Matter::RepeatStep,
+          MessageTopic::RepeatStep,
           &SessionController::repeatStep);
-  const auto skip =
-      add(tr("Skip…"), SessionEvent::SkippedStep, Matter::SkipStep, &SessionController::skipStep);
-  pause_ = add(
-      tr("Pause…"), SessionEvent::PausedSession, Matter::PauseSession, &SessionController::pause);
+  const auto skip = add(
+      tr("Skip…"), SessionEvent::SkippedStep, MessageTopic::SkipStep, &SessionController::skipStep);
+  pause_ =
+      add(tr("Pause…"),
+          SessionEvent::PausedSession,
+          MessageTopic::PauseSession,
+          &SessionController::pause);
   auto* now = addGroup(*layout, tr("Now"), {{repeat, skip}, {pause_, interviewDone_}});
   resume_->setProperty("role", QStringLiteral("tool"));
   now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
@@ -77,12 +80,15 @@ QWidget* ControlPanel::makeButtons() {
   emergency_ = {
       add(tr("Withdrawal…"),
           SessionEvent::Withdrew,
-          Matter::Withdrawal,
+          MessageTopic::Withdrawal,
           &SessionController::withdraw),
-      add(tr("Reject…"), SessionEvent::WasRejected, Matter::Rejection, &SessionController::reject),
+      add(tr("Reject…"),
+          SessionEvent::WasRejected,
+          MessageTopic::Rejection,
+          &SessionController::reject),
       add(tr("Device failed…"),
           SessionEvent::GaveUpOnDevice,
-          Matter::DeviceFailure,
+          MessageTopic::DeviceFailure,
           &SessionController::giveUpOnDevice)};
   emergency_[0]->setToolTip(tr("The participant withdraws: the session ends"));
   emergency_[1]->setToolTip(tr("This session does not count: it ends"));
@@ -135,7 +141,7 @@ void ControlPanel::connectButtons() {
 }
 
 QPushButton* ControlPanel::add(
-    const QString& text, SessionEvent event, Matter question, Perform action) {
+    const QString& text, SessionEvent event, MessageTopic question, Perform action) {
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event});
   connect(button, &QPushButton::clicked, this, [this, action, question] {
@@ -144,7 +150,7 @@ QPushButton* ControlPanel::add(
   return button;
 }
 
-void ControlPanel::performWithReason(Perform action, Matter question) {
+void ControlPanel::performWithReason(Perform action, MessageTopic question) {
   if (controller_ == nullptr) return;
   controller_->stop();  // no force while the operator types a reason
   const auto reason = askForText(this, question);
@@ -171,10 +177,10 @@ void ControlPanel::showNotes() {
 }
 
 /// Shows, for example, "P003" and "Orthopaedic surgeons · live · English".
-void ControlPanel::showWho() {
+void ControlPanel::showParticipant() {
   if (controller_ == nullptr) return;
   const auto& session = controller_->session();
-  who_->setText(QString::fromStdString(session.participant()));
+  participantLabel_->setText(QString::fromStdString(session.participant()));
   const QStringList parts{
       cohortTitle(session.protocol().protocol, session.cohort()),
       deskText(nameOf(session.runMode())),
@@ -190,7 +196,7 @@ void ControlPanel::setController(SessionController* controller) {
 }
 
 void ControlPanel::refresh() {
-  showWho();
+  showParticipant();
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);

@@ -40,7 +40,7 @@ class ControlPanel final : public QWidget {
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
-  QPushButton* add(const QString& text, SessionEvent event, Matter question, Perform action);
+  QPushButton* add(const QString& text, SessionEvent event, MessageTopic question, Perform action);
   QWidget* makeButtons();
   QHBoxLayout* addGroup(
       QVBoxLayout& layout,
@@ -48,8 +48,8 @@ class ControlPanel final : public QWidget {
       const std::vector<std::vector<QPushButton*>>& rows);
   void keepFocusOffButtons();
   void connectButtons();
-  void showWho();
-  void performWithReason(Perform action, Matter question);
+  void showParticipant();
+  void performWithReason(Perform action, MessageTopic question);
   void keepNote();
   void showNotes();
 
@@ -59,7 +59,7 @@ class ControlPanel final : public QWidget {
   };
 
   SessionController* controller_ = nullptr;
-  QLabel* who_;
+  QLabel* participantLabel_;
   QLabel* cohort_;
   QPushButton* stop_;
   QPushButton* pause_ = nullptr;

@@ -37,8 +37,8 @@ QString describe(const haptics::devices::Device& device, haptics::devices::Wire 
   return {};
 }
 
-constexpr int kLookEvery = 500;     // [ms]
-constexpr double kListenFor = 2.0;  // [s]
+constexpr int kRefreshInterval = 500;   // [ms]
+constexpr double kCheckDuration = 2.0;  // [s]
 
 }  // namespace
 
@@ -68,7 +68,7 @@ DevicePanel::DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceS
   columns->addWidget(button_, 0, Qt::AlignTop);
   connect(button_, &QPushButton::clicked, this, &DevicePanel::check);
   connect(&timer_, &QTimer::timeout, this, &DevicePanel::refresh);
-  timer_.start(kLookEvery);
+  timer_.start(kRefreshInterval);
   refresh();
 }
 
@@ -119,7 +119,7 @@ Found DevicePanel::checkDevices() {
                "Add it to the device file, or give it that id."}}});
         continue;
       }
-      found.push_back({need.id, preflight(*device, &need, kListenFor)});
+      found.push_back({need.id, preflight(*device, &need, kCheckDuration)});
     }
   };
   // No trial can begin meanwhile, because the modal dialog takes all clicks until the check is
@@ -127,14 +127,14 @@ Found DevicePanel::checkDevices() {
   const bool isDone = BackgroundTask::run(
       window(),
       tr("Devices"),
-      Matter::DevicesNotChecked,
+      MessageTopic::DevicesNotChecked,
       checkAll,
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) {
     found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
   }
   refresh();
-  timer_.start(kLookEvery);
+  timer_.start(kRefreshInterval);
   return found;
 }
 

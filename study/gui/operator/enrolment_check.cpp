@@ -33,9 +33,9 @@ bool confirmTexts(
   if (blanks.empty()) return true;
   const QStringList count{QString::number(blanks.size())};
   if (enrolment.runMode == RunMode::Pilot) {
-    return ask(parent, Matter::PilotSessionHasBlanks, count, listOf(blanks));
+    return ask(parent, MessageTopic::PilotSessionHasBlanks, count, listOf(blanks));
   }
-  showMessage(parent, Matter::LiveSessionHasBlanks, count, listOf(blanks));
+  showMessage(parent, MessageTopic::LiveSessionHasBlanks, count, listOf(blanks));
   return false;
 }
 

@@ -36,7 +36,7 @@
 namespace study::gui {
 
 /// Only the page that is shown needs room.
-static void giveRoomToShown(QStackedWidget& pages) {
+static void giveRoomToCurrentPage(QStackedWidget& pages) {
   for (int i = 0; i < pages.count(); ++i) {
     const auto room = i == pages.currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     pages.widget(i)->setSizePolicy(room, room);
@@ -93,8 +93,9 @@ void OperatorWindow::makeContents() {
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
   for (auto* stack : {pages_, middle_}) {
-    connect(stack, &QStackedWidget::currentChanged, this, [stack] { giveRoomToShown(*stack); });
-    giveRoomToShown(*stack);
+    connect(
+        stack, &QStackedWidget::currentChanged, this, [stack] { giveRoomToCurrentPage(*stack); });
+    giveRoomToCurrentPage(*stack);
   }
   layout->addWidget(pages_, 1);
   setCentralWidget(new FittingScroll(inside, this));
@@ -209,17 +210,19 @@ OperatorWindow::~OperatorWindow() {
 
 void OperatorWindow::enrol(const Enrolment& enrolment) {
   if (controller_) return;
-  attempt(this, Matter::SessionNotBegun, [&] { begin(Session::enrol(study_, enrolment)); });
+  attempt(this, MessageTopic::SessionNotBegun, [&] { begin(Session::enrol(study_, enrolment)); });
 }
 
 void OperatorWindow::resume(SessionId id, const std::string& takeOver) {
   if (controller_) return;
-  attempt(this, Matter::SessionNotContinued, [&] { begin(Session::resume(study_, id, takeOver)); });
+  attempt(this, MessageTopic::SessionNotContinued, [&] {
+    begin(Session::resume(study_, id, takeOver));
+  });
 }
 
 void OperatorWindow::enrolAfterChecks(const Enrolment& enrolment) {
   if (controller_) return;
-  attempt(this, Matter::SessionNotBegun, [&] {
+  attempt(this, MessageTopic::SessionNotBegun, [&] {
     const bool mayBegin = confirmTexts(study_.protocol(), enrolment, this);
     if (mayBegin && devices_->confirmDevicesReady()) enrol(enrolment);
   });
@@ -268,7 +271,7 @@ void OperatorWindow::showError(const QString& why) {
     waitingErrors_ << why;
     return;
   }
-  showMessage(this, Matter::StepNotDone, {}, why);
+  showMessage(this, MessageTopic::StepNotDone, {}, why);
 }
 
 void OperatorWindow::showWaitingErrors() {
@@ -375,7 +378,7 @@ void OperatorWindow::showInterview() {
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  if (!controller_->savePendingAnswers() && !ask(this, Matter::CloseWithLoss)) return;
+  if (!controller_->savePendingAnswers() && !ask(this, MessageTopic::CloseWithLoss)) return;
   trial_->setController(nullptr);
   controls_->setController(nullptr);
   mirror_->setPage(nullptr);
@@ -392,7 +395,7 @@ void OperatorWindow::endSession() {
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {
   if (controller_ && controller_->isTrialRunning()) {
-    showMessage(this, Matter::TrialIsRunning);
+    showMessage(this, MessageTopic::TrialIsRunning);
     event->ignore();
     return;
   }

@@ -57,7 +57,7 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
          .code = {}});
   });
   connect(resume_, &QPushButton::clicked, this, [this] {
-    if (const auto* one = selectedUnfinished()) goOnWith(*one);
+    if (const auto* one = selectedUnfinished()) resumeSession(*one);
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SessionsPage::showSelected);
   connect(send_, &QPushButton::clicked, &push_, &StationPush::send);
@@ -191,7 +191,7 @@ void SessionsPage::giveRoom() {
 }
 
 void SessionsPage::refresh() {
-  attempt(this, Matter::SessionsNotListed, [&] {
+  attempt(this, MessageTopic::SessionsNotListed, [&] {
     const auto sessions = storage::Records(study_.database()).sessions();
     unfinished_ = unfinishedSessions(study_);
     const auto& protocol = study_.protocol().protocol;
@@ -248,12 +248,12 @@ void SessionsPage::fillCohorts(
   }
 }
 
-void SessionsPage::goOnWith(const UnfinishedSession& session) {
+void SessionsPage::resumeSession(const UnfinishedSession& session) {
   const auto id = static_cast<qlonglong>(session.id);
   if (!session.mayBeTakenOver()) return emit resumeRequested(id, {});
   const auto reason = askForText(
       this,
-      Matter::TakeOver,
+      MessageTopic::TakeOver,
       {QString::fromStdString(session.holder->station), localTime(session.lastStoredUtc)});
   if (reason) emit resumeRequested(id, reason->trimmed());
 }

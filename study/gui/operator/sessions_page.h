@@ -54,7 +54,7 @@ class SessionsPage final : public QWidget {
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
-  void goOnWith(const UnfinishedSession& session);
+  void resumeSession(const UnfinishedSession& session);
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;

@@ -16,7 +16,7 @@ constexpr int kMostDots = 12;  // more are hard to count; the words say it as we
 }  // namespace
 
 CutCounter::CutCounter(int needed, QWidget* parent)
-    : QWidget(parent), needed_(needed), words_(bodyLabel({}, this)) {
+    : QWidget(parent), cutsNeeded_(needed), words_(bodyLabel({}, this)) {
   words_->setProperty("role", QStringLiteral("count"));
   words_->setAlignment(Qt::AlignCenter);
   auto* layout = new QVBoxLayout(this);
@@ -26,7 +26,7 @@ CutCounter::CutCounter(int needed, QWidget* parent)
 }
 
 int CutCounter::radius() const noexcept {
-  return needed_ > kMostDots ? 0 : scaled(*this, kRadius);
+  return cutsNeeded_ > kMostDots ? 0 : scaled(*this, kRadius);
 }
 
 void CutCounter::makeRoomForDots() {
@@ -35,8 +35,8 @@ void CutCounter::makeRoomForDots() {
 
 void CutCounter::setCount(int made, const QString& words) {
   words_->setText(words);
-  if (made == made_) return;
-  made_ = made;
+  if (made == cutsMade_) return;
+  cutsMade_ = made;
   update();
 }
 
@@ -53,9 +53,9 @@ void CutCounter::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& theme = themeOf(*this);
-  const double first = 0.5 * width() - 1.5 * r * (needed_ - 1);
-  for (int i = 0; i < needed_; ++i) {
-    const bool isMade = i < made_;
+  const double first = 0.5 * width() - 1.5 * r * (cutsNeeded_ - 1);
+  for (int i = 0; i < cutsNeeded_; ++i) {
+    const bool isMade = i < cutsMade_;
     painter.setPen(QPen(isMade ? theme.accent.background : theme.border, 0.15 * r));
     painter.setBrush(isMade ? QBrush(theme.accent.background) : QBrush(theme.field.background));
     painter.drawEllipse(QPointF(first + 3.0 * r * i, 1.2 * r), r, r);

@@ -24,8 +24,8 @@ class CutCounter final : public QWidget {
   int radius() const noexcept;
   void makeRoomForDots();
 
-  int needed_;
-  int made_ = 0;
+  int cutsNeeded_;
+  int cutsMade_ = 0;
   QLabel* words_;
 };
 

@@ -30,7 +30,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
           this)),
       hint_(bodyLabel(tr("Press Begin when you hold the instrument."), this)),
       begin_(new QPushButton(tr("Begin"), this)),
-      enough_(new QPushButton(tr("Done"), this)),
+      doneButton_(new QPushButton(tr("Done"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(content.name);
@@ -69,13 +69,13 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addSpacerItem(new QSpacerItem(
         0, scaled(*this, kAboveButton), QSizePolicy::Minimum, QSizePolicy::Maximum));
   }
-  for (auto* button : {begin_, enough_, decline_}) {
+  for (auto* button : {begin_, doneButton_, decline_}) {
     button->setProperty("role", QStringLiteral("next"));
     layout->addWidget(button, 0, Qt::AlignCenter);
   }
   if (picture == nullptr) layout->addStretch(3);
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
-  connect(enough_, &QPushButton::clicked, this, &TrialPage::finishRequested);
+  connect(doneButton_, &QPushButton::clicked, this, &TrialPage::finishRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
   hand_.setParent(this);
   hand_.setStartValue(0.0);
@@ -111,9 +111,9 @@ void TrialPage::setRunning(bool isRunning) {
   isRunning_ = isRunning;
   begin_->setVisible(!isRunning);
   numbering_->setVisible(!isRunning && content_.isNumberedAnew);
-  enough_->setVisible(isRunning);
+  doneButton_->setVisible(isRunning);
   decline_->setVisible(!isRunning && content_.isOptionalTrial);
-  enough_->setEnabled(false);
+  doneButton_->setEnabled(false);
   if (!isRunning) {
     begin_->setFocus();
     return;
@@ -125,10 +125,10 @@ void TrialPage::setRunning(bool isRunning) {
 void TrialPage::setCuts(int cuts) {
   count_->setCount(cuts, cutsInWords(cuts));
   const bool isEnough = isRunning_ && cuts >= content_.minimumCuts;
-  if (isEnough && !enough_->isEnabled()) {
+  if (isEnough && !doneButton_->isEnabled()) {
     hint_->setText(tr("That is enough. Press Done, or feel it for longer."));
   }
-  enough_->setEnabled(isEnough);
+  doneButton_->setEnabled(isEnough);
 }
 
 void TrialPage::mousePressEvent(QMouseEvent* event) {

@@ -66,7 +66,7 @@ class TrialPage final : public QWidget {
   QLabel* numbering_;  ///< says that numbers start again, where they do
   QLabel* hint_;
   QPushButton* begin_;
-  QPushButton* enough_;
+  QPushButton* doneButton_;
   QPushButton* decline_;
   bool isRunning_ = false;
   double pressedAt_ = 0.0;

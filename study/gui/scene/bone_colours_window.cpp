@@ -8,8 +8,8 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr int kLookAgain = 67;      // [ms]
-constexpr double kOutside = -0.02;  // depth of the reamer without a trial [m]
+constexpr int kUpdateInterval = 67;  // [ms]
+constexpr double kOutside = -0.02;   // depth of the reamer without a trial [m]
 
 }  // namespace
 
@@ -62,10 +62,10 @@ BoneColoursWindow::BoneColoursWindow(
     choose(colours_->currentIndex());
   });
   connect(colours_, &QComboBox::currentIndexChanged, this, &BoneColoursWindow::choose);
-  connect(&look_, &QTimer::timeout, this, &BoneColoursWindow::updatePicture);
+  connect(&updateTimer_, &QTimer::timeout, this, &BoneColoursWindow::updatePicture);
   choose(0);
   updatePicture();
-  look_.start(kLookAgain);
+  updateTimer_.start(kUpdateInterval);
 }
 
 BoneColoursWindow::~BoneColoursWindow() {

@@ -55,7 +55,7 @@ class BoneColoursWindow final : public QWidget {
   QLabel* picture_;
   ColourLegend* legend_;
   BoneColoursPainter* painter_;
-  QTimer look_;
+  QTimer updateTimer_;
 };
 
 }  // namespace study::gui::scene

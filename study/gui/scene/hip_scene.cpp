@@ -94,17 +94,17 @@ void HipScene::apply(const haptics::engine::SphereChange& change) {
   if (spheres_ != nullptr) spheres_->apply(change);
 }
 
-void HipScene::update(const Look& look, double seconds) {
-  depth_ = look.travel;
-  if (look.bone != nullptr && spheres_ != nullptr) {
+void HipScene::update(const TrialSnapshot& snapshot, double seconds) {
+  depth_ = snapshot.travel;
+  if (snapshot.bone != nullptr && spheres_ != nullptr) {
     haptics::engine::SphereChange change;
-    while (look.bone->next(change)) {
+    while (snapshot.bone->next(change)) {
       spheres_->apply(change);
       if (listener_) listener_(change);
     }
-    depth_ = look.bone->depth();
+    depth_ = snapshot.bone->depth();
   }
-  if (look.isRunning) {
+  if (snapshot.isRunning) {
     spin_ = std::fmod(spin_ + 360.0F * kTurnsPerSecond * static_cast<float>(seconds), 360.0F);
   }
   QMatrix4x4 pose;

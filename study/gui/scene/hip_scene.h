@@ -23,7 +23,7 @@ class HipScene final : public SimulatedScene {
 
   explicit HipScene(const Options& options);
 
-  void update(const Look& look, double seconds) override;
+  void update(const TrialSnapshot& snapshot, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
 
   /// Applies a change of a sphere that does not come from a trial's bone.

@@ -99,17 +99,18 @@ void KneeScene::setUpHandleCamera() {
   scene_.shots.push_back(std::move(shot));
 }
 
-void KneeScene::update(const Look& look, double seconds) {
-  updateCut(look);
+void KneeScene::update(const TrialSnapshot& snapshot, double seconds) {
+  updateCut(snapshot);
   movePiece(seconds);
-  const auto openness = static_cast<float>(std::clamp(1.0 - look.travel / kClosed, -0.02, 1.05));
+  const auto openness =
+      static_cast<float>(std::clamp(1.0 - snapshot.travel / kClosed, -0.02, 1.05));
   const QMatrix4x4 punch = punchPose(layout_);
   scene_.parts[Jaw].pose = punch * jawPose(openness);
   scene_.parts[Rod].pose = punch * rodPose(openness);
   scene_.parts[Lever].pose = punch * leverPose(openness);
 
   Meniscus::TissueLoad squeeze{.string = {}, .openness = openness};
-  if (look.mesh != nullptr) squeeze.string = look.mesh->at(look.travel, look.force);
+  if (snapshot.mesh != nullptr) squeeze.string = snapshot.mesh->at(snapshot.travel, snapshot.force);
   meniscus_.squeeze(squeeze);
   scene_.parts[Tissue].mesh = meniscus_.body();
   ++scene_.parts[Tissue].revision;
@@ -121,13 +122,13 @@ void KneeScene::update(const Look& look, double seconds) {
 }
 
 /// Cuts the tissue once per closure, and releases the piece when the hand opens.
-void KneeScene::updateCut(const Look& look) {
-  const bool isThrough = look.isCutThrough || look.travel > kCertainlyCut;
-  if (!isCut_ && look.travel > kOpenAgain && isThrough) {
+void KneeScene::updateCut(const TrialSnapshot& snapshot) {
+  const bool isThrough = snapshot.isCutThrough || snapshot.travel > kCertainlyCut;
+  if (!isCut_ && snapshot.travel > kOpenAgain && isThrough) {
     isCut_ = true;
     released_ = 0.0;
     meniscus_.cut();
-  } else if (isCut_ && look.travel < kOpenAgain) {
+  } else if (isCut_ && snapshot.travel < kOpenAgain) {
     isCut_ = false;
     remainingShift_ += kNextBite;
   }

@@ -17,7 +17,7 @@ class KneeScene final : public SimulatedScene {
   /// construction.
   explicit KneeScene(const protocols::Anatomy* own = nullptr);
 
-  void update(const Look& look, double seconds) override;
+  void update(const TrialSnapshot& snapshot, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
   const Meniscus& meniscus() const noexcept { return meniscus_; }
 
@@ -38,7 +38,7 @@ class KneeScene final : public SimulatedScene {
   void add(Mesh mesh, const QMatrix4x4& pose = {});
   void setUpCamera();
   void setUpHandleCamera();
-  void updateCut(const Look& look);
+  void updateCut(const TrialSnapshot& snapshot);
   void movePiece(double seconds);
 
   KneeLayout layout_;

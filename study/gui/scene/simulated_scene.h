@@ -8,7 +8,7 @@
 namespace study::gui::scene {
 
 /// The state of a trial when a picture is drawn.
-struct Look {
+struct TrialSnapshot {
   double travel = 0.0;          ///< [device's travel unit]
   double force = 0.0;           ///< [N]
   bool isCutThrough = false;    ///< the tissue between the jaws is cut
@@ -28,7 +28,7 @@ class SimulatedScene {
   SimulatedScene& operator=(const SimulatedScene&) = delete;
 
   /// Moves everything to the current state, @p seconds after the previous call.
-  virtual void update(const Look& look, double seconds) = 0;
+  virtual void update(const TrialSnapshot& snapshot, double seconds) = 0;
 
   virtual const Scene& scene() const noexcept = 0;
 };

@@ -73,18 +73,18 @@ void SimulationView::drawNext() {
 }
 
 void SimulationView::paintEvent(QPaintEvent* /*event*/) {
-  const Look look = look_ ? look_() : Look{};
-  if (look.isRunning && !wasRunning_) beginCounting();
-  wasRunning_ = look.isRunning;
+  const TrialSnapshot snapshot = snapshotSource_ ? snapshotSource_() : TrialSnapshot{};
+  if (snapshot.isRunning && !wasRunning_) beginCounting();
+  wasRunning_ = snapshot.isRunning;
   const double seconds =
       sinceLast_.isValid() ? 1e-9 * static_cast<double>(sinceLast_.nsecsElapsed()) : 0.0;
   sinceLast_.start();
-  scene_->update(look, std::min(seconds, 0.1));
-  if (look.bone != nullptr) lostChanges_ = static_cast<std::int64_t>(look.bone->lost());
+  scene_->update(snapshot, std::min(seconds, 0.1));
+  if (snapshot.bone != nullptr) lostChanges_ = static_cast<std::int64_t>(snapshot.bone->lost());
   const QImage& picture = graphics_.renderer->draw(scene_->scene(), pictureSize());
   QPainter painter(this);
   painter.drawImage(rect(), picture);
-  painted_ = look;
+  painted_ = snapshot;
   // The window shows its contents when this event has been handled. The frame counts as shown then.
   QTimer::singleShot(0, this, &SimulationView::noteShown);
 }

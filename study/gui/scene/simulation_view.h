@@ -33,7 +33,9 @@ class SimulationView final : public QWidget {
       QWidget* parent = nullptr);
 
   /// Sets the function that returns the current state; called before each picture.
-  void setLookSource(std::function<Look()> look) { look_ = std::move(look); }
+  void setSnapshotSource(std::function<TrialSnapshot()> source) {
+    snapshotSource_ = std::move(source);
+  }
 
   /// The frame statistics of the running trial, or else of the last one.
   ViewReport report() const;
@@ -62,12 +64,12 @@ class SimulationView final : public QWidget {
   std::unique_ptr<SimulatedScene> scene_;
   RendererWithRemark graphics_;
   Pace pace_;
-  std::function<Look()> look_;
+  std::function<TrialSnapshot()> snapshotSource_;
   QTimer next_;
   QElapsedTimer sinceLast_;
   std::optional<FrameStatistics> statistics_;
-  std::int64_t due_ = 0;         ///< time of the next picture [ns on CLOCK_MONOTONIC]
-  std::optional<Look> painted_;  ///< state in the picture that is not on the display yet
+  std::int64_t due_ = 0;                  ///< time of the next picture [ns on CLOCK_MONOTONIC]
+  std::optional<TrialSnapshot> painted_;  ///< state in the picture that is not on the display yet
   std::int64_t lostChanges_ = 0;
   bool wasRunning_ = false;
 };

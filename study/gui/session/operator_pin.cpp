@@ -63,7 +63,7 @@ PinDialog::PinDialog(QWidget* parent)
     : QDialog(parent),
       first_(pinLine(this)),
       second_(pinLine(this)),
-      objection_(quietLabel({}, this)) {
+      problemLabel_(quietLabel({}, this)) {
   setWindowTitle(tr("A PIN for this screen"));
   auto* layout = new QVBoxLayout(this);
   auto* words = addBoxWords(
@@ -78,7 +78,7 @@ PinDialog::PinDialog(QWidget* parent)
   form->addRow(tr("PIN"), first_);
   form->addRow(tr("Once more"), second_);
   words->addLayout(form);
-  words->addWidget(objection_);
+  words->addWidget(problemLabel_);
   auto* buttons = new QDialogButtonBox(this);
   handOver_ = buttons->addButton(tr("Hand over"), QDialogButtonBox::AcceptRole);
   buttons->addButton(tr("Keep the screen"), QDialogButtonBox::RejectRole);
@@ -93,7 +93,7 @@ PinDialog::PinDialog(QWidget* parent)
 
 void PinDialog::judge() {
   const QString why = whyNot(first_->text(), second_->text());
-  objection_->setText(why);
+  problemLabel_->setText(why);
   handOver_->setEnabled(why.isEmpty());
 }
 

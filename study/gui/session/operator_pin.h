@@ -54,7 +54,7 @@ class PinDialog final : public QDialog {
 
   QLineEdit* first_;
   QLineEdit* second_;
-  QLabel* objection_;
+  QLabel* problemLabel_;
   QPushButton* handOver_;
 };
 

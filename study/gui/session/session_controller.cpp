@@ -7,13 +7,13 @@
 
 namespace study::gui {
 namespace {
-constexpr int kLookEvery = 16;  // [ms]: about sixty times a second
+constexpr int kRefreshInterval = 16;  // [ms]: about sixty times a second
 }
 
 SessionController::SessionController(
     Study& study, DeviceSet& deviceSet, Session session, QObject* parent)
     : QObject(parent), study_(study), deviceSet_(deviceSet), session_(std::move(session)) {
-  watch_.setInterval(kLookEvery);
+  watch_.setInterval(kRefreshInterval);
   connect(&watch_, &QTimer::timeout, this, &SessionController::watchTrial);
 }
 

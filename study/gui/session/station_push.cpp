@@ -13,8 +13,8 @@
 namespace study::gui {
 namespace {
 
-constexpr int kAskEvery = 1000;  // [ms]
-constexpr int kMostLooks = 120;  // then a push without a note counts as ended
+constexpr int kPollInterval = 1000;  // [ms]
+constexpr int kMostPolls = 120;      // then a push without a note counts as ended
 
 QString program() {
   return QCoreApplication::applicationDirPath() + QStringLiteral("/palpate-collect");
@@ -48,7 +48,7 @@ std::string problemInWords(const std::string& problem) {
 }
 
 bool isSame(const PushRecord& one, const PushRecord& other) {
-  return one.utc == other.utc && one.have == other.have && one.problem == other.problem;
+  return one.utc == other.utc && one.lastEvent == other.lastEvent && one.problem == other.problem;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ bool isOverdue(const Arrivals& arrivals) {
 StationPush::StationPush(
     Study& study, std::function<bool()> isBusy, int retryEvery, QObject* parent)
     : QObject(parent), study_(study), isBusy_(std::move(isBusy)) {
-  connect(&watching_, &QTimer::timeout, this, &StationPush::look);
+  connect(&watching_, &QTimer::timeout, this, &StationPush::poll);
   connect(&retry_, &QTimer::timeout, this, [this] {
     if (!isBusy_() && isWaiting()) send();
   });
@@ -92,7 +92,7 @@ bool StationPush::isPossible() const {
 
 bool StationPush::isWaiting() const {
   const auto last = lastPush(study_.uuid(), study_.station().uuid);
-  const auto arrivals = arrivalsBy(study_, last.have);
+  const auto arrivals = arrivalsBy(study_, last.lastEvent);
   return arrivals.arrived < arrivals.all;
 }
 
@@ -111,15 +111,15 @@ void StationPush::send() {
   push.setStandardOutputFile(QProcess::nullDevice());
   push.setStandardErrorFile(QProcess::nullDevice());
   push.startDetached();  // the push goes on if the window is closed
-  looksLeft_ = kMostLooks;
-  watching_.start(kAskEvery);
+  pollsLeft_ = kMostPolls;
+  watching_.start(kPollInterval);
   emit changed();
 }
 
-/// Stops watching once the push has stored its note, or after kMostLooks looks.
-void StationPush::look() {
+/// Stops watching once the push has stored its note, or after kMostPolls polls.
+void StationPush::poll() {
   const bool isNoted = !isSame(before_, lastPush(study_.uuid(), study_.station().uuid));
-  if (!isNoted && --looksLeft_ > 0) return;
+  if (!isNoted && --pollsLeft_ > 0) return;
   watching_.stop();
   emit changed();
 }
@@ -127,12 +127,13 @@ void StationPush::look() {
 std::string StationPush::inWords() const {
   if (study_.station().isNone()) return {};
   const auto last = lastPush(study_.uuid(), study_.station().uuid);
-  return arrivalsInWords(arrivalsBy(study_, last.have), last.problem);
+  return arrivalsInWords(arrivalsBy(study_, last.lastEvent), last.problem);
 }
 
 bool StationPush::isOverdue() const {
   if (study_.station().isNone()) return false;
-  return gui::isOverdue(arrivalsBy(study_, lastPush(study_.uuid(), study_.station().uuid).have));
+  return gui::isOverdue(
+      arrivalsBy(study_, lastPush(study_.uuid(), study_.station().uuid).lastEvent));
 }
 
 }  // namespace study::gui

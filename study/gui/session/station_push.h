@@ -48,14 +48,14 @@ class StationPush final : public QObject {
 
  private:
   bool isWaiting() const;
-  void look();
+  void poll();
 
   Study& study_;
   std::function<bool()> isBusy_;
   QTimer retry_;
   QTimer watching_;    ///< looks for the note that a push stores when it ends
   PushRecord before_;  ///< the note of the previous push
-  int looksLeft_ = 0;  ///< number of looks until a push without a note counts as ended
+  int pollsLeft_ = 0;  ///< number of polls until a push without a note counts as ended
 };
 
 /// "Sessions here: 23. Arrived: 21. Waiting since Tuesday: 2 (no network, or no server)"; empty if

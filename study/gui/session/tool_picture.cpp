@@ -12,8 +12,8 @@
 namespace study::gui {
 namespace {
 
-constexpr QSize kUsual(560, 300);  // [px] at scale 1
-constexpr int kAfterThePage = 20;  // [ms]
+constexpr QSize kUsual(560, 300);   // [px] at scale 1
+constexpr int kRendererDelay = 20;  // [ms]
 
 /// The view of a scene that shows the whole instrument, alone on @p ground.
 scene::Scene instrumentOn(const QColor& ground) {
@@ -48,7 +48,7 @@ QSize ToolPicture::sizeHint() const {
 void ToolPicture::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   picture_ = {};
-  QTimer::singleShot(kAfterThePage, this, [this] { draw(); });
+  QTimer::singleShot(kRendererDelay, this, [this] { draw(); });
 }
 
 void ToolPicture::draw() {

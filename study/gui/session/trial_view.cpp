@@ -34,7 +34,7 @@ std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
   return nullptr;
 }
 
-scene::Look lookAt(const SessionController& controller) {
+scene::TrialSnapshot snapshotOf(const SessionController& controller) {
   const auto status = controller.trialStatus();
   return {
       .travel = status.travel,
@@ -56,7 +56,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
       SimulationView::Pace::Display,
       &place);
   place.layout()->addWidget(view);
-  view->setLookSource([&controller] { return lookAt(controller); });
+  view->setSnapshotSource([&controller] { return snapshotOf(controller); });
   controller.setViewReportSource([seen = QPointer(view)]() -> std::optional<ViewReport> {
     if (seen.isNull()) return std::nullopt;
     return seen->report();
@@ -80,9 +80,9 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   (new QVBoxLayout(place))->setContentsMargins(0, 0, 0, 0);
   // The page appears at once. The renderer is created while the participant reads it.
-  constexpr int kAfterThePage = 20;  // [ms]
+  constexpr int kRendererDelay = 20;  // [ms]
   QTimer::singleShot(
-      kAfterThePage,
+      kRendererDelay,
       place,
       [place, spec, shown = QPointer(&controller), visit = controller.session().visit()] {
         if (shown.isNull()) return;  // the page is deleted a little later than the session's window

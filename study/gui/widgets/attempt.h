@@ -8,20 +8,20 @@
 
 namespace study::gui {
 
-/// Shows the message about @p matter, with @p why [UTF-8] it failed.
-void showFailure(QWidget* parent, Matter matter, const char* why);
+/// Shows the message about @p topic, with @p why [UTF-8] it failed.
+void showFailure(QWidget* parent, MessageTopic topic, const char* why);
 
-/// Runs @p action. If it throws, shows the message about @p matter with the error's own, and
+/// Runs @p action. If it throws, shows the message about @p topic with the error's own, and
 /// returns false.
 ///
 /// Exceptions must not cross Qt's event loop, so slots call this for code that may throw.
 template <typename Action>
-bool attempt(QWidget* parent, Matter matter, Action&& action) {
+bool attempt(QWidget* parent, MessageTopic topic, Action&& action) {
   try {
     action();
     return true;
   } catch (const std::exception& error) {
-    showFailure(parent, matter, error.what());
+    showFailure(parent, topic, error.what());
     return false;
   }
 }

@@ -11,8 +11,8 @@
 namespace study::gui {
 namespace {
 
-constexpr int kLookAtWorkEvery = 50;  // [ms]
-constexpr int kWholeBar = 1000;
+constexpr int kWatchInterval = 50;  // [ms]
+constexpr int kBarSteps = 1000;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ BackgroundTask::BackgroundTask(
   layout->addWidget(cancel_, 0, Qt::AlignRight);
   connect(cancel_, &QPushButton::clicked, this, &BackgroundTask::reject);
   connect(&watch_, &QTimer::timeout, this, &BackgroundTask::showProgress);
-  watch_.start(kLookAtWorkEvery);
+  watch_.start(kWatchInterval);
   worker_.reset(QThread::create([this, work = std::move(work)] {
     std::exception_ptr failure;
     try {
@@ -94,14 +94,14 @@ void BackgroundTask::showProgress() {
     message = deskText(message_);
   }
   if (!message.isEmpty()) words_->setText(message);
-  bar_->setRange(0, share < 0.0 ? 0 : kWholeBar);
-  if (share >= 0.0) bar_->setValue(static_cast<int>(share * kWholeBar));
+  bar_->setRange(0, share < 0.0 ? 0 : kBarSteps);
+  if (share >= 0.0) bar_->setValue(static_cast<int>(share * kBarSteps));
 }
 
 bool BackgroundTask::run(
     QWidget* parent,
     const QString& title,
-    Matter failure,
+    MessageTopic failure,
     const Work& work,
     Cancelling cancelling) {
   BackgroundTask task(title, work, cancelling, parent);

@@ -44,7 +44,7 @@ class BackgroundTask final : public QDialog {
   static bool run(
       QWidget* parent,
       const QString& title,
-      Matter failure,
+      MessageTopic failure,
       const Work& work,
       Cancelling cancelling = Cancelling::Possible);
 

@@ -33,9 +33,9 @@ QString withArguments(const char* english, const QStringList& arguments) {
 }
 
 /// The sign of a kind of message, told apart by its letter as well as by its colour.
-class Sign final : public QWidget {
+class KindIcon final : public QWidget {
  public:
-  Sign(MessageRow::Kind kind, QWidget* parent) : QWidget(parent), kind_(kind) {
+  KindIcon(MessageRow::Kind kind, QWidget* parent) : QWidget(parent), kind_(kind) {
     constexpr int kSize = 40;  // [px]
     setFixedSize(kSize, kSize);
   }
@@ -97,7 +97,7 @@ QVBoxLayout* addBoxWords(
   }
   auto* row = new QHBoxLayout;
   row->setSpacing(16);
-  row->addWidget(new Sign(kind, &box), 0, Qt::AlignTop);
+  row->addWidget(new KindIcon(kind, &box), 0, Qt::AlignTop);
   row->addLayout(column, 1);
   layout.setContentsMargins(20, 18, 20, 16);
   layout.setSpacing(16);
@@ -106,9 +106,9 @@ QVBoxLayout* addBoxWords(
 }
 
 MessageBox::MessageBox(
-    Matter matter, const QStringList& arguments, const QString& why, QWidget* parent)
-    : QDialog(parent), matter_(matter), column_(nullptr) {
-  const auto& row = messageAbout(matter);
+    MessageTopic topic, const QStringList& arguments, const QString& why, QWidget* parent)
+    : QDialog(parent), topic_(topic), column_(nullptr) {
+  const auto& row = messageAbout(topic);
   setWindowTitle(withArguments(row.title, arguments));
   const QString headline = withArguments(row.headline, arguments);
   QStringList paragraphs{
@@ -140,11 +140,11 @@ void MessageBox::addField(const MessageRow& row) {
 
 void MessageBox::addButtons(const MessageRow& row) {
   auto* buttons = new QDialogButtonBox(this);
-  safe_ = buttons->addButton(deskText(row.safe), QDialogButtonBox::RejectRole);
-  safe_->setObjectName(QStringLiteral("safe"));
+  safeButton_ = buttons->addButton(deskText(row.safe), QDialogButtonBox::RejectRole);
+  safeButton_->setObjectName(QStringLiteral("safe"));
   if (*row.action != '\0') {
-    action_ = buttons->addButton(deskText(row.action), QDialogButtonBox::AcceptRole);
-    action_->setObjectName(QStringLiteral("action"));
+    actionButton_ = buttons->addButton(deskText(row.action), QDialogButtonBox::AcceptRole);
+    actionButton_->setObjectName(QStringLiteral("action"));
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -154,20 +154,20 @@ void MessageBox::addButtons(const MessageRow& row) {
   } else if (choices_ != nullptr) {
     choices_->setFocus();
   } else {
-    safe_->setFocus();
+    safeButton_->setFocus();
   }
 }
 
 /// Enter does what was asked once something is typed or chosen, and nothing before.
 void MessageBox::updateButtons() {
   const bool isWritten = choice() >= 0 || (line_ != nullptr && !line_->text().trimmed().isEmpty());
-  const bool isNeeded = messageAbout(matter_).field == MessageRow::Field::NeededText;
-  if (action_ != nullptr) {
-    action_->setEnabled(isWritten || !isNeeded);
-    action_->setAutoDefault(isWritten);
-    action_->setDefault(isWritten);
+  const bool isNeeded = messageAbout(topic_).field == MessageRow::Field::NeededText;
+  if (actionButton_ != nullptr) {
+    actionButton_->setEnabled(isWritten || !isNeeded);
+    actionButton_->setAutoDefault(isWritten);
+    actionButton_->setDefault(isWritten);
   }
-  safe_->setDefault(!isWritten);
+  safeButton_->setDefault(!isWritten);
 }
 
 QString MessageBox::text() const {
@@ -189,32 +189,33 @@ void MessageBox::add(QWidget& widget) {
   column_->addWidget(&widget);
 }
 
-void showMessage(QWidget* parent, Matter matter, const QStringList& arguments, const QString& why) {
-  MessageBox(matter, arguments, why, parent).exec();
+void showMessage(
+    QWidget* parent, MessageTopic topic, const QStringList& arguments, const QString& why) {
+  MessageBox(topic, arguments, why, parent).exec();
 }
 
-void showFailure(QWidget* parent, Matter matter, const char* why) {
-  showMessage(parent, matter, {}, QString::fromUtf8(why));
+void showFailure(QWidget* parent, MessageTopic topic, const char* why) {
+  showMessage(parent, topic, {}, QString::fromUtf8(why));
 }
 
-bool ask(QWidget* parent, Matter matter, const QStringList& arguments, const QString& why) {
-  return MessageBox(matter, arguments, why, parent).exec() == QDialog::Accepted;
+bool ask(QWidget* parent, MessageTopic topic, const QStringList& arguments, const QString& why) {
+  return MessageBox(topic, arguments, why, parent).exec() == QDialog::Accepted;
 }
 
 std::optional<QString> askForText(
     QWidget* parent,
-    Matter matter,
+    MessageTopic topic,
     const QStringList& arguments,
     const QString& written,
     const QString& why) {
-  MessageBox box(matter, arguments, why, parent);
+  MessageBox box(topic, arguments, why, parent);
   box.setText(written);
   if (box.exec() != QDialog::Accepted) return std::nullopt;
   return box.text();
 }
 
-std::optional<int> askForChoice(QWidget* parent, Matter matter, const QStringList& choices) {
-  MessageBox box(matter, {}, {}, parent);
+std::optional<int> askForChoice(QWidget* parent, MessageTopic topic, const QStringList& choices) {
+  MessageBox box(topic, {}, {}, parent);
   box.setChoices(choices);
   if (box.exec() != QDialog::Accepted) return std::nullopt;
   return box.choice();

@@ -22,12 +22,15 @@ class MessageBox final : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param arguments  replace %1, %2, … in the words of the matter.
+  /// @param arguments  replace %1, %2, … in the words of the topic.
   /// @param why  shown as it is, after what it means for the data: an error, or a list.
   MessageBox(
-      Matter matter, const QStringList& arguments, const QString& why, QWidget* parent = nullptr);
+      MessageTopic topic,
+      const QStringList& arguments,
+      const QString& why,
+      QWidget* parent = nullptr);
 
-  Matter matter() const noexcept { return matter_; }
+  MessageTopic topic() const noexcept { return topic_; }
   /// All that it says, paragraph by paragraph.
   QString words() const { return words_.join(QStringLiteral("\n\n")); }
 
@@ -45,13 +48,13 @@ class MessageBox final : public QDialog {
   void addButtons(const MessageRow& row);
   void updateButtons();
 
-  Matter matter_;
+  MessageTopic topic_;
   QStringList words_;
   QVBoxLayout* column_;
   QLineEdit* line_ = nullptr;
   QComboBox* choices_ = nullptr;
-  QPushButton* safe_ = nullptr;
-  QPushButton* action_ = nullptr;  ///< nullptr: nothing is asked
+  QPushButton* safeButton_ = nullptr;
+  QPushButton* actionButton_ = nullptr;  ///< nullptr: nothing is asked
 };
 
 /// Adds the sign of the kind, and a headline with @p paragraphs below it, to @p layout.
@@ -65,24 +68,30 @@ QVBoxLayout* addBoxWords(
 
 /// Shows a message and waits until it is closed.
 void showMessage(
-    QWidget* parent, Matter matter, const QStringList& arguments = {}, const QString& why = {});
+    QWidget* parent,
+    MessageTopic topic,
+    const QStringList& arguments = {},
+    const QString& why = {});
 
 /// Asks a question. Closing the box is the safe answer.
 /// @return whether the action was chosen.
 bool ask(
-    QWidget* parent, Matter matter, const QStringList& arguments = {}, const QString& why = {});
+    QWidget* parent,
+    MessageTopic topic,
+    const QStringList& arguments = {},
+    const QString& why = {});
 
 /// Asks for a text.
 /// @return what was written; std::nullopt if the safe button was chosen.
 std::optional<QString> askForText(
     QWidget* parent,
-    Matter matter,
+    MessageTopic topic,
     const QStringList& arguments = {},
     const QString& written = {},
     const QString& why = {});
 
 /// Asks for one of @p choices.
 /// @return its index.
-std::optional<int> askForChoice(QWidget* parent, Matter matter, const QStringList& choices);
+std::optional<int> askForChoice(QWidget* parent, MessageTopic topic, const QStringList& choices);
 
 }  // namespace study::gui

@@ -6,7 +6,7 @@
 namespace study::gui {
 namespace {
 
-using enum Matter;
+using enum MessageTopic;
 using Kind = MessageRow::Kind;
 using Field = MessageRow::Field;
 
@@ -17,20 +17,20 @@ constexpr const char* kEndsForGood =
     "free again.";
 
 constexpr MessageRow failure(
-    Matter matter, const char* title, const char* headline, const char* data) {
+    MessageTopic topic, const char* title, const char* headline, const char* data) {
   return {
-      .matter = matter, .kind = Kind::Failure, .title = title, .headline = headline, .data = data};
+      .topic = topic, .kind = Kind::Failure, .title = title, .headline = headline, .data = data};
 }
 
 constexpr MessageRow reason(
-    Matter matter,
+    MessageTopic topic,
     const char* title,
     const char* headline,
     const char* data,
     const char* action,
     const char* safe = "Go on with the session") {
   return {
-      .matter = matter,
+      .topic = topic,
       .kind = Kind::Question,
       .title = title,
       .headline = headline,
@@ -170,12 +170,12 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "The virtual punch did not start.",
         "The tour saves nothing, and no study is affected."),
 
-    {.matter = FileSaved,
+    {.topic = FileSaved,
      .kind = Kind::Information,
      .title = "Saved",
      .headline = "The file was saved.",
      .data = "It is at %1."},
-    {.matter = LiveSessionHasBlanks,
+    {.topic = LiveSessionHasBlanks,
      .kind = Kind::Warning,
      .title = "Texts with blanks",
      .headline = "A live session cannot begin: the texts still have blanks (%1).",
@@ -183,7 +183,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice =
          "Close this study, and choose “Fill in the texts…” on the home page. To try the study "
          "first, choose the run mode “pilot”."},
-    {.matter = TrialIsRunning,
+    {.topic = TrialIsRunning,
      .kind = Kind::Warning,
      .title = "A trial is running",
      .headline = "The window cannot be closed while a trial is running.",
@@ -191,7 +191,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice = "Stop the trial first; then close the window.",
      .safe = "Go on with the trial"},
 
-    {.matter = BoneBesideParticipant,
+    {.topic = BoneBesideParticipant,
      .kind = Kind::Question,
      .title = "Bone in colours",
      .headline = "Show the bone where the participant can see it?",
@@ -200,7 +200,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice = "Move this window to another screen first.",
      .safe = "Keep it hidden",
      .action = "Show the bone"},
-    {.matter = CloseWithLoss,
+    {.topic = CloseWithLoss,
      .kind = Kind::Question,
      .title = "Close session",
      .headline = "Close the session although something could not be saved?",
@@ -209,7 +209,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .advice = "Go on, remove the cause, and close the session again.",
      .safe = "Go on with the session",
      .action = "Close and lose it"},
-    {.matter = PilotSessionHasBlanks,
+    {.topic = PilotSessionHasBlanks,
      .kind = Kind::Question,
      .title = "Texts with blanks",
      .headline = "Begin the pilot although the texts still have blanks (%1)?",
@@ -224,7 +224,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "End the session because the device failed?",
         kEndsForGood,
         "End the session"),
-    {.matter = NamesPassphrase,
+    {.topic = NamesPassphrase,
      .kind = Kind::Question,
      .title = "Sealed names",
      .headline = "What is the passphrase of the names?",
@@ -235,7 +235,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .action = "Unlock the names",
      .field = Field::Passphrase,
      .label = "Passphrase"},
-    {.matter = OwnTitle,
+    {.topic = OwnTitle,
      .kind = Kind::Question,
      .title = "Save as a protocol of your own",
      .headline = "What is the title of your study?",
@@ -262,7 +262,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "Repeat this step?",
         "What was answered and measured in this step is kept as an earlier attempt.",
         "Repeat the step"),
-    {.matter = RestoredBackup,
+    {.topic = RestoredBackup,
      .kind = Kind::Question,
      .title = "Restored backup",
      .headline = "Was a backup put back on purpose?",
@@ -278,7 +278,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "Skip this step?",
         "The step stays without the answers that are still missing.",
         "Skip the step"),
-    {.matter = StudyPassphrase,
+    {.topic = StudyPassphrase,
      .kind = Kind::Question,
      .title = "Sealed study",
      .headline = "What is the passphrase of the study?",
@@ -288,7 +288,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .action = "Unlock the study",
      .field = Field::Passphrase,
      .label = "Passphrase"},
-    {.matter = TakeOver,
+    {.topic = TakeOver,
      .kind = Kind::Question,
      .title = "Take over session",
      .headline = "Take the session over from %1?",
@@ -299,7 +299,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .action = "Take it over",
      .field = Field::NeededText,
      .label = "Reason"},
-    {.matter = WhichProtocol,
+    {.topic = WhichProtocol,
      .kind = Kind::Question,
      .title = "Check protocol",
      .headline = "Which protocol is to be checked?",
@@ -318,12 +318,12 @@ constexpr auto kMessages = std::to_array<MessageRow>({
 
 constexpr bool isInOrder() {
   for (std::size_t i = 0; i < kMessages.size(); ++i) {
-    if (static_cast<std::size_t>(kMessages[i].matter) != i) return false;
+    if (static_cast<std::size_t>(kMessages[i].topic) != i) return false;
   }
   return true;
 }
-static_assert(isInOrder(), "messageAbout() takes the row at the place of its matter");
-static_assert(kMessages.back().matter == Withdrawal, "every matter has a row");
+static_assert(isInOrder(), "messageAbout() takes the row at the place of its topic");
+static_assert(kMessages.back().topic == Withdrawal, "every topic has a row");
 
 }  // namespace
 
@@ -331,8 +331,8 @@ std::span<const MessageRow> messages() noexcept {
   return kMessages;
 }
 
-const MessageRow& messageAbout(Matter matter) noexcept {
-  return kMessages[static_cast<std::size_t>(matter)];
+const MessageRow& messageAbout(MessageTopic topic) noexcept {
+  return kMessages[static_cast<std::size_t>(topic)];
 }
 
 }  // namespace study::gui

@@ -5,7 +5,7 @@
 namespace study::gui {
 
 /// What a message or question in the windows is about. Each has a row in messages().
-enum class Matter {
+enum class MessageTopic {
   // What failed; the error says why, and what to do.
   BackupNotNoted,
   BackupNotSaved,
@@ -67,9 +67,9 @@ struct MessageRow {
   enum class Kind { Failure, Warning, Information, Question };
   enum class Field { None, Text, NeededText, Passphrase, Choice };
 
-  Matter matter;
+  MessageTopic topic;
   Kind kind;
-  const char* title;        ///< of the window: names the matter
+  const char* title;        ///< of the window: names the topic
   const char* headline;     ///< what happened, or what is asked
   const char* data;         ///< what it means for the data: what is saved, and what is not
   const char* advice = "";  ///< what to do; empty where an error says it
@@ -79,9 +79,9 @@ struct MessageRow {
   const char* label = "";  ///< of the field
 };
 
-/// All messages and questions of the windows, one row for each Matter, in its order.
+/// All messages and questions of the windows, one row for each MessageTopic, in its order.
 std::span<const MessageRow> messages() noexcept;
 
-const MessageRow& messageAbout(Matter matter) noexcept;
+const MessageRow& messageAbout(MessageTopic topic) noexcept;
 
 }  // namespace study::gui

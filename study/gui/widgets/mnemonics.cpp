@@ -84,7 +84,7 @@ std::vector<qsizetype> lettersOf(const QString& text) {
 /// Assigns letters to texts, if possible a different one to each: a bipartite matching by
 /// augmenting paths (Kuhn 1955). Equal texts share a letter, and Alt with this letter moves the
 /// focus from one to the next.
-class Letters {
+class MnemonicAssignment {
  public:
   /// Records that @p text already has the mnemonic @p letter.
   void keep(const QString& text, QChar letter) {
@@ -93,7 +93,7 @@ class Letters {
     known_.insert(text);
   }
 
-  void want(const QString& text) {
+  void assignLetter(const QString& text) {
     if (!known_.insert(text).second) return;
     std::set<QChar> tried;
     find(text, tried);
@@ -159,17 +159,17 @@ QChar mnemonicOf(const QString& text) {
 void addMnemonics(QWidget& window) {
   if (isPlain(window)) return;
   const auto places = placesIn(window);
-  Letters letters;
+  MnemonicAssignment assignment;
   for (const auto& place : places) {
     const auto letter = mnemonicOf(place.text);
-    if (!letter.isNull()) letters.keep(QString(place.text).remove(u'&'), letter);
+    if (!letter.isNull()) assignment.keep(QString(place.text).remove(u'&'), letter);
   }
   for (const auto& place : places) {
-    if (mnemonicOf(place.text).isNull()) letters.want(place.text);
+    if (mnemonicOf(place.text).isNull()) assignment.assignLetter(place.text);
   }
   for (const auto& place : places) {
     if (!mnemonicOf(place.text).isNull()) continue;
-    const auto at = letters.placeIn(place.text);
+    const auto at = assignment.placeIn(place.text);
     QString text = place.text;
     if (at >= 0) place.write(text.insert(at, u'&'));
   }

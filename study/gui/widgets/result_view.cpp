@@ -178,7 +178,7 @@ void ResultView::save() {
       QFileDialog::DontConfirmOverwrite);  // existing files are never overwritten
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".csv");
-  if (attempt(this, Matter::TableNotSaved, [&] { saveTo(path); })) {
+  if (attempt(this, MessageTopic::TableNotSaved, [&] { saveTo(path); })) {
     showWrittenFileMessage(this, path);
   }
 }

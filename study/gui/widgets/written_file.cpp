@@ -21,7 +21,7 @@ void openOnDesktop(const QString& path) {
 }
 
 void showWrittenFileMessage(QWidget* parent, const QString& path) {
-  auto* box = new MessageBox(Matter::FileSaved, {shownPath(path)}, {}, parent);
+  auto* box = new MessageBox(MessageTopic::FileSaved, {shownPath(path)}, {}, parent);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* written = new WrittenFile(box);
   written->show(path);

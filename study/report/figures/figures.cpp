@@ -24,9 +24,9 @@ FamilyFigures figuresOf(
         [&](QPainter& painter) { paintLikertFigure(painter, section, family, format); },
         format);
   }
-  figures.people = asSvg(
-      peopleFigureSize(family, format),
-      [&](QPainter& painter) { paintPeopleFigure(painter, section, family, format); },
+  figures.participantMeans = asSvg(
+      participantMeansFigureSize(family, format),
+      [&](QPainter& painter) { paintParticipantMeansFigure(painter, section, family, format); },
       format);
   figures.effects = asSvg(
       effectFigureSize(family, format),
@@ -91,8 +91,8 @@ std::string itemFigure(
   if (answerKindOf(item.type) != questionnaires::AnswerKind::Number) return {};
   const auto family = asFamily(item, summaries);
   return asSvg(
-      peopleFigureSize(family, format),
-      [&](QPainter& painter) { paintPeopleFigure(painter, section, family, format); },
+      participantMeansFigureSize(family, format),
+      [&](QPainter& painter) { paintParticipantMeansFigure(painter, section, family, format); },
       format);
 }
 

@@ -42,8 +42,8 @@ void paintLikertFigure(
 
 /// The ratings of every method by the participants' means: interquartile range and median; a
 /// diamond is the mean. Fewer than ten participants have a dot each, equal ones below one another.
-QSizeF peopleFigureSize(const FamilyResult& family, const FigureFormat& format);
-void paintPeopleFigure(
+QSizeF participantMeansFigureSize(const FamilyResult& family, const FigureFormat& format);
+void paintParticipantMeansFigure(
     QPainter& painter,
     const ReportSection& section,
     const FamilyResult& family,

@@ -54,7 +54,7 @@ std::vector<Erasure> ErasureRepository::all() const {
     erasures.push_back(
         {.id = select.number(0),
          .participant = select.text(1),
-         .level = known(erasureLevelNamed(select.text(2)), select.text(2)),
+         .level = requireKnown(erasureLevelNamed(select.text(2)), select.text(2)),
          .reason = select.text(3),
          .utc = select.text(4),
          .finishedUtc = select.optionalText(5)});

@@ -12,10 +12,10 @@ static_assert(std::tuple_size_v<SealingKey::Bytes> == crypto_kdf_KEYBYTES);
 static_assert(std::tuple_size_v<SealingKey::Bytes> == crypto_aead_xchacha20poly1305_ietf_KEYBYTES);
 
 // Purposes of derived keys. These numbers are part of the file format.
-constexpr unsigned kToSeal = 1;
-constexpr unsigned kToHash = 2;
-constexpr unsigned kToJoin = 3;
-constexpr unsigned kToRepeat = 4;
+constexpr unsigned kPurposeSeal = 1;
+constexpr unsigned kPurposeHash = 2;
+constexpr unsigned kPurposeJoin = 3;
+constexpr unsigned kPurposeDeterministic = 4;
 
 const unsigned char* bytesIn(std::string_view text) {
   return reinterpret_cast<const unsigned char*>(text.data());
@@ -44,7 +44,7 @@ std::vector<std::byte> SealingKey::seal(std::string_view text, std::string_view 
 std::vector<std::byte> SealingKey::sealDeterministically(
     std::string_view text, std::string_view place) const {
   return sealed(text, place, [&](unsigned char* nonce) {
-    const auto key = derived(kToRepeat);
+    const auto key = derived(kPurposeDeterministic);
     crypto_generichash_state state{};
     crypto_generichash_init(&state, key.data(), key.size(), kNonce);
     const std::string where = std::to_string(place.size()) + ":" + std::string(place);
@@ -58,7 +58,7 @@ std::vector<std::byte> SealingKey::sealed(
     std::string_view text,
     std::string_view place,
     const std::function<void(unsigned char*)>& writeNonce) const {
-  const auto key = derived(kToSeal);
+  const auto key = derived(kPurposeSeal);
   std::vector<std::byte> sealed(kNonce + text.size() + kProof);
   auto* bytes = reinterpret_cast<unsigned char*>(sealed.data());
   writeNonce(bytes);
@@ -78,7 +78,7 @@ std::vector<std::byte> SealingKey::sealed(
 std::optional<std::string> SealingKey::open(
     std::span<const std::byte> sealed, std::string_view place) const {
   if (sealed.size() < kNonce + kProof) return std::nullopt;
-  const auto key = derived(kToSeal);
+  const auto key = derived(kPurposeSeal);
   const auto* bytes = reinterpret_cast<const unsigned char*>(sealed.data());
   std::string text(sealed.size() - kNonce - kProof, '\0');
   const int code = crypto_aead_xchacha20poly1305_ietf_decrypt(
@@ -95,7 +95,7 @@ std::optional<std::string> SealingKey::open(
 }
 
 SealingKey SealingKey::joinedWith(const SealingKey& other) const {
-  const auto key = derived(kToJoin);
+  const auto key = derived(kPurposeJoin);
   Bytes joined{};
   crypto_generichash(
       joined.data(),
@@ -108,7 +108,7 @@ SealingKey SealingKey::joinedWith(const SealingKey& other) const {
 }
 
 SealingKey::Bytes SealingKey::hashingKey() const {
-  return derived(kToHash);
+  return derived(kPurposeHash);
 }
 
 }  // namespace study::storage

@@ -10,7 +10,7 @@
 namespace study::storage {
 namespace {
 
-constexpr std::string_view kPlace = "a key behind a passphrase";
+constexpr std::string_view kAssociatedData = "a key behind a passphrase";
 static_assert(WrappedKey::kSaltBytes == crypto_pwhash_SALTBYTES);
 
 // Upper limits of PassphraseCost, because a file from another person must not keep the program busy
@@ -46,7 +46,7 @@ WrappedKey WrappedKey::make(
   WrappedKey wrapped{.cost = cost, .sealed = {}};
   randombytes_buf(wrapped.salt.data(), wrapped.salt.size());
   const std::string_view bytes(reinterpret_cast<const char*>(key.data()), key.size());
-  wrapped.sealed = keyFrom(passphrase, wrapped).seal(bytes, kPlace);
+  wrapped.sealed = keyFrom(passphrase, wrapped).seal(bytes, kAssociatedData);
   return wrapped;
 }
 
@@ -59,7 +59,7 @@ std::optional<SealingKey::Bytes> WrappedKey::opened(std::string_view passphrase)
         "What a passphrase opens is damaged, or of a later version of palpate.",
         StorageError::Kind::Damaged);
   }
-  const auto text = keyFrom(passphrase, *this).open(sealed, kPlace);
+  const auto text = keyFrom(passphrase, *this).open(sealed, kAssociatedData);
   SealingKey::Bytes bytes{};
   if (!text || text->size() != bytes.size()) return std::nullopt;
   std::copy(text->begin(), text->end(), bytes.begin());

@@ -53,7 +53,7 @@ struct CachedKeys {
   std::map<std::string, BlindingSecret> keys;
 };
 
-CachedKeys& heldKeys() {
+CachedKeys& cachedKeys() {
   static CachedKeys held;
   return held;
 }
@@ -66,25 +66,25 @@ std::string saltOf(const WrappedKey& wrapped) {
 }  // namespace
 
 void cacheStudyKey(const BlindingSecret& key) {
-  const std::scoped_lock lock(heldKeys().mutex);
-  heldKeys().keys.insert_or_assign(key.commitment(), key);
+  const std::scoped_lock lock(cachedKeys().mutex);
+  cachedKeys().keys.insert_or_assign(key.commitment(), key);
 }
 
 void cacheNamesKey(const WrappedKey& wrapped, const SealingKey::Bytes& key) {
-  const std::scoped_lock lock(heldKeys().mutex);
-  heldKeys().keys.insert_or_assign(saltOf(wrapped), BlindingSecret(key));
+  const std::scoped_lock lock(cachedKeys().mutex);
+  cachedKeys().keys.insert_or_assign(saltOf(wrapped), BlindingSecret(key));
 }
 
 std::optional<SealingKey> cachedNamesKey(const WrappedKey& wrapped) {
-  const std::scoped_lock lock(heldKeys().mutex);
-  const auto held = heldKeys().keys.find(saltOf(wrapped));
-  if (held == heldKeys().keys.end()) return std::nullopt;
+  const std::scoped_lock lock(cachedKeys().mutex);
+  const auto held = cachedKeys().keys.find(saltOf(wrapped));
+  if (held == cachedKeys().keys.end()) return std::nullopt;
   return SealingKey(held->second.bytes());
 }
 
 void clearCachedKeys() {
-  const std::scoped_lock lock(heldKeys().mutex);
-  heldKeys().keys.clear();
+  const std::scoped_lock lock(cachedKeys().mutex);
+  cachedKeys().keys.clear();
 }
 
 bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folder) {
@@ -99,17 +99,17 @@ bool storeStudyKey(const BlindingSecret& key, const std::filesystem::path& folde
 
 std::optional<BlindingSecret> findStudyKey(const std::string& commitment) {
   {
-    const std::scoped_lock lock(heldKeys().mutex);
-    const auto held = heldKeys().keys.find(commitment);
-    if (held != heldKeys().keys.end()) return held->second;
+    const std::scoped_lock lock(cachedKeys().mutex);
+    const auto held = cachedKeys().keys.find(commitment);
+    if (held != cachedKeys().keys.end()) return held->second;
   }
   return keyOnStation(commitment);
 }
 
 bool dropKey(const std::string& commitment) {
   {
-    const std::scoped_lock lock(heldKeys().mutex);
-    heldKeys().keys.erase(commitment);
+    const std::scoped_lock lock(cachedKeys().mutex);
+    cachedKeys().keys.erase(commitment);
   }
   const auto station = StationStore::find(StationStore::defaultFolder());
   if (!station) return false;

@@ -148,7 +148,7 @@ std::string textIn(
   return text == nullptr ? std::string() : *text;
 }
 
-SessionTables factsOf(const Database& study, SessionId session) {
+SessionTables sessionTablesOf(const Database& study, SessionId session) {
   SessionTables facts;
   facts["participant"] = rowsOf(
       study,

@@ -27,7 +27,7 @@ std::string textIn(const SessionTables& facts, const std::string& table, const s
 /// The rows of a session. Conditions and measurements are unsealed, even if they are sealed in this
 /// file.
 /// @throws StorageError  if there is no such session, or if the key is needed but not available.
-SessionTables factsOf(const Database& study, SessionId session);
+SessionTables sessionTablesOf(const Database& study, SessionId session);
 
 /// Adds a session from another file; adds its participant if no participant has that code. If the
 /// study has its key, conditions and measurements are sealed, except for simulated sessions. Inside

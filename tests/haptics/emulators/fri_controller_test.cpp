@@ -29,7 +29,7 @@ using Level = ConnectionQuality::Level;
 
 TEST(FriController, GoesThroughAllStatesAndBackToIdle) {
   auto options = quick();
-  options.stay.commandingActive = 20;
+  options.dwellTimes.commandingActive = 20;
   SteppedSession session(options);
   std::vector<State> states;
   for (int i = 0; i < 200; ++i) {
@@ -303,7 +303,7 @@ TEST(FriController, RefusesInvalidOptions) {
   refuses([](auto& o) { o.client.port = 0; });
   refuses([](auto& o) { o.arm.control = ControlMode::Position; });
   refuses([](auto& o) { o.arm.command = ClientCommandMode::Torque; });
-  refuses([](auto& o) { o.stay.idle = -1; });
+  refuses([](auto& o) { o.dwellTimes.idle = -1; });
   refuses([](auto& o) {
     o = torque();
     o.sendPeriod = 6;

@@ -126,11 +126,11 @@ TEST_F(FriFaults, ImpostorsComeFromElsewhereAndAreCaughtWhenAnswered) {
   session_.go(20);
   EXPECT_EQ(seen().foreign, 5U);
   EXPECT_EQ(session_.report().impostors, 5U);
-  EXPECT_EQ(session_.report().misled, 0U);
+  EXPECT_EQ(session_.report().impostorAnswers, 0U);
   session_.client.expect(session_.controller->impostor());  // as a client that is not connected
   session_.client.send(session_.client.answer());
   session_.step();
-  EXPECT_EQ(session_.report().misled, 1U);
+  EXPECT_EQ(session_.report().impostorAnswers, 1U);
 }
 
 TEST_F(FriFaults, StallSendsNothingAndCountsAsUnanswered) {

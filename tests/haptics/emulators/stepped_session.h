@@ -97,7 +97,7 @@ class SteppedSession {
 
 inline FriController::Options quick(FriController::Options options = {}) {
   options.sendPeriod = 1;
-  options.stay = {.idle = 3, .monitoringReady = 5, .commandingWait = 3};
+  options.dwellTimes = {.idle = 3, .monitoringReady = 5, .commandingWait = 3};
   return options;
 }
 

@@ -217,7 +217,7 @@ TEST(SafetyLimits, AreRefusedIfTheyAreInvalid) {
         SafetyLimits{.rampTime = 0.0},
         SafetyLimits{.softStartShare = 0.0},
         SafetyLimits{.softStartShare = 1.5},
-        SafetyLimits{.patience = -1.0},
+        SafetyLimits{.longestSilence = -1.0},
         SafetyLimits{.maxForce = std::nan("")}}) {
     EXPECT_THROW(ForceEngine(device, limits), std::invalid_argument);
   }

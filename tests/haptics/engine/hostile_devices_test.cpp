@@ -172,7 +172,7 @@ class Judge {
   /// Of the next tick; empty where it is safe.
   std::string wrongWith(double force, double torque) {
     const bool isGone =
-        attack_.isTheLast && tick_ >= kFirstLie + std::lround(limits_.patience / kDt);
+        attack_.isTheLast && tick_ >= kFirstLie + std::lround(limits_.longestSilence / kDt);
     std::string wrong;
     if (isGone && (force != 0.0 || torque != 0.0)) wrong = "not let go";
     if (isUnsafe(force, force_, limits_.maxForce, limits_.maxRate)) wrong = "force";

@@ -13,11 +13,11 @@ namespace haptics::recordings {
 namespace recording_table_test {
 
 const RecordingColumns kNewtons{
-    .time = TableColumn{.head = "t"},
-    .travel = {.head = "angle"},
+    .time = TableColumn{.heading = "t"},
+    .travel = {.heading = "angle"},
     .open = 12.0,
     .closed = 52.0,
-    .force = {.head = "F"}};
+    .force = {.heading = "F"}};
 
 std::string complaintAbout(const std::string& text, const RecordingColumns& columns) {
   try {
@@ -128,11 +128,11 @@ TEST(RecordingTable, GivesTheSameCutAsTheFormatOfThePunch) {
              decimal(1000.0 * forceOf(row.reading, publishedCalibration()), 9) + "\n";
   }
   const RecordingColumns columns{
-      .time = TableColumn{.head = "time [s]"},
-      .travel = {.head = "handle [deg]"},
+      .time = TableColumn{.heading = "time [s]"},
+      .travel = {.heading = "handle [deg]"},
       .open = 12.0,
       .closed = 52.0,
-      .force = {.head = "load [mN]"},
+      .force = {.heading = "load [mN]"},
       .forceFactor = 1e-3};
   const auto expected = importCut(punch).cut;
   const auto found = importCut(readRecordingTable(table, "made.csv", columns)).cut;

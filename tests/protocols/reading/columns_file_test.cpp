@@ -33,7 +33,7 @@ TEST(ColumnsFile, SaysWhatEveryColumnMeans) {
   EXPECT_EQ(columns.skippedLines, 3U);
   EXPECT_EQ(columns.separator, ';');
   ASSERT_TRUE(columns.time.has_value());
-  EXPECT_EQ(columns.time->head, "Zeit");
+  EXPECT_EQ(columns.time->heading, "Zeit");
   EXPECT_EQ(columns.millisecondsPerTime, 1.0);
   EXPECT_EQ(columns.travel.number, 4U);
   EXPECT_EQ(columns.open, 12.5);

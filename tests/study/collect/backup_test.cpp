@@ -73,7 +73,7 @@ TEST_F(Backups, WhatCameAfterTheDumpIsSentAgain) {
   run(postgres(), "createdb", {older});
   run(postgres(), "pg_restore", {"--exit-on-error", "--dbname", older, scratch_ / "study.dump"});
   const auto sent = pushOver("oslo", postgres().server(older));
-  EXPECT_LT(sent.before, sent.have);
+  EXPECT_LT(sent.before, sent.lastEvent);
   const auto account = accountOf("analyst");
   Connection server(postgres().server(older));
   study::collect::pull(server, {.folder = scratch_ / "union", .reason = "to compare"}, clock_);

@@ -32,7 +32,7 @@ class Bundles : public tests::CollectTest {
 
   std::int64_t take(const std::string& file) {
     auto server = admin();
-    return study::collect::ingestBundle(server, file).have;
+    return study::collect::ingestBundle(server, file).lastEvent;
   }
 
   void expectRefused(const std::string& file) {

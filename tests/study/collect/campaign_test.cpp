@@ -211,7 +211,7 @@ class Campaign : public tests::CollectTest {
     Outbox outbox(folderOf(label), clock_);
     outbox.setLimits(smallParts());
     auto server = as(study::collect::serverSettingsOf(folderOf(label)).role);
-    const auto have = study::collect::ingest(server, outbox.question()).have;
+    const auto have = study::collect::ingest(server, outbox.lastEventQuery()).lastEvent;
     outbox.forEachBatch(have, [&](const Batch& batch) {
       for (int times = 0; times < 3; ++times) {
         const auto answer = study::collect::ingest(server, batch);
@@ -348,7 +348,7 @@ class Campaign : public tests::CollectTest {
     auto study = Study::open(folderOf(label), clock_, kReadOnly);
     for (const auto& session : study.sessions().all()) {
       const auto number = static_cast<std::int64_t>(session.id);
-      all.add(number, study::storage::factsOf(study.database(), session.id));
+      all.add(number, study::storage::sessionTablesOf(study.database(), session.id));
       if (const auto key = study.events().keyOf(session.id)) all.addKey(session.participant, *key);
       for (const auto& visit : study.traces().visits()) {
         if (visit.session != session.id) continue;

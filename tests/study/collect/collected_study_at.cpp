@@ -157,7 +157,7 @@ std::map<std::string, std::string> CollectTest::contentOf(
     auto study = study::Study::open(folder, clock, study::storage::Database::Access::ReadOnly);
     std::map<study::SessionId, std::string> names;
     for (const auto& row : study.sessions().all()) {
-      const auto facts = study::storage::factsOf(study.database(), row.id);
+      const auto facts = study::storage::sessionTablesOf(study.database(), row.id);
       names[row.id] = nameOf(facts);
       content[nameOf(facts)] = study::storage::sha256(study::collect::asText(facts));
     }

@@ -114,8 +114,8 @@ TEST_F(Collection, WhatIsPushedAgainChangesNothing) {
   const auto before = contentOfServer();
   const auto events = count("event");
   const auto again = push("oslo");
-  EXPECT_EQ(again.before, first.have);
-  EXPECT_EQ(again.have, first.have);
+  EXPECT_EQ(again.before, first.lastEvent);
+  EXPECT_EQ(again.lastEvent, first.lastEvent);
   EXPECT_EQ(count("event"), events);
   EXPECT_EQ(contentOfServer(), before);
 }
@@ -246,7 +246,7 @@ TEST_F(Collection, PushesThatAreKilledLoseAndDoubleNothing) {
     if (stopsServer) postgres().start();
   }
   EXPECT_GT(cutShort, 5) << "the control: most pushes did not come to their end";
-  const auto last = push("oslo").have;
+  const auto last = push("oslo").lastEvent;
   EXPECT_EQ(count("event"), last);
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
   EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));

@@ -281,7 +281,7 @@ TEST(SessionTables, ComeBackAsTheyWere) {
   tests::MadeStudy made;
   auto session = tests::consenting(*made, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
-  const auto facts = study::storage::factsOf(made->database(), session.id());
+  const auto facts = study::storage::sessionTablesOf(made->database(), session.id());
   const auto text = study::collect::asText(facts);
   EXPECT_EQ(study::collect::asText(study::collect::sessionTablesIn(text)), text);
   EXPECT_EQ(study::collect::sessionTablesIn(text), facts);
@@ -290,7 +290,7 @@ TEST(SessionTables, ComeBackAsTheyWere) {
 TEST(SessionTables, AColumnThatThisProgramDoesNotKnowIsRefused) {
   tests::MadeStudy made;
   auto session = tests::consenting(*made, {.cohort = "surgeons"});
-  auto facts = study::storage::factsOf(made->database(), session.id());
+  auto facts = study::storage::sessionTablesOf(made->database(), session.id());
   facts["visit"].front()["mood"] = std::string("good");
   EXPECT_THROW(
       study::storage::addSessionTables(made->database(), facts), study::storage::StorageError);

@@ -109,11 +109,11 @@ TEST_F(Permissions, ForgedEventsOfAStationAreRefusedOrFound) {
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   auto server = as("station_oslo");
   // Another event in the place of one that is there.
-  auto forged = outbox.sample(5);
+  auto forged = outbox.eventQuery(5);
   forged.events.front().hash.assign(32, std::byte{1});
   EXPECT_EQ(study::collect::ingest(server, forged).refused, "fork");
   // One more at the end: its hash is of nothing.
-  auto added = outbox.sample(outbox.lastEvent());
+  auto added = outbox.eventQuery(outbox.lastEvent());
   added.events.front().seq += 1;
   added.events.front().hash.assign(32, std::byte{2});
   added.after = outbox.hashOf(outbox.lastEvent());

@@ -111,7 +111,7 @@ TEST_F(CollectProgram, ThatIsKilledAtASystemCallOfAPushLosesAndDoublesNothing) {
   }
   EXPECT_GT(killed, pushes / 3) << "the control: pushes were killed";
   EXPECT_NE(contentOfServer(), contentOf({})) << "the control: something had arrived";
-  const auto last = push("oslo").have;
+  const auto last = push("oslo").lastEvent;
   EXPECT_EQ(admin().query("SELECT count(*) FROM palpate.event").number(0, 0), last);
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
   EXPECT_EQ(incidents(), std::vector<std::string>());

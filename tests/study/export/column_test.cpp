@@ -83,7 +83,8 @@ TEST(Column, DeclaresItsReaders) {
       namesFor({.isBlinded = true, .needParticipantColumn = false}), (Names{"count", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = false, .isPublic = true}), (Names{"secret"}));
   EXPECT_EQ(
-      namesFor({.isBlinded = true, .isPublic = true, .told = {"haste"}}), (Names{"seconds_s"}));
+      namesFor({.isBlinded = true, .isPublic = true, .releasedIdentifiers = {"haste"}}),
+      (Names{"seconds_s"}));
 }
 
 TEST(Column, IsDescribedForItsReaders) {

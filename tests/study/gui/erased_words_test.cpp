@@ -54,7 +54,7 @@ class ErasedWords : public testing::Test {
     open();
     QObject::connect(&watch_, &QTimer::timeout, &watch_, [] {
       auto* message = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
-      if (message == nullptr || message->matter() != Matter::StepNotDone) return;
+      if (message == nullptr || message->topic() != MessageTopic::StepNotDone) return;
       ADD_FAILURE() << message->words().toStdString();
       message->reject();
     });

@@ -88,12 +88,12 @@ class OperatorSession : public testing::Test {
 
 TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot) {
   const auto press = [&](const auto& answer) {
-    std::vector<Matter> shown;
+    std::vector<MessageTopic> shown;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &look, [&] {
       auto* box = qobject_cast<MessageBox*>(QApplication::activeModalWidget());
       if (box == nullptr) return;
-      shown.push_back(box->matter());
+      shown.push_back(box->topic());
       EXPECT_TRUE(box->words().contains(QStringLiteral("consent-punch"), Qt::CaseInsensitive))
           << box->words().toStdString();
       answer(*box);
@@ -110,7 +110,7 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
   EXPECT_EQ(mode->currentData().toInt(), static_cast<int>(RunMode::Pilot))
       << "is offered first, because the devices are virtual";
   const auto pressEnter = [](MessageBox& box) { QTest::keyClick(&box, Qt::Key_Return); };
-  EXPECT_EQ(press(pressEnter), std::vector{Matter::PilotSessionHasBlanks});
+  EXPECT_EQ(press(pressEnter), std::vector{MessageTopic::PilotSessionHasBlanks});
   EXPECT_EQ(window_.controller(), nullptr) << "Enter does not begin it";
   mode->setCurrentIndex(mode->findData(static_cast<int>(RunMode::Live)));
   EXPECT_EQ(
@@ -118,7 +118,7 @@ TEST_F(OperatorSession, RefusesALiveSessionWithBlanksInTextsAndAsksBeforeAPilot)
         EXPECT_EQ(box.findChild<QPushButton*>(QStringLiteral("action")), nullptr);
         box.accept();
       }),
-      std::vector{Matter::LiveSessionHasBlanks});
+      std::vector{MessageTopic::LiveSessionHasBlanks});
   EXPECT_EQ(window_.controller(), nullptr) << "there is no way past it";
   EXPECT_TRUE(storage::Records(study_.database()).sessions().empty());
 

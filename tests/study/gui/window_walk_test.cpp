@@ -94,7 +94,7 @@ class Windows {
         {"KeyDialog", [=] { return make<KeyDialog>(summary); }},
         {"MessageBox", [] { return message(); }},
         {"MessageBox_Question",
-         [] { return make<MessageBox>(Matter::RepeatStep, QStringList(), QString()); }},
+         [] { return make<MessageBox>(MessageTopic::RepeatStep, QStringList(), QString()); }},
         {"NewStudyDialog", [] { return make<NewStudyDialog>(); }},
         {"OperatorWindow", [this] { return desk(); }},
         {"OperatorWindow_Sessions", [this] { return betweenSessions(); }},
@@ -190,7 +190,7 @@ class Windows {
 
   static Opened message() {
     return make<MessageBox>(
-        Matter::ReportNotWritten,
+        MessageTopic::ReportNotWritten,
         QStringList(),
         QStringLiteral("The disk is full. Free 20 MB, and try again."));
   }
@@ -413,15 +413,15 @@ class MessageWalk : public testing::Test {
   void TearDown() override { setDeskLanguage("en"); }
 
   static std::unique_ptr<MessageBox> boxOf(const MessageRow& row) {
-    const bool hasBlanks =
-        row.matter == Matter::LiveSessionHasBlanks || row.matter == Matter::PilotSessionHasBlanks;
+    const bool hasBlanks = row.topic == MessageTopic::LiveSessionHasBlanks ||
+                           row.topic == MessageTopic::PilotSessionHasBlanks;
     const QString why =
         row.kind == MessageRow::Kind::Failure
             ? QStringLiteral("Could not save: the disk is full. Free 20 MB, and try again.")
         : hasBlanks ? QStringLiteral("•  consent-punch: [[institution]]\n•  debrief: [[contact]]")
                     : QString();
     auto box = std::make_unique<MessageBox>(
-        row.matter,
+        row.topic,
         QStringList{
             hasBlanks ? QStringLiteral("12") : QStringLiteral("desk-2"),
             QStringLiteral("2026-03-09 08:15")},
@@ -453,7 +453,7 @@ TEST_F(MessageWalk, HasNoFlawInAnyMessageInAnyLanguage) {
           *box,
           QStringLiteral("message-%1-%2")
               .arg(QString::fromStdString(language))
-              .arg(static_cast<int>(row.matter), 2, 10, QLatin1Char('0')));
+              .arg(static_cast<int>(row.topic), 2, 10, QLatin1Char('0')));
       if (language != "en") continue;
       expectNone(tests::unreadableTexts(*box, 4.5));
       expectNone(tests::unnamedElements(*box));
@@ -469,7 +469,8 @@ TEST_F(MessageWalk, SaysWhatHappenedAndWhatItMeansAndLeavesTheSafeButtonTheDefau
     EXPECT_STRNE(row.data, "") << row.headline;
     const bool isError = row.kind == MessageRow::Kind::Failure;
     EXPECT_TRUE(
-        isError || row.matter == Matter::FileSaved || *row.advice != '\0' || *row.action != '\0')
+        isError || row.topic == MessageTopic::FileSaved || *row.advice != '\0' ||
+        *row.action != '\0')
         << row.headline << " does not say what to do";
     EXPECT_EQ(row.kind == MessageRow::Kind::Question, *row.action != '\0') << row.headline;
     auto* safe = box->findChild<QPushButton*>(QStringLiteral("safe"));
@@ -495,7 +496,7 @@ TEST_F(MessageWalk, LeavesTheFocusOnNotStartingWhereADeviceFailed) {
 }
 
 TEST_F(MessageWalk, DoesWhatIsAskedOnEnterOnceAReasonIsTyped) {
-  const auto box = boxOf(messageAbout(Matter::TakeOver));
+  const auto box = boxOf(messageAbout(MessageTopic::TakeOver));
   auto* action = box->findChild<QPushButton*>(QStringLiteral("action"));
   EXPECT_FALSE(action->isEnabled()) << "the reason is needed";
   QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("the computer is gone"));

@@ -63,8 +63,8 @@ TEST(ReportSection, CountsTrialsWhoseForceWasCutOffByCondition) {
       "UPDATE trial SET saturated_s = 0.5, contact_s = 2.0 "
       "WHERE rowid = (SELECT min(rowid) FROM trial)");
   const auto section = gather(*study, RunMode::Live);
-  ASSERT_EQ(section.quality.cutOff.size(), 1U);
-  const auto& found = section.quality.cutOff.front();
+  ASSERT_EQ(section.quality.saturatedTrials.size(), 1U);
+  const auto& found = section.quality.saturatedTrials.front();
   EXPECT_EQ(found.shares, std::vector<double>{0.25});
   EXPECT_GE(found.trials, 1);
   const auto& title = section.conditionTitle(found.condition);

@@ -185,7 +185,7 @@ study::report::ReportSection madeUpSection() {
   section.quality.rate = 1000.0;
   section.quality.conditions = {{"interpolation", 12, 37}, {"kalman", 12, 36}};
   section.quality.reasons = {{{study::message("trial.late", 3, 4000)}, 2}};
-  section.quality.cutOff = {{"interpolation", 12, {0.1, 0.125, 0.25}}};
+  section.quality.saturatedTrials = {{"interpolation", 12, {0.1, 0.125, 0.25}}};
   section.landmarks = {
       {"interpolation",
        "yield",

@@ -1,4 +1,4 @@
-#include "study/report/statistics_tables.h"
+#include "study/report/tables/statistics_tables.h"
 
 #include <algorithm>
 

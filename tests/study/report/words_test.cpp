@@ -18,6 +18,8 @@
 #include "study/report/html_report.h"
 #include "study/report/small_samples.h"
 #include "study/report/study_parts.h"
+#include "study/report/tables/plan_tables.h"
+#include "study/report/tables/statistics_tables.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 #include "tests/support/test_data.h"

@@ -30,9 +30,9 @@ TEST(StoredNames, AreReadBackAsTheirValues) {
 }
 
 TEST(StoredNames, ThatAreUnknownCountAsDamage) {
-  EXPECT_EQ(storage::known(verdictNamed("WARN"), "WARN"), Verdict::Warn);
+  EXPECT_EQ(storage::requireKnown(verdictNamed("WARN"), "WARN"), Verdict::Warn);
   try {
-    storage::known(verdictNamed("GOOD"), "GOOD");
+    storage::requireKnown(verdictNamed("GOOD"), "GOOD");
     FAIL() << "an unknown name was accepted";
   } catch (const storage::StorageError& error) {
     EXPECT_EQ(error.kind(), storage::StorageError::Kind::Damaged);

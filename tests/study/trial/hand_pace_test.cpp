@@ -56,7 +56,7 @@ Reamed ream(double hardness, std::uint64_t slot) {
       device,
       {.scene = {.model = bone},
        .limits = {.maxForce = need.maxForce, .maxRate = need.maxForceRate, .maxVelocity = 1.0},
-       .keep = [&](int, const std::vector<storage::TraceSample>& samples) {
+       .storeChunk = [&](int, const std::vector<storage::TraceSample>& samples) {
          for (const auto& sample : samples) {
            reamed.fastest = std::max(reamed.fastest, double{sample.velocity});
          }

@@ -26,7 +26,9 @@ class LiveTrialTest : public testing::Test {
             device_,
             {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
              .limits = {.maxForce = 8.0, .maxRate = 500.0},
-             .keep = [this](int, const std::vector<TraceSample>& samples) { keep(samples); }}) {}
+             .storeChunk = [this](int, const std::vector<TraceSample>& samples) {
+               keep(samples);
+             }}) {}
 
   void keep(const std::vector<TraceSample>& samples) {
     if (isDiskFull_) throw storage::StorageError("the disk is full");
@@ -99,7 +101,7 @@ TEST_F(LiveTrialTest, StopsIfTheDeviceReportsAFault) {
       device,
       {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
        .limits = {.maxForce = 8.0, .maxRate = 500.0},
-       .keep = [](int, const std::vector<TraceSample>&) {}});
+       .storeChunk = [](int, const std::vector<TraceSample>&) {}});
   LiveTrial live(trial);
   ASSERT_TRUE(wait([&] { return live.status().ticks >= 20; }));
   device.fail();

@@ -39,7 +39,7 @@ class TorqueTrialTest : public testing::Test {
         device,
         {.scene = {.model = bone, .reamer = {.speed = speed}},
          .limits = {.maxForce = 140.0, .maxRate = 5000.0},
-         .keep = [this](int, const std::vector<TraceSample>& samples) {
+         .storeChunk = [this](int, const std::vector<TraceSample>& samples) {
            samples_.insert(samples_.end(), samples.begin(), samples.end());
          }});
     return runOffline(trial, 1, 20.0);
@@ -50,7 +50,7 @@ class TorqueTrialTest : public testing::Test {
       .kind = &haptics::devices::reamerKind(),
       .maxForce = 140.0,
       .maxForceRate = 5000.0,
-      .isTorqueAsked = true};
+      .needsTorque = true};
   std::unique_ptr<haptics::devices::Hand> hand_ = simulatedHandFor(need_, 7, "surgeons", 0);
   std::vector<TraceSample> samples_;
 };

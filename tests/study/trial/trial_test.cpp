@@ -34,7 +34,7 @@ class TrialTest : public testing::Test {
     return {
         .scene = {.model = haptics::engine::FiniteElementsSpec{}},
         .limits = {.maxForce = maxForce, .maxRate = 500.0},
-        .keep = [this](int number, const std::vector<TraceSample>& samples) {
+        .storeChunk = [this](int number, const std::vector<TraceSample>& samples) {
           EXPECT_EQ(number, static_cast<int>(chunks_.size()));
           chunks_.push_back(samples);
         }};
@@ -179,7 +179,7 @@ TEST_F(TrialTest, HasNoForceFromTheTickAfterStopOn) {
 
 TEST_F(TrialTest, ReportsALostTraceIfSamplesCannotBeStored) {
   auto setting = setup();
-  setting.keep = [](int, const std::vector<TraceSample>&) {
+  setting.storeChunk = [](int, const std::vector<TraceSample>&) {
     throw storage::StorageError("the disk is full");
   };
   Trial trial(device_, std::move(setting));

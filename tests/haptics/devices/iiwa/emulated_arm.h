@@ -55,7 +55,7 @@ inline FriController::Options controllerFor(const IiwaSettings& settings) {
   options.version = settings.version;
   options.client.port = settings.port;
   options.sendPeriod = kPeriod;
-  options.stay = {.idle = 3, .monitoringReady = 5, .commandingWait = 3};
+  options.dwellTimes = {.idle = 3, .monitoringReady = 5, .commandingWait = 3};
   options.restartsMotion = true;
   options.clock = controllerClock;
   options.arm.person = {.closed = 0.0, .stiffness = 2000.0, .damping = 60.0};

@@ -40,7 +40,7 @@ TEST_F(IiwaFaultsTest, CountsExactlyWhatWentWrongOnTheWay) {
   EXPECT_EQ(link.restarts, 0U);
   const auto seen = report();
   EXPECT_EQ(seen.impostors, 6U);
-  EXPECT_EQ(seen.misled, 0U);  // nobody else was ever answered
+  EXPECT_EQ(seen.impostorAnswers, 0U);  // nobody else was ever answered
   EXPECT_EQ(seen.sixJoints + seen.notANumber, 4U);
   EXPECT_EQ(seen.answers.doubled + seen.answers.toUnknownMessage + seen.answers.undecodable, 0U);
   EXPECT_EQ(seen.lastEnd, emulators::FriEndReason::None);
@@ -66,7 +66,7 @@ TEST_F(IiwaFaultsTest, IgnoresMessagesOfAnImpostor) {
   turns(5.0, 80);
   const auto seen = report();
   EXPECT_GT(seen.impostors, 100U);
-  EXPECT_EQ(seen.misled, 0U);
+  EXPECT_EQ(seen.impostorAnswers, 0U);
   EXPECT_GE(device_->link().foreign, 80U);
   EXPECT_EQ(device_->link().lost + device_->link().late, 0U);
   EXPECT_NEAR(seen.force, -5.0, 1e-3);

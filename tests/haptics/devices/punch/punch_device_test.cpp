@@ -36,7 +36,7 @@ TEST_F(PunchDeviceTest, ExchangesAThousandSamplesAtTheBoardsOwnPace) {
   exchange(1.0);
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Running);
   const auto link = device_->link();
-  EXPECT_TRUE(link.isThere);
+  EXPECT_TRUE(link.hasLink);
   EXPECT_GE(received + link.received, 1000U);
   EXPECT_EQ(link.lost + link.doubled + link.late + link.damaged + link.restarts, 0U);
   EXPECT_GT(link.roundTrip.count(), 0U);

@@ -83,7 +83,7 @@ TEST_F(HelpTest, OpensForTheOperatorButNotForTheParticipant) {
       tests::knownSecret());
   OperatorWindow window(study);
   EXPECT_TRUE(pressF1(window).contains(QStringLiteral("The day")));
-  const MessageBox box(Matter::StepNotDone, {}, {}, &window);
+  const MessageBox box(MessageTopic::StepNotDone, {}, {}, &window);
   EXPECT_EQ(helpTopicOf(box), QStringLiteral("When something goes wrong"));
   window.enrol({.cohort = "professional", .language = "en", .code = {}});
   ASSERT_NE(window.participantWindow(), nullptr);

@@ -126,7 +126,7 @@ TEST_F(HomeTest, SaysWhichSessionsOfAStationHaveArrivedAndWhyOthersHaveNot) {
     recordPush(
         study.uuid(),
         "11",
-        {.utc = "2026-11-17T09:00:00.000Z", .have = 0, .problem = "unreachable"});
+        {.utc = "2026-11-17T09:00:00.000Z", .lastEvent = 0, .problem = "unreachable"});
   }
   HomeWindow home;
   home.choose(QString::fromStdString(folder_ / "oslo"));

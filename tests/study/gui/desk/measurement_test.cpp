@@ -87,12 +87,12 @@ TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
   EXPECT_FALSE(picture->isVisible());
   set(dialog, "recording", file);
   EXPECT_TRUE(picture->isVisible());
-  const auto look = lookAt(file, {});
-  EXPECT_GT(look.survey.closures.size(), 0U);
-  EXPECT_EQ(picture->cuts(), static_cast<int>(look.survey.closures.size()));
+  const auto preview = previewOf(file, {});
+  EXPECT_GT(preview.survey.closures.size(), 0U);
+  EXPECT_EQ(picture->cuts(), static_cast<int>(preview.survey.closures.size()));
   const auto words = picture->words().toStdString();
-  EXPECT_NE(words.find(std::to_string(look.survey.rows) + " rows"), std::string::npos) << words;
-  EXPECT_NE(words.find(look.trace.calibration.name), std::string::npos) << words;
+  EXPECT_NE(words.find(std::to_string(preview.survey.rows) + " rows"), std::string::npos) << words;
+  EXPECT_NE(words.find(preview.trace.calibration.name), std::string::npos) << words;
   dialog.resize(1240, 720);
   QTest::qWait(1);  // sizes follow what is shown
   EXPECT_EQ(dialog.findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0)
@@ -146,7 +146,7 @@ TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
 
 TEST_F(MeasurementTest, AsksForTheColumnsOfAnotherTableAndImportsIt) {
   std::string table = "load_mN;jaw_mm;t_s\n";
-  const auto recording = lookAt(folder_.write("recording.txt", tests::textOf({})), {}).recording;
+  const auto recording = previewOf(folder_.write("recording.txt", tests::textOf({})), {}).recording;
   for (const auto& row : recording.rows) {
     table += std::to_string(5.0 * row.reading) + ";" + std::to_string(0.6 * row.travel) + ";" +
              std::to_string(1e-3 * row.time) + "\n";

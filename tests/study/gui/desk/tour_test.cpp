@@ -44,15 +44,15 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   ASSERT_TRUE(enough->isEnabled());
   QTest::mouseClick(enough, Qt::LeftButton);
   EXPECT_EQ(tour.step(), 1);
-  ASSERT_TRUE(tour.felt());
-  EXPECT_GE(tour.felt()->cuts.size(), 1U);
-  EXPECT_GT(tour.felt()->largestForce, 1.0);
+  ASSERT_TRUE(tour.trialRecord());
+  EXPECT_GE(tour.trialRecord()->cuts.size(), 1U);
+  EXPECT_GT(tour.trialRecord()->largestForce, 1.0);
   EXPECT_FALSE(tour.findChildren<OptionButtons*>().empty());
   tests::photographInAllThemes(tour, QStringLiteral("tour-2"));
   next(tour);
   auto* record = tour.findChild<QTableWidget*>(QStringLiteral("tour-record"));
   ASSERT_GT(record->rowCount(), 4);
-  EXPECT_EQ(record->item(0, 1)->text().toLongLong(), tour.felt()->traceSamples);
+  EXPECT_EQ(record->item(0, 1)->text().toLongLong(), tour.trialRecord()->traceSamples);
   tests::photographInAllThemes(tour, QStringLiteral("tour-3"));
 }
 

@@ -201,7 +201,7 @@ bool isFreshBone(QRgb pixel) {
 
 TEST_F(HipSceneTest, ShowsRemovedBone) {
   HipScene hip({.packing = &spec_});
-  const Look back{.travel = -0.02, .bone = model_.view()};
+  const TrialSnapshot back{.travel = -0.02, .bone = model_.view()};
   hip.update(back, 0.016);
   const QImage before = pictureOf(hip);
   EXPECT_GT(countWhere(before, isBone), 5000);

@@ -96,7 +96,7 @@ TEST(BackgroundTask, ShowsTheMessageOfTheException) {
   });
   look.start(20);
   const bool isDone = BackgroundTask::run(
-      nullptr, QStringLiteral("Working"), Matter::ReportNotWritten, [](const Progress&) {
+      nullptr, QStringLiteral("Working"), MessageTopic::ReportNotWritten, [](const Progress&) {
         throw std::runtime_error("The disk is full. Free some space.");
       });
   EXPECT_FALSE(isDone);

@@ -40,7 +40,7 @@ ReportSection painted() {
 TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
   const auto figures = painted().figures;
   ASSERT_EQ(figures.families.size(), 1U);
-  EXPECT_FALSE(figures.families.front().people.empty());
+  EXPECT_FALSE(figures.families.front().participantMeans.empty());
   EXPECT_EQ(figures.felt.size(), 1U);
   EXPECT_FALSE(figures.votes.empty());
 }
@@ -138,7 +138,7 @@ TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
 
 TEST(Figures, ShowEveryParticipantOnce) {
   const auto section = painted();
-  const auto& svg = section.figures.families.front().people;
+  const auto& svg = section.figures.families.front().participantMeans;
   std::size_t dots = 0;
   for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
     ++dots;
@@ -211,7 +211,7 @@ TEST(Figures, AreTheSameBytesEveryTime) {
   const auto first = painted().figures;
   const auto second = painted().figures;
   for (const auto part :
-       {&FamilyFigures::answers, &FamilyFigures::people, &FamilyFigures::effects}) {
+       {&FamilyFigures::answers, &FamilyFigures::participantMeans, &FamilyFigures::effects}) {
     EXPECT_EQ(first.families.front().*part, second.families.front().*part);
   }
   EXPECT_EQ(first.votes, second.votes);
@@ -230,7 +230,8 @@ TEST(Figures, ArePaintedForAStudyWithoutAnswers) {
   section.curves.clear();
   paintFigures(section);
   const auto& family = section.figures.families.front();
-  for (const auto& svg : {family.answers, family.people, family.effects, section.figures.votes}) {
+  for (const auto& svg :
+       {family.answers, family.participantMeans, family.effects, section.figures.votes}) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_FALSE(textsIn(svg).empty());
   }

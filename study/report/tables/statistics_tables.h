@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "study/model/data_table.h"
@@ -17,8 +16,5 @@ std::string answerInWords(const ReportSection& section);
 /// and the differences by site; then means, preferences, scores, and what a reader has to know.
 /// Tables without rows are left out.
 std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile);
-
-/// The short name of a test, for a table: "Paired t".
-std::string_view shortNameOf(std::string_view test);
 
 }  // namespace study::report

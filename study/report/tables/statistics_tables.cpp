@@ -1,4 +1,4 @@
-#include "study/report/statistics_tables.h"
+#include "study/report/tables/statistics_tables.h"
 
 #include <algorithm>
 #include <array>
@@ -79,15 +79,16 @@ DataTable tableOf(std::string name, std::string title, std::vector<std::string> 
 
 class TablesWriter {
  public:
-  TablesWriter(const ReportSection& section, Profile profile) : s_(section), profile_(profile) {}
+  TablesWriter(const ReportSection& section, Profile profile)
+      : section_(section), profile_(profile) {}
 
   std::vector<DataTable> all() {
-    for (const auto& family : s_.results.families) {
+    for (const auto& family : section_.results.families) {
       comparisons(family);
       bySite(family);
     }
     means();
-    for (const auto& votes : voteTables(s_.results)) preferences(votes);
+    for (const auto& votes : voteTables(section_.results)) preferences(votes);
     scores();
     remarks();
     return std::move(tables_);
@@ -96,7 +97,7 @@ class TablesWriter {
  private:
   template <typename... Args>
   std::string say(std::string_view english, Args&&... args) const {
-    return s_.words.say(english, std::forward<Args>(args)...);
+    return section_.words.say(english, std::forward<Args>(args)...);
   }
 
   void add(DataTable table) {
@@ -104,7 +105,7 @@ class TablesWriter {
   }
 
   std::string pairOf(const analysis::TestRow& test) const {
-    return s_.conditionTitle(test.group1) + " vs. " + s_.conditionTitle(test.group2);
+    return section_.conditionTitle(test.group1) + " vs. " + section_.conditionTitle(test.group2);
   }
 
   // --- Comparisons ---
@@ -126,11 +127,12 @@ class TablesWriter {
          say("Effect size")});
     for (const auto& part : family.cohorts) {
       const auto row = [&](const std::string& groups, const analysis::TestRow& test) {
-        table.rows.push_back(cellsOf(family, s_.cohortTitle(part.cohort), groups, test, test));
+        table.rows.push_back(
+            cellsOf(family, section_.cohortTitle(part.cohort), groups, test, test));
       };
       if (!hasAnswers(part)) {
         Cells cells(table.columns.size());
-        cells.front() = s_.cohortTitle(part.cohort);
+        cells.front() = section_.cohortTitle(part.cohort);
         cells[2] = say("No answers yet.");
         table.rows.push_back(std::move(cells));
         continue;
@@ -140,8 +142,8 @@ class TablesWriter {
           for (const auto& [group1, group2, difference, test] : declaredIn(family, part)) {
             table.rows.push_back(cellsOf(
                 family,
-                s_.cohortTitle(part.cohort),
-                s_.conditionTitle(group1) + " vs. " + s_.conditionTitle(group2),
+                section_.cohortTitle(part.cohort),
+                section_.conditionTitle(group1) + " vs. " + section_.conditionTitle(group2),
                 *test,
                 *difference));
           }
@@ -152,8 +154,8 @@ class TablesWriter {
         case Profile::Recommended:
           for (const auto& test : part.within.overall) row(say("All methods"), test);
           for (const auto& pair : part.within.rows) {
-            const auto groups =
-                s_.conditionTitle(pair.group1) + " vs. " + s_.conditionTitle(pair.group2);
+            const auto groups = section_.conditionTitle(pair.group1) + " vs. " +
+                                section_.conditionTitle(pair.group2);
             for (const auto& test : pair.tests) row(groups, test);
           }
           break;
@@ -162,8 +164,10 @@ class TablesWriter {
     if (profile_ == Profile::Recommended) {
       for (const auto& pair : family.between) {
         for (const auto& test : pair.tests) {
-          const auto who = s_.cohortTitle(pair.cohort1) + " vs. " + s_.cohortTitle(pair.cohort2);
-          table.rows.push_back(cellsOf(family, who, s_.conditionTitle(pair.condition), test, test));
+          const auto who =
+              section_.cohortTitle(pair.cohort1) + " vs. " + section_.cohortTitle(pair.cohort2);
+          table.rows.push_back(
+              cellsOf(family, who, section_.conditionTitle(pair.condition), test, test));
         }
       }
     }
@@ -202,21 +206,21 @@ class TablesWriter {
       const FamilyResult& family,
       const analysis::TestRow& test,
       const std::optional<double>& difference) const {
-    if (!test.p && !test.effect.value) return say("Not tested: {}.", s_.inWords(test.reason));
+    if (!test.p && !test.effect.value) return say("Not tested: {}.", section_.inWords(test.reason));
     if (!family.isConfirmatory(test.id) || !test.isSignificant) return say("Exploratory.");
     if (!*test.isSignificant) return say("No significant difference.");
     if (!difference) return say("A significant difference.");
     const bool isFirst = *difference > 0.0;
     return say(
         "{} was rated significantly higher.",
-        s_.conditionTitle(isFirst ? test.group1 : test.group2));
+        section_.conditionTitle(isFirst ? test.group1 : test.group2));
   }
 
   void bySite(const FamilyResult& family) {
     auto table = tableOf(
         family.family.id + "-sites",
-        s_.results.families.size() > 1 ? family.family.title + ": " + say("By site")
-                                       : say("By site"),
+        section_.results.families.size() > 1 ? family.family.title + ": " + say("By site")
+                                             : say("By site"),
         {say("Cohort"),
          say("Comparison"),
          say("Site"),
@@ -227,9 +231,9 @@ class TablesWriter {
     for (const auto& part : family.cohorts) {
       if (!part.sites) continue;
       for (const auto& pair : part.sites->rows) {
-        const auto who = s_.cohortTitle(part.cohort);
+        const auto who = section_.cohortTitle(part.cohort);
         const auto groups =
-            s_.conditionTitle(pair.group1) + " vs. " + s_.conditionTitle(pair.group2);
+            section_.conditionTitle(pair.group1) + " vs. " + section_.conditionTitle(pair.group2);
         for (const auto& site : pair.sites) {
           table.rows.push_back(
               {who,
@@ -243,7 +247,13 @@ class TablesWriter {
         const auto together = say("All sites, random effects (REML, Knapp–Hartung)");
         if (!pair.pooled) {
           table.rows.push_back(
-              {who, groups, together, "", say("not pooled: {}", s_.inWords(pair.reason)), "", ""});
+              {who,
+               groups,
+               together,
+               "",
+               say("not pooled: {}", section_.inWords(pair.reason)),
+               "",
+               ""});
           continue;
         }
         const auto& pooled = pair.pooled->knappHartung;
@@ -267,14 +277,14 @@ class TablesWriter {
         "means",
         say("Means"),
         {say("Question"), say("Cohort"), say("Method"), "M", "s²", say("Answers")});
-    for (const auto& family : s_.results.families) {
+    for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
         for (const auto& one : part.conditions) {
           if (one.answers.total() == 0) continue;
           table.rows.push_back(
               {family.family.title,
-               s_.cohortTitle(part.cohort),
-               s_.conditionTitle(one.name),
+               section_.cohortTitle(part.cohort),
+               section_.conditionTitle(one.name),
                orNothing(one.answers.mean()),
                orNothing(one.answers.variance()),
                std::to_string(one.answers.total())});
@@ -287,7 +297,7 @@ class TablesWriter {
   void preferences(const VoteTable& votes) {
     auto table = tableOf("preferences", say("Preferences"), {say("Cohort"), say("After")});
     for (const auto& option : votes.options) {
-      table.columns.push_back({s_.conditionTitle(option), {}, true});
+      table.columns.push_back({section_.conditionTitle(option), {}, true});
     }
     table.columns.push_back({say("exact p"), {}, false});
     const auto row = [&](const std::string& who,
@@ -301,9 +311,9 @@ class TablesWriter {
     };
     for (const auto& one : votes.cohorts) {
       if (one.sum.total() == 0) continue;
-      const auto who = s_.cohortTitle(one.cohort);
+      const auto who = section_.cohortTitle(one.cohort);
       for (const auto* vote : one.rounds) {
-        row(who, s_.blockTitle(vote->block), vote->votes, vote->test.exactP);
+        row(who, section_.blockTitle(vote->block), vote->votes, vote->test.exactP);
       }
       if (one.rounds.size() > 1) row(who, say("Sum"), one.sum, {});
     }
@@ -316,18 +326,18 @@ class TablesWriter {
         "scores",
         say("Questionnaires"),
         {say("Score"), say("Cohort"), say("About"), "n", "M", "SD", say("95 % CI")});
-    for (const auto& summary : s_.results.instruments) {
-      const auto instrument =
-          std::ranges::find(s_.instruments, summary.instrument, &questionnaires::Instrument::id);
-      if (instrument == s_.instruments.end()) continue;
-      const auto& language = s_.words.language();
+    for (const auto& summary : section_.results.instruments) {
+      const auto instrument = std::ranges::find(
+          section_.instruments, summary.instrument, &questionnaires::Instrument::id);
+      if (instrument == section_.instruments.end()) continue;
+      const auto& language = section_.words.language();
       for (const auto& score : summary.scores) {
         if (score.values.empty()) continue;
         table.rows.push_back(
             {instrument->title.in(language) + ", " +
                  instrument->score(score.score)->title.in(language),
-             s_.cohortTitle(score.cohort),
-             !score.condition.empty() ? s_.conditionTitle(score.condition)
+             section_.cohortTitle(score.cohort),
+             !score.condition.empty() ? section_.conditionTitle(score.condition)
              : score.occasion.empty() ? std::string()
                                       : say(score.occasion),
              std::to_string(score.values.size()),
@@ -344,20 +354,23 @@ class TablesWriter {
         "remarks",
         say("Remarks"),
         {say("Cohort"), say("Remark"), say("Why it matters"), say("What to do")});
-    for (const auto& family : s_.results.families) {
+    for (const auto& family : section_.results.families) {
       for (const auto& [flag, found] : flagsByKind(family, isPooled(profile_, family.family))) {
         for (const auto& [cohort, what] : found) {
           std::string sentence;
-          for (const auto& piece : what->what) sentence += s_.inWords(piece);
+          for (const auto& piece : what->what) sentence += section_.inWords(piece);
           table.rows.push_back(
-              {s_.cohortTitle(cohort), sentence, s_.words(flag->why), s_.words(flag->remedy)});
+              {section_.cohortTitle(cohort),
+               sentence,
+               section_.words(flag->why),
+               section_.words(flag->remedy)});
         }
       }
     }
     add(std::move(table));
   }
 
-  const ReportSection& s_;
+  const ReportSection& section_;
   Profile profile_;
   std::vector<DataTable> tables_;
 };
@@ -386,26 +399,6 @@ std::string answerInWords(const ReportSection& section) {
 
 std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile) {
   return TablesWriter(section, profile).all();
-}
-
-std::string_view shortNameOf(std::string_view test) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kShort{
-      {{"paired_t", "Paired t"},
-       {"sign_flip", "Sign flip"},
-       {"signed_rank", "Signed rank"},
-       {"mixed_model", "Mixed model"},
-       {"ordinal_model", "Ordinal model"},
-       {"welch", "Welch’s t"},
-       {"tost", "Equivalence"},
-       {"bayes_factor", "Bayes factor"},
-       {"friedman", "Friedman"},
-       {"rm_anova", "Repeated-measures ANOVA"},
-       {"mann_whitney", "Mann–Whitney"},
-       {"brunner_munzel", "Brunner–Munzel"}}};
-  for (const auto& [id, name] : kShort) {
-    if (id == test) return name;
-  }
-  return analysis::statisticalTest(test).title;
 }
 
 }  // namespace study::report

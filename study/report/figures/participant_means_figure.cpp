@@ -10,7 +10,7 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kPeopleRows{.names = 190.0, .texts = 110.0, .height = 50.0};
+constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 110.0, .height = 50.0};
 constexpr double kTop = 4.0;
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
@@ -40,9 +40,9 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-class PeoplePainter {
+class ParticipantMeansPainter {
  public:
-  PeoplePainter(
+  ParticipantMeansPainter(
       QPainter& painter,
       const ReportSection& section,
       const FamilyResult& family,
@@ -56,7 +56,7 @@ class PeoplePainter {
         canvas_(
             painter,
             format,
-            kPeopleRows,
+            kParticipantMeansRows,
             AxisScale(
                 {.title = {},
                  .least = lowest_ - kMargin * (highest_ - lowest_),
@@ -65,7 +65,7 @@ class PeoplePainter {
                 highest_)) {}
 
   void paint() {
-    const double bottom = peopleFigureSize(family_, format_).height() - RowsCanvas::kAxis;
+    const double bottom = participantMeansFigureSize(family_, format_).height() - RowsCanvas::kAxis;
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
     double y = 0.0;
@@ -74,28 +74,29 @@ class PeoplePainter {
       y += RowsCanvas::kHeading;
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
         row(cohort.table, method, y);
-        y += RowsCanvas::rowHeight(format_, kPeopleRows.height);
+        y += RowsCanvas::rowHeight(format_, kParticipantMeansRows.height);
       }
     }
   }
 
  private:
   void row(const analysis::AnswerTable& table, std::size_t method, double y) {
-    canvas_.name(section_.conditionTitle(table.methods[method]), y, kPeopleRows.height);
+    canvas_.name(section_.conditionTitle(table.methods[method]), y, kParticipantMeansRows.height);
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
-    if (values.empty()) return canvas_.words(number, y, kPeopleRows.height / 2);
+    if (values.empty()) return canvas_.words(number, y, kParticipantMeansRows.height / 2);
     const std::string mean = "M = " + rounded(meanOf(values), 2);
     if (canvas_.isNarrow()) {
-      canvas_.words(mean + ", " + number, y, kPeopleRows.height / 2);
+      canvas_.words(mean + ", " + number, y, kParticipantMeansRows.height / 2);
     } else {
-      canvas_.words(number, y, kPeopleRows.height / 2);
-      canvas_.words(mean, y + kPeopleRows.height / 2 - 12, kPeopleRows.height / 2);
+      canvas_.words(number, y, kParticipantMeansRows.height / 2);
+      canvas_.words(
+          mean, y + kParticipantMeansRows.height / 2 - 12, kParticipantMeansRows.height / 2);
     }
     y = canvas_.drawingOf(y);
     const QColor colour = categoryColour(section_.conditionIndex(table.methods[method]));
     box(values, y + kTop + 4 + kBox / 2, colour);
-    if (values.size() <= kMostDots) rain(values, y + kTop + kBox + 10, colour);
+    if (values.size() <= kMostDots) drawStackedDots(values, y + kTop + kBox + 10, colour);
   }
 
   void box(const std::vector<double>& values, double middle, const QColor& colour) {
@@ -115,14 +116,14 @@ class PeoplePainter {
   }
 
   /// Dots that would overlap are placed below each other, closer together if there are many.
-  void rain(const std::vector<double>& values, double top, const QColor& colour) {
+  void drawStackedDots(const std::vector<double>& values, double top, const QColor& colour) {
     std::map<int, std::vector<double>> columns;
     for (const double value : values) {
       columns[static_cast<int>(std::lround(canvas_.x(value) / (2.0 * kDot)))].push_back(value);
     }
     std::size_t highest = 1;
     for (const auto& [place, column] : columns) highest = std::max(highest, column.size());
-    const double room = kPeopleRows.height - (kTop + kBox + 10) - kDot;
+    const double room = kParticipantMeansRows.height - (kTop + kBox + 10) - kDot;
     const double step = std::min(2.0 * kDot, room / static_cast<double>(highest));
     for (const auto& [place, column] : columns) {
       double y = top;
@@ -144,21 +145,22 @@ class PeoplePainter {
 
 }  // namespace
 
-QSizeF peopleFigureSize(const FamilyResult& family, const FigureFormat& format) {
+QSizeF participantMeansFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
-                                         RowsCanvas::rowHeight(format, kPeopleRows.height);
+    height +=
+        RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
+                                   RowsCanvas::rowHeight(format, kParticipantMeansRows.height);
   }
   return {format.layoutWidth(), height};
 }
 
-void paintPeopleFigure(
+void paintParticipantMeansFigure(
     QPainter& painter,
     const ReportSection& section,
     const FamilyResult& family,
     const FigureFormat& format) {
-  PeoplePainter(painter, section, family, format).paint();
+  ParticipantMeansPainter(painter, section, family, format).paint();
 }
 
 }  // namespace study::report

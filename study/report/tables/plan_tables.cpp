@@ -1,4 +1,4 @@
-#include "study/report/plan_tables.h"
+#include "study/report/tables/plan_tables.h"
 
 #include <cmath>
 #include <set>
@@ -55,7 +55,7 @@ class PlanWriter {
   std::string found(const FamilyPlan& family) const {
     std::set<std::uint64_t> seen;
     std::string text;
-    for (const auto& cohort : family.prospects) {
+    for (const auto& cohort : family.detectabilities) {
       if (!cohort.power || !seen.insert(cohort.participants).second) continue;
       text += words_.say(
           "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
@@ -137,7 +137,7 @@ class PlanWriter {
              words_("In words")});
     for (const auto& family : plan_.families) {
       for (std::size_t i = 0; i < plan_.cohorts.size(); ++i) {
-        const auto& cohort = family.prospects[i];
+        const auto& cohort = family.detectabilities[i];
         if (cohort.participants == 0) continue;
         table.rows.push_back(
             {family.title,
@@ -145,7 +145,8 @@ class PlanWriter {
              std::to_string(cohort.participants),
              cohort.power ? percent(*cohort.power) : std::string(),
              cohort.found ? percent(cohort.found->pairedT.rate) : std::string(),
-             cohort.invented ? percent(cohort.invented->anyPairedT.rate) : std::string(),
+             cohort.falsePositives ? percent(cohort.falsePositives->anyPairedT.rate)
+                                   : std::string(),
              formatP(cohort.pair.p),
              words_(
                  cohort.canPairsBeSignificant ? "Exact paired tests can be significant."
