@@ -221,16 +221,14 @@ std::string nextCohort(
 /// Sets the clock to an hour after the start of the last session, for a new session; to the last
 /// event of the session, for a resumed one.
 void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> resumed) {
-  std::int64_t latest = 0;
-  std::int64_t latestStart = 0;
-  for (const auto& event : study.events().read(resumed)) {
-    latest = std::max(latest, event.when.wall);
-    if (event.kind == EventKind::Enrolled) latestStart = std::max(latestStart, event.when.wall);
-  }
   if (resumed) {
+    std::int64_t latest = 0;
+    for (const auto& event : study.events().read(resumed)) {
+      latest = std::max(latest, event.when.wall);
+    }
     clock.setWall(latest);
-  } else if (latestStart > 0) {
-    clock.setWall(latestStart + kBetweenParticipants);
+  } else if (const auto latest = study.events().latestTimeOf(EventKind::Enrolled)) {
+    clock.setWall(*latest + kBetweenParticipants);
   }
 }
 

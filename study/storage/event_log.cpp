@@ -403,6 +403,14 @@ std::int64_t EventLog::last() const {
   return last.number(0);
 }
 
+std::optional<std::int64_t> EventLog::latestTimeOf(EventKind kind) const {
+  Statement latest(
+      database_, "SELECT utc, unixepoch(utc) FROM event WHERE kind = ? ORDER BY utc DESC LIMIT 1");
+  latest.bind(1, study::nameOf(kind));
+  if (!latest.step()) return std::nullopt;
+  return latest.number(1) * 1000 + millisecondsIn(latest.text(0));
+}
+
 base::NamedArguments EventLog::valuesOfMadeStudy() const {
   // The first event, or the second if the trail was sealed again: its first event is then
   // ResealedTrail.

@@ -104,6 +104,10 @@ class EventLog {
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 
+  /// When the latest event of that kind was appended [ms since 1970]; std::nullopt if there is
+  /// none.
+  std::optional<std::int64_t> latestTimeOf(EventKind kind) const;
+
   /// The values of the event MadeStudy.
   base::NamedArguments valuesOfMadeStudy() const;
 
