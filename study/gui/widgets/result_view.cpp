@@ -36,16 +36,16 @@ class FittedTable final : public QTableWidget {
     constexpr int kAround = 16;  // [px] of a cell
     constexpr int kWidest = 190;
     int left = width() - 2 * frameWidth() - verticalScrollBar()->sizeHint().width();
-    std::vector<int> long_;
+    std::vector<int> wideColumns;
     for (int column = 0; column < columnCount(); ++column) {
       const int cells = sizeHintForColumn(column) + kAround;
-      if (cells > kWidest) long_.push_back(column);
+      if (cells > kWidest) wideColumns.push_back(column);
       const int heading = horizontalHeader()->sectionSizeHint(column);
       setColumnWidth(column, std::max(heading, std::min(kWidest, cells)));
       left -= columnWidth(column);
     }
-    for (const int column : long_) {
-      const int more = left / static_cast<int>(long_.size());
+    for (const int column : wideColumns) {
+      const int more = left / static_cast<int>(wideColumns.size());
       if (more > 0) setColumnWidth(column, columnWidth(column) + more);
     }
     resizeRowsToContents();
