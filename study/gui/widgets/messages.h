@@ -67,12 +67,12 @@ struct MessageRow {
   enum class Kind { Failure, Warning, Information, Question };
   enum class Field { None, Text, NeededText, Passphrase, Choice };
 
-  MessageTopic topic;
-  Kind kind;
-  const char* title;        ///< of the window: names the topic
-  const char* headline;     ///< what happened, or what is asked
-  const char* data;         ///< what it means for the data: what is saved, and what is not
-  const char* advice = "";  ///< what to do; empty where an error says it
+  MessageTopic topic{};
+  Kind kind = Kind::Failure;
+  const char* title = "";     ///< of the window: names the topic
+  const char* headline = "";  ///< what happened, or what is asked
+  const char* data = "";      ///< what it means for the data: what is saved, and what is not
+  const char* advice = "";    ///< what to do; empty where an error says it
   const char* safe = "Close";
   const char* action = "";  ///< the verb of what is asked; empty: nothing is asked
   Field field = Field::None;
