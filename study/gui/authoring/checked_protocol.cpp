@@ -96,13 +96,13 @@ QString CheckedProtocol::problemsInWords() const {
   return lines.join(QLatin1Char('\n'));
 }
 
-QString CheckedProtocol::inWords(const base::Message& text) const {
-  if (!loaded) return deskText(text);
+QString CheckedProtocol::inWords(const base::Message& message) const {
+  if (!loaded) return deskText(message);
   report::ReportSection section;
   section.protocol = loaded->protocol;
   section.instruments = loaded->instruments;
   section.words = words::wordsIn(deskLanguage());
-  return QString::fromStdString(section.inWords(text));
+  return QString::fromStdString(section.inWords(message));
 }
 
 QString CheckedProtocol::placeInWords(const std::string& path) const {

@@ -25,7 +25,7 @@ struct CheckedProtocol {
   QString problemsInWords() const;
   /// A text of a problem, with titles in place of the ids of conditions, cohorts, blocks,
   /// instruments and items.
-  QString inWords(const base::Message& text) const;
+  QString inWords(const base::Message& message) const;
   /// The place of a problem in a file for readers: "$.phases[4].text" → "phase 5, Round 1 › text".
   /// As long as the protocol has errors, its parts have no titles.
   QString placeInWords(const std::string& path) const;
