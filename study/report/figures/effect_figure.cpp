@@ -107,8 +107,7 @@ class EffectPainter {
 QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.within.rows.size()) *
-                                         RowsCanvas::rowHeight(format, kEffectRows.height);
+    height += RowsCanvas::blockHeight(format, cohort.within.rows.size(), kEffectRows.height);
   }
   return {format.layoutWidth(), height};
 }

@@ -149,8 +149,7 @@ QSizeF participantMeansFigureSize(const FamilyResult& family, const FigureFormat
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
     height +=
-        RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
-                                   RowsCanvas::rowHeight(format, kParticipantMeansRows.height);
+        RowsCanvas::blockHeight(format, cohort.table.methods.size(), kParticipantMeansRows.height);
   }
   return {format.layoutWidth(), height};
 }

@@ -40,6 +40,10 @@ class RowsCanvas {
   static double rowHeight(const FigureFormat& format, double height) {
     return height + (format.isNarrow() ? kNameLine : 0.0);
   }
+  /// The height of a heading with @p rows rows of @p height.
+  static double blockHeight(const FigureFormat& format, std::size_t rows, double height) {
+    return kHeading + static_cast<double>(rows) * rowHeight(format, height);
+  }
   /// The upper edge of a row's drawing, for a row whose upper edge is @p y: below its name in a
   /// narrow figure.
   double drawingOf(double y) const { return isNarrow_ ? y + kNameLine : y; }

@@ -149,8 +149,7 @@ class SitePainter {
 QSizeF siteFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = 0.0;
   forEachComparison(family, [&](const auto&, const auto& row) {
-    height += RowsCanvas::kHeading + static_cast<double>(row.sites.size() + 1) *
-                                         RowsCanvas::rowHeight(format, kSiteRows.height);
+    height += RowsCanvas::blockHeight(format, row.sites.size() + 1, kSiteRows.height);
   });
   if (height == 0.0) return {};
   return {format.layoutWidth(), height + RowsCanvas::kAxis};
