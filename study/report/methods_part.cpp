@@ -182,7 +182,7 @@ class MethodsWriter : HtmlWriter {
   }
 
   std::string blinding() const {
-    const auto open = say("The protocol declares that conditions are hidden from nobody.");
+    const auto open = say("The protocol declares that conditions are not hidden.");
     const auto hidden =
         say("Participants and operators saw labels only; no condition was named during a session.");
     return section_.protocol.isOpenLabel ? open : hidden;

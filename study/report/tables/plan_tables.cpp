@@ -55,19 +55,21 @@ class PlanWriter {
   std::string found(const FamilyPlan& family) const {
     std::set<std::uint64_t> seen;
     std::string text;
+    bool isAnyTooSmall = false;
     for (const auto& cohort : family.detectabilities) {
       if (!cohort.power || !seen.insert(cohort.participants).second) continue;
       text += words_.say(
           "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
-          "probability "
-          "of {}.",
+          "probability of {}.",
           cohort.participants,
           plan_.question.dz,
           percent(*cohort.power));
       text += " ";
-      if (cohort.canPairsBeSignificant) continue;
+      isAnyTooSmall = isAnyTooSmall || !cohort.canPairsBeSignificant;
+    }
+    if (isAnyTooSmall) {
       text += words_.say(
-          "No exact paired test can be significant, whatever participants answer: that takes {}.",
+          "With fewer than {} participants, no exact paired test can be significant.",
           family.fewestForSignificance);
       text += " ";
     }
