@@ -109,6 +109,7 @@ TEST_F(IiwaDeviceTest, ConnectsToARobotAtAnyAddress) {
   options.local.address = endpointFrom("127.0.0.2")->address;
   connect(mine, options);
   work(10.0);
+  EXPECT_FALSE(isFaulted()) << device_->fault();
 }
 
 TEST_F(IiwaDeviceTest, AllocatesNothingInATick) {
