@@ -10,8 +10,8 @@ namespace study::app {
 /// or else simulated ones, whose hand cuts on request.
 /// @param takeOver  the reason for taking the session over from another computer; empty: no
 ///     takeover.
-/// @return the exit status: 0 if the session ended, 1 if the input ended earlier or nobody could be
-///     enrolled because of blanks in the texts.
+/// @return the exit status: 0 if the session ended, 1 if the input ended earlier or no participant
+///     could be enrolled because of blanks in the texts.
 int runInTerminal(
     Study& study,
     Enrolment enrolment,

@@ -109,8 +109,8 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
 struct Pause {
   Moment
       last;  ///< when that event was stored, on clocks that can be compared with the present ones
-  /// The pause if the wall clock alone measured it [s]. It is then not known whether somebody set
-  /// that clock forward in between.
+  /// The pause if the wall clock alone measured it [s]. It is then not known whether that clock
+  /// was set forward in between.
   std::optional<double> byWallClockAlone;
 };
 

@@ -82,7 +82,8 @@ constexpr std::array kLoginProblems{
         "The certificate of this computer has expired. Ask the study's administrator for a new "
         "one."},
     LoginProblem{
-        "unknown ca", "The server does not accept whoever issued this computer's certificate."},
+        "unknown ca",
+        "The server does not accept the authority that issued this computer's certificate."},
     LoginProblem{
         "alert bad certificate", "The server does not accept this computer's certificate."},
     LoginProblem{

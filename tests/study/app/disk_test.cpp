@@ -179,7 +179,7 @@ TEST_F(NoSpaceTest, IsNotReadWithoutAnAnswerThatIsOnlyInTheLog) {
   EXPECT_NE(refused.error.find("the disk is full"), std::string::npos) << refused.error;
 }
 
-/// A study in which somebody took part, on a disk without any free space: what names its conditions
+/// A study with a participant, on a disk without any free space: what names its conditions
 /// writes an event first.
 class NoSpaceForAnEventTest : public NoSpaceTest {
  protected:

@@ -183,7 +183,7 @@ void expectWords(const std::string& said, const std::string& words) {
 TEST_F(Certificates, OfTheStationLetItInAndNothingElseDoes) {
   expectWords(
       refusal(with(*theirs_, *ours_)),
-      "does not accept whoever issued this computer's certificate");
+      "does not accept the authority that issued this computer's certificate");
   expectWords(refusal(with(*ours_, *theirs_)), "issued by somebody else than root.crt says");
   expectWords(refusal(with(*ours_, *theirs_)), "clock");
   expectWords(refusal(server("sslmode=disable")), "without encryption");

@@ -40,7 +40,7 @@ TEST_F(IiwaFaultsTest, CountsExactlyWhatWentWrongOnTheWay) {
   EXPECT_EQ(link.restarts, 0U);
   const auto seen = report();
   EXPECT_EQ(seen.impostors, 6U);
-  EXPECT_EQ(seen.impostorAnswers, 0U);  // nobody else was ever answered
+  EXPECT_EQ(seen.impostorAnswers, 0U);  // no other sender was answered
   EXPECT_EQ(seen.sixJoints + seen.notANumber, 4U);
   EXPECT_EQ(seen.answers.doubled + seen.answers.toUnknownMessage + seen.answers.undecodable, 0U);
   EXPECT_EQ(seen.lastEnd, emulators::FriEndReason::None);
