@@ -66,9 +66,17 @@ int waitForOthers(void* /*unused*/, int pauses) {
   return 1;
 }
 
+/// SQLite's statistics of its memory, which nothing here reads, have one lock for all databases:
+/// threads with a database each would wait for each other at every allocation.
+void switchMemoryStatisticsOff() {
+  // Has no effect once SQLite is initialised.
+  [[maybe_unused]] static const int code = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
+}
+
 }  // namespace
 
 Database::Database(std::string path, int flags, Reading reading) : path_(std::move(path)) {
+  switchMemoryStatisticsOff();
   const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
   const bool isImmutable = isOnlyRead && (reading == Reading::Immutable || isUnwritable(path_));
   const int code = sqlite3_open_v2(
