@@ -1,6 +1,8 @@
 #include "study/collect/exchange/pull.h"
 
 #include <algorithm>
+#include <future>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -35,6 +37,7 @@ void listErasure(const std::string& study, const storage::SessionTables& facts) 
 /// Adds the data of one station to the collected study.
 class StationPull {
  public:
+  /// Reads the audit trail of the station and verifies it. Any thread.
   StationPull(
       ServerReader& reader,
       const StationRow& station,
@@ -47,6 +50,7 @@ class StationPull {
         keys_(reader.keys(station)),
         trail_(origin, station, reader.events(station), keys_) {}
 
+  /// Verifies the sessions of the station, and adds those that are sound.
   PulledStation run() {
     pulled_.label = station_.station.label;
     pulled_.problems = trail_.problems();
@@ -176,12 +180,22 @@ PullResult pull(
   CollectedStudy study(request.folder, clock, origin);
   PullResult pulled;
   const auto stations = reader.stations();
+  // While the sessions of one station are added, another thread verifies the trail of the next.
+  const auto verifyTrail = [&](std::size_t i) {
+    return std::async(std::launch::async, [&, i] {
+      return std::make_unique<StationPull>(reader, stations[i], origin, study);
+    });
+  };
+  std::future<std::unique_ptr<StationPull>> next;
+  if (!stations.empty()) next = verifyTrail(0);
   for (std::size_t i = 0; i < stations.size(); ++i) {
     tell(
         progress,
         static_cast<double>(i) / static_cast<double>(stations.size()),
         stations[i].station.label);
-    pulled.stations.push_back(StationPull(reader, stations[i], origin, study).run());
+    const auto station = next.get();
+    if (i + 1 < stations.size()) next = verifyTrail(i + 1);
+    pulled.stations.push_back(station->run());
   }
   study.finish(request.reason);
   pulled.problems = problemsOf(request.folder, clock, progress);

@@ -80,9 +80,14 @@ Snapshot::~Snapshot() {
   }
 }
 
+Rows ServerReader::query(const std::string& statement, const std::vector<Parameter>& parameters) {
+  const std::lock_guard lock(oneQuery_);
+  return server_.query(statement, parameters);
+}
+
 CollectedStudy::Origin ServerReader::origin() {
   const auto rows =
-      server_.query("SELECT uuid, seed, secret, created FROM palpate.pull_study($1)", {ticket_});
+      query("SELECT uuid, seed, secret, created FROM palpate.pull_study($1)", {ticket_});
   const auto secret = rows.bytes(0, 2);
   storage::BlindingSecret::Bytes bytes{};
   if (secret.size() != bytes.size()) refuseStudy("the secret of its orders");
@@ -98,8 +103,8 @@ CollectedStudy::Origin ServerReader::origin() {
 }
 
 std::vector<StationRow> ServerReader::stations() {
-  const auto rows = server_.query(
-      "SELECT id, uuid, site, label, key, have FROM palpate.pull_stations($1)", {ticket_});
+  const auto rows =
+      query("SELECT id, uuid, site, label, key, have FROM palpate.pull_stations($1)", {ticket_});
   std::vector<StationRow> stations;
   for (int i = 0; i < rows.count(); ++i) {
     stations.push_back(
@@ -114,7 +119,7 @@ std::vector<StationRow> ServerReader::stations() {
 std::vector<storage::StoredEvent> ServerReader::events(const StationRow& station) {
   std::vector<storage::StoredEvent> events;
   for (std::int64_t after = 0;;) {
-    const auto rows = server_.query(
+    const auto rows = query(
         "SELECT * FROM palpate.pull_events($1, $2, $3, $4)",
         {ticket_, station.id, after, kEventsAtATime});
     if (rows.isEmpty()) return events;
@@ -126,7 +131,7 @@ std::vector<storage::StoredEvent> ServerReader::events(const StationRow& station
 void ServerReader::forEachSession(
     const StationRow& station, const std::function<void(const SessionOnServer&)>& take) {
   for (std::int64_t after = 0;;) {
-    const auto rows = server_.query(
+    const auto rows = query(
         "SELECT number, as_of, sha256, facts, has_samples "
         "FROM palpate.pull_sessions($1, $2, $3, $4)",
         {ticket_, station.id, after, kSessionsAtATime});
@@ -144,8 +149,8 @@ void ServerReader::forEachSession(
 }
 
 std::vector<SentKey> ServerReader::keys(const StationRow& station) {
-  const auto rows = server_.query(
-      "SELECT participant, key FROM palpate.pull_keys($1, $2)", {ticket_, station.id});
+  const auto rows =
+      query("SELECT participant, key FROM palpate.pull_keys($1, $2)", {ticket_, station.id});
   std::vector<SentKey> keys;
   for (int i = 0; i < rows.count(); ++i) {
     storage::SealingKey::Bytes bytes{};
@@ -160,7 +165,7 @@ std::vector<SentKey> ServerReader::keys(const StationRow& station) {
 
 std::vector<storage::TraceChunk> ServerReader::chunks(
     const StationRow& station, std::int64_t session) {
-  const auto rows = server_.query(
+  const auto rows = query(
       "SELECT step, attempt, number, samples, layout, data, hash "
       "FROM palpate.pull_traces($1, $2, $3)",
       {ticket_, station.id, session});
@@ -179,8 +184,7 @@ std::vector<storage::TraceChunk> ServerReader::chunks(
 }
 
 std::vector<protocols::LoadedProtocol> ServerReader::protocols() {
-  const auto rows =
-      server_.query("SELECT sha256, text, files FROM palpate.pull_protocols($1)", {ticket_});
+  const auto rows = query("SELECT sha256, text, files FROM palpate.pull_protocols($1)", {ticket_});
   std::vector<protocols::LoadedProtocol> loaded;
   for (int i = 0; i < rows.count(); ++i) {
     loaded.push_back(protocolOf(rows.text(i, 1), filesIn(rows.text(i, 2))));

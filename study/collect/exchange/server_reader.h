@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ class Snapshot {
   Connection& server_;
 };
 
-/// Reads a study from the server; the connection's role must be allowed to unblind it.
+/// Reads a study from the server; the connection's role must be allowed to unblind it. Several
+/// threads may read at a time; their queries wait for each other.
 class ServerReader {
  public:
   /// @param name  of the study; empty: the only one. @param reason  noted on the server
@@ -64,7 +66,9 @@ class ServerReader {
 
  private:
   std::vector<protocols::LoadedProtocol> protocols();
+  Rows query(const std::string& statement, const std::vector<Parameter>& parameters);
 
+  std::mutex oneQuery_;  ///< a connection takes one query at a time
   Connection& server_;
   std::string ticket_;
 };
