@@ -18,6 +18,7 @@
 #include "study/storage/evidence/schema_check.h"
 #include "study/storage/evidence/witness_file.h"
 #include "study/storage/records.h"
+#include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 
 namespace study {
@@ -158,10 +159,10 @@ bool isOf(const storage::Event& event, const GivenAnswer& answer) {
                        : event.values == storage::valuesOf(answer);
 }
 
-/// Checks that the last event about each answer agrees with the table.
-Problems answers(Study& study) {
+/// Checks that the last event about each answer of a session agrees with the table.
+void checkAnswers(Study& study, SessionId session, Problems& problems) {
   std::map<std::pair<VisitKey, std::string>, storage::Event> said;
-  for (auto& event : study.events().read()) {
+  for (auto& event : study.events().read(session)) {
     if (event.kind == EventKind::Retracted && event.visit) said.erase({*event.visit, event.detail});
     if (event.kind != EventKind::Answered || !event.visit) continue;
     const auto* item = event.value("item");
@@ -170,8 +171,7 @@ Problems answers(Study& study) {
     const std::pair key{*event.visit, *id};
     said.insert_or_assign(key, std::move(event));
   }
-  Problems problems;
-  for (const auto& record : recordsOf(study).answers()) {
+  for (const auto& record : recordsOf(study).answers(session)) {
     const std::pair key{record.step.visit, record.answer.item};
     const auto found = said.find(key);
     if (found == said.end() || !isOf(found->second, record.answer)) {
@@ -184,6 +184,18 @@ Problems answers(Study& study) {
   for (const auto& [key, event] : said) {
     problems.push_back("the answer to " + key.second + " (" + nameOf(key.first) + ") is missing");
   }
+}
+
+Problems answers(Study& study) {
+  // Also sessions that only one of them knows, and whose own row is missing.
+  storage::Statement select(
+      study.database(),
+      "SELECT session_id FROM event WHERE session_id IS NOT NULL "
+      "UNION SELECT session_id FROM answer ORDER BY 1");
+  std::vector<SessionId> sessions;
+  while (select.step()) sessions.push_back(SessionId{select.number(0)});
+  Problems problems;
+  for (const auto session : sessions) checkAnswers(study, session, problems);
   return problems;
 }
 

@@ -178,13 +178,15 @@ std::vector<SessionRecord> Records::sessions() const {
   return sessions;
 }
 
-std::vector<AnswerRecord> Records::answers() const {
+std::vector<AnswerRecord> Records::answers(std::optional<SessionId> session) const {
   Statement select(
       database_,
       "SELECT " + stepColumns(database_) +
           ", x.item, x.item_order, x.kind, x.point, x.number, x.text, x.first_touch_s, "
           "x.response_s, x.changes, x.language, x.saved_utc FROM answer AS x" +
-          kStepJoins + "ORDER BY x.session_id, x.step, x.attempt, x.item_order, x.item");
+          kStepJoins + (session ? "WHERE x.session_id = ? " : "") +
+          "ORDER BY x.session_id, x.step, x.attempt, x.item_order, x.item");
+  if (session) select.bind(1, static_cast<std::int64_t>(*session));
   const ConditionCell condition{database_, conditions_};
   std::vector<AnswerRecord> answers;
   while (select.step()) {

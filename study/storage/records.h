@@ -117,7 +117,8 @@ class Records {
       : database_(database), conditions_(conditions) {}
 
   std::vector<SessionRecord> sessions() const;
-  std::vector<AnswerRecord> answers() const;
+  /// @param session  only its answers
+  std::vector<AnswerRecord> answers(std::optional<SessionId> session = std::nullopt) const;
 
   /// How often each point was chosen in the questionnaires of completed sessions, in visits that
   /// were finished and not repeated. Equals counting the result of answers(), but does not keep the
