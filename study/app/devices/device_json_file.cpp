@@ -17,7 +17,7 @@ std::string checksAsJson(const std::vector<DeviceFindings>& found) {
           {{"finding", haptics::devices::nameOf(result.finding)},
            {"what", result.what},
            {"measured", result.measured},
-           {"mend", result.fix.empty() ? Json(nullptr) : Json(result.fix)}});
+           {"fix", result.fix.empty() ? Json(nullptr) : Json(result.fix)}});
     }
     json["devices"].push_back(
         {{"id", device.device}, {"fit", isFit({device})}, {"findings", findings}});
