@@ -68,9 +68,6 @@ class IiwaDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force, double torque) noexcept override;
 
-  /// The last message received from the robot. Called from the thread that ticks.
-  const wire::fri::MonitoringMessage& heard() const noexcept { return lastMessage_; }
-
  private:
   using SessionState = wire::fri::SessionState;
 
