@@ -89,11 +89,12 @@ class Campaign : public tests::CollectTest {
 
  private:
   void enrol(int stations) {
+    const int sites = std::max(stations / 2, std::min(stations, 2));
     for (int i = 0; i < stations; ++i) {
-      // Two stations a site, and the names in another order than they are enrolled in.
-      const auto site = std::string("site") + static_cast<char>('z' - i / 2);
-      labels_.push_back(i % 2 == 0 ? site : site + "-2");
-      addStation(site, i % 2 == 0 ? "" : site + "-2");
+      // Up to two stations a site, and the names in another order than they are enrolled in.
+      const auto site = std::string("site") + static_cast<char>('z' - i % sites);
+      labels_.push_back(i < sites ? site : site + "-2");
+      addStation(site, i < sites ? "" : site + "-2");
     }
   }
 

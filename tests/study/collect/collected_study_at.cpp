@@ -128,6 +128,13 @@ study::collect::PushResult CollectTest::push(const std::string& label) const {
   return pushFrom(folderOf(label), label);
 }
 
+study::collect::PullResult CollectTest::pull(const std::string& name) const {
+  const auto account = accountOf("analyst");
+  auto server = admin();
+  return study::collect::pull(
+      server, {.folder = folderOfPull(name), .reason = "to evaluate"}, clock_);
+}
+
 study::collect::PushResult CollectTest::pushFrom(
     const std::string& folder, const std::string& label) const {
   const auto account = accountOf(label);

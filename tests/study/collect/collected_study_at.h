@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/collect/exchange/pull.h"
 #include "study/collect/exchange/push.h"
 #include "study/collect/server/connection.h"
 #include "study/collect/server/private_server.h"
@@ -57,6 +58,10 @@ class CollectTest : public testing::Test {
       std::chrono::milliseconds patience = std::chrono::minutes(1)) const;
   /// … from another folder of the station.
   study::collect::PushResult pushFrom(const std::string& folder, const std::string& label) const;
+
+  /// Pulls the study into folderOfPull(), as an analyst.
+  study::collect::PullResult pull(const std::string& name = "union") const;
+  std::string folderOfPull(const std::string& name = "union") const { return scratch_ / name; }
 
   /// The SHA-256 of every session's facts, and the samples of every trace without their seal, by
   /// participant and session number: of studies together.

@@ -77,6 +77,8 @@ TEST_F(Networks, ACutAtAnyByteLosesAndDoublesNothing) {
   study::collect::Outbox outbox(folderOf("oslo"), clock_);
   EXPECT_EQ(eventsThere(), outbox.lastEvent());
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_TRUE(pull().isSound());
+  EXPECT_EQ(contentOf({folderOfPull()}), contentOf({folderOf("oslo")}));
   EXPECT_TRUE(incidents().empty());
 }
 
@@ -100,6 +102,8 @@ TEST_F(Networks, ASlowLineTakesItsTime) {
   line_->set(Line::Fault::Slow);
   EXPECT_EQ(saidByAPush(), "");
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_TRUE(pull().isSound());
+  EXPECT_EQ(contentOf({folderOfPull()}), contentOf({folderOf("oslo")}));
 }
 
 /// Says that it lets nobody in, in German.

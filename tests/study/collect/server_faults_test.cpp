@@ -57,10 +57,8 @@ class ServerFaults : public tests::CollectTest {
   }
 
   std::string pulled() {
-    const auto account = accountOf("analyst");
-    auto server = admin();
-    study::collect::pull(server, {.folder = scratch_ / "union", .reason = "to evaluate"}, clock_);
-    return scratch_ / "union";
+    pull();
+    return folderOfPull();
   }
 
   bool isSound(const std::string& folder) {
@@ -128,6 +126,8 @@ TEST_F(ServerFaults, AFullDiskIsSaidInWordsAndNothingIsLost) {
   disk.free();
   push("oslo");
   EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
+  EXPECT_TRUE(isSound(folderOfPull()));
   for (const auto* table : {"chunk", "event", "session"}) {
     admin().execute(std::string("ALTER TABLE palpate.") + table + " SET TABLESPACE pg_default");
   }
@@ -348,7 +348,13 @@ TEST_F(ServerFaults, WhatNoProgramOfOursWritesIsRefusedAndKept) {
       batch(R"("keys": [{"participant": "oslo_P009", "key": "00"}])"),
       batch(R"("keys": [{"participant": "oslo_P009", "key": "no digits"}])")};
   for (const auto& one : forged) EXPECT_EQ(answerTo(one), "damaged") << one;
-  EXPECT_EQ(incidents(), std::vector<std::string>(forged.size(), "damaged"));
+  auto known = std::vector<std::string>(forged.size(), "damaged");
+  EXPECT_EQ(incidents(), known);
+  auto newer = batch(R"("events": [])");
+  newer.replace(newer.find("1"), 1, "2");
+  EXPECT_EQ(answerTo(newer), "newer");
+  known.insert(known.begin(), "newer");
+  EXPECT_EQ(incidents(), known);
   const auto kept = study::collect::incidentsOf(owner, 1);
   EXPECT_EQ(kept.at(0).role, "station_oslo");
   EXPECT_EQ(kept.at(0).station, "oslo");
@@ -376,19 +382,29 @@ TEST_F(ServerFaults, WhatIsDeniedToARoleIsInTheLogWithItsName) {
   auto owner = admin();
   EXPECT_EQ(study::collect::logPrivacyProblem(owner), std::nullopt);
   addStation("oslo");
-  auto station = as("station_oslo");
-  for (const std::string denied :
-       {"SELECT facts FROM palpate.session",
-        "DELETE FROM palpate.event",
-        "SELECT palpate.opened(1)"}) {
-    EXPECT_THROW(station.execute(denied), ServerError);
+  owner.execute(
+      "CREATE ROLE anna LOGIN; GRANT palpate_analyst TO anna;"
+      "CREATE ROLE olav LOGIN; GRANT operator_oslo TO olav");
+  const std::vector<std::pair<std::string, std::string>> deniedTo{
+      {"station_oslo", "SELECT facts FROM palpate.session"},
+      {"station_oslo", "DELETE FROM palpate.event"},
+      {"station_oslo", "SELECT palpate.opened(1)"},
+      {"anna", "SELECT condition FROM palpate.condition_code"},
+      {"anna", "SELECT facts FROM palpate.session"},
+      {"anna", "SELECT palpate.unblind('short', 'curious')"},
+      {"olav", "SELECT * FROM palpate.answers"},
+      {"olav", "SELECT facts FROM palpate.session"}};
+  for (const auto& [role, denied] : deniedTo) {
+    auto connection = as(role);
+    EXPECT_THROW(connection.execute(denied), ServerError) << role << ": " << denied;
     const auto log = tests::contentOf(postgres().folder() / "server.log");
     const auto at = log.rfind("STATEMENT:  " + denied);
     ASSERT_NE(at, std::string::npos) << denied;
     const auto line = log.substr(log.rfind('\n', at) + 1, at - log.rfind('\n', at));
-    EXPECT_NE(line.find("station_oslo@" + database()), std::string::npos) << line;
+    EXPECT_NE(line.find(role + "@" + database()), std::string::npos) << line;
     EXPECT_NE(log.rfind("permission denied"), std::string::npos);
   }
+  owner.execute("DROP ROLE anna; DROP ROLE olav");
   owner.execute("SET log_min_error_statement = panic");
   EXPECT_NE(study::collect::logPrivacyProblem(owner), std::nullopt);
 }
