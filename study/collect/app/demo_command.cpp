@@ -98,7 +98,7 @@ int demo(const DemoArguments& given) {
   const auto pulled = pull(server, {.folder = all, .reason = "the demonstration"}, clock);
   const bool isSound = pulled.isSound();
   fmt::print(
-      "{} has {} sessions of {} stations, and is {}. The server is stopped again.\n",
+      "{} has {} sessions of {} stations, and is {}. The server stops with this command.\n",
       all.string(),
       pulled.sessions(),
       pulled.stations.size(),
