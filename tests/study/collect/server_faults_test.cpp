@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include "study/collect/exchange/administration.h"
 #include "study/collect/exchange/bundle.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 using study::Study;
 using study::collect::Connection;
 using study::collect::Parameter;
+using study::collect::PrivateServer;
 using study::collect::ServerError;
 
 class ServerFaults : public tests::CollectTest {
@@ -79,11 +81,12 @@ class ServerFaults : public tests::CollectTest {
 /// A small disk for the server.
 class SmallDisk {
  public:
-  explicit SmallDisk(const fs::path& folder) : folder_(folder) {
+  explicit SmallDisk(const fs::path& folder, int megabytes = 8) : folder_(folder) {
+    const auto size = "size=" + std::to_string(megabytes) + "m";
     struct stat owner {};
     fs::create_directory(folder_);
     isThere_ = stat(folder_.parent_path().c_str(), &owner) == 0 &&
-               mount("palpate", folder_.c_str(), "tmpfs", 0, "size=8m") == 0 &&
+               mount("palpate", folder_.c_str(), "tmpfs", 0, size.c_str()) == 0 &&
                chown(folder_.c_str(), owner.st_uid, owner.st_gid) == 0;
   }
   ~SmallDisk() {
@@ -132,6 +135,97 @@ TEST_F(ServerFaults, AFullDiskIsSaidInWordsAndNothingIsLost) {
     admin().execute(std::string("ALTER TABLE palpate.") + table + " SET TABLESPACE pg_default");
   }
   admin().execute("DROP TABLESPACE small");
+}
+
+/// Tests with a server of their own, which they may stop, fill, and install as another role.
+class OwnServer : public ServerFaults {
+ protected:
+  void SetUp() override {
+    ServerFaults::SetUp();
+    if (!IsSkipped()) own_ = std::make_unique<PrivateServer>(PrivateServer::Disk::WithoutFsync);
+  }
+
+  /// Installs a study, and enrols oslo.
+  void install(const std::string& role) {
+    Connection owner(own_->server("postgres"), role);
+    study::collect::installSchema(owner);
+    study::collect::addStudyOrVersion(
+        owner, "short", tests::protocolFrom(tests::shortProtocol()), 1);
+    const auto account = accountOf("oslo");
+    const auto station =
+        study::storage::StationStore::openOrCreate(study::storage::StationStore::defaultFolder());
+    const auto enrolled =
+        study::collect::enrolStation(owner, {.site = "oslo", .key = station.publicKey()});
+    study::collect::join(scratch_.write("enrolment", enrolled.file), folderOf("oslo"), clock_);
+  }
+
+  void pushThere() {
+    const auto account = accountOf("oslo");
+    study::collect::Outbox outbox(folderOf("oslo"), clock_);
+    Connection station(own_->server("postgres"), "station_oslo");
+    study::collect::push(outbox, station);
+  }
+
+  void expectThatAPullHasEverything(const std::string& role) {
+    {
+      const auto account = accountOf("analyst");
+      Connection owner(own_->server("postgres"), role);
+      study::collect::pull(owner, {.folder = folderOfPull(), .reason = "to evaluate"}, clock_);
+    }
+    EXPECT_EQ(contentOf({folderOfPull()}), contentOf({folderOf("oslo")}));
+    EXPECT_TRUE(isSound(folderOfPull()));
+  }
+
+  std::unique_ptr<PrivateServer> own_;
+};
+
+TEST_F(OwnServer, IsInstalledAndPulledFromByARoleThatMayCreateRolesAndDatabases) {
+  Connection(own_->server())
+      .execute(
+          "CREATE ROLE anna LOGIN CREATEDB CREATEROLE;"
+          "GRANT CREATE ON DATABASE postgres TO anna");
+  install("anna");
+  runSession("oslo");
+  pushThere();
+  expectThatAPullHasEverything("anna");
+}
+
+TEST_F(OwnServer, ThatStopsBecauseItsDiskIsFullHasEverythingAfterwards) {
+  const auto log = own_->folder() / "data" / "pg_wal";
+  const auto small = own_->folder() / "small";
+  const SmallDisk disk(small, 40);  // two files of its log
+  if (!disk.isThere()) GTEST_SKIP() << "a disk can be mounted by root alone";
+  install("postgres");
+  runSession("oslo");
+  pushThere();
+  own_->stop();
+  struct stat owner {};
+  ASSERT_EQ(stat(log.c_str(), &owner), 0);
+  fs::copy(log, small / "log", fs::copy_options::recursive);
+  fs::remove_all(log);
+  fs::create_symlink(small / "log", log);
+  ASSERT_EQ(chown((small / "log").c_str(), owner.st_uid, owner.st_gid), 0);
+  for (const auto& file : fs::recursive_directory_iterator(small / "log")) {
+    ASSERT_EQ(chown(file.path().c_str(), owner.st_uid, owner.st_gid), 0);
+  }
+  own_->start();
+  disk.fill(100'000);
+  runSession("oslo");
+  Connection(own_->server()).query("SELECT pg_switch_wal()");
+  try {
+    pushThere();
+    ADD_FAILURE() << "it arrived";
+  } catch (const ServerError& error) {
+    EXPECT_NE(std::string(error.what()).find("Nothing is lost"), std::string::npos) << error.what();
+  }
+  EXPECT_NE(
+      tests::contentOf(own_->folder() / "server.log").find("PANIC:  could not"), std::string::npos);
+  own_->stop(PrivateServer::Stop::Immediate);
+  disk.free();
+  own_->start();
+  pushThere();
+  expectThatAPullHasEverything("postgres");
+  own_.reset();  // before the disk
 }
 
 TEST_F(ServerFaults, ANewerSchemaIsRefusedAndNotWrittenTo) {
