@@ -183,7 +183,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
   std::optional<std::int64_t> session;  // the session that key belongs to; events of a session are
                                         // adjacent
   std::optional<storage::SealingKey> key;
-  events_->forEach([&](const storage::StoredEvent& event) {
+  const auto append = [&](const storage::StoredEvent& event) {
     if (event.session != session) {
       session = event.session;
       key = session ? log.keyOf(SessionId{*session}) : std::nullopt;
@@ -192,7 +192,8 @@ void CollectedStudy::appendTrail(const std::string& reason) {
         key ? opened(event, *key) : event,
         key ? &*key : nullptr,
         lastEventOf_.at(event.session) == place++);
-  });
+  };
+  log.appendMany([&] { events_->forEach(append); });
 }
 
 /// The event of a session with its detail unsealed.

@@ -363,6 +363,12 @@ void EventLog::appendFromOtherTrail(const StoredEvent& event, const SealingKey* 
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
+void EventLog::appendMany(const std::function<void()>& append) {
+  ProtectiveTriggers guards(database_);
+  append();
+  guards.recreate();
+}
+
 std::vector<std::byte> EventLog::head() const {
   Statement last(database_, "SELECT hash FROM event ORDER BY seq DESC LIMIT 1");
   return last.step() ? last.blob(0) : std::vector<std::byte>();

@@ -160,6 +160,11 @@ class EventLog {
   /// @param vouches  whether the event gets a hash of the tables: for the last event of a session
   void appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches);
 
+  /// Calls @p append, which appends many events, inside the caller's transaction. Meanwhile the
+  /// triggers that protect the trail are gone, because SQLite keeps a journal of its own for every
+  /// statement that a trigger could undo.
+  void appendMany(const std::function<void()>& append);
+
   /// The events of one session, or of the whole study, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
   /// Events of one kind, in order.
