@@ -11,11 +11,6 @@
 
 namespace study {
 
-/// The words of @p text with at least three letters, or two if the first is a capital. Latin
-/// letters become lower-case without diacritics ("Åsgård" becomes "asgard"); letters of other
-/// alphabets are unchanged.
-std::vector<std::string> wordsIn(std::string_view text);
-
 /// The result of searching an export for names of participants.
 struct NameSearchResult {
   std::size_t names = 0;   ///< number of words of answers in identity.db that were searched for

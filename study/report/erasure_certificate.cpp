@@ -80,14 +80,20 @@ class CertificateRows {
  private:
   std::string searched(const std::vector<std::string>& files) const {
     const auto texts = certificate_.report.texts.size();
-    if (texts == 0) return words_("nothing was written that could be searched for");
+    const auto ignored = certificate_.report.texts.ignored();
+    const auto ofShort = ignored == 0 ? std::string()
+                                      : "; " + words_.count(
+                                                   ignored,
+                                                   "{} text is too short to be searched for",
+                                                   "{} texts are too short to be searched for");
+    if (texts == 0) return words_("nothing was written that could be searched for") + ofShort;
     const auto found =
         files.empty() ? words_("not found") : words_.say("FOUND in {}", listed(files));
     return words_.count(
                texts,
                "{} text was searched for in every byte",
                "{} texts were searched for in every byte") +
-           ": " + found;
+           ": " + found + ofShort;
   }
 
   std::string outcomeOf(const ErasedCopy& copy) const {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "study/model/user_error.h"
+#include "study/model/words_of_names.h"
 #include "study/session/identity_evidence.h"
 #include "study/session/verification.h"
 #include "study/storage/erasure/byte_search.h"
@@ -38,11 +38,10 @@ void requireReason(Study& study, const ErasureRequest& request) {
     throw UserError("Say why, without a name: it stays in the audit trail (--reason \"…\").");
   }
   if (study.identities().isLocked()) return;
-  std::istringstream words(request.reason);
-  for (std::string word; words >> word;) {
-    if (word.size() < kShortestName) continue;
-    for (const auto& name : study.identities().names(request.participant)) {
-      if (name.text.find(word) == std::string::npos) continue;
+  const auto words = wordsIn(request.reason);
+  for (const auto& name : study.identities().names(request.participant)) {
+    for (const auto& word : wordsIn(name.text)) {
+      if (std::find(words.begin(), words.end(), word) == words.end()) continue;
       throw UserError(
           "'" + word +
           "' is part of what is to be erased, and the reason stays in the audit "

@@ -77,7 +77,11 @@ bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
 void ByteSearch::add(const std::string& text, std::size_t shortest) {
   auto part = longestPlainPart(text);
   const bool isNew = std::find(texts_.begin(), texts_.end(), part) == texts_.end();
-  if (part.size() >= shortest && isNew) texts_.push_back(std::move(part));
+  if (part.size() < shortest) {
+    ++ignored_;
+  } else if (isNew) {
+    texts_.push_back(std::move(part));
+  }
 }
 
 bool ByteSearch::isIn(const Reader& read) const {

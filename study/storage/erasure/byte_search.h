@@ -47,6 +47,8 @@ class ByteSearch {
 
   /// The number of texts to search for.
   std::size_t size() const noexcept { return texts_.size(); }
+  /// The number of texts that are too short to search for.
+  std::size_t ignored() const noexcept { return ignored_; }
 
   /// The files below @p folder that contain one of the texts, as sorted paths relative to @p
   /// folder.
@@ -64,6 +66,7 @@ class ByteSearch {
   bool isIn(const std::filesystem::path& file) const;
 
   std::vector<std::string> texts_;
+  std::size_t ignored_ = 0;
 };
 
 }  // namespace study::storage

@@ -466,6 +466,7 @@ TEST_F(ErasureTest, IsRefusedWithAReason) {
   refused({.participant = "P009", .reason = "a reason"});
   refused({.participant = "P001"});
   refused({.participant = "P001", .reason = "Beeblebrox wants it"});
+  refused({.participant = "P001", .reason = "asked for by BEEBLEBROX, on the telephone"});
   {
     auto simulated = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Simulated});
     refused({.participant = simulated.participant(), .reason = "a reason"});
