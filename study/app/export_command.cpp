@@ -10,6 +10,7 @@
 #include "study/export/export.h"
 #include "study/export/named_people.h"
 #include "study/export/public_tables.h"
+#include "study/session/unblinding.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -40,7 +41,11 @@ const std::map<std::string, ExportFormat> kFormats{
 
 /// Prints a summary of an export.
 void printExport(
-    Study& study, const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
+    Study& study,
+    const ExportArguments& options,
+    const ExportOptions& how,
+    const WrittenExport& written) {
+  const auto sessions = written.sessions;
   const std::string what = std::string(nameOf(*how.runMode)) + " session";
   fmt::print(
       "Export saved: {} ({}, {}).\n",
@@ -51,6 +56,7 @@ void printExport(
   if (sessions > 0 && how.runMode == RunMode::Simulated) {
     fmt::print("Nobody took part: these answers say nothing about any method.\n");
   }
+  if (!written.isNoted) fmt::print("{}\n", kCopyNotNoted);
 }
 
 RunMode runModeIn(const ExportArguments& options) {
@@ -77,8 +83,7 @@ int exportAs(const ExportArguments& options) {
     fmt::print("{}", identifiabilityInWords(study, how));
   }
   if (options.forPublic) fmt::print("{}", describe(publicRelease(study, how)));
-  const auto sessions = exportStudy(study, options.out, how, options.reason);
-  printExport(study, options, how, sessions);
+  printExport(study, options, how, exportStudy(study, options.out, how, options.reason));
   return 0;
 }
 

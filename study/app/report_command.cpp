@@ -68,12 +68,15 @@ int report(const ReportArguments& options) {
   }
   std::vector<std::pair<Study, RunMode>> studies;
   std::vector<report::ReportSection> sections;
+  bool isNoted = true;
   for (const auto& folder : options.folders) {
     auto study = Study::open(folder, accessForUnblinding(options.reason));
     askForKeyIfLocked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     recordUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
-    if (!options.figures.empty()) recordReportPath(study, mode, "figures", options.figures);
+    if (!options.figures.empty()) {
+      isNoted = recordReportPath(study, mode, "figures", options.figures) && isNoted;
+    }
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
     sections.back().hasQuotes = options.hasQuotes;
     sections.back().wording = wordingNamed(options.wording);
@@ -81,9 +84,12 @@ int report(const ReportArguments& options) {
   }
   const auto paper = options.paper == "letter" ? report::Paper::Letter : report::Paper::A4;
   const auto page = reportFileContent(options.out, sections, paper);
-  for (auto& [study, mode] : studies) recordReportPath(study, mode, "report", options.out, page);
+  for (auto& [study, mode] : studies) {
+    isNoted = recordReportPath(study, mode, "report", options.out, page) && isNoted;
+  }
   writeNewFile(options.out, page);
   fmt::print("Report saved: {}\n", options.out);
+  if (!isNoted) fmt::print("{}\n", kCopyNotNoted);
   if (!options.figures.empty()) writeFigureFolder(sections, options.figures, formatOf(options));
   return 0;
 }

@@ -54,14 +54,18 @@ inline constexpr std::size_t kSmallestPublicClass = 5;
 /// Codes of conditions are the same in all rows of a run mode, but differ between exports.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
+struct WrittenExport {
+  std::size_t sessions = 0;
+  bool isNoted = true;  ///< false if the study cannot be written (kCopyNotNoted)
+};
+
 /// Writes the tables, a codebook and a README to a new folder, which appears when it is complete;
 /// if anything fails, there is no folder. Notes the export in the audit trail and signs the trail.
-/// Not noted are blinded exports of simulated sessions, or of a study that cannot be written. An
-/// unblinded export requires a @p reason, which is noted, too.
-/// @return  the number of exported sessions.
+/// Blinded exports of simulated sessions are not noted. An unblinded export requires a @p reason,
+/// which is noted, too.
 /// @throws storage::StorageError  if the folder exists already or cannot be written, or if the
 ///     study has too few people for a public export.
-std::size_t exportStudy(
+WrittenExport exportStudy(
     Study& study,
     const std::string& folder,
     const ExportOptions& options,

@@ -11,6 +11,7 @@
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"
 #include "study/session/backup.h"
+#include "study/session/unblinding.h"
 
 namespace study {
 namespace {
@@ -122,31 +123,30 @@ void drawCodes(Study& study, ExportOptions& options) {
 }
 
 /// Notes in the audit trail in which folder a copy of the data is, except for simulated sessions.
-void noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
-  if (!study.isWritable() || options.runMode == RunMode::Simulated) return;
+/// @return  false if the study cannot be written
+bool noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
+  if (options.runMode == RunMode::Simulated) return true;
   const std::string how = options.publicClass ? "public"
                           : options.isBlinded ? "coded"
                                               : "unblinded";
-  try {
-    storage::Event exported{
-        .actor = storage::Actor::Operator,
-        .kind = EventKind::Exported,
-        .values = {
-            {"how", how},
-            {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
-            {"folder", pathForAuditTrail(target)}}};
-    if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
-    study.note(exported);
-  } catch (const storage::StorageError&) {
-    // a full disk must not prevent other exports, which may rescue the data
-    if (isNoteRequired(options)) throw;
-  }
+  storage::Event exported{
+      .actor = storage::Actor::Operator,
+      .kind = EventKind::Exported,
+      .values = {
+          {"how", how},
+          {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
+          {"folder", pathForAuditTrail(target)}}};
+  if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
+  if (!isNoteRequired(options)) return noteCopy(study, exported);
+  study.note(exported);
+  return true;
 }
 
 /// Notes the export in the audit trail, before anything is written.
-void noteExport(
+/// @return  false if the study cannot be written
+bool noteExport(
     Study& study, const fs::path& target, const ExportOptions& options, const std::string& reason) {
-  noteFolder(study, target, options);
+  const bool isNoted = noteFolder(study, target, options);
   if (options.publicClass) {
     const auto release = publicRelease(study, options);
     study.note(
@@ -159,6 +159,7 @@ void noteExport(
              {"run_mode", std::string(nameOf(options.runMode.value_or(RunMode::Live)))}}});
   }
   if (!options.isBlinded) study.note(EventKind::UnblindedExport, reason);
+  return isNoted;
 }
 
 }  // namespace
@@ -188,7 +189,7 @@ Study openForExport(const fs::path& folder, const ExportOptions& options) {
   }
 }
 
-std::size_t exportStudy(
+WrittenExport exportStudy(
     Study& study,
     const std::string& folder,
     const ExportOptions& asked,
@@ -206,13 +207,13 @@ std::size_t exportStudy(
   drawCodes(study, options);
   if (options.publicClass) requireSafeFromDifferencing(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
-  noteExport(study, target, options, reason);
+  const bool isNoted = noteExport(study, target, options, reason);
   const fs::path unfinished = makeFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
     tell(options.progress, 1.0, "giving the folder its name");
     moveIntoPlace(unfinished, target);
-    return sessions;
+    return {.sessions = sessions, .isNoted = isNoted};
   } catch (...) {
     fs::remove_all(unfinished, error);
     throw;

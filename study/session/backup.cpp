@@ -7,6 +7,7 @@
 
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
+#include "study/session/unblinding.h"
 #include "study/storage/evidence/head_check.h"
 #include "study/storage/lease.h"
 #include "study/storage/statement.h"
@@ -163,16 +164,18 @@ void clearLeases(const fs::path& copy) {
 }
 
 /// Notes the backup in the study's audit trail before copying, so that the copy has this event,
-/// too. A study that cannot be written is copied without the event.
-void noteBackup(const fs::path& from, const fs::path& target) {
+/// too. A study that cannot be written is copied without the event. @return  whether it is noted
+bool noteBackup(const fs::path& from, const fs::path& target) {
   try {
     auto study = Study::open(from);
-    study.note(
+    return noteCopy(
+        study,
         {.actor = storage::Actor::Operator,
          .kind = EventKind::MadeBackup,
          .values = {{"folder", pathForAuditTrail(target)}}});
-  } catch (const StorageError&) {
-    return;
+  } catch (const StorageError& error) {
+    if (error.kind() == StorageError::Kind::Busy) throw;
+    return false;
   }
 }
 
@@ -206,12 +209,14 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
   }
   refuseUnlessNew(from, target);
   const auto unfinished = makeFolderBeside(target);
-  noteBackup(from, target);
   try {
+    const bool isNoted = noteBackup(from, target);
     // The copy holds names of people. Only its owner may read it, even if an older release made the
     // study's folder readable for everyone.
     fs::permissions(unfinished, fs::perms::owner_all);
-    return copyInto(from, unfinished, target, progress);
+    auto backup = copyInto(from, unfinished, target, progress);
+    backup.isNoted = isNoted;
+    return backup;
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
     fs::remove_all(unfinished, ignored);

@@ -25,6 +25,7 @@ inline std::string pathForAuditTrail(const std::filesystem::path& folder) {
 struct Backup {
   std::uintmax_t bytes = 0;   ///< of all its files
   Verification verification;  ///< of the copy; a problem of the copy is a problem of the study, too
+  bool isNoted = true;        ///< false if the study cannot be written (kCopyNotNoted)
 };
 
 /// Copies a study's folder to @p destination, which must not exist yet, and verifies the whole

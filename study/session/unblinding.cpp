@@ -5,20 +5,19 @@
 
 namespace study {
 
-namespace {
-
-/// Appends an event, unless the study cannot be written: a full disk must not prevent the user from
-/// writing a report, an export or a copy.
-void noteIfPossible(Study& study, const storage::Event& event) {
+bool noteCopy(Study& study, const storage::Event& event) {
   try {
-    if (study.isWritable()) return study.note(event);
-    Study::open(study.folder(), study.clock()).note(event);
-  } catch (const storage::StorageError&) {
-    return;
+    if (study.isWritable()) {
+      study.note(event);
+    } else {
+      Study::open(study.folder(), study.clock()).note(event);
+    }
+    return true;
+  } catch (const storage::StorageError& error) {
+    if (error.kind() == storage::StorageError::Kind::Busy) throw;
+    return false;
   }
 }
-
-}  // namespace
 
 void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode == RunMode::Simulated) return;
@@ -33,13 +32,13 @@ void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::str
   study.note(kind, reason);
 }
 
-void recordReportPath(
+bool recordReportPath(
     Study& study,
     RunMode mode,
     const std::string& how,
     const std::filesystem::path& path,
     std::string_view content) {
-  if (mode == RunMode::Simulated) return;
+  if (mode == RunMode::Simulated) return true;
   storage::Event event{
       .actor = storage::Actor::Operator,
       .kind = EventKind::Exported,
@@ -48,11 +47,11 @@ void recordReportPath(
           {"run_mode", std::string(nameOf(mode))},
           {"folder", pathForAuditTrail(path)}}};
   if (!content.empty()) event.values.emplace_back("fingerprint", fingerprintOf(study, content));
-  noteIfPossible(study, event);
+  return noteCopy(study, event);
 }
 
-void recordConsentCopy(Study& study, const std::string& participant) {
-  noteIfPossible(
+bool recordConsentCopy(Study& study, const std::string& participant) {
+  return noteCopy(
       study,
       {.actor = storage::Actor::Operator,
        .kind = EventKind::CopiedConsent,

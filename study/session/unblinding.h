@@ -7,6 +7,7 @@
 #include "study/model/run_mode.h"
 #include "study/session/study.h"
 #include "study/storage/database.h"
+#include "study/storage/event_log.h"
 
 namespace study {
 
@@ -18,13 +19,25 @@ namespace study {
 ///     reason.
 void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
 
+/// Notes a copy of the data in the audit trail, so that knownCopies() lists it for an erasure.
+/// @return  false if the study cannot be written (a full disk, an archive), which must not prevent
+///     a copy that may rescue the data: the caller says kCopyNotNoted
+/// @throws storage::StorageError  (Busy) if another program writes to the study for too long.
+bool noteCopy(Study& study, const storage::Event& event);
+
+/// What is said of a copy that could not be noted.
+inline constexpr std::string_view kCopyNotNoted =
+    "The study cannot be written, so that this copy is not in its list of copies: an erasure will "
+    "not name it. Write down where it is.";
+
 /// Notes in the audit trail where a report or its figures will be written. They contain answers and
 /// texts of participants, so knownCopies() lists them for an erasure. Nothing is noted for
-/// simulated sessions, or if the study cannot be written.
+/// simulated sessions.
 /// @param how  "report" or "figures"
 /// @param content  of the file, for its fingerprint: an erasure deletes a file only if it has this
 ///     content; empty: @p path is a folder
-void recordReportPath(
+/// @return  as noteCopy()
+bool recordReportPath(
     Study& study,
     RunMode mode,
     const std::string& how,
@@ -34,7 +47,8 @@ void recordReportPath(
 /// Notes in the audit trail that a copy of a participant's consent form will be written, so that
 /// copiesLeft() lists it for their erasure. Where it is written is not noted: the name of a file
 /// may name a person, and the trail is never deleted.
-void recordConsentCopy(Study& study, const std::string& participant);
+/// @return  as noteCopy()
+bool recordConsentCopy(Study& study, const std::string& participant);
 
 /// A hash of a file that the program writes; keyed with the study's key if conditions are sealed.
 /// With an unkeyed hash, readers of the audit trail could compute the report for each possible

@@ -9,6 +9,7 @@
 #include "study/app/evidence/time_stamps.h"
 #include "study/app/json_file.h"
 #include "study/session/backup.h"
+#include "study/session/unblinding.h"
 #include "study/session/verification.h"
 #include "study/storage/evidence/witness_file.h"
 #include "study/words/counted.h"
@@ -56,6 +57,7 @@ int backup(const EvidenceArguments& options) {
       options.out,
       options.folder,
       1e-6 * static_cast<double>(copy.bytes));
+  if (!copy.isNoted) fmt::print("{}\n", kCopyNotNoted);
   if (copy.verification.isSound()) {
     fmt::print("It was read again to the last byte: everything is what was written.\n");
     printHead(copy.verification);

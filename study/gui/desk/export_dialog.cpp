@@ -7,6 +7,7 @@
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/session/unblinding.h"
 
 namespace study::gui {
 namespace {
@@ -138,7 +139,7 @@ void ExportDialog::work() {
   auto how = options();
   const std::string target = target_->path().toStdString();
   const std::string reason = reason_->text().trimmed().toStdString();
-  std::size_t sessions = 0;
+  WrittenExport written;
   std::string what;
   const std::string earlier =
       form().isRowVisible(earlier_) ? earlier_->path().toStdString() : std::string();
@@ -146,19 +147,21 @@ void ExportDialog::work() {
     if (!earlier.empty()) how.codes = codeSetOf(earlier);
     auto study = openForExport(folder_, how);
     how.progress = progress;
-    sessions = exportStudy(study, target, how, reason);
+    written = exportStudy(study, target, how, reason);
     what = how.publicClass ? "for the public" : blindingInWords(study, how);
   };
   const bool isDone =
       BackgroundTask::run(this, tr("Exporting"), MessageTopic::DataNotExported, write);
   if (!isDone) return;
   const QString path = target_->path();
-  const QString line =
+  const auto sessions = written.sessions;
+  QString line =
       tr("Data saved: %1 (%2, %3)")
           .arg(
               path,
               QString::fromStdString(said(sessions == 1 ? "{} session" : "{} sessions", sessions)),
               deskText(what));
+  if (!written.isNoted) line += QLatin1Char('\n') + deskText(kCopyNotNoted);
   if (sessions == 0) return showOutcome(Outcome::Warning, line);
   rememberDocument(QString::fromStdString(folder_), path);
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));

@@ -29,7 +29,7 @@ void requireWritable(const std::string& out) {
 
 }  // namespace
 
-void write(const ReportRequest& order, const Progress& progress) {
+bool write(const ReportRequest& order, const Progress& progress) {
   constexpr double kStep = 0.25;  // one of four steps
   requireWritable(order.out);
   auto study = Study::open(order.folder, accessForUnblinding(order.reason));
@@ -44,7 +44,8 @@ void write(const ReportRequest& order, const Progress& progress) {
         "sessions.");
   }
   recordUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
-  if (!order.figures.empty()) recordReportPath(study, order.mode, "figures", order.figures);
+  const bool areFiguresNoted =
+      order.figures.empty() || recordReportPath(study, order.mode, "figures", order.figures);
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
@@ -58,11 +59,13 @@ void write(const ReportRequest& order, const Progress& progress) {
   const auto page =
       isPdf ? report::asPdf(html, sections.front().protocol.study.title, order.paper) : html;
   tell(progress, 3 * kStep, "writing it");
-  recordReportPath(study, order.mode, "report", order.out, page);
+  const bool isNoted = recordReportPath(study, order.mode, "report", order.out, page);
   writeNewFile(order.out, page);
-  if (order.figures.empty()) return;
-  std::filesystem::create_directories(order.figures);
-  report::writeFigures(sections.front(), order.figures, order.format);
+  if (!order.figures.empty()) {
+    std::filesystem::create_directories(order.figures);
+    report::writeFigures(sections.front(), order.figures, order.format);
+  }
+  return areFiguresNoted && isNoted;
 }
 
 }  // namespace study::gui

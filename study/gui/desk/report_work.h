@@ -25,7 +25,8 @@ struct ReportRequest {
 };
 
 /// Writes the report as `palpate report` does. Can be called from any thread.
+/// @return  as study::noteCopy()
 /// @throws storage::StorageError, UserError  with a message for the user.
-void write(const ReportRequest& order, const Progress& progress);
+bool write(const ReportRequest& order, const Progress& progress);
 
 }  // namespace study::gui

@@ -15,6 +15,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/message_box.h"
 #include "study/session/backup.h"
+#include "study/session/unblinding.h"
 #include "study/words/words.h"
 
 namespace study::gui {
@@ -109,7 +110,8 @@ void BackupDialog::work() {
       });
   if (!isDone) return clear();
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
-  const QString checks = describe(backup.verification);
+  QString checks = describe(backup.verification);
+  if (!backup.isNoted) checks += QLatin1Char('\n') + deskText(kCopyNotNoted);
   if (backup.verification.isSound()) {
     const QString path = target_->path();
     showWrittenFile(
@@ -280,11 +282,12 @@ void ReportDialog::work() {
                      : std::string(),
       .format = {.width = width_->value(), .font = font_->value()},
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
+  bool isNoted = true;
   const bool isDone = BackgroundTask::run(
       this,
       tr("Writing the report"),
       MessageTopic::ReportNotWritten,
-      [&](const Progress& progress) { write(order, progress); });
+      [&](const Progress& progress) { isNoted = write(order, progress); });
   form().setRowVisible(writtenFigures_, isDone && !order.figures.empty());
   writtenFigures_->show(QString::fromStdString(order.figures));
   if (!isDone) return clear();
@@ -295,7 +298,8 @@ void ReportDialog::work() {
   showWrittenFile(
       path,
       figures.isEmpty() ? tr("Report saved: %1").arg(path)
-                        : tr("Report saved: %1; figures: %2").arg(path, figures));
+                        : tr("Report saved: %1; figures: %2").arg(path, figures),
+      isNoted ? QString() : deskText(kCopyNotNoted));
   const auto extension = QLatin1Char('.') + QFileInfo(path).suffix();
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), extension));
 }

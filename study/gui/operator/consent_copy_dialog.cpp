@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
@@ -15,14 +16,15 @@
 
 namespace study::gui {
 
-void writeConsentCopy(Study& study, const std::string& participant, const std::string& path) {
+bool writeConsentCopy(Study& study, const std::string& participant, const std::string& path) {
   const auto html = report::consentCopy(study, participant, [](const std::string& text) {
     return report::asHtml(QString::fromStdString(text)).toStdString();
   });
-  recordConsentCopy(study, participant);
+  const bool isNoted = recordConsentCopy(study, participant);
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
   const auto& title = study.protocol().protocol.study.title;
   writeNewFile(path, isPdf ? report::asPdf(html, title) : html);
+  return isNoted;
 }
 
 void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent) {
@@ -35,9 +37,11 @@ void saveConsentCopy(Study& study, const std::string& participant, QWidget* pare
       QFileDialog::DontConfirmOverwrite);  // existing files are never overwritten
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
-  const auto write = [&] { writeConsentCopy(study, participant, path.toStdString()); };
-  if (attempt(parent, MessageTopic::ConsentCopyNotSaved, write))
-    showWrittenFileMessage(parent, path);
+  bool isNoted = true;
+  const auto write = [&] { isNoted = writeConsentCopy(study, participant, path.toStdString()); };
+  if (attempt(parent, MessageTopic::ConsentCopyNotSaved, write)) {
+    showWrittenFileMessage(parent, path, isNoted ? QString() : deskText(kCopyNotNoted));
+  }
 }
 
 }  // namespace study::gui

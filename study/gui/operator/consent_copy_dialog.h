@@ -14,7 +14,8 @@ namespace study::gui {
 void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent);
 
 /// Writes the copy to @p path without asking: PDF if the name ends in .pdf, HTML otherwise.
+/// @return  as noteCopy()
 /// @throws UserError, storage::StorageError  with a message for the operator.
-void writeConsentCopy(Study& study, const std::string& participant, const std::string& path);
+bool writeConsentCopy(Study& study, const std::string& participant, const std::string& path);
 
 }  // namespace study::gui

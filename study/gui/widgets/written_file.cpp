@@ -20,8 +20,8 @@ void openOnDesktop(const QString& path) {
   QDesktopServices::openUrl(QUrl::fromLocalFile(path));
 }
 
-void showWrittenFileMessage(QWidget* parent, const QString& path) {
-  auto* box = new MessageBox(MessageTopic::FileSaved, {shownPath(path)}, {}, parent);
+void showWrittenFileMessage(QWidget* parent, const QString& path, const QString& more) {
+  auto* box = new MessageBox(MessageTopic::FileSaved, {shownPath(path)}, more, parent);
   box->setAttribute(Qt::WA_DeleteOnClose);
   auto* written = new WrittenFile(box);
   written->show(path);

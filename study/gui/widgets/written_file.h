@@ -12,8 +12,8 @@ QString shownPath(const QString& path);
 void openOnDesktop(const QString& path);
 
 /// Shows a message that @p path was written, with buttons that open it or its folder. Returns at
-/// once.
-void showWrittenFileMessage(QWidget* parent, const QString& path);
+/// once. @param more  shown below it
+void showWrittenFileMessage(QWidget* parent, const QString& path, const QString& more = {});
 
 /// Two buttons for something that was written: *Open*, and *Show in folder*.
 class WrittenFile final : public QWidget {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/session/unblinding.h"
 #include "study/session/verification.h"
 #include "tests/study/app/simulation.h"
 #include "tests/study/made_study.h"
@@ -258,6 +259,21 @@ TEST_F(NoSpaceForAnEventTest, IsNotUnblindedWhereTheEventHasNoRoomAndSaysWhatToD
     EXPECT_EQ(eventsAfterwards(unblinding.event), 0) << unblinding.event;
     EXPECT_FALSE(fs::exists(unblinding.out)) << unblinding.out;
   }
+}
+
+TEST_F(NoSpaceForAnEventTest, IsExportedBlindedAndSaysIfThisIsNotNoted) {
+  const std::string out = study_.scratch() / "out";
+  const Unblinding blinded{
+      {"export", disk_ + "/study", "--run-mode", "live", "--out", out}, "exported", out};
+  const auto noted = tried("", blinded);
+  EXPECT_EQ(noted.status, 0) << noted.error;
+  EXPECT_EQ(noted.out.find(kCopyNotNoted), std::string::npos) << noted.out;
+  EXPECT_EQ(eventsAfterwards("exported"), 1);
+  const auto unnoted = tried("rm '" + disk_ + "/study/ballast';", blinded);
+  EXPECT_EQ(unnoted.status, 0) << unnoted.error;
+  EXPECT_NE(unnoted.out.find(kCopyNotNoted), std::string::npos) << unnoted.out;
+  EXPECT_EQ(eventsAfterwards("exported"), 0);
+  EXPECT_TRUE(fs::exists(out));
 }
 
 /// Other file systems cannot be mounted here: a list of mounts is put before the kernel's.
