@@ -208,6 +208,28 @@ constexpr double kPainlessForce = 140.0;
 
 constexpr double kTick = 0.001;  // period of the force loop [s]
 
+void validateTorque(
+    const DeviceRequirement& device, const std::string& path, questionnaires::Problems& problems) {
+  const double most = device.kind->simulatedMaxTorque;
+  if (most == 0.0) return;  // the limits have no effect
+  if (device.maxTorque > most) {
+    problems.add(
+        path + "max_torque_nm",
+        "a " + std::string(device.kind->name) + " gives " + shown(most) +
+            " N·m (docs/devices.md), and this is " + shown(device.maxTorque) +
+            " N·m: what is asked for beyond is not felt",
+        "write " + shown(most) + " or less");
+  }
+  const double steepest = device.maxTorque / kTick;
+  if (device.maxTorqueRate > steepest) {
+    problems.add(
+        path + "max_torque_rate_nm_per_s",
+        "a device is sent a torque every 1 ms, and at " + shown(device.maxTorqueRate) +
+            " N·m/s the largest one comes at once, as a blow",
+        "write less than " + shown(steepest) + "; 50 is usual for 5 N·m");
+  }
+}
+
 }  // namespace
 
 void validateLimits(const Protocol& protocol, questionnaires::Problems& problems) {
@@ -240,6 +262,7 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
           "write " + shown(device.kind->simulatedMaxForce) +
               " or less; scenes of bone can be scaled ('force_scale'), recorded cuts cannot");
     }
+    validateTorque(device, path, problems);
   }
 }
 

@@ -53,6 +53,26 @@ TEST(Limits, BeyondTheKindOfDeviceAreErrorsWithTheSourceOfTheBound) {
   EXPECT_TRUE(has(said, "a punch gives 8 N (docs/devices.md, 'Saturation')")) << said;
 }
 
+TEST(Limits, OfTheTorqueOfAReamerAreThoseOfTheDevice) {
+  const auto verdictOf = [](const std::string& torque, const std::string& rate) {
+    auto text = tests::usualProtocol();
+    text = tests::with(text, R"("kind": "punch")", R"("kind": "reamer")");
+    text = tests::with(
+        text,
+        "\"max_force_n\": 8",
+        "\"max_torque_nm\": " + torque + ", \"max_torque_rate_nm_per_s\": " + rate +
+            ", \"max_force_n\": 8");
+    const tests::ScratchFolder folder;
+    questionnaires::Problems problems;
+    loadProtocolFile(folder.write("protocol.json", text), problems);
+    return questionnaires::describe(problems.all());
+  };
+  EXPECT_FALSE(has(verdictOf("10", "10000"), "max_torque")) << verdictOf("10", "10000");
+  EXPECT_TRUE(has(verdictOf("10.1", "50"), "a reamer gives 10 N·m"));
+  EXPECT_TRUE(has(verdictOf("5", "5001"), "max_torque_rate_nm_per_s"));
+  EXPECT_TRUE(has(verdictOf("5", "5001"), "as a blow"));
+}
+
 TEST(Limits, OfAStudyThatExistsStayAsTheyAre) {
   const auto text =
       tests::with(tests::usualProtocol(), "\"max_force_n\": 8", "\"max_force_n\": 1000");
