@@ -27,14 +27,6 @@ const storage::BlindingSecret& requireKey(Study& study) {
   return *key;
 }
 
-void requireLong(const std::string& passphrase) {
-  if (passphrase.size() < kShortestPassphrase) {
-    throw UserError(
-        "A passphrase has at least 12 characters: a few words that nobody guesses, and that are "
-        "written down at a safe place.");
-  }
-}
-
 /// Tampered names must not be sealed, because verification would then accept them.
 /// @throws storage::StorageError  (Damaged)
 void requireSoundNames(Study& study) {
@@ -70,6 +62,14 @@ bool wasEverExported(Study& study) {
 
 }  // namespace
 
+void requireLongPassphrase(const std::string& passphrase) {
+  if (passphrase.size() < kShortestPassphrase) {
+    throw UserError(
+        "A passphrase has at least 12 characters: a few words that nobody guesses, and that are "
+        "written down at a safe place.");
+  }
+}
+
 void exportKey(Study& study, const std::string& file, const std::string& reason) {
   requireReason(reason);
   const auto& key = requireKey(study);
@@ -98,7 +98,7 @@ void setPassphrase(
     const std::string& reason,
     const storage::PassphraseCost& cost) {
   requireReason(reason);
-  requireLong(passphrase);
+  requireLongPassphrase(passphrase);
   const auto wrapped = storage::WrappedKey::make(requireKey(study).bytes(), passphrase, cost);
   study.transact([&] {
     storage::storeWrapped(study.database(), wrapped);
@@ -117,7 +117,7 @@ void setPassphraseOfNames(
     const std::string& reason,
     const storage::PassphraseCost& cost) {
   requireReason(reason);
-  requireLong(passphrase);
+  requireLongPassphrase(passphrase);
   auto& identities = study.identities();
   auto& database = identities.database();
   if (identities.isLocked()) throw UserError("The passphrase for the names was not given.");

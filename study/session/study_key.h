@@ -20,6 +20,9 @@ void importKey(Study& study, const std::string& file);
 /// Adds the key that unlock() has opened with a passphrase to this station's list.
 void storeOpenedKey(Study& study);
 
+/// @throws UserError  if the passphrase is shorter than 12 characters
+void requireLongPassphrase(const std::string& passphrase);
+
 /// Sets the passphrase that opens the study's key, in this study and in later copies of it. Older
 /// copies keep their passphrase.
 /// @throws UserError  without a reason, or if the passphrase is shorter than 12 characters

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "study/model/user_error.h"
+#include "study/session/study_key.h"
 
 namespace study::app {
 namespace {
@@ -72,6 +73,7 @@ std::string askPassphrase(const std::string& question) {
 
 std::string askNewPassphrase(const std::string& question) {
   auto typed = askPassphrase(question);
+  requireLongPassphrase(typed);
   if (askPassphrase("The same again") != typed) {
     throw UserError("The second was another one. Nothing was changed.");
   }
