@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/data/ranks.h"
 #include "analysis/numerics/distributions.h"
@@ -94,15 +95,18 @@ std::optional<double> friedmanPermutationP(std::span<const Block> doubledRanks) 
   if (!grid) return std::nullopt;
 
   const std::size_t mostMoves = kMostMoves / grid->cells / doubledRanks.size();
-  std::vector<Int128> ways(grid->cells, 0);
-  ways[0] = 1;
+  std::vector<std::vector<std::size_t>> movesOfBlocks;
   Int128 all = 1;
   for (const auto& block : doubledRanks) {
-    const auto moves = movesOf(block, *grid, mostMoves);
+    auto moves = movesOf(block, *grid, mostMoves);
     if (!moves || all > kMostPermutations / static_cast<Int128>(moves->size())) return std::nullopt;
     all *= static_cast<Int128>(moves->size());
-    ways = moved(ways, *moves);
+    movesOfBlocks.push_back(std::move(*moves));
   }
+  // Allocated last: for a p that is not computed the grid could need a gigabyte.
+  std::vector<Int128> ways(grid->cells, 0);
+  ways[0] = 1;
+  for (const auto& moves : movesOfBlocks) ways = moved(ways, moves);
 
   const auto count = static_cast<Int128>(doubledRanks.size());
   const Int128 observed = inequality(cellOf(doubledRanks, *grid), *grid, count);

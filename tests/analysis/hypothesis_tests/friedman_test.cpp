@@ -1,5 +1,7 @@
 #include "analysis/hypothesis_tests/friedman.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -118,6 +120,20 @@ TEST(FriedmanTest, HasAnExactPForTheDocumentedNumberOfBlocks) {
     const double smallest = smallestFriedmanP(blocks, static_cast<int>(order.size())).p;
     EXPECT_NEAR(friedmanTest(Blocks(blocks, order)).exactP.value() / smallest, 1.0, 1e-13);
   }
+}
+
+/// The most memory that this program has used so far [kB].
+long peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(FriedmanTest, TakesLittleMemoryForAPThatItDoesNotCompute) {
+  const long before = peakMemory();
+  // 64 participants and four conditions: a grid of 57 million counts, 16 bytes each.
+  EXPECT_FALSE(friedmanTest(Blocks(64, {1, 2, 3, 4})).exactP.has_value());
+  EXPECT_LT(peakMemory() - before, 100'000);
 }
 
 TEST(FriedmanTest, IsUndefinedIfAllAreTied) {
