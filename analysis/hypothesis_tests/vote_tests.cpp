@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "analysis/data/ranks.h"
 #include "analysis/hypothesis_tests/friedman.h"
 #include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/tail_probabilities.h"
@@ -136,12 +137,14 @@ CochranSums sumsOf(std::span<const std::vector<bool>> answers) {
   return sums;
 }
 
-std::vector<std::vector<double>> asNumbers(std::span<const std::vector<bool>> answers) {
-  std::vector<std::vector<double>> blocks;
+/// Doubled midranks of the answers of each person who does not give the same answer to all options.
+std::vector<std::vector<std::uint64_t>> doubledRanksOf(std::span<const std::vector<bool>> answers) {
+  std::vector<std::vector<std::uint64_t>> blocks;
   for (const auto& person : answers) {
     std::vector<double> block;
     for (const bool yes : person) block.push_back(yes ? 1.0 : 0.0);
-    if (block != std::vector<double>(block.size(), block.front())) blocks.push_back(block);
+    if (block == std::vector<double>(block.size(), block.front())) continue;
+    blocks.push_back(midranksOf(block).doubled);
   }
   return blocks;
 }
@@ -198,7 +201,7 @@ CochranResult cochranQTest(std::span<const std::vector<bool>> answers) {
   result.degreesOfFreedom = static_cast<double>(k - 1);
   result.p = chiSquaredP(*result.q, *result.degreesOfFreedom);
   result.log10P = log10ChiSquaredP(*result.q, *result.degreesOfFreedom);
-  result.exactP = friedmanTest(asNumbers(answers)).exactP;
+  result.exactP = friedmanPermutationP(doubledRanksOf(answers));
   if (!result.exactP) result.reason = reason("too_many_answers");
   return result;
 }

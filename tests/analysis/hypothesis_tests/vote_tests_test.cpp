@@ -197,6 +197,17 @@ double slowFisher(const Counts& top, const Counts& bottom) {
   return rare / all;
 }
 
+TEST(CochranQTest, TakesAnyNumberOfOptions) {
+  std::vector<std::vector<bool>> answers(3, std::vector<bool>(51, false));
+  for (std::size_t person = 0; person < 3; ++person) answers[person][person] = true;
+  const auto result = cochranQTest(answers);
+  // Three of 51 options get one yes each: Q = 50 (51 · 3 − 9) / (51 · 3 − 3).
+  EXPECT_DOUBLE_EQ(result.q.value(), 48.0);
+  EXPECT_EQ(result.degreesOfFreedom, 50.0);
+  EXPECT_FALSE(result.exactP.has_value());
+  EXPECT_EQ(result.reason.key(), "too_many_answers");
+}
+
 TEST(FisherExactTest, HasThePublishedPOfTheTeaExperiment) {
   // Fisher 1935: 34/70; R: fisher.test(matrix(c(3, 1, 1, 3), 2))
   EXPECT_DOUBLE_EQ(fisherExactTest(Table{{3, 1}, {1, 3}}).p.value(), 34.0 / 70.0);
