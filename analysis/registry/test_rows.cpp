@@ -137,6 +137,7 @@ TestRow rowOf(const SignedRankResult& result, const HodgesLehmannResult& locatio
   auto row = rowWithP(result);
   row.n1 = result.n;
   row.estimate = {"location", location.estimate};
+  if (row.reason.empty()) row.reason = location.reason;
   row.statistic = {"V", result.v};
   row.effect = {"rank_biserial", result.rankBiserial};
   row.more = {

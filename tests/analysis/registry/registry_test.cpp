@@ -106,6 +106,17 @@ TEST(StatisticalTests, GiveAReasonIfTheyAreUndefined) {
   }
 }
 
+TEST(StatisticalTests, GiveAReasonForAMissingLocationBesideAnExactP) {
+  std::string csv = "x,y\n1,2\n";
+  for (int i = 0; i < 4000; ++i) csv += "1,1\n";
+  const auto& test = analysis::statisticalTest("signed_rank");
+  const auto rows = computeTest(test, dataFor(test, csv), {});
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_TRUE(rows[0].p);
+  EXPECT_FALSE(rows[0].estimate.value);
+  EXPECT_EQ(rows[0].reason.key(), "too_many_averages");
+}
+
 TEST(StatisticalTests, RefuseDataOfAnotherKind) {
   const auto refused = [](const char* id, std::string_view csv) {
     const auto& test = analysis::statisticalTest(id);
