@@ -111,7 +111,7 @@ struct DeviceSample {
 enum class Lifecycle : std::uint8_t {
   Closed,
   Open,     ///< connected: the protocol and the identity of the device are as expected
-  Checked,  ///< open, and its check ran to the end; for the iiwa, also without a failure
+  Checked,  ///< open, and its check ran to the end without a failure
   Armed,    ///< accepts forces
   Running,  ///< armed, and forces have been commanded
   Faulted,  ///< renders no force until it is opened again

@@ -52,6 +52,14 @@ CheckResult roundTripFound(const LinkReport& link) {
           : "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."};
 }
 
+CheckResult leapsFound(std::uint64_t leaps) {
+  return {
+      leaps == 0 ? Finding::Pass : Finding::Warn,
+      "leaps of the position",
+      std::to_string(leaps),
+      leaps == 0 ? "" : "Check the encoder's cable."};
+}
+
 /// Describes the bits of State::faults.
 std::string describeFaults(std::uint8_t faults) {
   using namespace wire::punch;
@@ -120,6 +128,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
   found.push_back(rateFound(report, seconds, capabilities_.rate));
   found.push_back(frameLossFinding(report));
   found.push_back(roundTripFound(report));
+  found.push_back(leapsFound(report.leaps));
   const auto& plausibleTravel = settings_.kind->serial.plausibleTravel;
   const bool isWithin = least >= plausibleTravel.least && most <= plausibleTravel.most;
   found.push_back(

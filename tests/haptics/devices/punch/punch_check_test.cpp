@@ -1,5 +1,8 @@
 // Whether a punch can be opened, and what its check finds.
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -97,6 +100,20 @@ TEST_F(PunchCheckTest, RefusesALineThatIsInUse) {
   EXPECT_EQ(whyNot([&] { second.open(); }), "");
 }
 
+TEST_F(PunchCheckTest, LeavesTheLineExclusiveThatItMayNotUse) {
+  connect(atRest());
+  // Opened before, so that it can ask without the right to open an exclusive line.
+  const int observer = ::open(board_->port().c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK);
+  ASSERT_GE(observer, 0);
+  device_->open();
+  PunchDevice second(settings(board_->port()));
+  EXPECT_NE(whyNot([&] { second.open(); }), "");
+  int isExclusive = 0;
+  EXPECT_EQ(ioctl(observer, TIOCGEXCL, &isExclusive), 0);
+  EXPECT_EQ(isExclusive, 1);
+  ::close(observer);
+}
+
 TEST_F(PunchCheckTest, UsesLittleProcessorTimeWithoutTicks) {
   connect(atRest());
   device_->open();
@@ -177,6 +194,25 @@ TEST_F(PunchCheckTest, FailsItsCheckWhenFramesAreLost) {
   EXPECT_EQ(lost->finding, Finding::Fail);
   EXPECT_EQ(lost->measured, "20, 0, 0, 0");
   EXPECT_TRUE(says(lost->fix, "cable"));
+}
+
+TEST_F(PunchCheckTest, WarnsOfALeapOfThePosition) {
+  connect(atRest());
+  const CheckResult* leaps = nullptr;
+  std::vector<CheckResult> found;
+  const std::int64_t until = soon(kPatience);
+  while ((leaps == nullptr || leaps->finding != Finding::Warn) && timing::now() < until) {
+    const std::jthread spoil([&] {
+      timing::sleepUntil(soon(150 * kMillisecond));
+      board_->order("leap 100");
+    });
+    found = device_->check(0.4);
+    leaps = lineOf(found, "leaps of the position");
+  }
+  ASSERT_NE(leaps, nullptr);
+  EXPECT_EQ(leaps->finding, Finding::Warn);
+  EXPECT_EQ(leaps->measured, "1");
+  EXPECT_TRUE(says(leaps->fix, "cable"));
 }
 
 }  // namespace punch_check_test
