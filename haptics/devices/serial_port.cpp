@@ -104,7 +104,7 @@ void SerialPort::open(const std::string& path, int baud) {
     // flock.
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) throw DeviceError(whyNotOpened(path, EBUSY));
     makeRaw(descriptor, path, baud);
-    ioctl(descriptor, TIOCEXCL);
+    isExclusive_ = ioctl(descriptor, TIOCEXCL) == 0;
   } catch (...) {
     close();
     throw;
@@ -114,7 +114,8 @@ void SerialPort::open(const std::string& path, int baud) {
 
 void SerialPort::close() noexcept {
   if (descriptor_ < 0) return;
-  ioctl(descriptor_, TIOCNXCL);
+  // The flag is the terminal's: another program that has the port open may have set it.
+  if (std::exchange(isExclusive_, false)) ioctl(descriptor_, TIOCNXCL);
   ::close(descriptor_);
   descriptor_ = -1;
 }

@@ -44,6 +44,7 @@ class SerialPort {
 
  private:
   int descriptor_ = -1;
+  bool isExclusive_ = false;
 };
 
 /// Paths of the serial ports of this computer, by stable names (/dev/serial/by-id) where they
