@@ -227,10 +227,13 @@ void PunchDevice::handleState(const Frame& frame, std::int64_t at) noexcept {
 }
 
 /// Counts a change of travel within @p seconds that no hand can make. Messages are at least a
-/// period apart; times that are closer are imprecise.
+/// period apart; times that are closer are imprecise. A travel may be wrong by half a count, so
+/// that a hand that hardly moves changes it by a whole one.
 void PunchDevice::countLeap(double before, double seconds) noexcept {
   const double apart = std::max(seconds, 1.0 / capabilities_.rate);
-  if (std::abs(travel() - before) > settings_.kind->travel.fastest * apart) ++report_.leaps;
+  const double count = std::abs(settings_.travelPerCount);
+  const double largest = settings_.kind->travel.fastest * apart + 1.5 * count;
+  if (std::abs(travel() - before) > largest) ++report_.leaps;
 }
 
 /// The fault bits that end a trial. Shortly after arming none do: the Arm message may not have

@@ -72,6 +72,22 @@ TEST_F(PunchDeviceTest, AppliesItsCalibrationToTravel) {
       sample.travel, 3.0 - 0.01 * board_->ask([](const auto& e) { return e.counts(); }), 1e-9);
 }
 
+TEST_F(PunchDeviceTest, CountsNoLeapForASingleCountOfACoarseEncoder) {
+  connect(atRest());
+  auto coarse = settings(board_->port());
+  coarse.travelPerCount = 1.0;  // more than a hand moves in a period
+  device_ = std::make_unique<PunchDevice>(coarse);
+  openAndHold();
+  for (int i = 0; i < 5; ++i) {
+    board_->order("leap 1");
+    turn(0.0);
+  }
+  EXPECT_EQ(device_->link().leaps, 0U);
+  board_->order("leap 5");
+  turn(0.0);
+  EXPECT_GE(device_->link().leaps, 1U);
+}
+
 TEST_F(PunchDeviceTest, GivesTheForceThatIsCommanded) {
   connect(atRest());
   openAndHold();
