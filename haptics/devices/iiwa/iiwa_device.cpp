@@ -18,7 +18,7 @@ using timing::kMillisecond;
 constexpr std::int64_t kMostSilence = 50 * kMillisecond;
 constexpr std::int64_t kMissedCycles = 20;
 constexpr std::int64_t kFirstMessageTimeout = 2000 * kMillisecond;
-constexpr std::uint32_t kLongestAnswerPeriod = 20;  // longest accepted period of answers [ms]
+constexpr std::uint64_t kLongestAnswerPeriod = 20;  // longest accepted period of answers [ms]
 // Longest wait for COMMANDING_ACTIVE: as long as robot programs wait for a client.
 constexpr std::int64_t kCommandingTimeout = 10'000 * kMillisecond;
 
@@ -119,9 +119,10 @@ void IiwaDevice::awaitMessages() {
         lastMessage_.connection ? lastMessage_.connection->sendPeriod.value_or(5) : 5;
     const auto multiplier =
         lastMessage_.connection ? lastMessage_.connection->receiveMultiplier.value_or(1) : 1;
-    if (period * multiplier > kLongestAnswerPeriod) {
+    const auto between = std::uint64_t{period} * multiplier;
+    if (between > kLongestAnswerPeriod) {
       throw DeviceError(
-          name() + " wants an answer every " + std::to_string(period * multiplier) +
+          name() + " wants an answer every " + std::to_string(between) +
           " ms only: too slow to feel. Set the send period of its application to 1 to 5 ms.");
     }
     period_ = std::clamp<std::int64_t>(period, 1, 100) * kMillisecond;

@@ -340,6 +340,15 @@ TEST_F(IiwaMessagesTest, ReportsTheVelocityOfItsTool) {
   EXPECT_NEAR(sample.travel, displacementAlong(kDown, start, kinematics.tool(joints)), 1e-9);
 }
 
+TEST_F(IiwaMessagesTest, RefusesAPeriodOfAnswersBeyond32Bits) {
+  device_ = std::make_unique<IiwaDevice>(settings_);
+  message_.connection->sendPeriod = 5;
+  message_.connection->receiveMultiplier = 858'993'460;  // 4 ms modulo 2³²
+  EXPECT_TRUE(says(
+      whyNot([this] { during([this] { device_->open(); }); }),
+      "wants an answer every 4294967300 ms only: too slow to feel"));
+}
+
 TEST_F(IiwaMessagesTest, IsTheOnlySenderThatIsAccepted) {
   arm();
   DatagramSocket elsewhere(Endpoint{.address = endpointFrom("127.0.0.7")->address});
