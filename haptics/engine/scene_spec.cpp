@@ -281,8 +281,8 @@ std::vector<std::string> problemsOf(const SceneSpec& spec) {
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
   if (!spec.reamer.isSound()) {
     problems.push_back(
-        "the reamer needs a speed of at most 100 turns a second either way, a tooth and a feed per "
-        "tooth above 0");
+        "the reamer needs a speed of 0, or of 0.000001 to 100 turns a second either way, a tooth "
+        "and a feed per tooth above 0");
   }
   return problems;
 }

@@ -34,9 +34,11 @@ namespace haptics::engine {
 /// defaults.
 struct Reamer {
   static constexpr double kMostSpeed = 100.0;  ///< in either direction [1/s]
+  static constexpr double kLeastSpeed = 1e-6;  ///< of a reamer that turns [1/s]
 
   /// Revolutions per second, in [−100, 100]. Above 0 the teeth cut; below 0 the reamer turns
-  /// backwards, and the teeth only rub.
+  /// backwards, and the teeth only rub. If not 0, at least kLeastSpeed in size: the damping of a
+  /// slower cut would overflow.
   double speed = 5.0;
   int teeth = 4;                 ///< teeth that pass each point of the surface per revolution, >= 1
   double feedPerTooth = 0.1e-3;  ///< [m], > 0; may be infinite
@@ -69,7 +71,9 @@ struct Reamer {
   }
 
   constexpr bool isSound() const noexcept {
-    return speed >= -kMostSpeed && speed <= kMostSpeed && teeth >= 1 && feedPerTooth > 0.0;
+    const double fast = speed < 0.0 ? -speed : speed;
+    const bool isPossible = fast == 0.0 || (fast >= kLeastSpeed && fast <= kMostSpeed);
+    return isPossible && teeth >= 1 && feedPerTooth > 0.0;
   }
 };
 

@@ -10,6 +10,7 @@ export const unseen = [
   /^a reaming material is felt on a reamer, not on a punch$/,
   /^there is no kind of device '/,
   /^a knee is seen with a punch, not with a reamer$/,
+  /^the reamer needs a speed of 0, or of 0\.000001/,
   /^the finite elements need start < tool position < end/,
   /^the process noise \(Q\) is indefinite/,
   /there is nothing to weigh$/,

@@ -308,12 +308,19 @@ TEST(Reamer, IsRefusedWithoutTeethOrFeed) {
   EXPECT_TRUE(problemsOf(scene).empty());
   for (const Reamer& wrong :
        {Reamer{.speed = 101.0},
+        Reamer{.speed = 1e-306},
+        Reamer{.speed = -1e-306},
         Reamer{.speed = std::nan("")},
         Reamer{.teeth = 0},
         Reamer{.feedPerTooth = 0.0},
         Reamer{.feedPerTooth = std::nan("")}}) {
     scene.reamer = wrong;
     EXPECT_FALSE(problemsOf(scene).empty());
+  }
+  for (const double slow : {0.0, Reamer::kLeastSpeed, -Reamer::kLeastSpeed}) {
+    scene = {.model = PackingSpec{.bone = parametricBone()}, .reamer = {.speed = slow}};
+    EXPECT_TRUE(problemsOf(scene).empty()) << slow;
+    EXPECT_NO_THROW(CompiledScene{scene}) << slow;
   }
 }
 
