@@ -108,6 +108,12 @@ double MaterialModel::largestStiffness() const noexcept {
   return largest;
 }
 
+std::optional<SlopeBound> MaterialModel::slopeBound() const noexcept {
+  // Before its first node the curve has no force.
+  if (force_.segments().front().force != 0.0) return std::nullopt;
+  return ForceModel::slopeBound();
+}
+
 namespace {
 
 /// The depth at which a reamer leaves the bone on the far side [m].
@@ -137,8 +143,8 @@ PackingModel::PackingModel(const PackingSpec& spec, const Reamer& reamer)
       plunge_(reaming::plungePathInto(field_, spec.bone->reamerRadius)),
       coverage_(spec.bone->packing.coverage()),
       friction_(reamer.torqueSign() * spec.options.friction) {
-  constexpr double kStep = 20e-6;  // [m]
-  const double deepest = spec.mostTravel > 0.0 ? spec.mostTravel : depthOf(field_, plunge_);
+  constexpr double kStep = 20e-6;                   // [m]
+  const double deepest = depthOf(field_, plunge_);  // a device may reach beyond its kind's travel
   double before = 0.0;
   for (int i = 0; i * kStep <= deepest; ++i) {
     const double force = forceOf(field_.touch(plunge_.at(kStep * i), false));

@@ -60,8 +60,8 @@ class BoneView {
 };
 
 /// The jitter of a measured force as noise over time: one normally distributed number per sample of
-/// the measurement, linearly interpolated in between. It depends on time only, so it adds no
-/// stiffness.
+/// the measurement, linearly interpolated in between. It changes also while the tool rests, and for
+/// small forces it scales with the force: no slope bounds it, see RenderedSlope::jitter.
 class JitterNoise {
  public:
   /// @param scale  scale factor of all forces of the scene.
@@ -148,6 +148,8 @@ class MaterialModel final : public ForceModel {
     jitter_.reset();
   }
   double largestStiffness() const noexcept override;
+  /// std::nullopt if the curve begins with a jump.
+  std::optional<SlopeBound> slopeBound() const noexcept override;
   double torque() const noexcept override { return torque_; }
   bool hasTorque() const noexcept override { return torqueCurve_.has_value(); }
 
@@ -183,6 +185,9 @@ class PackingModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override {}
   double largestStiffness() const noexcept override { return largestStiffness_; }
+  std::optional<SlopeBound> slopeBound() const noexcept override {
+    return SlopeBound{.slope = largestStiffness_, .isSampled = true};
+  }
   double torque() const noexcept override { return torque_; }
   bool hasTorque() const noexcept override { return friction_ != 0.0; }
   std::size_t bytes() const noexcept { return field_.bytes(); }

@@ -60,9 +60,8 @@ class CompiledScene {
   bool hasTorque() const noexcept { return model_->hasTorque(); }
   void reset() noexcept { model_->reset(); }
   double largestStiffness() const noexcept { return model_->largestStiffness(); }
-  /// K of eq. (25) [N per travel unit], if the model's equations give a bound; renderedSlope()
-  /// gives K for every scene.
-  std::optional<double> slopeBound() const noexcept { return model_->slopeBound(); }
+  /// K of eq. (25), if the model knows it; renderedSlope() gives K for every scene.
+  std::optional<SlopeBound> slopeBound() const noexcept { return model_->slopeBound(); }
   double delay() const noexcept { return model_->delay(); }  ///< [ticks]
   bool isReady() const noexcept { return model_->isReady(); }
 

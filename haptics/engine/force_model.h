@@ -15,6 +15,13 @@ struct ToolState {
   bool isReamerOn = true;  ///< false: the reamer does not turn, and removes nothing
 };
 
+/// What a model knows of K, the largest |ΔF| / |Δx| of its force without jitter.
+struct SlopeBound {
+  double slope = 0.0;  ///< [N per travel unit]
+  /// The slope is the largest between closely spaced travels, not a bound for every motion.
+  bool isSampled = false;
+};
+
 /// Computes the force on the hand from the state of the tool.
 class ForceModel {
  public:
@@ -39,9 +46,11 @@ class ForceModel {
   /// The steepest slope of the model's force curves [N per travel unit].
   virtual double largestStiffness() const noexcept = 0;
 
-  /// An upper bound K [N per travel unit] of the rendered stiffness for every motion: |ΔF| ≤ K
-  /// |Δx|. std::nullopt if none is proved, as for a filter; renderedSlope() then measures K.
-  virtual std::optional<double> slopeBound() const noexcept { return largestStiffness(); }
+  /// K for every motion: |ΔF| ≤ K |Δx|. std::nullopt if the model knows none, as for a filter or a
+  /// curve with a jump; renderedSlope() then measures K.
+  virtual std::optional<SlopeBound> slopeBound() const noexcept {
+    return SlopeBound{.slope = largestStiffness()};
+  }
 
   /// Whether the tool may move. A bone with removal first checks, over several ticks, that the tool
   /// is outside all its spheres.

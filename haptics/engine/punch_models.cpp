@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace haptics::engine {
@@ -20,25 +21,69 @@ double delayOf(models::Smoothing smoothing) {
   return smoothing == models::Smoothing::AuthorsFirmware ? 2.0 : 0.0;
 }
 
+/// Appends the travels between which a curve of @p nodes is linear.
+void addKinks(
+    const std::vector<models::CurveNode<double>>& nodes,
+    const models::Interpolation<double>::Options& options,
+    std::vector<double>& travels) {
+  using Curve = models::Interpolation<double>;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  for (const auto& node : nodes) travels.push_back(node.travel);
+  const double first = nodes.front().travel;
+  const double last = nodes.back().travel;
+  switch (options.extrapolation) {
+    case models::Extrapolation::RampOut:
+      travels.insert(travels.end(), {first - options.rampLength, last + options.rampLength});
+      return;
+    case models::Extrapolation::Hold:
+    case models::Extrapolation::Absent:
+      return;
+    case models::Extrapolation::AuthorsClamp:
+      for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const auto& a = nodes[i - 1];
+        const auto& b = nodes[i];
+        for (const double limit : {Curve::kAuthorsMinForce, Curve::kAuthorsMaxForce}) {
+          const double share = (limit - a.force) / (b.force - a.force);
+          if (share > 0.0 && share < 1.0) {
+            travels.push_back(a.travel + share * (b.travel - a.travel));
+          }
+        }
+      }
+      [[fallthrough]];
+    case models::Extrapolation::Zero:  // a jump beside each end
+      travels.insert(travels.end(), {std::nextafter(first, -kFar), std::nextafter(last, kFar)});
+  }
+}
+
 /// Largest slope added by the transition between the branches: their largest force difference over
 /// the width of the transition [N per travel unit].
 double steepestTransition(const InterpolationSpec& spec) {
   double widest = 0.0;
-  const models::Interpolation<double> closing(spec.curve.data(), spec.curve.size(), spec.options);
-  const models::Interpolation<double> opening(
-      spec.opening.data(), spec.opening.size(), spec.options);
-  for (const auto* nodes : {&spec.curve, &spec.opening}) {  // both are linear between nodes
-    for (const auto& node : *nodes) {
-      std::size_t hint = 0;
-      std::size_t other = 0;
-      const double gap = closing.at(node.travel, hint).force - opening.at(node.travel, other).force;
-      widest = std::max(widest, std::abs(gap));
-    }
+  for (const auto& forces : branchesAtKinks(spec)) {
+    widest = std::max(widest, std::abs(forces.closing - forces.opening));
   }
   return widest / spec.transitionWidth;
 }
 
 }  // namespace
+
+std::vector<BranchForces> branchesAtKinks(const InterpolationSpec& spec) {
+  std::vector<double> travels;
+  addKinks(spec.curve, spec.options, travels);
+  addKinks(spec.opening, spec.options, travels);
+  using Curve = models::Interpolation<double>;
+  const Curve closing(spec.curve.data(), spec.curve.size(), spec.options);
+  const Curve opening(spec.opening.data(), spec.opening.size(), spec.options);
+  std::vector<BranchForces> all;
+  for (const double travel : travels) {
+    std::size_t hint = 0;
+    std::size_t other = 0;
+    const auto closed = closing.at(travel, hint);
+    const auto opened = opening.at(travel, other);
+    if (closed.isDefined && opened.isDefined) all.push_back({travel, closed.force, opened.force});
+  }
+  return all;
+}
 
 IndexedCurve::IndexedCurve(
     std::vector<models::CurveNode<double>> nodes,
@@ -109,10 +154,11 @@ double InterpolationModel::largestStiffness() const noexcept {
   return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTransition;
 }
 
-std::optional<double> InterpolationModel::slopeBound() const noexcept {
+std::optional<SlopeBound> InterpolationModel::slopeBound() const noexcept {
   const bool hasJump =
       closing_.hasJumpAtEnd() || (opening_ != nullptr && opening_->curve.hasJumpAtEnd());
-  return hasJump ? std::nullopt : std::optional(largestStiffness());
+  if (hasJump) return std::nullopt;
+  return ForceModel::slopeBound();
 }
 
 double InterpolationModel::trustAt(double travel) const noexcept {

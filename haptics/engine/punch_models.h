@@ -38,6 +38,20 @@ class IndexedCurve {
   models::Interpolation<double> curve_;
 };
 
+/// The forces of both branches of a cut at one travel.
+struct BranchForces {
+  double travel = 0.0;   ///< [travel units]
+  double closing = 0.0;  ///< [N]
+  double opening = 0.0;  ///< [N]
+};
+
+/// The forces of both branches of @p spec wherever the slope of either changes, and on both sides
+/// of a jump; in between both are linear, so their difference is largest at one of these travels.
+/// Travels at which a branch is undefined are left out.
+///
+/// @param spec  valid, see problemsOf(), with hysteresis.
+std::vector<BranchForces> branchesAtKinks(const InterpolationSpec& spec);
+
 /// Force of a recorded cut over travel, with an opening branch if the spec has hysteresis.
 class InterpolationModel final : public ForceModel {
  public:
@@ -48,7 +62,7 @@ class InterpolationModel final : public ForceModel {
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
   /// std::nullopt if the curve ends in a jump.
-  std::optional<double> slopeBound() const noexcept override;
+  std::optional<SlopeBound> slopeBound() const noexcept override;
   /// The weight of the recording as a measurement at @p travel [travel units], in [0, 1].
   double trustAt(double travel) const noexcept;
   std::size_t bytes() const noexcept;
@@ -96,7 +110,7 @@ class KalmanModel final : public ForceModel {
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
   /// The force depends on past motion, so the slopes of the two fused forces do not bound it.
-  std::optional<double> slopeBound() const noexcept override { return std::nullopt; }
+  std::optional<SlopeBound> slopeBound() const noexcept override { return std::nullopt; }
   double delay() const noexcept override { return delay_; }
 
  private:

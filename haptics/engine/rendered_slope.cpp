@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "haptics/engine/compiled_scene.h"
 
@@ -26,7 +27,9 @@ class Sweep {
       : scene_(spec), rate_(rate), least_(kind.travel.least), unit_(1.0 / kind.shown.factor) {
     const double end = endOfData(spec.model).value_or(kind.travel.most);
     const double most = std::max(kind.travel.most, end);
-    most_ = most + 0.05 * (most - least_);  // a hand overshoots the end of the travel
+    const double beyond = 0.05 * (most - least_);  // a hand overshoots the end of the travel
+    most_ = most + beyond;
+    for (const auto& jump : jumpsOf(spec.model)) least_ = std::min(least_, jump.travel - beyond);
     travel_ = least_;
     measureStep();
   }
@@ -134,12 +137,34 @@ class Sweep {
   RenderedSlope found_;
 };
 
+SceneSpec withoutJitter(SceneSpec spec) {
+  if (auto* material = std::get_if<MaterialSpec>(&spec.model)) material->jitter = {};
+  return spec;
+}
+
+/// RMS of the noise that @p spec renders [N].
+double jitterOf(const SceneSpec& spec) {
+  const auto* material = partsOf(spec.model).material;
+  // Bone that is removed has jitter only where the reamer can advance.
+  if (material == nullptr || !(largestFeedOf(spec) > 0.0)) return 0.0;
+  return material->forceScale * material->jitter.rms;
+}
+
 }  // namespace
 
 RenderedSlope renderedSlope(const SceneSpec& spec, const devices::DeviceKind& kind, double rate) {
-  const CompiledScene scene(spec);
-  if (const auto bound = scene.slopeBound()) return {.steepest = *bound, .isProved = true};
-  return Sweep(spec, kind, rate).run();
+  using Basis = RenderedSlope::Basis;
+  const double jitter = jitterOf(spec);
+  const SceneSpec still = withoutJitter(spec);
+  RenderedSlope slope;
+  if (const auto bound = CompiledScene(still).slopeBound()) {
+    slope.steepest = bound->slope;
+    slope.basis = bound->isSampled ? Basis::Sampled : Basis::Proved;
+  } else {
+    slope = Sweep(still, kind, rate).run();
+  }
+  slope.jitter = jitter;
+  return slope;
 }
 
 }  // namespace haptics::engine

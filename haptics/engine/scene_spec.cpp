@@ -205,7 +205,13 @@ std::optional<double> endOfData(const ModelSpec& model) {
 std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
   using Curve = models::Interpolation<double>;
   constexpr double kNoticeable = 0.05;  // [N]
-  const auto* cut = partsOf(model).cut;
+  const auto parts = partsOf(model);
+  if (parts.material != nullptr && !parts.material->isRemoved) {
+    const auto first = blendedSegments(*parts.material).front();
+    if (std::abs(first.force) <= kNoticeable) return {};
+    return {{.travel = first.begin, .from = 0.0, .to = first.force}};
+  }
+  const auto* cut = parts.cut;
   // Absent: beyond its ends the recording has no weight in the filter, which changes gradually.
   if (cut == nullptr || cut->options.extrapolation == models::Extrapolation::Absent) return {};
   std::vector<ForceJump> jumps;

@@ -168,8 +168,6 @@ struct PackingSpec {
   double hardness = 0.5;    ///< h, from 0 (minimum curve) to 1 (maximum curve)
   double forceScale = 1.0;  ///< factor of all forces and torques, in (0, 1]
   bool isRemoved = true;    ///< the reamer removes the spheres that it passes through
-  /// Largest depth of the device [m]; 0: until the reamer leaves the bone.
-  double mostTravel = 0.0;
   /// Options of removal, and the friction. The coverage is not used; it comes from the bone.
   reaming::BoneOptions options;
 };
@@ -195,7 +193,7 @@ ModelParts partsOf(const ModelSpec& model) noexcept;
 /// its ramp, or the last node of a material. std::nullopt for a model that has no such end.
 std::optional<double> endOfData(const ModelSpec& model);
 
-/// A discontinuity of the force at an end of a recorded curve.
+/// A discontinuity of the force at an end of a curve.
 struct ForceJump {
   double travel = 0.0;  ///< [device's travel unit]
   double from = 0.0;    ///< before the jump, in the direction of closing [N]
@@ -203,7 +201,8 @@ struct ForceJump {
 };
 
 /// The force jumps of more than 0.05 N at the ends of a model's recorded cut (also of one that a
-/// filter uses). They depend on the extrapolation. Empty for a model without a cut.
+/// filter uses), which depend on the extrapolation, and at the first node of a material that is not
+/// removed.
 std::vector<ForceJump> jumpsOf(const ModelSpec& model);
 
 /// A reaming model as a function of travel: without noise and without removal. std::nullopt for the

@@ -290,7 +290,6 @@ Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) 
   if (spec.bone == nullptr) return std::nullopt;
   options.friction = spec.bone->friction.value_or(options.friction);
   options.friction = node.number("friction", 0.0, 2.0, options.friction);
-  if (context.device != nullptr) spec.mostTravel = context.device->travel.most;
   return spec;
 }
 

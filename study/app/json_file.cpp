@@ -187,7 +187,12 @@ std::string passesAsJson(
       {"condition", condition.id},
       {"largest_stiffness", slope.steepest},
       {"passes", Json::array()}};
-  if (!slope.isProved) {
+  using Basis = haptics::engine::RenderedSlope::Basis;
+  json["largest_stiffness_is"] = slope.basis == Basis::Proved    ? "proved"
+                                 : slope.basis == Basis::Sampled ? "sampled"
+                                                                 : "swept";
+  if (slope.jitter > 0.0) json["jitter_n"] = slope.jitter;
+  if (slope.basis == Basis::Swept) {
     json["sweep"]["largest_step_at_rest_n"] = slope.largestStepAtRest;
     json["sweep"]["limit_cycle"] = nullptr;
     if (const auto& cycle = slope.limitCycle) {

@@ -62,7 +62,9 @@ void printSources(
 }
 
 std::string verdictOn(
-    const haptics::engine::Passivity& passivity, const haptics::devices::Capabilities& device) {
+    const haptics::engine::Passivity& passivity,
+    const haptics::engine::RenderedSlope& slope,
+    const haptics::devices::Capabilities& device) {
   if (const auto& cycle = passivity.limitCycle) {
     return fmt::format(
         "FAIL, on a hand that\n  rests the force alternates by {:.4g} N at {:.4g} Hz (largest at a "
@@ -71,9 +73,37 @@ std::string verdictOn(
         cycle->frequency,
         cycle->travel);
   }
-  if (passivity.isPassiveWith(device.damping)) return "PASS, whatever the hand does";
+  if (passivity.isPassiveWith(device.damping)) {
+    if (slope.jitter > 0.0) return "PASS without its jitter";
+    const bool isProved = slope.basis == haptics::engine::RenderedSlope::Basis::Proved;
+    return isProved ? "PASS, whatever the hand does" : "PASS in the motions that were tried";
+  }
   return "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler, \"force_scale\" a "
          "bone";
+}
+
+/// Prints what the slope does not cover.
+void printBasis(
+    const haptics::engine::RenderedSlope& slope, const haptics::devices::Capabilities& device) {
+  using Basis = haptics::engine::RenderedSlope::Basis;
+  if (slope.basis == Basis::Swept) {
+    fmt::print(
+        "  the slope is the largest of a sweep, not a proved bound: rest at 40 places, 0.1 to 45 "
+        "{}/s, reversals, in and out of the recording;\n  at rest the force stepped by at most "
+        "{:.3g} N\n",
+        device.kind->shown.unit,
+        slope.largestStepAtRest);
+  } else if (slope.basis == Basis::Sampled) {
+    fmt::print(
+        "  the slope is the largest between closely spaced depths, not a proved bound: less than a "
+        "step may be steeper\n");
+  }
+  if (slope.jitter > 0.0) {
+    fmt::print(
+        "  the slope is of the force without its jitter of {:.3g} N (rms), which a hand feels at "
+        "rest, too: no damping takes that up\n",
+        slope.jitter);
+  }
 }
 
 /// Prints the stiffness K, the damping that passivity requires, and whether the device has it.
@@ -97,14 +127,8 @@ void printPassivity(
       unit,
       device.name,
       device.damping,
-      verdictOn(passivity, device));
-  if (slope.isProved) return;
-  fmt::print(
-      "  the slope is the largest of a sweep, not a proved bound: rest at 40 places, 0.1 to 45 "
-      "{}/s, "
-      "reversals, in and out of the recording;\n  at rest the force stepped by at most {:.3g} N\n",
-      device.kind->shown.unit,
-      slope.largestStepAtRest);
+      verdictOn(passivity, slope, device));
+  printBasis(slope, device);
 }
 
 void printTorque(
@@ -117,19 +141,22 @@ void printTorque(
   }
 }
 
-/// Warns if the force of a recorded cut jumps at its beginning or end.
+/// Warns if the force jumps at the beginning or end of a curve.
 void printJumps(
     const std::vector<haptics::engine::ForceJump>& jumps,
     const haptics::devices::DeviceKind& kind) {
+  const bool isCut = kind.tissue == haptics::devices::Tissue::Meniscus;
   for (const auto& jump : jumps) {
     fmt::print(
         "\n  WARN, the recorded force {} from {:.2f} to {:.2f} N at once, at a travel of {:.4g} "
-        "{}: take\n  \"ramp-out\" or \"absent\", or a cut that ends with no force\n",
+        "{}: take\n  {}\n",
         jump.to < jump.from ? "drops" : "rises",
         jump.from,
         jump.to,
         jump.travel,
-        kind.travel.unit);
+        kind.travel.unit,
+        isCut ? "\"ramp-out\" or \"absent\", or a cut that ends with no force"
+              : "a curve that begins with no force, or set \"removal\" to true");
   }
 }
 

@@ -54,5 +54,17 @@ TEST(ForceJumps, OfAnOpeningBranchCountOnlyWhereItIsFelt) {
   EXPECT_EQ(jumpsOf(spec).size(), 1U);
 }
 
+TEST(ForceJumps, AreThereWhereAMaterialThatIsNotRemovedBeginsWithAForce) {
+  MaterialSpec spec{.nodes = {{0.001, 50.0, 50.0}, {0.01, 60.0, 60.0}}, .forceScale = 0.5};
+  const auto jumps = jumpsOf(spec);
+  ASSERT_EQ(jumps.size(), 1U);
+  EXPECT_EQ(jumps[0].travel, 0.001);
+  EXPECT_EQ(jumps[0].from, 0.0);
+  EXPECT_EQ(jumps[0].to, 25.0);
+  spec.isRemoved = true;
+  EXPECT_TRUE(jumpsOf(spec).empty()) << "the tool meets it through a spring";
+  EXPECT_TRUE(jumpsOf(MaterialSpec{.nodes = {{0.001, 0.0, 0.0}, {0.01, 60.0, 60.0}}}).empty());
+}
+
 }  // namespace force_jumps_test
 }  // namespace haptics::engine

@@ -53,6 +53,31 @@ TEST(SceneExplain, ListsTheDropsForPrograms) {
   EXPECT_EQ(found["jumps"][0]["to_n"], 0.0);
 }
 
+/// The shipped protocol of reaming, whose first condition is a material of these @p parameters.
+std::string reamingWith(tests::ScratchFolder& folder, const nlohmann::json& parameters) {
+  auto json = nlohmann::ordered_json::parse(
+      tests::contentOf((tests::repository() / "protocols/library/reaming-hardness.json").string()));
+  json["conditions"][0]["scene"]["parameters"] = parameters;
+  return folder.write("reaming.json", json.dump());
+}
+
+TEST(SceneExplain, DoesNotPassAMaterialThatBeginsWithAJump) {
+  tests::ScratchFolder folder;
+  const auto node = [](double depth, double force) {
+    return nlohmann::json{{"depth_m", depth}, {"lower_n", force}, {"upper_n", force}};
+  };
+  const auto protocol = reamingWith(
+      folder,
+      {{"hardness", 0.5},
+       {"removal", false},
+       {"nodes", {node(0.001, 50.0), node(0.01, 60.0), node(0.02, 70.0)}}});
+  const auto said =
+      tests::run({tests::program(), "scene", "explain", protocol, "--condition", "hardness-0"});
+  EXPECT_EQ(said.status, 0) << said.error;
+  EXPECT_EQ(said.out.find("PASS"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("rises from 0.00 to 50.00 N at once"), std::string::npos) << said.out;
+}
+
 /// What `--json` says of the torque on an arm that gives @p most N·m.
 nlohmann::json torqueOn(tests::ScratchFolder& folder, double most) {
   const nlohmann::json arm{
