@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "haptics/engine/punch_models.h"
-#include "haptics/models/interpolation.h"
 #include "protocols/model/messages.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
@@ -35,16 +34,13 @@ void adviseOnBranches(
     const engine::InterpolationSpec& spec, const std::string& path, Problems& problems) {
   if (spec.branches != engine::Branches::Hysteresis) return;
   constexpr double kNoticeable = 0.05;  // [N]
-  using Curve = haptics::models::Interpolation<double>;
-  const Curve closing(spec.curve.data(), spec.curve.size(), spec.options);
   double most = 0.0;
   double where = 0.0;
-  for (const auto& node : spec.opening) {
-    std::size_t hint = 0;
-    const double excess = node.force - closing.at(node.travel, hint).force;
+  for (const auto& forces : engine::branchesAtKinks(spec)) {
+    const double excess = forces.opening - forces.closing;
     if (excess > most) {
       most = excess;
-      where = node.travel;
+      where = forces.travel;
     }
   }
   if (most < kNoticeable) return;

@@ -85,5 +85,15 @@ TEST(SceneWarnings, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
   EXPECT_TRUE(warningsOf(spec).empty());
 }
 
+TEST(SceneWarnings, WarnsOfAnOpeningThatGivesBackMoreBetweenItsPoints) {
+  InterpolationSpec spec{.curve = {{2.0, 0.0}, {6.0, 1.0}, {10.0, 5.0}}};
+  spec.branches = haptics::engine::Branches::Hysteresis;
+  spec.opening = {{2.0, 0.0}, {10.0, 5.0}};
+  const auto said = warningsOf(spec);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(base::describe(said[0].what).find("1.500 N"), std::string::npos)
+      << base::describe(said[0].what);
+}
+
 }  // namespace scene_warnings_test
 }  // namespace protocols
