@@ -1,6 +1,7 @@
 #include "study/storage/station_store.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -181,13 +182,20 @@ std::optional<std::string> StationStore::unseal(std::span<const std::byte> seale
 
 void StationStore::append(const std::string& list, const std::string& line) const {
   const auto path = folder_ / list;
-  const int file = open(path.c_str(), O_CREAT | O_APPEND | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  const int file = open(path.c_str(), O_CREAT | O_APPEND | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (file < 0) fail(path);
+  flock(file, LOCK_EX);  // until the file is closed; some file systems cannot
+  const off_t before = lseek(file, 0, SEEK_END);
+  char last = '\n';  // unless a power failure left a part of a line
+  if (before > 0) static_cast<void>(pread(file, &last, 1, before - 1));
+  const std::string bytes = (last == '\n' ? "" : "\n") + line + "\n";
   // A single call of write(), so that lines of several programs do not mix.
-  const std::string bytes = line + "\n";
+  errno = 0;
   const auto written = write(file, bytes.data(), bytes.size());
-  const bool isOnDisk = written == static_cast<ssize_t>(bytes.size()) && fsync(file) == 0;
-  const int reason = errno;
+  const bool isWhole = written == static_cast<ssize_t>(bytes.size());
+  const bool isOnDisk = isWhole && fsync(file) == 0;
+  const int reason = errno != 0 ? errno : ENOSPC;  // a short write sets none
+  if (written > 0 && !isWhole) static_cast<void>(ftruncate(file, before));
   close(file);
   if (!isOnDisk) fail(path, std::generic_category().message(reason));
 }

@@ -1,7 +1,9 @@
 #include "study/storage/station_store.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
@@ -101,6 +103,29 @@ TEST_F(StationStoreTest, KeepsLists) {
   StationStore::openOrCreate(folder_).append("heads-1", "2 c");
   EXPECT_EQ(store.lines("heads-1"), (std::vector<std::string>{"1 a", "2 c"}));
   EXPECT_EQ(store.lines("heads-2"), std::vector<std::string>{"1 b"});
+}
+
+TEST_F(StationStoreTest, LeavesNoPartOfALineThatItCannotWriteWhole) {
+  const auto store = StationStore::openOrCreate(folder_);
+  store.append("list", "first");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  auto* handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit full = before;
+  full.rlim_cur = 10;  // "first" and its end take 6 bytes
+  setrlimit(RLIMIT_FSIZE, &full);
+  EXPECT_THROW(store.append("list", "second line"), StorageError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  store.append("list", "third");
+  EXPECT_EQ(store.lines("list"), (std::vector<std::string>{"first", "third"}));
+}
+
+TEST_F(StationStoreTest, BeginsALineAfterAPartOfOne) {
+  const auto store = StationStore::openOrCreate(folder_);
+  std::ofstream(folder_ / "list") << "first\nsec";
+  store.append("list", "third");
+  EXPECT_EQ(store.lines("list"), (std::vector<std::string>{"first", "sec", "third"}));
 }
 
 TEST_F(StationStoreTest, SaysWhatCannotBeUsed) {
