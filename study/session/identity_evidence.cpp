@@ -156,6 +156,22 @@ std::string fingerprintsOf(Study& study, const std::string& participant) {
   return pairs;
 }
 
+void recordFingerprintsOfSealedRows(Study& study) {
+  const auto secret = study.fingerprintSecret();
+  if (!secret) return;
+  const auto present = presentRows(study);
+  const ExpectedIdentities said(study);
+  std::string pairs;
+  for (const auto& before : storage::identityRowsBeforeSealing(study.identities())) {
+    const auto known = said.rows().find(before.name);
+    if (known == said.rows().end() || known->second != secret->fingerprint(before.bytes)) continue;
+    pairs += (pairs.empty() ? "" : " ") + before.name + "=" + present.at(before.name);
+  }
+  if (!pairs.empty()) {
+    study.note({.kind = EventKind::NotedIdentities, .values = {{"rows", pairs}}});
+  }
+}
+
 storage::Findings checkIdentities(Study& study) {
   Findings findings;
   const auto present = presentRows(study);

@@ -22,6 +22,12 @@ void recordIdentityFingerprints(Study& study, const storage::SessionRow& session
 /// NotedIdentities ("name=fingerprint …"); empty if there are no rows.
 std::string fingerprintsOf(Study& study, const std::string& participant);
 
+/// Notes in the audit trail the fingerprints of rows whose texts were sealed by a program that
+/// ended before it noted them. A row counts as such only if the trail has the fingerprint that it
+/// had before.
+/// @throws StorageError  if names are locked.
+void recordFingerprintsOfSealedRows(Study& study);
+
 /// Compares identity.db with the audit trail, row by row.
 storage::Findings checkIdentities(Study& study);
 

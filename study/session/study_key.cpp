@@ -47,6 +47,7 @@ void sealNamesOfOlderReleases(Study& study) {
     if (row.runMode == RunMode::Simulated || identities.hasDrawnKeys(row.participant)) continue;
     identities.drawMissingKey(storage::IdentityStore::Key::Identity, row.participant);
   }
+  recordFingerprintsOfSealedRows(study);
   for (const auto& participant : identities.sealUnsealedNames()) {
     if (!study.fingerprintSecret()) continue;
     study.note(

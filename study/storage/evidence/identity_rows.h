@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "study/storage/database.h"
+#include "study/storage/identity_store.h"
 
 namespace study::storage {
 
@@ -14,5 +15,10 @@ struct IdentityRow {
 };
 
 std::vector<IdentityRow> identityRows(const Database& identities);
+
+/// The sealed rows whose text can be unsealed, each with the bytes that it had before its text was
+/// sealed.
+/// @throws StorageError  if names are locked.
+std::vector<IdentityRow> identityRowsBeforeSealing(IdentityStore& identities);
 
 }  // namespace study::storage

@@ -178,6 +178,31 @@ TEST_F(IdentityTest, SealsOpenNamesWithTheirFingerprints) {
   EXPECT_NO_THROW(Session::resume(*study_, id));
 }
 
+TEST_F(IdentityTest, NotesWhatAnInterruptedSealingLeftAndNothingElse) {
+  const auto visit = session_.visit();
+  session_.finishStep();
+  { const Session gone = std::move(session_); }
+  auto& identities = study_->identities();
+  identities.database().execute("DELETE FROM participant_key");
+  for (const char* item : {"name", "place"}) {
+    identities.put({"P001", 1, visit.step, visit.attempt}, item, kName, "now");
+  }
+  study_->note(
+      {.kind = EventKind::NotedIdentities, .values = {{"rows", fingerprintsOf(*study_, "P001")}}});
+  // A program that ends between the commit of the sealed names and the event with their
+  // fingerprints. One name was changed by another program since.
+  identities.drawMissingKey(storage::IdentityStore::Key::Identity, "P001");
+  identities.sealUnsealedNames();
+  identities.put({"P001", 1, visit.step, visit.attempt}, "place", "Betelgeuse", "now");
+  EXPECT_EQ(checkIdentities(*study_).problems.size(), 2U) << "control";
+  setPassphraseOfNames(
+      *study_, "twelve grey horses", "asked for", storage::PassphraseCost::least());
+  const auto problems = checkIdentities(*study_).problems;
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].find("place is not what the audit trail says"), std::string::npos)
+      << problems[0];
+}
+
 TEST_F(SealedNames, LetNoSessionBeginWithoutThePassphrase) {
   EXPECT_THROW(Session::enrol(*study_, {.cohort = "surgeons"}), storage::StorageError);
   EXPECT_EQ(study_->sessions().all().size(), 1U);
