@@ -218,18 +218,13 @@ std::string nextCohort(
   return next;
 }
 
-/// Sets the clock to an hour after the start of the last session, for a new session; to the last
-/// event of the session, for a resumed one.
-void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> resumed) {
-  if (resumed) {
-    std::int64_t latest = 0;
-    for (const auto& event : study.events().read(resumed)) {
-      latest = std::max(latest, event.when.wall);
-    }
-    clock.setWall(latest);
-  } else if (const auto latest = study.events().latestTimeOf(EventKind::Enrolled)) {
-    clock.setWall(*latest + kBetweenParticipants);
+/// Sets the clock to the last event of a session that is resumed.
+void setClockToEndOf(SessionId session, Study& study, SimulatedClock& clock) {
+  std::int64_t latest = 0;
+  for (const auto& event : study.events().read(session)) {
+    latest = std::max(latest, event.when.wall);
   }
+  clock.setWall(latest);
 }
 
 SimulatedSessionResult endingOf(const storage::SessionRow& row) {
@@ -300,7 +295,7 @@ std::vector<SimulatedSessionResult> simulateCohorts(
     if (isOver(row.state)) {
       endings.push_back(endingOf(row));
     } else {
-      setClockFor(study, clock, row.id);
+      setClockToEndOf(row.id, study, clock);
       auto session = Session::resume(study, row.id);
       simulate(study, session, clock, seed, acknowledge, {devices.get(), watch});
       endings.push_back(endingOf(study, session));
@@ -308,9 +303,11 @@ std::vector<SimulatedSessionResult> simulateCohorts(
     ++finished[row.cohort];
     ++total;
   }
+  auto lastEnrolled = study.events().latestTimeOf(EventKind::Enrolled);  // reads the whole trail
   for (; total < participants; ++total) {
     const std::string cohort = nextCohort(study.protocol().protocol, finished);
-    setClockFor(study, clock, std::nullopt);
+    if (lastEnrolled) clock.setWall(*lastEnrolled + kBetweenParticipants);
+    lastEnrolled = clock.now().wall;
     auto session =
         Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
     acknowledge({Done::Enrolment, session.participant() + " enrolled"});
