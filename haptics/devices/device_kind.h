@@ -135,6 +135,7 @@ struct DeviceKind {
   // Texts.
   Text strokeName;   ///< "cut"
   Text strokesName;  ///< "cuts"
+  Text strokeHint;   ///< tells a participant how a stroke is made with the instrument
   Text pointerHint;  ///< explains the keys and the mouse to a participant
 
   /// A sentence that replaces a general one in reports and exports of a study that uses only this

@@ -64,6 +64,10 @@ const DeviceKind& reamerKind() {
       .serial = {},
       .strokeName = {"stroke", {{"de", "Fräsbewegung"}, {"nb", "fresebevegelse"}}},
       .strokesName = {"strokes", {{"de", "Fräsbewegungen"}, {"nb", "fresebevegelser"}}},
+      .strokeHint =
+          {"Push the reamer into the bone, then draw it back.",
+           {{"de", "Drücken Sie die Fräse in den Knochen, dann ziehen Sie sie zurück."},
+            {"nb", "Skyv fresen inn i beinet, og trekk den så tilbake."}}},
       .pointerHint = {
           "No instrument at hand? Hold the space bar, or drag down on this page, to push in; let "
           "go to draw back. R switches the reamer off and on.",

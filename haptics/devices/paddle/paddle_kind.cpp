@@ -51,6 +51,10 @@ const DeviceKind& paddleKind() {
       .serial = {.travelPerCount = 0.012, .plausibleTravel = {-5.0, 36.0}},
       .strokeName = {"press", {{"de", "Druckbewegung"}, {"nb", "trykk"}}},
       .strokesName = {"presses", {{"de", "Druckbewegungen"}, {"nb", "trykk"}}},
+      .strokeHint =
+          {"Press the paddle, then release it.",
+           {{"de", "Drücken Sie das Paddel, dann lassen Sie es los."},
+            {"nb", "Trykk på padlen, og slipp den så."}}},
       .pointerHint =
           {"No instrument at hand? Hold the space bar, or drag down on this page, to press the "
            "paddle; let go to release it.",

@@ -44,6 +44,11 @@ const DeviceKind& punchKind() {
       .serial = {.travelPerCount = 0.00439, .plausibleTravel = {-2.0, 14.0}},
       .strokeName = {"cut", {{"de", "Schnitt"}, {"nb", "kutt"}}},
       .strokesName = {"cuts", {{"de", "Schnitte"}, {"nb", "kutt"}}},
+      .strokeHint =
+          {"Close the handles until the tissue is cut, then open them.",
+           {{"de",
+             "Schließen Sie die Griffe, bis das Gewebe durchtrennt ist, dann öffnen Sie sie."},
+            {"nb", "Lukk håndtakene til vevet er kuttet, og åpne dem så."}}},
       .pointerHint = {
           "No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
           "to open.",

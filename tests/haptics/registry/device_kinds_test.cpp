@@ -46,7 +46,8 @@ TEST_P(EveryDeviceKind, HasFactsThatFitTogether) {
 }
 
 TEST_P(EveryDeviceKind, HasItsWordsAlsoInOtherLanguages) {
-  for (const auto* text : {&kind().strokeName, &kind().strokesName, &kind().pointerHint}) {
+  for (const auto* text :
+       {&kind().strokeName, &kind().strokesName, &kind().strokeHint, &kind().pointerHint}) {
     EXPECT_FALSE(text->in("en").empty());
     for (const auto& [language, words] : text->others()) EXPECT_FALSE(words.empty()) << language;
     EXPECT_EQ(text->in("de-CH"), text->in("de"));

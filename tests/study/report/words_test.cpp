@@ -329,7 +329,8 @@ std::set<std::string_view> ownSentences(
 
 TEST_P(WordsTest, AreThereForEveryKindOfDevice) {
   for (const auto* kind : haptics::deviceKinds()) {
-    for (const auto* text : {&kind->strokeName, &kind->strokesName, &kind->pointerHint}) {
+    for (const auto* text :
+         {&kind->strokeName, &kind->strokesName, &kind->strokeHint, &kind->pointerHint}) {
       EXPECT_EQ(
           std::ranges::count(
               text->others(), GetParam(), &haptics::devices::Text::InLanguages::value_type::first),
