@@ -81,19 +81,19 @@ QWidget* ControlPanel::makeButtons() {
       add(tr("Withdrawal…"),
           SessionEvent::Withdrew,
           MessageTopic::Withdrawal,
-          &SessionController::withdraw),
+          &SessionController::withdraw,
+          tr("The participant withdraws: the session ends")),
       add(tr("Reject…"),
           SessionEvent::WasRejected,
           MessageTopic::Rejection,
-          &SessionController::reject),
+          &SessionController::reject,
+          tr("This session does not count: it ends")),
       add(tr("Device failed…"),
           SessionEvent::GaveUpOnDevice,
           MessageTopic::DeviceFailure,
-          &SessionController::giveUpOnDevice)};
-  emergency_[0]->setToolTip(tr("The participant withdraws: the session ends"));
-  emergency_[1]->setToolTip(tr("This session does not count: it ends"));
-  emergency_[2]->setToolTip(tr("The device cannot go on: the session ends"));
-  addGroup(*layout, tr("Emergency: ends the session"), {emergency_});
+          &SessionController::giveUpOnDevice,
+          tr("The device cannot go on: the session ends"))};
+  addGroup(*layout, tr("Ends the session"), {emergency_});
   constexpr int kTwoNotes = 76;  // [px]
   notes_->setMinimumHeight(kTwoNotes);
   layout->addWidget(notes_, 2);
@@ -106,6 +106,7 @@ QWidget* ControlPanel::makeButtons() {
 QHBoxLayout* ControlPanel::addGroup(
     QVBoxLayout& layout, const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
   auto* heading = quietLabel(title, this);
+  if (now_ == nullptr) now_ = heading;  // of the first group
   layout.addWidget(heading);
   QHBoxLayout* line = nullptr;
   for (const auto& row : rows) {
@@ -141,9 +142,13 @@ void ControlPanel::connectButtons() {
 }
 
 QPushButton* ControlPanel::add(
-    const QString& text, SessionEvent event, MessageTopic question, Perform action) {
+    const QString& text,
+    SessionEvent event,
+    MessageTopic question,
+    Perform action,
+    const QString& help) {
   auto* button = new QPushButton(text, this);
-  choices_.push_back({button, event});
+  choices_.push_back({button, event, help});
   connect(button, &QPushButton::clicked, this, [this, action, question] {
     performWithReason(action, question);
   });
@@ -200,10 +205,13 @@ void ControlPanel::refresh() {
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
+  now_->setText(isRunning ? tr("Now: a trial is running, so press STOP first") : tr("Now"));
   for (const auto& choice : choices_) {
     // During a trial only stopping and withdrawing are possible.
     const bool isAllowed = isOpen && controller_->session().allows(choice.event);
-    choice.button->setEnabled(isAllowed && (!isRunning || choice.event == SessionEvent::Withdrew));
+    const bool isEnabled = isAllowed && (!isRunning || choice.event == SessionEvent::Withdrew);
+    choice.button->setEnabled(isEnabled);
+    choice.button->setToolTip(isEnabled || !isOpen ? choice.help : whyNot(choice.event, isRunning));
   }
   const bool isPaused = isOpen && controller_->session().allows(SessionEvent::ResumedSession);
   const bool isInterview = isOpen && !controller_->session().isOver() &&
@@ -222,6 +230,15 @@ void ControlPanel::refresh() {
   consent_->setEnabled(isOpen && !isRunning);
   close_->setEnabled(isOpen && !isRunning);
   keepFocusOffButtons();
+}
+
+/// Why @p event is not possible now.
+QString ControlPanel::whyNot(SessionEvent event, bool isRunning) {
+  if (isRunning) return tr("Not while a trial is running: press STOP first");
+  if (event == SessionEvent::GaveUpOnDevice) return tr("Only after a trial broke off");
+  if (event == SessionEvent::SkippedStep || event == SessionEvent::RepeatedStep)
+    return tr("Not possible in this step");
+  return tr("Not possible in this state of the session");
 }
 
 /// A disabled button passes its focus to the next one, which may end the session. Moves it

@@ -40,7 +40,14 @@ class ControlPanel final : public QWidget {
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
-  QPushButton* add(const QString& text, SessionEvent event, MessageTopic question, Perform action);
+  /// @param help  the tool tip while the button is enabled
+  QPushButton* add(
+      const QString& text,
+      SessionEvent event,
+      MessageTopic question,
+      Perform action,
+      const QString& help = {});
+  static QString whyNot(SessionEvent event, bool isRunning);
   QWidget* makeButtons();
   QHBoxLayout* addGroup(
       QVBoxLayout& layout,
@@ -56,11 +63,13 @@ class ControlPanel final : public QWidget {
   struct Choice {
     QPushButton* button;
     SessionEvent event;
+    QString help;
   };
 
   SessionController* controller_ = nullptr;
   QLabel* participantLabel_;
   QLabel* cohort_;
+  QLabel* now_ = nullptr;  ///< the heading of what can be done now
   QPushButton* stop_;
   QPushButton* pause_ = nullptr;
   QPushButton* resume_;

@@ -42,12 +42,12 @@ int columnOf(CutDetector::Event event) {
 CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName(QStringLiteral("cuts"));
   setHorizontalHeaderLabels(
-      {tr("Contact"),
+      {tr("Interception"),
        tr("Yield"),
-       tr("Bottom"),
+       tr("Bottom-out"),
        tr("Opening"),
        tr("Depth"),
-       tr("Peak force"),
+       tr("Largest force"),
        tr("Time")});
   for (const int column : {kContact, kYield, kBottom, kOpening}) {
     horizontalHeaderItem(column)->setToolTip(tr("Force, and the travel at it"));

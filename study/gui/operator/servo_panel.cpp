@@ -148,8 +148,8 @@ void ServoPanel::showTimingStatus() {
     setRole(*light_, "bad");
     words = tr("✖ Timing: poor (%1 of %2 ticks late)").arg(late).arg(ticks);
   } else {
-    setRole(*light_, late > 0 || saturated > 0 || leaps > 0 ? "warn" : "good");
-    words = late > 0 ? tr("▲ Timing: fair (%1 of %2 ticks late)").arg(late).arg(ticks)
+    setRole(*light_, saturated > 0 || leaps > 0 ? "warn" : "good");
+    words = late > 0 ? tr("● Timing: good (%1 of %2 ticks late)").arg(late).arg(ticks)
                      : tr("● Timing: good (none of %1 ticks late)").arg(ticks);
   }
   if (saturated > 0) {

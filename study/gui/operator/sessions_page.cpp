@@ -91,8 +91,23 @@ QWidget* SessionsPage::makeList() {
   layout->addWidget(sectionHeading(tr("Sessions"), list));
   layout->addWidget(table_, 1);
   layout->addWidget(details_);
-  resume_->setProperty("role", QStringLiteral("tool"));
   layout->addWidget(resume_, 0, Qt::AlignLeft);
+  auto* choices = new QHBoxLayout;
+  const auto add = [&](const QString& words, SessionEvent event, MessageTopic question, End end) {
+    auto* button = new QPushButton(words, list);
+    button->setProperty("role", QStringLiteral("tool"));
+    choices->addWidget(button);
+    endings_.push_back({button, event});
+    connect(button, &QPushButton::clicked, this, [=, this] { endSelected(question, end); });
+  };
+  add(tr("Withdrawal…"), SessionEvent::Withdrew, MessageTopic::Withdrawal, &Session::withdraw);
+  add(tr("Reject…"), SessionEvent::WasRejected, MessageTopic::Rejection, &Session::reject);
+  add(tr("Device failed…"),
+      SessionEvent::GaveUpOnDevice,
+      MessageTopic::DeviceFailure,
+      &Session::giveUpOnDevice);
+  choices->addStretch(1);
+  layout->addLayout(choices);
   arrived_->setObjectName(QStringLiteral("arrived"));
   send_->setObjectName(QStringLiteral("send"));
   send_->setProperty("role", QStringLiteral("tool"));
@@ -114,8 +129,6 @@ QWidget* SessionsPage::makeEnrolment() {
     const QString tag = QString::fromStdString(language);
     language_->addItem(nativeName(tag), tag);
   }
-  enrol_->setProperty("role", QStringLiteral("main"));
-
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
   constexpr int kCardWidth = 440;  // [px]
@@ -143,7 +156,7 @@ QWidget* SessionsPage::makeEnrolment() {
 /// Puts the list beside the enrolment, or above it in a narrow window.
 void SessionsPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int kRoomForTwo = 760;    // [px]
+  constexpr int kRoomForTwo = 860;    // [px]
   constexpr int kLeastOfTable = 120;  // above the enrolment
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
@@ -200,8 +213,13 @@ void SessionsPage::refresh() {
     showPush();
   });
   fitColumns();
-  giveRoom();
+  // What is to be done first: the latest session that is not finished.
+  for (int row = table_->rowCount() - 1; row >= 0 && selectedUnfinished() == nullptr; --row) {
+    table_->selectRow(row);
+  }
+  if (unfinished_.empty()) table_->clearSelection();
   showSelected();
+  giveRoom();
 }
 
 void SessionsPage::offerPilot() {
@@ -258,6 +276,21 @@ void SessionsPage::resumeSession(const UnfinishedSession& session) {
   if (reason) emit resumeRequested(id, reason->trimmed());
 }
 
+/// Ends the selected session without its windows.
+void SessionsPage::endSelected(MessageTopic question, End end) {
+  const auto* one = selectedUnfinished();
+  if (one == nullptr) return;
+  const auto id = one->id;
+  const auto reason = askForText(this, question);
+  if (!reason) return;
+  attempt(this, MessageTopic::StepNotDone, [&] {
+    auto session = Session::resume(study_, id);
+    (session.*end)(reason->trimmed().toStdString());
+  });
+  refresh();
+  push_.send();
+}
+
 const UnfinishedSession* SessionsPage::selectedUnfinished() const {
   const auto selected = table_->selectedItems();
   if (selected.isEmpty()) return nullptr;
@@ -274,6 +307,14 @@ void SessionsPage::showSelected() {
   const bool isTakenOver = one != nullptr && one->mayBeTakenOver();
   resume_->setEnabled(one != nullptr && (!one->isOpenElsewhere() || isTakenOver));
   resume_->setText(isTakenOver ? tr("Take over session…") : tr("Continue session"));
+  setRole(*resume_, resume_->isEnabled() ? "main" : "tool");
+  setRole(*enrol_, unfinished_.empty() ? "main" : "");
+  for (const auto& [button, event] : endings_) {
+    const auto state = one == nullptr ? SessionState::Completed : one->state;
+    // A trial that was running counts as broken off when its session is opened.
+    const auto found = state == SessionState::InTrial ? SessionState::Interrupted : state;
+    button->setVisible(one != nullptr && !one->isOpenElsewhere() && next(found, event));
+  }
   if (one == nullptr) {
     details_->setText(
         table_->rowCount() == 0 ? tr("No participants yet.")

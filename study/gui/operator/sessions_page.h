@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include "study/gui/session/station_push.h"
+#include "study/gui/widgets/messages.h"
 #include "study/session/session.h"
 #include "study/session/unfinished_sessions.h"
 #include "study/storage/records.h"
@@ -55,6 +56,8 @@ class SessionsPage final : public QWidget {
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
   void resumeSession(const UnfinishedSession& session);
+  using End = void (Session::*)(const std::string& reason);
+  void endSelected(MessageTopic question, End end);
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;
@@ -69,8 +72,13 @@ class SessionsPage final : public QWidget {
   QComboBox* language_;
   QPushButton* enrol_;
   QPushButton* resume_;
-  QLabel* arrived_;    ///< how much has arrived at the server; in a station's study only
-  QPushButton* send_;  ///< sends what has not arrived
+  struct Ending {
+    QPushButton* button;
+    SessionEvent event;
+  };
+  std::vector<Ending> endings_;  ///< end the selected session
+  QLabel* arrived_;              ///< how much has arrived at the server; in a station's study only
+  QPushButton* send_;            ///< sends what has not arrived
 };
 
 }  // namespace study::gui

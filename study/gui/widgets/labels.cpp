@@ -162,14 +162,14 @@ QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) 
   return QString::fromStdString(cohort == nullptr ? id : cohort->title.in(deskLanguage()));
 }
 
-void setRole(QLabel& label, const char* role) {
+void setRole(QWidget& widget, const char* role) {
   const QString wanted = QString::fromLatin1(role);
-  if (label.property("role").toString() == wanted) return;
-  label.setProperty("role", wanted);
-  label.style()->unpolish(&label);  // makes the style sheet read the role again
-  label.style()->polish(&label);
+  if (widget.property("role").toString() == wanted) return;
+  widget.setProperty("role", wanted);
+  widget.style()->unpolish(&widget);  // makes the style sheet read the role again
+  widget.style()->polish(&widget);
   QEvent change(QEvent::StyleChange);  // the frame updates its margins on this event
-  QCoreApplication::sendEvent(&label, &change);
+  QCoreApplication::sendEvent(&widget, &change);
 }
 
 QLabel* hugeLabel(const QString& text, QWidget* parent) {

@@ -44,7 +44,8 @@ QLabel* hugeLabel(const QString& text, QWidget* parent);
 /// Text in double square brackets, a blank of the study, is marked.
 QLabel* textLabel(const QString& markdown, QWidget* parent);
 
-/// Changes the style of a label: "good", "warn", "resting", "bad", "quiet", "heading".
-void setRole(QLabel& label, const char* role);
+/// Changes the style of a label ("good", "warn", "resting", "bad", "quiet", "heading") or a button
+/// ("main", "tool"; "": as other buttons).
+void setRole(QWidget& widget, const char* role);
 
 }  // namespace study::gui

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
+#include <QTimer>
 
 #include "haptics/engine/force_limiter.h"
 #include "haptics/engine/sample_ring.h"
@@ -22,6 +24,7 @@
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
@@ -50,8 +53,12 @@ protocols::LoadedProtocol shipped(const std::string& name) {
 class OperatorLayout : public testing::Test {
  protected:
   explicit OperatorLayout(const std::string& protocol = "punch-face-validity")
-      : study_(
-            Study::create(folder_ / "study", shipped(protocol), clock_, 7, tests::knownSecret())) {}
+      : study_(Study::create(
+            folder_ / "study",
+            tests::filledIn(shipped(protocol)),
+            clock_,
+            7,
+            tests::knownSecret())) {}
 
   void SetUp() override {
     window_.setWindowState(
@@ -123,6 +130,34 @@ TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
   auto* table = window_.findChild<SessionsPage*>()->findChild<QTableWidget*>();
   table->selectRow(0);
   expectAllInSight(QStringLiteral("between"));
+}
+
+TEST_F(OperatorLayout, EndsTheUnfinishedSessionThatIsSelected) {
+  enrol();
+  const auto id = window_.controller()->session().id();
+  window_.findChild<ControlPanel*>()->closeSessionRequested();
+  auto* page = window_.findChild<SessionsPage*>();
+  EXPECT_EQ(
+      tests::buttonSaying(page, QStringLiteral("Continue session"))->property("role").toString(),
+      QStringLiteral("main"))
+      << "the session is selected";
+  EXPECT_EQ(tests::buttonSaying(page, QStringLiteral("Device failed…")), nullptr)
+      << "no trial broke off";
+  QTimer answer;
+  QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+    auto* box = QApplication::activeModalWidget();
+    if (box == nullptr) return;
+    answer.stop();
+    QTest::keyClicks(box->findChild<QLineEdit*>(), QStringLiteral("went home"));
+    box->findChild<QPushButton*>(QStringLiteral("action"))->click();
+  });
+  answer.start(20);
+  tests::buttonSaying(page, QStringLiteral("Withdrawal…"))->click();
+  EXPECT_EQ(study_.sessions().load(id).state, SessionState::Withdrawn);
+  EXPECT_EQ(tests::buttonSaying(page, QStringLiteral("Withdrawal…")), nullptr);
+  EXPECT_EQ(
+      tests::buttonSaying(page, QStringLiteral("New participant"))->property("role").toString(),
+      QStringLiteral("main"));
 }
 
 /// The windows have no connection to a server; the other program notes what became of the push.
@@ -241,6 +276,11 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   participant_.cut(2);
   expectAllInSight(QStringLiteral("in-trial"));
   tests::photograph(*window_.participantWindow(), QStringLiteral("in-trial-participant"));
+  auto* mirror = window_.findChild<PageMirror*>();
+  mirror->show();
+  EXPECT_FALSE(mirror->findChild<QLabel*>()->pixmap().isNull());
+  tests::photograph(*mirror, QStringLiteral("mirror"));
+  mirror->hide();
   window_.controller()->stop();
   expectAllInSight(QStringLiteral("broken-off"));
 }
