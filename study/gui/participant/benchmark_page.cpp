@@ -29,7 +29,10 @@ BenchmarkPage::BenchmarkPage(
 }
 
 void BenchmarkPage::setCuts(int cuts) {
-  count_->setCount(cuts, tr("Cuts: %1 (make %2 or more)").arg(cuts).arg(minimumCuts_));
+  count_->setCount(
+      cuts,
+      cuts == 0 ? tr("Cuts: make %1 or more").arg(minimumCuts_)
+                : tr("Cuts: %1 (make %2 or more)").arg(cuts).arg(minimumCuts_));
   next_->setText(
       cuts < minimumCuts_ ? tr("The researcher counts your cuts.")
                           : tr("That is enough. Press Next, or make more cuts first."));

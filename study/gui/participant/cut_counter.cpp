@@ -26,7 +26,8 @@ CutCounter::CutCounter(int needed, QWidget* parent)
 }
 
 int CutCounter::radius() const noexcept {
-  return cutsNeeded_ > kMostDots ? 0 : scaled(*this, kRadius);
+  constexpr int kLow = 480;  // [px] of a window; the words say it as well
+  return cutsNeeded_ > kMostDots || window()->height() < kLow ? 0 : scaled(*this, kRadius);
 }
 
 void CutCounter::makeRoomForDots() {
@@ -41,9 +42,8 @@ void CutCounter::setCount(int made, const QString& words) {
 }
 
 bool CutCounter::event(QEvent* event) {
-  if (event->type() == QEvent::StyleChange)
-    makeRoomForDots();  // the window's scale may have
-                        // changed
+  // The window's scale or its height may have changed.
+  if (event->type() == QEvent::StyleChange || event->type() == QEvent::Resize) makeRoomForDots();
   return QWidget::event(event);
 }
 

@@ -1,6 +1,5 @@
 #include "study/gui/participant/item_widget.h"
 
-#include <QLabel>
 #include <QVBoxLayout>
 
 #include "study/gui/participant/blank_text.h"
@@ -18,11 +17,19 @@ ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(scaled(*this, 10));
-  if (!item_.text.isEmpty()) {
-    auto* statement = textLabel(text(item_.text), this);
-    statement->setProperty("role", "statement");
-    layout->addWidget(statement);
-  }
+  if (!item_.text.isEmpty()) showStatement(text(item_.text));
+}
+
+void ItemWidget::showStatement(const QString& words) {
+  delete statement_;
+  statement_ = textLabel(words, this);
+  statement_->setProperty("role", "statement");
+  static_cast<QVBoxLayout*>(layout())->insertWidget(0, statement_);
+}
+
+void ItemWidget::remarkOn(const QString& remark) {
+  const auto words = item_.text.isEmpty() ? QString() : text(item_.text) + QLatin1Char(' ');
+  showStatement(words + remark);
 }
 
 QString ItemWidget::text(const questionnaires::LocalizedText& text) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QString>
 #include <QWidget>
 
@@ -27,6 +28,9 @@ class ItemWidget : public QWidget {
 
   const questionnaires::Item& item() const noexcept { return item_; }
 
+  /// Writes @p remark, such as "(optional)", after the statement.
+  void remarkOn(const QString& remark);
+
   /// The response; std::nullopt while the item is unanswered.
   virtual std::optional<questionnaires::Response> response() const = 0;
   /// Shows an earlier response without emitting changed().
@@ -39,8 +43,11 @@ class ItemWidget : public QWidget {
   QString text(const questionnaires::LocalizedText& text) const;
 
  private:
+  void showStatement(const QString& words);
+
   questionnaires::Item item_;
   QString language_;
+  QLabel* statement_ = nullptr;
 };
 
 /// Makes the widget for @p item.

@@ -83,19 +83,6 @@ OptionButtons::OptionButtons(
   });
 }
 
-void OptionButtons::putBeside(QWidget& widget) {
-  auto* grid = static_cast<QGridLayout*>(layout());
-  columns_ = 1;
-  for (int row = 0; row < static_cast<int>(buttons_.size()); ++row) {
-    grid->addWidget(buttons_[static_cast<std::size_t>(row)], row, 0);
-  }
-  grid->setHorizontalSpacing(3 * grid->verticalSpacing());
-  grid->addWidget(&widget, 0, 1, static_cast<int>(buttons_.size()), 1, Qt::AlignTop);
-  for (int column = 0; column < grid->columnCount(); ++column) {
-    grid->setColumnStretch(column, column < 2 ? 1 : 0);
-  }
-}
-
 void OptionButtons::choose(int index) {
   if (index >= 0 && index < static_cast<int>(buttons_.size())) button(index)->setChecked(true);
 }

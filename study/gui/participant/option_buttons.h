@@ -31,9 +31,6 @@ class OptionButtons final : public QWidget {
       const QString& role,
       QWidget* parent = nullptr);
 
-  /// Arranges all options in one column, with @p widget beside them.
-  void putBeside(QWidget& widget);
-
   /// The index of the chosen option; −1 while none is chosen.
   int chosen() const { return group_->checkedId(); }
   void choose(int index);

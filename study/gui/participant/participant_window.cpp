@@ -37,6 +37,7 @@ ParticipantWindow::ParticipantWindow(
       controller_(controller),
       moveHand_(std::move(moveHand)),
       progress_(new QProgressBar(this)),
+      step_(quietLabel({}, this)),
       languages_(new QComboBox(this)),
       place_(new QVBoxLayout),
       bottom_(new QWidget(this)),
@@ -60,8 +61,11 @@ ParticipantWindow::ParticipantWindow(
   remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
   auto* top = new QHBoxLayout;
+  step_->setWordWrap(false);
   top->addWidget(progress_, 1);
-  top->addSpacing(24);
+  top->addSpacing(12);
+  top->addWidget(step_);
+  top->addSpacing(12);
   languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
   // The arrow grows as well, but Qt reserves only the width of a small one. A minimum length, in
   // letters as wide as "X", compensates for that.
@@ -244,7 +248,9 @@ void ParticipantWindow::goBack() {
 void ParticipantWindow::showUnanswered(bool isAskedFor) {
   if (questions_ == nullptr) return;
   showsUnanswered_ = showsUnanswered_ || isAskedFor;
-  back_->setVisible(questions_->sheet() > 0 || mayReadAgain());
+  const bool isFirst = controller_.session().stepIndex() == 0 && questions_->sheet() == 0;
+  back_->setVisible(!isFirst);
+  back_->setEnabled(questions_->sheet() > 0 || mayReadAgain());
   const auto progress = questions_->progress();
   QString words;
   if (showsUnanswered_ && progress.open > 0) {
@@ -256,6 +262,10 @@ void ParticipantWindow::showUnanswered(bool isAskedFor) {
     }
     if (questions_->hasMoreBelow()) parts << tr("More below ↓");
     words = parts.join(QStringLiteral(" · "));
+    if (!isFirst && !back_->isEnabled()) {
+      const auto why = tr("Earlier pages are finished");
+      words = words.isEmpty() ? why : why + QLatin1Char('\n') + words;
+    }
   }
   remark_->setText(words);
   if (!isAskedFor) return;
@@ -341,6 +351,13 @@ static bool isNumberedAsFelt(const Session& session) {
          session.protocol().protocol.phase(step.phase)->block == trials.back().phase;
 }
 
+static bool hasTrialsLeft(const Session& session) {
+  const auto& plan = session.plan();
+  return std::any_of(plan.begin() + session.stepIndex(), plan.end(), [](const Step& step) {
+    return step.kind == StepKind::Trial && !step.isOptionalTrial;
+  });
+}
+
 QWidget* ParticipantWindow::makeQuestionnaire() {
   const auto& session = controller_.session();
   const auto* instrument = session.instrument();
@@ -354,9 +371,16 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   if (session.step().kind == StepKind::Questionnaire) {
     content.title = alternativeName(QString::number(session.step().label));
   }
-  if (isNumberedAsFelt(session)) {
+  QStringList hints;
+  if (isNumberedAsFelt(session))
+    hints << tr("The numbers are in the order in which you felt them.");
+  if (session.step().kind == StepKind::Preference) {
+    if (hasTrialsLeft(session)) hints << tr("There is another round after this page.");
+    hints << tr("If you are unsure, follow your first impression.");
+  }
+  if (!hints.isEmpty()) {
     content.introduction += (content.introduction.isEmpty() ? QString() : QStringLiteral("\n\n")) +
-                            tr("The numbers are in the order in which you felt them.");
+                            hints.join(QLatin1Char(' '));
   }
   for (const auto& label : session.step().alternatives) {
     content.choices.alternatives.emplace_back(
@@ -460,14 +484,20 @@ QWidget* ParticipantWindow::makeThanks() {
   const auto& texts = session.protocol().protocol.texts;
   const auto written = texts.find("contact");
   const QString contact = written == texts.end() ? QString() : localized(written->second);
+  const QString words = debrief == nullptr ? QString() : localized(debrief->introduction);
+  const bool isToldWhomToAsk = !words.isEmpty() && (contact.isEmpty() || words.contains(contact));
   return new ThanksPage(
-      debrief == nullptr ? tr("Thank you") : localized(debrief->title),
-      debrief == nullptr ? QString() : localized(debrief->introduction),
-      {tr("This session is over. Please tell the researcher."),
-       tr("Your answers and what was measured are saved under the code %1, not under your name.")
-           .arg(QString::fromStdString(session.participant())),
-       contact.isEmpty() ? tr("Do you have a question, now or later? Please ask the researcher.")
-                         : tr("Do you have a question, now or later? %1").arg(contact)},
+      {.title = debrief == nullptr ? tr("Thank you") : localized(debrief->title),
+       .now = words.isEmpty() ? tr("This session is over. Please tell the researcher.")
+                              : tr("Please tell the researcher that you have finished."),
+       .debrief = words,
+       .saved = tr("Your answers and what was measured are saved under the code **%1**, not under "
+                   "your name. Note the code if you may want them deleted.")
+                    .arg(QString::fromStdString(session.participant())),
+       .contact = isToldWhomToAsk ? QString()
+                  : contact.isEmpty()
+                      ? tr("Do you have a question, now or later? Please ask the researcher.")
+                      : tr("Do you have a question, now or later? %1").arg(contact)},
       this);
 }
 
@@ -489,8 +519,9 @@ void ParticipantWindow::updateProgress() {
   const auto& session = controller_.session();
   progress_->setRange(0, static_cast<int>(session.plan().size()));
   progress_->setValue(session.stepIndex());
-  progress_->setAccessibleName(
-      tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size()));
+  step_->setText(tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size()));
+  step_->setVisible(!session.isOver());
+  progress_->setAccessibleName(step_->text());
 }
 
 void ParticipantWindow::updateTrial() {

@@ -72,6 +72,7 @@ class ParticipantWindow final : public QWidget {
   SessionController& controller_;
   std::function<void(double)> moveHand_;
   QProgressBar* progress_;
+  QLabel* step_;  ///< beside it: "Step 3 of 19"
   QComboBox* languages_;
   QVBoxLayout* place_;
   QWidget* bottom_;  ///< with the buttons

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include <QDate>
+#include <QHBoxLayout>
+#include <QLocale>
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
 
 #include "study/gui/participant/column.h"
-#include "study/gui/participant/option_buttons.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
@@ -155,13 +157,21 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   mark->hide();
   auto* widget = makeItemWidget(item, content.choices, content.language, card);
   card->layout()->addWidget(mark);
+  auto* layout = static_cast<QVBoxLayout*>(card->layout());
+  // The name that signs a consent, and the date beside it.
+  if (isSignature(items_, index) && !items_[index - 1].consentOption.empty()) {
+    const auto today = QLocale(content.language).toString(QDate::currentDate(), tr("d MMMM yyyy"));
+    auto* date = quietLabel(tr("Date: %1").arg(today), card);
+    date->setWordWrap(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(widget, 1);
+    row->addWidget(date, 0, Qt::AlignBottom);
+    layout->addLayout(row);
+  } else {
+    layout->addWidget(widget);
+  }
   // A name in place of a signature says itself when it is wanted.
-  if (!item.isRequired && !isSignature(items_, index))
-    widget->layout()->addWidget(quietLabel(tr("Optional"), widget));
-  // The name is written beside the option that it signs.
-  const bool signsOption = isSignature(items_, index) && !items_[index - 1].consentOption.empty();
-  auto* options = signsOption ? card->findChild<OptionButtons*>() : nullptr;
-  options != nullptr ? options->putBeside(*widget) : card->layout()->addWidget(widget);
+  if (!item.isRequired && !isSignature(items_, index)) widget->remarkOn(tr("(optional)"));
   entries_.push_back(
       {.widget = widget,
        .card = card,
@@ -214,19 +224,25 @@ QuestionnairePage::Progress QuestionnairePage::progress() const {
 
 void QuestionnairePage::mark(Entry& entry, bool isOpen) {
   if (entry.mark->isVisibleTo(entry.card) == isOpen) return;
+  // A mark leaves its place free when it goes, so that no question moves under the pointer.
+  auto policy = entry.mark->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  entry.mark->setSizePolicy(policy);
   entry.mark->setVisible(isOpen);
-  if (!isOpen) ignorePresses();
   entry.card->setProperty("isOpen", isOpen ? QStringLiteral("true") : QString());
   entry.card->style()->unpolish(entry.card);  // makes the style sheet read the property again
   entry.card->style()->polish(entry.card);
 }
 
 void QuestionnairePage::scrollToFirstUnanswered() {
-  const auto first = std::find_if(entries_.begin(), entries_.end(), [this](const Entry& entry) {
+  const auto isOpenHere = [this](const Entry& entry) {
     return entry.sheet == sheet_ && isOpen(entry);
-  });
+  };
+  const auto first = std::find_if(entries_.begin(), entries_.end(), isOpenHere);
   if (first == entries_.end()) return;
-  mark(*first, true);
+  for (auto& entry : entries_) {
+    if (isOpenHere(entry)) mark(entry, true);
+  }
   scroll_->widget()->layout()->activate();  // the mark has moved the widgets below it
   first->widget->setFocus(Qt::TabFocusReason);
   const int top = first->card->mapTo(scroll_->widget(), QPoint(0, 0)).y();

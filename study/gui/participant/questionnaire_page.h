@@ -41,7 +41,8 @@ class QuestionnairePage final : public QWidget {
   };
   Progress progress() const;
 
-  /// Scrolls to the first question of the sheet that must still be answered, marks and focuses it.
+  /// Marks the questions of the sheet that must still be answered, scrolls to the first of them and
+  /// focuses it.
   void scrollToFirstUnanswered();
 
   /// Whether a part of the sheet is below the lower edge of the page.

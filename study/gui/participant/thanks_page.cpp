@@ -10,9 +10,7 @@
 
 namespace study::gui {
 
-ThanksPage::ThanksPage(
-    const QString& title, const QString& debrief, const QStringList& now, QWidget* parent)
-    : QWidget(parent) {
+ThanksPage::ThanksPage(const Content& content, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(this);
@@ -25,7 +23,7 @@ ThanksPage::ThanksPage(
   sign->setProperty("role", QStringLiteral("done"));
   sign->setWordWrap(false);
   column->addWidget(sign, 0, Qt::AlignHCenter);
-  auto* heading = titleLabel(title, inside);
+  auto* heading = titleLabel(content.title, inside);
   heading->setAlignment(Qt::AlignCenter);
   column->addWidget(heading);
 
@@ -35,17 +33,19 @@ ThanksPage::ThanksPage(
   const int side = scaled(*this, 20);
   lines->setContentsMargins(side, side, side, side);
   lines->setSpacing(scaled(*this, 10));
-  for (const auto& line : now) {
-    auto* words = bodyLabel(line, card);
-    words->setProperty("role", QStringLiteral("statement"));
+  const auto add = [&](QLabel* words, const char* role) {
+    words->setProperty("role", QString::fromUtf8(role));
     lines->addWidget(words);
-  }
+  };
+  add(bodyLabel(content.now, card), "statement");
+  if (!content.debrief.isEmpty()) add(textLabel(content.debrief, card), "text");
+  add(textLabel(content.saved, card), "statement");
+  if (!content.contact.isEmpty()) add(bodyLabel(content.contact, card), "statement");
   column->addWidget(card);
-  if (!debrief.isEmpty()) column->addWidget(textLabel(debrief, inside));
   column->addStretch(3);
   scroll->setWidget(inside);
   scroll->setFocusPolicy(Qt::StrongFocus);  // the keyboard scrolls a long debrief
-  scroll->setAccessibleName(title);
+  scroll->setAccessibleName(content.title);
   setFocusProxy(scroll);
   outer->addWidget(scroll);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QStringList>
+#include <QString>
 #include <QWidget>
 
 namespace study::gui {
@@ -10,12 +10,15 @@ class ThanksPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param debrief  Markdown; may be empty. @param now  what happens now, one text per line.
-  ThanksPage(
-      const QString& title,
-      const QString& debrief,
-      const QStringList& now,
-      QWidget* parent = nullptr);
+  struct Content {
+    QString title;
+    QString now;      ///< what the participant does now
+    QString debrief;  ///< Markdown; may be empty
+    QString saved;    ///< under which code
+    QString contact;  ///< for questions; may be empty
+  };
+
+  explicit ThanksPage(const Content& content, QWidget* parent = nullptr);
 };
 
 }  // namespace study::gui

@@ -28,7 +28,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
           tr("The numbers start again: %1 may now stand for something else than before.")
               .arg(content.name),
           this)),
-      hint_(bodyLabel(tr("Press Begin when you hold the instrument."), this)),
+      hint_(bodyLabel({}, this)),
       begin_(new QPushButton(tr("Begin"), this)),
       doneButton_(new QPushButton(tr("Done"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
@@ -45,12 +45,10 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addWidget(count_);
   } else {
     auto* above = new QHBoxLayout;
-    auto* words = new QVBoxLayout;
-    words->addWidget(titleLabel(content.name, this));
-    words->addWidget(hint_);
-    above->addLayout(words, 1);
+    above->addWidget(titleLabel(content.name, this), 1);
     above->addWidget(count_, 1);
     layout->addLayout(above);
+    layout->addWidget(hint_);
     layout->addWidget(picture, 1);
   }
   setCuts(0);
@@ -100,11 +98,9 @@ void TrialPage::moveHandTo(double share, int duration) {
 }
 
 QString TrialPage::cutsInWords(int cuts) const {
-  const QString strokes = asText(content_.device->strokesName.in(content_.language));
-  return tr("%1: %2 (make %3 or more)")
-      .arg(capitalised(strokes))
-      .arg(cuts)
-      .arg(content_.minimumCuts);
+  const auto strokes = capitalised(asText(content_.device->strokesName.in(content_.language)));
+  if (cuts == 0) return tr("%1: make %2 or more").arg(strokes).arg(content_.minimumCuts);
+  return tr("%1: %2 (make %3 or more)").arg(strokes).arg(cuts).arg(content_.minimumCuts);
 }
 
 void TrialPage::setRunning(bool isRunning) {
@@ -114,11 +110,14 @@ void TrialPage::setRunning(bool isRunning) {
   doneButton_->setVisible(isRunning);
   decline_->setVisible(!isRunning && content_.isOptionalTrial);
   doneButton_->setEnabled(false);
+  const auto howTo = asText(content_.device->strokeHint.in(content_.language));
   if (!isRunning) {
+    hint_->setText(tr("Press Begin when you hold the instrument.") + QLatin1Char(' ') + howTo);
     begin_->setFocus();
     return;
   }
-  hint_->setText(asText(content_.device->pointerHint.in(content_.language)));
+  hint_->setText(
+      howTo + QLatin1Char('\n') + asText(content_.device->pointerHint.in(content_.language)));
   setFocus();
 }
 

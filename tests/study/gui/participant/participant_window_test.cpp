@@ -101,6 +101,30 @@ TEST_F(ParticipantPages, ExplainWhyNextDoesNotGoOn) {
   EXPECT_TRUE(says(items - 1));
 }
 
+TEST_F(ParticipantPages, SayWhichStepOfHowManyItIs) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto steps = window_.controller()->session().plan().size();
+  EXPECT_EQ(tests::wordsIn(page()).count(QStringLiteral("Step 1 of %1").arg(steps)), 1U);
+}
+
+TEST_F(ParticipantPages, SayAtAPreferenceWhetherAnotherRoundFollows) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  participant_.goTo(StepKind::Trial);
+  const auto& session = window_.controller()->session();
+  std::vector<bool> said;
+  for (; !session.isOver(); window_.controller()->skipStep(QStringLiteral("not needed here"))) {
+    if (session.step().kind != StepKind::Preference) continue;
+    QCoreApplication::processEvents();
+    const auto words = tests::wordsIn(page());
+    said.push_back(std::any_of(words.begin(), words.end(), [](const QString& text) {
+      return text.contains(QStringLiteral("There is another round after this page."));
+    }));
+  }
+  EXPECT_EQ(said, (std::vector<bool>{true, false}));
+}
+
 TEST_F(ParticipantPages, EndWithOneThankYouPage) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
@@ -119,7 +143,7 @@ TEST_F(ParticipantPages, EndWithOneThankYouPage) {
   QCoreApplication::processEvents();
   ASSERT_TRUE(session.isOver());
   const auto words = tests::wordsIn(page());
-  EXPECT_EQ(words.count(QStringLiteral("This session is over. Please tell the researcher.")), 1U);
+  EXPECT_EQ(words.count(QStringLiteral("Please tell the researcher that you have finished.")), 1U);
   EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QString& text) {
     return text.contains(QStringLiteral("Please do not talk with other participants"));
   })) << "the debrief can still be read";

@@ -1,12 +1,15 @@
 #include "study/gui/participant/questionnaire_page.h"
 
+#include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <QDate>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QTest>
 #include <QTimer>
@@ -239,11 +242,26 @@ TEST(QuestionnairePage, CountsMarksAndFocusesWhatIsOpen) {
   };
   EXPECT_TRUE(marks().empty()) << "nobody has asked to go on";
   shown.page.scrollToFirstUnanswered();
-  ASSERT_EQ(marks().size(), 1U);
+  ASSERT_EQ(marks().size(), static_cast<std::size_t>(required) - 2) << "each that is open";
   EXPECT_TRUE(marks().front()->parentWidget()->isAncestorOf(rows[2]));
   EXPECT_TRUE(rows[2]->button(0)->hasFocus());
+  QCoreApplication::processEvents();
+  const auto place = rows[3]->mapTo(&shown.page, QPoint());
   QTest::mouseClick(rows[2]->button(0), Qt::LeftButton);
-  EXPECT_TRUE(marks().empty());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(marks().size(), static_cast<std::size_t>(required) - 3);
+  EXPECT_EQ(rows[3]->mapTo(&shown.page, QPoint()), place) << "it moved under the pointer";
+}
+
+TEST(QuestionnairePage, SaysInTheHeadingWhichQuestionsAreOptional) {
+  Shown shown(itemsOf("preference"));
+  QStringList optional;
+  for (const auto* label : shown.page.findChildren<QLabel*>()) {
+    if (label->text().contains(QStringLiteral("(optional)"))) optional << label->text();
+  }
+  ASSERT_EQ(optional.size(), 1);
+  EXPECT_TRUE(optional.front().contains(QStringLiteral("Why? (optional)")))
+      << optional.front().toStdString();
 }
 
 TEST(QuestionnairePage, ShowsOneSheetAfterTheOther) {
@@ -294,17 +312,27 @@ TEST(QuestionnairePage, AsksAndRetractsWhatDependsOnAnAnswer) {
   EXPECT_EQ(shown.answers.back().item, "why") << "what was written is still there";
 }
 
-TEST(QuestionnairePage, HasTheSignatureBesideTheConsent) {
+TEST(QuestionnairePage, HasTheSignatureAndTheDateBelowTheConsent) {
   Shown shown(itemsOf("consent-punch"));
   auto* consent = shown.page.findChildren<OptionButtons*>().front();
   auto* signature = shown.page.findChild<QLineEdit*>();
-  EXPECT_TRUE(consent->isAncestorOf(signature)) << "the video is another question";
-  const auto placeOf = [&](const QWidget& widget) {
-    return QRect(widget.mapTo(consent, QPoint(0, 0)), widget.size());
+  const auto cardOf = [](const QWidget* widget) {
+    while (widget->property("role") != QStringLiteral("card")) widget = widget->parentWidget();
+    return widget;
   };
-  const auto yes = placeOf(*consent->button(0));
-  EXPECT_GT(placeOf(*signature).left(), yes.right());
-  EXPECT_LT(yes.bottom(), placeOf(*consent->button(1)).top()) << "No is below Yes";
+  const auto* card = cardOf(consent);
+  ASSERT_EQ(cardOf(signature), card) << "the video is another question";
+  const auto placeOf = [&](const QWidget& widget) {
+    return QRect(widget.mapTo(card, QPoint(0, 0)), widget.size());
+  };
+  EXPECT_EQ(placeOf(*consent->button(0)).top(), placeOf(*consent->button(1)).top());
+  EXPECT_GT(placeOf(*signature).top(), placeOf(*consent).bottom());
+  const auto labels = card->findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text() == QStringLiteral("Date: ") +
+                                QLocale(QStringLiteral("en"))
+                                    .toString(QDate::currentDate(), QStringLiteral("d MMMM yyyy"));
+  }));
 }
 
 TEST(QuestionnairePage, ShowsWhatIsAgreedToInPartsOfItsOwn) {
