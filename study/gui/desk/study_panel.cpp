@@ -33,7 +33,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       problem_(bodyLabel({}, this)),
       buttons_(new QVBoxLayout),
       unfinished_(new QVBoxLayout),
-      open_(new QPushButton(tr("Open"), this)),
+      open_(new QPushButton(tr("Open sessions"), this)),
       start_(makeStart()),
       removeButton_(new QPushButton(tr("Remove from list"), this)),
       place_(new QWidget(this)),
@@ -101,7 +101,7 @@ void StudyPanel::makeButtons() {
   add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
   add(tr("Plan…"), "plan", &StudyPanel::planRequested);
   add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
-  group(tr("Safety"));
+  group(tr("Keep and erase"));
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
   add(tr("Key…"), "key", &StudyPanel::keyRequested)
@@ -294,14 +294,18 @@ void StudyPanel::showDocuments(const StudySummary& summary) {
 
 void StudyPanel::showUnfinished(const StudySummary& summary) {
   constexpr int kMostAbove = 2;  // the others are scrolled
-  for (const auto& session : summary.unfinished) {
+  const auto first = std::ranges::find_if(
+      summary.unfinished, [](const auto& session) { return !session.isOpenElsewhere(); });
+  setRole(*open_, first == summary.unfinished.end() ? "main" : "");
+  for (auto session = summary.unfinished.begin(); session != summary.unfinished.end(); ++session) {
     auto* lines = unfinished_->count() < kMostAbove ? unfinished_ : parts_;
-    lines->addWidget(makeCard(session));
+    lines->addWidget(makeCard(*session, session == first));
   }
 }
 
 /// One sentence and the buttons, which are in sight on a small screen; the rest is shown on demand.
-QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
+/// @param isMain  whether its button is the one to press next.
+QWidget* StudyPanel::makeCard(const UnfinishedSession& session, bool isMain) {
   auto* card = new QFrame(this);
   card->setProperty("role", QStringLiteral("card"));
   card->setObjectName(
@@ -320,7 +324,7 @@ QWidget* StudyPanel::makeCard(const UnfinishedSession& session) {
   if (!session.isOpenElsewhere()) {
     auto* button = new QPushButton(
         tr("Continue with %1").arg(QString::fromStdString(session.participant)), card);
-    button->setProperty("role", QStringLiteral("tool"));
+    button->setProperty("role", isMain ? QStringLiteral("main") : QStringLiteral("tool"));
     buttons->addWidget(button);
     const auto id = static_cast<qlonglong>(session.id);
     connect(button, &QPushButton::clicked, this, [this, id] { emit resumeSessionRequested(id); });

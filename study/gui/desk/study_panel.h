@@ -58,7 +58,7 @@ class StudyPanel final : public QFrame {
   void showDocuments(const StudySummary& summary);
   void showUnfinished(const StudySummary& summary);
   void addHeading(const QString& text);
-  QWidget* makeCard(const UnfinishedSession& session);
+  QWidget* makeCard(const UnfinishedSession& session, bool isMain);
 
   QLabel* title_;
   QLabel* what_;

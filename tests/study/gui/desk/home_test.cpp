@@ -24,10 +24,12 @@
 #include "study/gui/widgets/written_file.h"
 #include "study/session/arrivals.h"
 #include "study/session/erasure.h"
+#include "study/session/study_key.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/study/made_study.h"
+#include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -395,6 +397,28 @@ TEST_F(HomeTest, HasTheButtonThatContinuesInSightOnASmallScreen) {
     tests::photograph(home, QStringLiteral("home-unfinished-") + QString::fromStdString(language));
   }
   setDeskLanguage("en");
+}
+
+TEST_F(HomeTest, SaysHowFarAStudyHasComeOnADayOfSessions) {
+  const QString folder = QString::fromStdString(folder_ / "punch-study");
+  {
+    auto study = Study::create(
+        folder.toStdString(), tests::filledIn(punchProtocol()), clock_, 7, tests::knownSecret());
+    exportKey(study, folder_ / "key.json", "kept apart");
+    for (const char* cohort : {"professional", "non-professional", "professional"}) {
+      auto session = tests::consenting(study, {.cohort = cohort});
+      tests::walkToTheEnd(session);
+    }
+    auto interrupted = tests::consenting(study, {.cohort = "non-professional"});
+    tests::walkTo(interrupted, StepKind::Trial);
+  }
+  HomeWindow home;
+  home.resize(1240, 900);
+  home.show();
+  home.choose(folder);
+  EXPECT_EQ(
+      sessionsInWords(summaryOf(folder.toStdString())), "Live: 3 of 4 completed; 1 unfinished");
+  tests::photographInAllThemes(home, QStringLiteral("home-day"));
 }
 
 TEST_F(HomeTest, OffersToResumeAfterACrash) {
