@@ -85,7 +85,6 @@ Tour::Tour(QWidget* parent)
   QCoreApplication::installTranslator(&translator_);
   heading_->setProperty("role", QStringLiteral("heading"));
   next_->setObjectName(QStringLiteral("tour-next"));
-  next_->setProperty("role", QStringLiteral("main"));
   for (auto* button : {back_, next_}) button->setAutoDefault(false);
   steps_->addWidget(makeTrialDemonstration());
   steps_->addWidget(makeQuestions());
@@ -175,16 +174,15 @@ QWidget* Tour::makeTrialDemonstration() {
   }
   // Long words of some languages wrap in a narrow window; a layout in a scroll area does not count
   // the lines.
-  constexpr int kLeastOfPage = 440;  // [px]
+  constexpr int kLeastOfPage = 520;  // [px]
   page_->setMinimumHeight(kLeastOfPage);
   columns->addWidget(page_, 3);
-  columns->addWidget(plot_, 1);
+  columns->addWidget(plot_, 2);
   auto* layout = new QVBoxLayout(step);
   layout->addWidget(bodyLabel(
-      tr("Press Begin, then hold the space bar, or drag down on the left side with the mouse: the "
-         "jaw closes on the meniscus and cuts it. On a real punch your fingers would feel the blue "
-         "curve; the virtual one only draws it. It is computed a thousand times a second, as in a "
-         "study."),
+      tr("On a real punch your fingers would feel the blue curve; the virtual one only draws it. "
+         "It "
+         "is computed a thousand times a second, as in a study."),
       step));
   layout->addLayout(columns, 1);
   connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
@@ -278,6 +276,13 @@ void Tour::goTo(int step) {
   heading_->setText(deskText(kHeadings[step]));
   back_->setEnabled(step > 0);
   next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
+  emphasiseNext();
+}
+
+/// The first step is done with a cut: until then, Next would lead past it.
+void Tour::emphasiseNext() {
+  const bool isDone = step() > 0 || trialRecord_ || punch_.status().cuts > 0;
+  setRole(*next_, isDone ? "main" : "");
 }
 
 void Tour::begin() {
@@ -295,7 +300,9 @@ void Tour::look() {
     figure_->add(sample);
   }
   plot_->refresh();
-  page_->setCuts(punch_.status().cuts);
+  const int cuts = punch_.status().cuts;
+  page_->setCuts(cuts);
+  if (cuts > 0 && next_->property("role").toString().isEmpty()) emphasiseNext();
 }
 
 void Tour::endFeeling() {

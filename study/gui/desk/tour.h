@@ -49,6 +49,7 @@ class Tour final : public QDialog {
   QWidget* makeQuestions();
   QWidget* makeRecord();
   void goTo(int step);
+  void emphasiseNext();
   void begin();
   void look();
   void endFeeling();

@@ -1,5 +1,8 @@
 #include "study/gui/desk/tour.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include <QTest>
@@ -10,6 +13,7 @@
 #include "study/gui/widgets/studio_settings.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/gui/visible_words.h"
 
 namespace study::gui {
 namespace tour_test {
@@ -29,7 +33,13 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   Tour tour;
   tour.show();
   auto* page = tour.findChild<TrialPage*>();
+  const auto* onwards = tour.findChild<QPushButton*>(QStringLiteral("tour-next"));
+  EXPECT_NE(onwards->property("role").toString(), QStringLiteral("main")) << "no cut is made yet";
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
+  const auto words = tests::wordsIn(tour);
+  EXPECT_TRUE(std::none_of(words.begin(), words.end(), [](const QString& text) {
+    return text.contains(QStringLiteral("Press Begin"));
+  })) << "the button is gone";
   auto* enough = buttonSaying(page, QStringLiteral("Done"));
   ASSERT_NE(enough, nullptr);
   // The hand moves in real time: where the machine stands still, one stroke may be too short to be
@@ -37,11 +47,17 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   for (int stroke = 0; stroke < 10 && !enough->isEnabled(); ++stroke) {
     QTest::keyPress(page, Qt::Key_Space);
     QTest::qWait(900);
-    if (stroke == 0) tests::photographInAllThemes(tour, QStringLiteral("tour-1"));
     QTest::keyRelease(page, Qt::Key_Space);
     if (QTest::qWaitFor([&] { return enough->isEnabled(); })) break;
   }
   ASSERT_TRUE(enough->isEnabled());
+  EXPECT_EQ(onwards->property("role").toString(), QStringLiteral("main"));
+  if (std::getenv("PALPATE_PICTURES") != nullptr) {  // of a second cut, before its end
+    QTest::keyPress(page, Qt::Key_Space);
+    QTest::qWait(900);
+    tests::photographInAllThemes(tour, QStringLiteral("tour-1"));
+    QTest::keyRelease(page, Qt::Key_Space);
+  }
   QTest::mouseClick(enough, Qt::LeftButton);
   EXPECT_EQ(tour.step(), 1);
   ASSERT_TRUE(tour.trialRecord());
@@ -65,7 +81,7 @@ TEST_F(TourTest, HasTheParticipantsPageInTheLanguageOfTheDesk) {
     QTest::mouseClick(buttonSaying(page, QStringLiteral("Beginnen")), Qt::LeftButton);
     QString words;
     for (const auto* label : page->findChildren<QLabel*>()) words += label->text();
-    EXPECT_TRUE(words.contains(QStringLiteral("(mindestens 1)"))) << words.toStdString();
+    EXPECT_TRUE(words.contains(QStringLiteral("mindestens 1"))) << words.toStdString();
   }
   setDeskLanguage("en");
 }
