@@ -6,12 +6,15 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
+#include <QPixmap>
 #include <QPointer>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QTextList>
+#include <QTextTable>
 #include <QTimer>
 
 #include "study/gui/participant/participant_window.h"
@@ -77,6 +80,21 @@ void addParagraphSpacing(const QTextBlock& block) {
   format.setBottomMargin(isCode ? 0.0 : 8.0);
   format.setNonBreakableLines(false);  // wraps long commands
   QTextCursor(block).mergeBlockFormat(format);
+}
+
+/// Single lines around cells and space in them, instead of Qt's double frames.
+void fitTables(const QTextDocument& document) {
+  for (auto* frame : document.rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    auto format = table->format();
+    format.setBorder(1.0);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderCollapse(true);
+    format.setCellSpacing(0.0);
+    format.setCellPadding(6.0);
+    table->setFormat(format);
+  }
 }
 
 /// A picture in the text.
@@ -201,6 +219,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   setWindowTitle(tr("Help — Palpate"));
   contents_->setAccessibleName(tr("Contents"));
   contents_->setWordWrap(true);
+  contents_->setIconSize({14, 1});
   contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   text_->setOpenExternalLinks(false);
   text_->setAccessibleName(tr("Help"));
@@ -223,12 +242,18 @@ HelpWindow::HelpWindow(QWidget* parent)
 
 void HelpWindow::listHeadings() {
   contents_->clear();
+  constexpr int kMainLevel = 2;
+  QPixmap indent(contents_->iconSize());
+  indent.fill(Qt::transparent);
   for (auto block = text_->document()->begin(); block.isValid(); block = block.next()) {
     addParagraphSpacing(block);
     if (block.blockFormat().headingLevel() == 0) continue;
     auto* item = new QListWidgetItem(block.text(), contents_);
     item->setData(Qt::UserRole, block.blockNumber());
+    if (block.blockFormat().headingLevel() <= kMainLevel) continue;
+    item->setIcon(indent);  // an empty picture also indents the second line of a long heading
   }
+  fitTables(*text_->document());
   fitToWidth();
 }
 
