@@ -36,10 +36,11 @@ class HipScene final : public SimulatedScene {
   const SphereCloud* spheres() const noexcept { return spheres_.get(); }
 
  private:
-  enum PartIndex : std::size_t { Cap, Shaft, Acetabulum };
+  enum PartIndex : std::size_t { Cap, Shaft, Pelvis, Acetabulum };
 
   void addSpheres(const Options& options);
   void addUncutBone();
+  void addPelvis(float radius);
   void setUpCamera();
 
   Scene scene_;

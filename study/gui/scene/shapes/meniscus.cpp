@@ -16,17 +16,33 @@ constexpr float kBiteDepth = 3.6F;              // across it [mm]
 constexpr std::size_t kMostBites = 12;
 constexpr int kSections = 140;
 constexpr int kPieceSections = 24;
-constexpr int kAcross = 8;   // points across a surface
+constexpr int kAcross = 10;  // points across a surface
 constexpr int kUpright = 2;  // points up a face
 constexpr float kThinnest = 0.22F;
 
 constexpr Tint kEdge{244, 236, 214, 150};
 constexpr Tint kRim{226, 178, 158, 120};
 constexpr Tint kCutFace{252, 246, 230, 90};
+constexpr Tint kCapsule{212, 144, 128, 120};  // where the tissue grows into the synovium
+
+/// How far @p share of the way to the rim is into the rounding of the upper edge, from 0 to 1.
+float roundingAt(float share) {
+  constexpr float kFrom = 0.72F;
+  return std::clamp((share - kFrom) / (1.0F - kFrom), 0.0F, 1.0F);
+}
 
 /// The height of the undeformed tissue at @p share of the way to its rim [mm].
 float restHeight(float share) {
-  return 0.42F + 5.6F * std::pow(share, 1.3F);
+  constexpr float kRounding = 2.6F;  // height of the rounded edge [mm]
+  const float t = roundingAt(share);
+  return 0.42F + 5.6F * std::pow(share, 1.3F) - kRounding * (1.0F - std::sqrt(1.0F - t * t));
+}
+
+/// The place of point @p i across a surface, from 0 (edge) to 1 (rim): closer together at the rim,
+/// which is rounded.
+float placeAcross(std::size_t i) {
+  const float t = static_cast<float>(i) / kAcross;
+  return t * (1.5F - 0.5F * t);
 }
 
 /// Interpolates the displacements of the string's nodes with a cubic Hermite spline.
@@ -129,12 +145,13 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
   std::array<Column, kAcross + 1> columns;
   std::array<Tint, kAcross + 1> tints;
   for (std::size_t i = 0; i <= kAcross; ++i) {
-    const float radius = inner + (outer - inner) * static_cast<float>(i) / kAcross;
+    const float radius = inner + (outer - inner) * placeAcross(i);
     columns[i] = column(angle, radius, squeeze);
     const float share =
         (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius);
     const float fibre = 0.965F + 0.035F * std::sin(23.0F * radius + 0.11F * (angle + moved_));
-    tints[i] = shaded(blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F)), fibre);
+    const Tint tissue = blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F));
+    tints[i] = shaded(blend(tissue, kCapsule, roundingAt(share)), fibre);
   }
   const auto add = [&](QVector3D place, Tint tint) { mesh.vertices.push_back({place, {}, tint}); };
   const auto upright = [&](const Column& face, int i) {
@@ -143,7 +160,8 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
   };
   const bool isCut = inner > layout_.innerRadius + 0.3F;
   for (std::size_t i = 0; i <= kAcross; ++i) add(columns[i].high, tints[i]);
-  for (int i = kUpright; i >= 0; --i) add(upright(columns.back(), i), isPiece ? kCutFace : kRim);
+  for (int i = kUpright; i >= 0; --i)
+    add(upright(columns.back(), i), isPiece ? kCutFace : kCapsule);
   for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, shaded(tints[i], 0.9F));
   for (int i = 0; i <= kUpright; ++i) {
     add(upright(columns.front(), i), isCut ? kCutFace : shaded(kEdge, 0.94F));
