@@ -31,7 +31,7 @@ RendererWithRemark makeRenderer(RendererChoice choice) {
   const QString platform = QGuiApplication::platformName();
   if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
       platform == QLatin1String("vnc") || platform == QLatin1String("linuxfb")) {
-    return onProcessor(deskText("this display has no OpenGL (%1)").arg(platform));
+    return onProcessor(deskText("this display has no OpenGL"));
   }
   try {
     const bool isFinest = choice == RendererChoice::Finest;
