@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include "protocols/load_protocol.h"
@@ -83,9 +84,22 @@ protocols::LoadedProtocol libraryProtocol(const std::string& name) {
 }
 
 protocols::LoadedProtocol filledIn(const protocols::LoadedProtocol& protocol) {
+  const std::map<std::string, std::string> words{
+      {"institution", "the Example University Hospital"},
+      {"contact", "Dr Anna Berg, anna.berg@example.org, +47 55 55 01 23"},
+      {"duration", "20"},
+      {"ethics", "Regional Ethics Committee, reference 2026/123"},
+      {"delete_until", "31 March 2027"},
+      {"names_seen_by", "the responsible researcher"},
+      {"names_destroyed", "on 31 December 2027"},
+      {"data_kept_years", "10"},
+      {"data_protection_officer", "Kari Lie, privacy@example.org"},
+      {"data_protection_authority", "the national data protection authority"}};
   questionnaires::BlankTexts texts;
   for (const auto& blank : protocols::blanksOf(protocol)) {
-    texts[blank.key] = questionnaires::LocalizedText({{"en", "filled in"}});
+    const auto found = words.find(blank.key);
+    texts[blank.key] =
+        questionnaires::LocalizedText({{"en", found == words.end() ? "filled in" : found->second}});
   }
   questionnaires::Problems problems;
   auto filled = protocols::withTexts(protocol, texts, problems);

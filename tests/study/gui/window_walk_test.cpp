@@ -55,6 +55,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/study/gui/window_checks.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/support/long_form.h"
 #include "tests/support/scratch_folder.h"
 
@@ -71,7 +72,7 @@ struct Opened {
 class Windows {
  public:
   Windows() : protocol_(shipped("punch-face-validity")) {
-    Study::create(folder_ / "study", protocol_, clock_, 7, tests::knownSecret());
+    Study::create(folder_ / "study", tests::filledIn(protocol_), clock_, 7, tests::knownSecret());
   }
 
   /// By the name of its class, and of a state after "_" where one is not enough.
@@ -79,7 +80,8 @@ class Windows {
     const auto summary = summaryOf(folder_ / "study");
     return {
         {"AmendDialog", [=] { return make<AmendDialog>(summary); }},
-        {"BackgroundTask", [] { return make<BackgroundTask>(QStringLiteral("A title"), waits()); }},
+        {"BackgroundTask",
+         [] { return make<BackgroundTask>(QStringLiteral("Verifying"), waits()); }},
         {"BackupDialog", [=] { return make<BackupDialog>(summary); }},
         {"BuildBoneDialog", [] { return make<BuildBoneDialog>(); }},
         {"BoneColoursWindow", [] { return cup(); }},
@@ -116,6 +118,7 @@ class Windows {
         {"TextsDialog", [this] { return make<TextsDialog>(protocol_); }},
         {"Tour", [] { return make<Tour>(); }},
         {"VerifyDialog", [=] { return make<VerifyDialog>(summary); }},
+        {"VerifyDialog_Done", [=] { return done<VerifyDialog>(summary); }},
     };
   }
 
@@ -152,7 +155,7 @@ class Windows {
   static BackgroundTask::Work waits() {
     return [](const Progress& progress) {
       for (;;) {
-        progress(0.4, "something is being done");
+        progress(0.4, "session 5 of 12");
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
     };
@@ -161,14 +164,19 @@ class Windows {
   static Opened findings() {
     using haptics::devices::Finding;
     const std::vector<haptics::devices::CheckResult> results{
-        {Finding::Pass, "telemetry rate", "999 Hz", ""},
-        {Finding::Warn, "round trip", "4 ms", "Use another cable."},
-        {Finding::Fail, "port", "none", "Plug the device in."}};
+        {Finding::Pass, "firmware", "protocol 1, board 7, up to 12.0 V, 1000 Hz", ""},
+        {Finding::Pass, "telemetry", "999 samples/s of 1000", ""},
+        {Finding::Warn,
+         "round trip",
+         "median 1210 µs, p99 4100 µs",
+         "Give this program real-time priority (docs/devices.md); stiff scenes may vibrate."},
+        {Finding::Fail,
+         "faults that the board reports",
+         "its encoder jumps",
+         "Switch the punch off and on, then check again."}};
+    const std::vector<FindingsDialog::Found> found{{"punch", results}};
     return make<FindingsDialog>(
-        std::vector<FindingsDialog::Found>{{"punch", results}},
-        FindingsDialog::Question::StartDespiteFailures,
-        FindingsDialog::CheckAgain{},
-        nullptr);
+        found, FindingsDialog::Question::StartDespiteFailures, [found] { return found; }, nullptr);
   }
 
   Opened home() {
@@ -404,7 +412,8 @@ INSTANTIATE_TEST_SUITE_P(
         "StatisticsDialog_Done",
         "TextsDialog",
         "Tour",
-        "VerifyDialog"),
+        "VerifyDialog",
+        "VerifyDialog_Done"),
     [](const auto& each) { return each.param; });
 
 /// Every message and question, each with what it may have to show.
@@ -509,6 +518,8 @@ TEST_F(MessageWalk, DoesWhatIsAskedOnEnterOnceAReasonIsTyped) {
 TEST(ParticipantWalk, HasNoFlawOnAnyPageInAnyLanguage) {
   const auto opened = windows().all().at("OperatorWindow")();
   auto& window = static_cast<OperatorWindow&>(*opened.window);
+  tests::Participant participant(window);
+  participant.writes(QStringLiteral("A. Example"));
   window.show();
   const auto& session = window.controller()->session();
   auto& page = *window.participantWindow();
@@ -561,7 +572,7 @@ TEST(ParticipantWalk, HasNoFlawOnAnyPageInAnyLanguage) {
     if (!isFirstTrial && session.allows(SessionEvent::SkippedStep)) {
       window.controller()->skipStep(QStringLiteral("walking on"));
     } else {
-      tests::Participant(window).doStep();
+      participant.doStep();
     }
     QApplication::processEvents();
   }

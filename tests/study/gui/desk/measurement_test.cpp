@@ -204,6 +204,7 @@ TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   EXPECT_TRUE(more.contains(QStringLiteral("dynamic-1"))) << more.toStdString();
   EXPECT_TRUE(more.contains(QStringLiteral("SYNTHETIC"))) << more.toStdString();
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bone.json"));
+  tests::photographInAllThemes(dialog, QStringLiteral("fit-material-done"));
 }
 
 TEST_F(MeasurementTest, RejectsASeriesWithoutATestInItsName) {

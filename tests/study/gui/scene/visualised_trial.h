@@ -1,6 +1,8 @@
 // A session of a protocol with its windows, at the first trial.
 #pragma once
 
+#include <cstdlib>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -52,6 +54,16 @@ class VisualisedTrial : public testing::Test {
   SimulationView* view() const {
     QTest::qWait(100);  // the view is created shortly after its page
     return window_->participantWindow()->findChild<SimulationView*>();
+  }
+
+  /// Takes a picture of the participant's page with its trial running, once @p isThere or after 20
+  /// s. Does nothing if no pictures are wanted.
+  void photographTrial(const char* name, const std::function<bool()>& isThere) {
+    if (std::getenv("PALPATE_PICTURES") == nullptr) return;
+    window_->participantWindow()->resize(1280, 800);
+    static_cast<void>(QTest::qWaitFor(isThere, 20'000));
+    QTest::qWait(200);  // the picture is drawn after the simulation
+    photograph(*window_->participantWindow(), QString::fromUtf8(name));
   }
 
   std::vector<std::string> viewEvents() {

@@ -32,6 +32,18 @@ TEST_F(VisualisedTrial, ShowsTheSimulationAndSavesItsFrameStatistics) {
   EXPECT_EQ(events.front().find("latency p50 0.0 ms"), std::string::npos) << events.front();
 }
 
+TEST_F(VisualisedTrial, ClosesTheJawInTheKneeWithTheHand) {
+  begin("two-devices");
+  ASSERT_NE(view(), nullptr);
+  auto& controller = *window_->controller();
+  controller.beginTrial();
+  QTest::keyPress(window_->participantWindow()->findChild<TrialPage*>(), Qt::Key_Space);
+  const auto isHalfClosed = [&] { return controller.trialStatus().travel > 5.0; };
+  EXPECT_TRUE(QTest::qWaitFor(isHalfClosed, 20'000));
+  photographTrial("knee", isHalfClosed);
+  controller.stop();
+}
+
 TEST_F(VisualisedTrial, HasNoViewInABlockWithoutVisualisation) {
   begin("punch-face-validity");  // its first block is not visualised, its second is
   ASSERT_NE(window_->participantWindow()->findChild<TrialPage*>(), nullptr);
@@ -90,7 +102,7 @@ TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
   ASSERT_NE(controller.bone(), nullptr);
   QTest::keyPress(window_->participantWindow()->findChild<TrialPage*>(), Qt::Key_Space);
   EXPECT_TRUE(QTest::qWaitFor([&] { return hip->spheres()->shown() != whole; }, 20'000));
-  tests::photograph(*window_->participantWindow(), QStringLiteral("reaming"));
+  photographTrial("cup", [&] { return hip->spheres()->changesSoFar().size() > 4000; });
   controller.stop();
   ASSERT_EQ(viewEvents().size(), 1U);
   EXPECT_NE(viewEvents().front().find("changes lost 0"), std::string::npos);
