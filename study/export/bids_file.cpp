@@ -29,9 +29,7 @@ std::string tsvCell(const Cell& cell, bool isFreeText) {
 }
 
 std::string asTsv(const ExportedTable& table) {
-  return asLines(table, '\t', [](const Cell& cell, const auto& column) {
-    return tsvCell(cell, column.isFreeText);
-  });
+  return asLines(table, '\t', tsvCell);
 }
 
 Json sidecarOf(const ExportedTable& table) {

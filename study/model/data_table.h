@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,9 +21,12 @@ Cell cellOf(const std::optional<T>& value) {
 
 /// The heading of a column.
 struct Heading {
-  std::string name;         ///< in a file: snake_case, with its unit
+  std::string name;         ///< in a file: snake_case, with its unit; in a window: words
   std::string description;  ///< shown in reports and terminals
   bool isFreeText = false;  ///< entered by people: spreadsheets must not read it as a formula
+
+  /// The heading of words that may begin with what people entered, such as a title.
+  static Heading ofWords(std::string name) { return {std::move(name), {}, true}; }
 };
 
 /// A table of a benchmark or a measurement, for a file, a page or a terminal. The data of a study
@@ -44,19 +48,19 @@ std::string csvCell(const Cell& cell, bool isFreeText = false);
 
 /// The names of the columns, then the rows, each on a line that ends with LF.
 /// @param table  a DataTable, or an ExportedTable (study/export/column.h)
-/// @param textOf  the text of a cell, given the cell and its column
+/// @param textOf  the text of a cell, given the cell and whether it is free text
 template <typename Table, typename TextOf>
 std::string asLines(const Table& table, char separator, const TextOf& textOf) {
   std::string text;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     if (i > 0) text += separator;
-    text += table.columns[i].name;
+    text += textOf(Cell(table.columns[i].name), true);
   }
   text += '\n';
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) text += separator;
-      text += textOf(row[i], table.columns[i]);
+      text += textOf(row[i], table.columns[i].isFreeText);
     }
     text += '\n';
   }
@@ -66,9 +70,7 @@ std::string asLines(const Table& table, char separator, const TextOf& textOf) {
 /// RFC 4180 in UTF-8, but lines end with LF; csvCell() says how cells are written.
 template <typename Table>
 std::string asCsv(const Table& table) {
-  return asLines(table, ',', [](const Cell& cell, const auto& column) {
-    return csvCell(cell, column.isFreeText);
-  });
+  return asLines(table, ',', csvCell);
 }
 
 /// The shortest decimal text that parses back to exactly @p value, with a decimal point in every

@@ -120,5 +120,14 @@ TEST(DataTable, IsQuotedAsRfc4180Asks) {
       "written,coded,last\n\"a \"\"b\"\"\",\"c,d\",\"e\rf\"\n");
 }
 
+TEST(DataTable, QuotesItsHeadingsAsItsCells) {
+  DataTable table = tableOf({{"a", "b", "c"}});
+  table.columns[0].name = "=1+1";
+  table.columns[1].name = "Power, simulated";
+  table.columns[2].name = "say \"x\"";
+  const Lines expected{{"'=1+1", "Power, simulated", "say \"x\""}, {"a", "b", "c"}};
+  EXPECT_EQ(StrictReader(asCsv(table)).read(), expected);
+}
+
 }  // namespace data_table_test
 }  // namespace study
