@@ -5,6 +5,7 @@
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/force_curve.h"
+#include "haptics/recordings/import_messages.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
 
@@ -113,14 +114,14 @@ CutChoice chosenRows(const Trace& trace, const RowRange& rows, const std::string
         "Rows " + asked + " are no part of " + named(source) + ": it has rows 1 to " +
         std::to_string(count) + ", and the first must come before the last.");
   }
-  return {{}, {rows}, "rows " + asked + " were asked for"};
+  return {{}, {rows}, importMessage("cut_rows_asked_for", rows.first, rows.last)};
 }
 
 CutChoice chosenClosures(
     std::span<const Closure> closures,
     const std::vector<std::size_t>& numbers,
     const std::string& source) {
-  CutChoice choice{.closures = numbers, .reason = "asked for by number"};
+  CutChoice choice{.closures = numbers, .reason = importMessage("cut_asked_for")};
   for (const std::size_t number : numbers) {
     if (number < 1 || number > closures.size()) {
       throw base::UserError(
@@ -172,10 +173,8 @@ CutChoice typicalClosure(
         " share no travel, so that none is typical: choose one by its number, or rows.");
   }
   CutChoice choice = chosenClosures(closures, {numbers[*typical]}, source);
-  const std::string count = std::to_string(numbers.size());
-  choice.reason = numbers.size() == 1 ? "the only complete closure without a saturated row"
-                                      : "nearest to the mean of the " + count +
-                                            " complete closures without a saturated row";
+  choice.reason = numbers.size() == 1 ? importMessage("cut_only_candidate")
+                                      : importMessage("cut_most_typical", numbers.size());
   return choice;
 }
 

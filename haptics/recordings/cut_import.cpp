@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "haptics/recordings/force_curve.h"
+#include "haptics/recordings/import_messages.h"
 #include "haptics/recordings/recording.h"
 
 namespace haptics::recordings {
@@ -33,9 +34,7 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
     curves.push_back(std::move(drawn.curve));
   }
   if (report.mergedSamples > 0) {
-    report.changes.push_back(
-        std::to_string(report.mergedSamples) + " of " + std::to_string(samples) +
-        " samples merged into their neighbours' mean, so that the travel rises strictly");
+    report.changes.push_back(importMessage("samples_merged", report.mergedSamples, samples));
   }
   if (curves.size() == 1) return curves.front();
 
@@ -43,10 +42,12 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   if (!mean)
     throw base::UserError("The chosen closures share no travel: choose others, or only one.");
   report.deviation = std::move(mean->deviation);
-  report.changes.push_back(
-      "mean of " + std::to_string(curves.size()) + " closures at " +
-      std::to_string(MeanCurve::kNodes) + " travels that all of them share, from " +
-      decimal(mean->curve.start(), 3) + " to " + decimal(mean->curve.end(), 3));
+  report.changes.push_back(importMessage(
+      "closures_averaged",
+      curves.size(),
+      MeanCurve::kNodes,
+      mean->curve.start(),
+      mean->curve.end()));
   return mean->curve;
 }
 
@@ -63,12 +64,11 @@ std::optional<ForceCurve> openingBranchOf(
   const std::optional<MeanCurve> mean = meanCurve(curves);
   if (!mean) return std::nullopt;
   SlopeLimited gentle = limitSlope(curves.size() == 1 ? curves.front() : mean->curve, maxSlope);
+  const double from = gentle.curve.end();
+  const double to = gentle.curve.start();
   report.changes.push_back(
-      "the opening branch is kept as well, from " + decimal(gentle.curve.end(), 3) + " down to " +
-      decimal(gentle.curve.start(), 3) +
-      (gentle.largestChange > 0.0
-           ? ", slope limited, which moves it by up to " + decimal(gentle.largestChange, 3) + " N"
-           : std::string()));
+      gentle.largestChange > 0.0 ? importMessage("opening_limited", from, to, gentle.largestChange)
+                                 : importMessage("opening_kept", from, to));
   return std::move(gentle.curve);
 }
 
@@ -113,14 +113,13 @@ ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& repor
   report.largestChange = gentle.largestChange;
   report.largestChangeAt = gentle.largestChangeAt;
   if (gentle.largestChange > 0.0) {
-    report.changes.push_back(
-        "slope limited to " + decimal(maxSlope, 2) +
-        " N per travel unit, which moves the force by up to " + decimal(gentle.largestChange, 3) +
-        " N, most at travel " + decimal(gentle.largestChangeAt, 3) +
-        "; the recording rises by up "
-        "to " +
-        decimal(report.steepness, 2) + " N per travel unit (over steps of " +
-        decimal(kSlopeStep, 1) + " travel units)");
+    report.changes.push_back(importMessage(
+        "slope_limited",
+        maxSlope,
+        gentle.largestChange,
+        gentle.largestChangeAt,
+        report.steepness,
+        kSlopeStep));
   }
   return std::move(gentle.curve);
 }
@@ -131,31 +130,24 @@ void reportPeak(ImportReport& report) {
   constexpr double kShown = 0.005;  // [N]: two decimals
   const double change = report.peakAfter - report.peakBefore;
   if (std::abs(change) < kShown && report.movedPoints == 0) return;
-  std::string words =
-      "peak " + decimal(report.peakBefore, 2) + " → " + decimal(report.peakAfter, 2) + " N";
-  if (report.peakBefore > 0.0) {
-    words += " (" + std::string(change > 0.0 ? "+" : "") +
-             decimal(100.0 * change / report.peakBefore, 1) + " %)";
-  }
-  words += "; " + std::to_string(report.movedPoints) + " of " + std::to_string(report.points) +
-           " points moved by more than " + decimal(100.0 * kVisibleShare, 0) +
-           " % of the recorded peak";
-  report.changes.insert(report.changes.begin(), std::move(words));
-}
-
-std::string shortDecimal(double value) {
-  std::string digits = decimal(value, 4);
-  digits.erase(digits.find_last_not_of('0') + 1);
-  if (digits.ends_with('.')) digits.pop_back();
-  return digits;
-}
-
-/// Describes the readings outside the range of a calibration.
-std::string describeOutside(const ForceCalibration& calibration) {
-  const std::string more =
-      "more than " + shortDecimal(calibration.highest) + " " + calibration.unit;
-  if (!std::isfinite(calibration.lowest)) return more;
-  return "less than " + shortDecimal(calibration.lowest) + " or " + more;
+  constexpr double kPercent = 100.0;
+  const double visible = kPercent * kVisibleShare;
+  auto said = report.peakBefore > 0.0 ? importMessage(
+                                            "peak_changed",
+                                            report.peakBefore,
+                                            report.peakAfter,
+                                            kPercent * change / report.peakBefore,
+                                            report.movedPoints,
+                                            report.points,
+                                            visible)
+                                      : importMessage(
+                                            "peak_from_nothing",
+                                            report.peakBefore,
+                                            report.peakAfter,
+                                            report.movedPoints,
+                                            report.points,
+                                            visible);
+  report.changes.insert(report.changes.begin(), std::move(said));
 }
 
 /// Adds warnings about saturated and uncalibrated readings in the chosen rows.
@@ -171,14 +163,19 @@ void addSensorWarnings(
     }
   }
   if (uncalibrated > 0) {
+    const bool hasLowest = std::isfinite(calibration.lowest);
     report.changes.push_back(
-        std::to_string(uncalibrated) + " rows read " + describeOutside(calibration) +
-        ", beyond the sensor's calibration");
+        hasLowest
+            ? importMessage(
+                  "rows_beyond_calibration",
+                  uncalibrated,
+                  calibration.lowest,
+                  calibration.highest,
+                  calibration.unit)
+            : importMessage(
+                  "rows_above_calibration", uncalibrated, calibration.highest, calibration.unit));
   }
-  if (saturated > 0) {
-    report.changes.push_back(
-        std::to_string(saturated) + " rows were saturated: their force is a lower bound");
-  }
+  if (saturated > 0) report.changes.push_back(importMessage("rows_saturated", saturated));
 }
 
 CutLandmarks landmarksOf(
@@ -203,6 +200,13 @@ CutLandmarks landmarksOf(
   return landmarksAlong(travel, force, yieldLoad);
 }
 
+/// In English, as the file of a cut keeps them.
+std::vector<std::string> sentencesOf(const std::vector<base::Message>& changes) {
+  std::vector<std::string> sentences;
+  for (const auto& change : changes) sentences.push_back(describe(change));
+  return sentences;
+}
+
 Provenance provenanceOf(
     const Recording& recording,
     const ForceCalibration& calibration,
@@ -210,7 +214,7 @@ Provenance provenanceOf(
     const ImportReport& report) {
   return {
       .statement = describe(report.rows) + " of the recording '" + recording.source + "' (" +
-                   report.reason + ")",
+                   describe(report.reason) + ")",
       .sourceFile = recording.source,
       .rows = report.rows,
       .closures = report.closures,
@@ -218,7 +222,7 @@ Provenance provenanceOf(
       .filter = std::string(nameOf(options.filter.kind)),
       .filterParameters = parametersOf(options.filter, report.survey.sampling.rate),
       .slopeLimit = options.maxSlope,
-      .changes = report.changes};
+      .changes = sentencesOf(report.changes)};
 }
 
 void requireSlope(double maxSlope) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "haptics/recordings/cut.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
@@ -83,7 +84,7 @@ std::vector<Closure> closuresOf(
 struct CutChoice {
   std::vector<std::size_t> closures{};  ///< numbers from 1; empty if rows were requested
   std::vector<RowRange> rows{};         ///< the closing rows of each closure, or the requested rows
-  std::string reason{};                 ///< a sentence on why these were chosen
+  base::Message reason{};               ///< why these were chosen
 };
 
 /// Chooses the rows of a cut according to @p options; see importCut().
@@ -122,7 +123,7 @@ struct ImportReport {
   /// Numbers of the chosen closures, from 1; empty if rows were requested.
   std::vector<std::size_t> closures{};
   std::vector<RowRange> rows{};   ///< rows from which the curve was made
-  std::string reason{};           ///< a sentence on why these were chosen
+  base::Message reason{};         ///< why these were chosen
   std::size_t mergedSamples = 0;  ///< samples merged to make the travel strictly increasing
   double peakBefore = 0.0;        ///< largest force of the rows; mean of several closures [N]
   double peakAfter = 0.0;         ///< largest force of the cut [N]
@@ -137,7 +138,7 @@ struct ImportReport {
   double largestChangeAt = 0.0;  ///< travel of that node [travel units]
   /// Of a mean curve: standard deviation between the closures at each node [N]
   std::vector<double> deviation{};
-  std::vector<std::string> changes{};  ///< sentences about all changes, first that of the peak
+  std::vector<base::Message> changes{};  ///< all changes, first that of the peak
 
   /// Whether the cut differs from the recording by more than kVisibleShare of its peak.
   bool isAltered() const noexcept;

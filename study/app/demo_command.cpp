@@ -43,8 +43,8 @@ std::string punchProtocol(const DemoArguments& options, const fs::path& folder) 
     writeNewFile(
         (folder / "recorded-cut.json").string(),
         cutAsJsonWithSource(options.recording, imported.cut));
-    fmt::print("Cut from {}: {}\n", recording.source, imported.report.reason);
-    for (const auto& change : imported.report.changes) fmt::print("  {}\n", change);
+    fmt::print("Cut from {}: {}\n", recording.source, describe(imported.report.reason));
+    for (const auto& change : imported.report.changes) fmt::print("  {}\n", describe(change));
     text = withRecordedCut(std::move(text), "recorded-cut.json");
   }
   writeNewFile(path, text);

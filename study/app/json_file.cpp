@@ -59,7 +59,7 @@ Json chosenAsJson(
   chosen["steepness_before"] = report.steepness;
   chosen["largest_slope"] = cut.curve.largestSlope();
   chosen["largest_change_n"] = report.largestChange;
-  chosen["changes"] = report.changes;
+  chosen["changes"] = cut.provenance.changes;
   chosen["samples"] = Json::array();
   for (const auto& rows : report.rows) {
     for (std::size_t row = rows.first - 1; row < rows.last; ++row) {
@@ -166,7 +166,7 @@ std::string importAsJson(
   }
   for (const auto& closure : survey.closures) json["cuts"].push_back(asJson(closure));
   json["chosen"] = imported ? chosenAsJson(*imported, trace) : Json(nullptr);
-  json["reason"] = imported ? imported->report.reason : whyNot;
+  json["reason"] = imported ? describe(imported->report.reason) : whyNot;
   return printed(json);
 }
 

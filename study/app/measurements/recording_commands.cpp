@@ -122,8 +122,8 @@ std::optional<recordings::ImportedCut> cutFrom(
 }
 
 void printChoice(const ImportCommand& command, const recordings::ImportReport& report) {
-  fmt::print("\n  {}\n", report.reason);
-  for (const auto& change : report.changes) fmt::print("  {}\n", change);
+  fmt::print("\n  {}\n", describe(report.reason));
+  for (const auto& change : report.changes) fmt::print("  {}\n", describe(change));
   if (report.isAltered()) {
     fmt::print(
         "\nWARNING: the cut is not what was recorded: its peak is {:.2f} N in place of {:.2f} N, "

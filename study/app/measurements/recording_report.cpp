@@ -185,7 +185,8 @@ report::DocumentPart cutPart(
     const recordings::ImportedCut& imported) {
   report::DocumentPart part{
       .heading = "The cut", .paragraphs = {imported.cut.provenance.statement + "."}};
-  for (const auto& change : imported.report.changes) part.paragraphs.push_back(change + ".");
+  for (const auto& change : imported.report.changes)
+    part.paragraphs.push_back(describe(change) + ".");
   Chart chart{.x = {.title = "travel [travel units]"}, .y = {.title = "force [N]"}};
   ChartSeries samples{.title = "recorded", .style = ChartSeries::Style::Markers};
   for (const auto& rows : imported.report.rows) {

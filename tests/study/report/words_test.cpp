@@ -10,6 +10,7 @@
 
 #include "analysis/data/reason.h"
 #include "analysis/summary/flags.h"
+#include "haptics/recordings/import_messages.h"
 #include "haptics/registry/device_kinds.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/messages.h"
@@ -172,6 +173,7 @@ std::map<std::string_view, std::string_view> allMessages() {
   add(report::kSmallSampleMessages);
   add(questionnaires::kWarnings);
   add(protocols::kMessages);
+  add(haptics::recordings::kImportMessages);
   add(kMessages);
   return all;
 }
