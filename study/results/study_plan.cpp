@@ -163,7 +163,8 @@ FamilyPlan declared(
       .points = pointsOf(family, loaded),
       .alpha = question.alpha.value_or(family.alpha),
       .isCorrected = family.correction != protocols::CorrectionType::None,
-      .correction = std::string(nameOf(family.correction))};
+      .correction = std::string(nameOf(family.correction)),
+      .test = family.test};
   const auto tests = plan.isCorrected ? plan.comparisons : 1;
   plan.alphaPerTest = plan.alpha / static_cast<double>(tests);
   plan.answers = answersTo(*conditions.begin(), family, loaded);

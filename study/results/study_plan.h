@@ -79,6 +79,7 @@ struct FamilyPlan {
   bool isCorrected = true;  ///< whether alphaPerTest is corrected for the number of comparisons
                             ///< (for the smallest p)
   std::string correction;   ///< "Holm"
+  protocols::TestType test = protocols::TestType::Welch;  ///< powers are of a paired t-test
   /// Fewest participants for which an exact paired test can be significant.
   std::uint64_t fewestForSignificance = 0;
   std::optional<std::uint64_t> forPower;     ///< participants needed for the requested effect and

@@ -52,10 +52,9 @@ AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
   file_->startIn(protocolFolder());
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for the change"));
-  reason_->setPlaceholderText(
-      hasBegun_ ? tr("needed: a participant has begun") : tr("optional: no participant has begun"));
   form().addRow(tr("Changed protocol"), file_);
-  form().addRow(tr("Reason for the change"), reason_);
+  form().addRow(
+      hasBegun_ ? tr("Reason for the change") : tr("Reason for the change (optional)"), reason_);
   connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
   connect(reason_, &QLineEdit::textChanged, this, &AmendDialog::updateButton);
   check();
@@ -233,6 +232,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Tests"), profile_);
   form().addRow(tr("Reason for unblinding"), reason_);
   addResult(result_);
+  widen(*this);
   const auto forget = [this] {
     section_.reset();
     updateChoices();
@@ -277,7 +277,6 @@ void StatisticsDialog::work() {
         recordUnblinding(study, mode, EventKind::UnblindedResults, reason);
         section_ = report::gatherResults(study, mode, words);
       });
-  if (section_) widen(*this);
   showResults();
 }
 

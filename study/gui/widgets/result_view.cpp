@@ -66,7 +66,8 @@ class FittedTable final : public QTableWidget {
 };
 
 QString textOf(const Cell& cell) {
-  return asText(std::get<std::string>(cell));
+  const auto* text = std::get_if<std::string>(&cell);
+  return text == nullptr ? QString() : asText(*text);
 }
 
 }  // namespace
@@ -74,6 +75,7 @@ QString textOf(const Cell& cell) {
 ResultView::ResultView(QWidget* parent)
     : QWidget(parent),
       answer_(bodyLabel({}, this)),
+      results_(new QWidget(this)),
       choice_(new QComboBox(this)),
       cells_(new FittedTable(this, [this] { copy(); })) {
   constexpr int kLeastHeight = 200;  // [px]
@@ -101,12 +103,15 @@ ResultView::ResultView(QWidget* parent)
     button->setProperty("role", QStringLiteral("tool"));
     buttons->addWidget(button);
   }
+  auto* inside = new QVBoxLayout(results_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->addLayout(buttons);
+  inside->addWidget(cells_, 1);
+  results_->setMinimumHeight(kUsualHeight);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(answer_);
-  layout->addLayout(buttons);
-  layout->addWidget(cells_, 1);
-  setMinimumHeight(kUsualHeight);
+  layout->addWidget(results_, 1);
   connect(choice_, &QComboBox::currentIndexChanged, this, &ResultView::fill);
   connect(copy, &QPushButton::clicked, this, &ResultView::copy);
   connect(save, &QPushButton::clicked, this, &ResultView::save);
@@ -115,6 +120,7 @@ ResultView::ResultView(QWidget* parent)
 void ResultView::show(const QString& answer, std::vector<DataTable> tables) {
   tables_ = std::move(tables);
   answer_->setText(answer);
+  results_->setVisible(!tables_.empty());
   const QSignalBlocker quiet(choice_);
   choice_->clear();
   for (const auto& table : tables_) choice_->addItem(asText(table.description));

@@ -23,7 +23,7 @@ class ResultView final : public QWidget {
   void show(const QString& answer, std::vector<DataTable> tables);
   using QWidget::show;
 
-  /// The table in sight.
+  /// The table in sight. Must not be called where there is none.
   const DataTable& table() const {
     return tables_[static_cast<std::size_t>(choice_->currentIndex())];
   }
@@ -38,6 +38,7 @@ class ResultView final : public QWidget {
 
   std::vector<DataTable> tables_;
   QLabel* answer_;
+  QWidget* results_;  ///< the tables; hidden where there are none
   QComboBox* choice_;
   QTableWidget* cells_;
 };

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "analysis/planning/power.h"
+#include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
+#include "study/results/results.h"
 
 namespace study::report {
 namespace {
@@ -32,7 +34,7 @@ class PlanWriter {
     for (const auto& family : plan_.families) {
       if (!text.empty()) text += "\n";
       if (plan_.families.size() > 1) text += words_.say("“{}”", family.title) + ": ";
-      text += found(family) + needed(family);
+      text += needed(family) + " " + found(family) + test(family);
     }
     return text;
   }
@@ -43,7 +45,7 @@ class PlanWriter {
     orders();
     session();
     preferences();
-    auto& ethics = add("ethics", words_("For an ethics committee"), {words_("Paragraph")});
+    auto& ethics = add("ethics", words_("For an ethics committee"), {words("Paragraph")});
     ethics.rows.push_back({ethicsParagraph(plan_)});
     std::erase_if(tables_, [](const auto& table) { return table.rows.empty(); });
     return std::move(tables_);
@@ -82,31 +84,46 @@ class PlanWriter {
 
   std::string needed(const FamilyPlan& family) const {
     auto text = words_.say(
-        "A probability of {} takes {} participants in a cohort",
-        percent(plan_.question.power),
-        asCell(family.forPower));
+        "{} participants in a cohort find a difference of d_z = {:g} with a probability of {}",
+        asCell(family.forPower),
+        plan_.question.dz,
+        percent(plan_.question.power));
     if (family.recommended && plan_.balancedBy > 1) {
       text += words_.say("; {} balance the orders as well", *family.recommended);
     }
     return text + ".";
   }
 
+  /// Of which test the power is, and whether the protocol declares it.
+  std::string test(const FamilyPlan& family) const {
+    auto text = words_.say(
+        "Power is that of a paired t-test of people’s means at α = {}.",
+        rounded(family.alphaPerTest, 4));
+    if (family.test == protocols::TestType::PairedT) return text;
+    return text + " " +
+           words_.say(
+               "The protocol declares another test ({}), whose power differs.",
+               words_(shortNameOf(idOf(family.test))));
+  }
+
   // --- Tables ---
 
-  DataTable& add(std::string name, std::string title, std::vector<std::string> headings) {
-    auto& table = tables_.emplace_back(DataTable{
-        .name = std::move(name), .description = std::move(title), .columns = {}, .rows = {}});
-    for (auto& heading : headings) {
-      // The first columns have titles of the protocol in them.
-      table.columns.push_back({std::move(heading), {}, table.columns.size() < 2});
-    }
-    return table;
+  /// The heading of a column of words, which may begin with a title of the protocol.
+  Heading words(std::string_view english) const { return Heading::ofWords(words_(english)); }
+  Heading number(std::string_view english) const { return {words_(english)}; }
+
+  DataTable& add(std::string name, std::string title, std::vector<Heading> headings) {
+    return tables_.emplace_back(DataTable{
+        .name = std::move(name),
+        .description = std::move(title),
+        .columns = std::move(headings),
+        .rows = {}});
   }
 
   void power(const FamilyPlan& family) {
     const auto effects = effectsToShow(plan_);
-    std::vector<std::string> headings{words_("Participants in a cohort")};
-    for (const double dz : effects) headings.push_back(fmt::format("d_z = {:g}", dz));
+    std::vector<Heading> headings{words("Participants in a cohort")};
+    for (const double dz : effects) headings.push_back({fmt::format("d_z = {:g}", dz)});
     const auto title =
         plan_.families.size() > 1 ? words_("Power") + ": " + family.title : words_("Power");
     auto& table = add("power-" + family.id, title, std::move(headings));
@@ -129,14 +146,14 @@ class PlanWriter {
     auto& table =
         add("cohorts",
             words_("Cohorts"),
-            {words_("Question"),
-             words_("Cohort"),
-             "n",
-             words_("Power"),
-             words_("Power, simulated"),
-             words_("Found without a difference, simulated"),
-             words_("Smallest exact p"),
-             words_("In words")});
+            {words("Question"),
+             words("Cohort"),
+             Heading{"n"},
+             number("Power"),
+             number("Power, simulated"),
+             number("Found without a difference, simulated"),
+             number("Smallest exact p"),
+             words("In words")});
     for (const auto& family : plan_.families) {
       for (std::size_t i = 0; i < plan_.cohorts.size(); ++i) {
         const auto& cohort = family.detectabilities[i];
@@ -159,7 +176,7 @@ class PlanWriter {
 
   void orders() {
     auto& table =
-        add("orders", words_("Orders"), {words_("Block"), words_("Methods"), words_("In words")});
+        add("orders", words_("Orders"), {words("Block"), number("Methods"), words("In words")});
     for (const auto& block : plan_.blocks) {
       table.rows.push_back({block.phase, std::to_string(block.conditions), balanceOf(block)});
     }
@@ -193,7 +210,7 @@ class PlanWriter {
     auto& table =
         add("session",
             words_("Length of a session"),
-            {words_("Part"), words_("Minutes"), words_("Steps"), words_("Items"), words_("Cuts")});
+            {words("Part"), number("Minutes"), number("Steps"), number("Items"), number("Cuts")});
     const auto orNothing = [](auto number) {
       return number > 0 ? std::to_string(number) : std::string();
     };
@@ -218,11 +235,11 @@ class PlanWriter {
     auto& table =
         add("preferences",
             words_("Preferences"),
-            {words_("After"),
-             words_("Cohort"),
-             words_("Alternatives"),
-             words_("Votes"),
-             words_("Votes for one that are significant")});
+            {words("After"),
+             words("Cohort"),
+             number("Alternatives"),
+             number("Votes"),
+             number("Votes for one that are significant")});
     for (const auto& vote : plan_.votes) {
       if (vote.votes == 0 || vote.alternatives < 2) continue;
       table.rows.push_back(

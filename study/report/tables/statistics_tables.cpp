@@ -67,14 +67,12 @@ std::string orNothing(const std::optional<analysis::Interval>& interval) {
 }
 
 /// @param title  shown above the table
-DataTable tableOf(std::string name, std::string title, std::vector<std::string> headings) {
-  DataTable table{
-      .name = std::move(name), .description = std::move(title), .columns = {}, .rows = {}};
-  for (auto& heading : headings) {
-    // The first columns have titles of the protocol in them.
-    table.columns.push_back({std::move(heading), {}, table.columns.size() < 2});
-  }
-  return table;
+DataTable tableOf(std::string name, std::string title, std::vector<Heading> headings) {
+  return {
+      .name = std::move(name),
+      .description = std::move(title),
+      .columns = std::move(headings),
+      .rows = {}};
 }
 
 class TablesWriter {
@@ -89,6 +87,7 @@ class TablesWriter {
     }
     means();
     for (const auto& votes : voteTables(section_.results)) preferences(votes);
+    items();
     scores();
     remarks();
     return std::move(tables_);
@@ -100,6 +99,10 @@ class TablesWriter {
     return section_.words.say(english, std::forward<Args>(args)...);
   }
 
+  /// The heading of a column of words, which may begin with a title of the protocol.
+  Heading words(std::string_view english) const { return Heading::ofWords(say(english)); }
+  Heading number(std::string_view english) const { return {say(english)}; }
+
   void add(DataTable table) {
     if (!table.rows.empty()) tables_.push_back(std::move(table));
   }
@@ -110,30 +113,39 @@ class TablesWriter {
 
   // --- Comparisons ---
 
+  /// What a reader looks for first is seen first: the difference, its interval and p.
+  std::vector<Heading> headingsOf(const FamilyResult& family, bool isOfAnswers) const {
+    std::vector<Heading> headings{
+        words("Cohort"), words("Comparison"), isOfAnswers ? number("Answers") : Heading{"n"}};
+    if (isOfAnswers) headings.push_back(number("People"));
+    headings.insert(
+        headings.end(),
+        {number("Difference"),
+         Heading{say("{:g} % CI", 100.0 * (1.0 - family.family.alpha))},
+         Heading{"p"},
+         number("adjusted p"),
+         words("In words"),
+         number("Test"),
+         number("Statistic"),
+         number("Effect size")});
+    return headings;
+  }
+
   void comparisons(const FamilyResult& family) {
-    auto table = tableOf(
-        family.family.id,
-        family.family.title,
-        {say("Cohort"),
-         say("Comparison"),
-         say("In words"),
-         "n",
-         say("Test"),
-         say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - family.family.alpha)),
-         say("Statistic"),
-         "p",
-         say("adjusted p"),
-         say("Effect size")});
+    const bool isOfAnswers = isPooled(profile_, family.family);
+    auto table = tableOf(family.family.id, family.family.title, headingsOf(family, isOfAnswers));
     for (const auto& part : family.cohorts) {
+      const auto people =
+          isOfAnswers ? std::optional(part.table.participants.size()) : std::nullopt;
       const auto row = [&](const std::string& groups, const analysis::TestRow& test) {
         table.rows.push_back(
-            cellsOf(family, section_.cohortTitle(part.cohort), groups, test, test));
+            cellsOf(family, section_.cohortTitle(part.cohort), groups, people, test, test));
       };
       if (!hasAnswers(part)) {
-        Cells cells(table.columns.size());
+        Cells cells(table.columns.size(), std::string());
         cells.front() = section_.cohortTitle(part.cohort);
-        cells[2] = say("No answers yet.");
+        const auto inWords = std::ranges::find(table.columns, say("In words"), &Heading::name);
+        cells[static_cast<std::size_t>(inWords - table.columns.begin())] = say("No answers yet.");
         table.rows.push_back(std::move(cells));
         continue;
       }
@@ -144,6 +156,7 @@ class TablesWriter {
                 family,
                 section_.cohortTitle(part.cohort),
                 section_.conditionTitle(group1) + " vs. " + section_.conditionTitle(group2),
+                people,
                 *test,
                 *difference));
           }
@@ -167,34 +180,37 @@ class TablesWriter {
           const auto who =
               section_.cohortTitle(pair.cohort1) + " vs. " + section_.cohortTitle(pair.cohort2);
           table.rows.push_back(
-              cellsOf(family, who, section_.conditionTitle(pair.condition), test, test));
+              cellsOf(family, who, section_.conditionTitle(pair.condition), {}, test, test));
         }
       }
     }
     add(std::move(table));
   }
 
+  /// @param people  who gave the answers; std::nullopt if n is the number of people
   /// @param difference  has the estimate, its interval and the effect; often @p test itself
   Cells cellsOf(
       const FamilyResult& family,
       const std::string& who,
       const std::string& groups,
+      const std::optional<std::size_t>& people,
       const analysis::TestRow& test,
       const analysis::TestRow& difference) const {
     const auto& estimate = difference.estimate;
     const bool isOfPoints = estimate.name == "difference";
-    return {
-        who,
-        groups,
-        inWords(family, test, estimate.value),
-        countOf(test),
-        say(shortNameOf(test.id)),
-        isOfPoints ? orNothing(estimate.value) : std::string(),
-        isOfPoints ? orNothing(difference.interval) : std::string(),
-        statisticOf(test),
-        test.p ? formatP(test.p) : std::string(),
-        test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
-        effectOf(difference)};
+    Cells cells{who, groups, countOf(test)};
+    if (people) cells.emplace_back(std::to_string(*people));
+    cells.insert(
+        cells.end(),
+        {isOfPoints ? orNothing(estimate.value) : std::string(),
+         isOfPoints ? orNothing(difference.interval) : std::string(),
+         test.p ? formatP(test.p) : std::string(),
+         test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
+         inWords(family, test, estimate.value),
+         say(shortNameOf(test.id)),
+         statisticOf(test),
+         effectOf(difference)});
+    return cells;
   }
 
   /// The pooled tests of a study that does not declare them are corrected as in the punch paper.
@@ -221,13 +237,13 @@ class TablesWriter {
         family.family.id + "-sites",
         section_.results.families.size() > 1 ? family.family.title + ": " + say("By site")
                                              : say("By site"),
-        {say("Cohort"),
-         say("Comparison"),
-         say("Site"),
-         "n",
-         say("Difference"),
-         say("{:g} % CI", 100.0 * (1.0 - family.family.alpha)),
-         "p"});
+        {words("Cohort"),
+         words("Comparison"),
+         words("Site"),
+         Heading{"n"},
+         number("Difference"),
+         Heading{say("{:g} % CI", 100.0 * (1.0 - family.family.alpha))},
+         Heading{"p"}});
     for (const auto& part : family.cohorts) {
       if (!part.sites) continue;
       for (const auto& pair : part.sites->rows) {
@@ -276,7 +292,12 @@ class TablesWriter {
     auto table = tableOf(
         "means",
         say("Means"),
-        {say("Question"), say("Cohort"), say("Method"), "M", "s²", say("Answers")});
+        {words("Question"),
+         words("Cohort"),
+         words("Method"),
+         Heading{"M"},
+         Heading{"s²"},
+         number("Answers")});
     for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
         for (const auto& one : part.conditions) {
@@ -294,12 +315,45 @@ class TablesWriter {
     add(std::move(table));
   }
 
-  void preferences(const VoteTable& votes) {
-    auto table = tableOf("preferences", say("Preferences"), {say("Cohort"), say("After")});
-    for (const auto& option : votes.options) {
-      table.columns.push_back({section_.conditionTitle(option), {}, true});
+  /// Each item by itself, as it was answered. A mean of one person would be that person's answer.
+  void items() {
+    auto table = tableOf(
+        "items",
+        say("Single items"),
+        {words("Question"),
+         words("Cohort"),
+         words("Method"),
+         number("People"),
+         Heading{"M"},
+         Heading{"SD"},
+         number("Median"),
+         number("Smallest"),
+         number("Largest")});
+    for (const auto& one : section_.results.answers.items) {
+      const auto instrument =
+          std::ranges::find(section_.instruments, one.instrument, &questionnaires::Instrument::id);
+      if (instrument == section_.instruments.end() || one.values.size() < 2) continue;
+      const auto* item = instrument->item(one.item);
+      table.rows.push_back(
+          {item == nullptr ? one.item : questionOf(*item, section_.words.language()),
+           section_.cohortTitle(one.cohort),
+           one.condition.empty() ? std::string() : section_.conditionTitle(one.condition),
+           std::to_string(one.values.size()),
+           orNothing(one.mean),
+           orNothing(one.standardDeviation),
+           orNothing(one.median),
+           orNothing(one.least),
+           orNothing(one.most)});
     }
-    table.columns.push_back({say("exact p"), {}, false});
+    add(std::move(table));
+  }
+
+  void preferences(const VoteTable& votes) {
+    auto table = tableOf("preferences", say("Preferences"), {words("Cohort"), words("After")});
+    for (const auto& option : votes.options) {
+      table.columns.push_back({section_.conditionTitle(option)});
+    }
+    table.columns.push_back(number("exact p"));
     const auto row = [&](const std::string& who,
                          const std::string& when,
                          const analysis::VoteCounts& counts,
@@ -325,7 +379,13 @@ class TablesWriter {
     auto table = tableOf(
         "scores",
         say("Questionnaires"),
-        {say("Score"), say("Cohort"), say("About"), "n", "M", "SD", say("95 % CI")});
+        {words("Score"),
+         words("Cohort"),
+         words("About"),
+         Heading{"n"},
+         Heading{"M"},
+         Heading{"SD"},
+         number("95 % CI")});
     for (const auto& summary : section_.results.instruments) {
       const auto instrument = std::ranges::find(
           section_.instruments, summary.instrument, &questionnaires::Instrument::id);
@@ -353,7 +413,7 @@ class TablesWriter {
     auto table = tableOf(
         "remarks",
         say("Remarks"),
-        {say("Cohort"), say("Remark"), say("Why it matters"), say("What to do")});
+        {words("Cohort"), words("Remark"), words("Why it matters"), words("What to do")});
     for (const auto& family : section_.results.families) {
       for (const auto& [flag, found] : flagsByKind(family, isPooled(profile_, family.family))) {
         for (const auto& [cohort, what] : found) {
@@ -375,11 +435,27 @@ class TablesWriter {
   std::vector<DataTable> tables_;
 };
 
+/// Whether tests as declared count several answers of a person as those of several people.
+bool areAnswersPooled(const ReportSection& section) {
+  return std::ranges::any_of(section.results.families, [](const auto& family) {
+    return isPooled(Profile::Declared, family.family) &&
+           std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
+             return raised.flag->id == "pseudo_replication";
+           });
+  });
+}
+
 }  // namespace
 
 std::string answerInWords(const ReportSection& section) {
   const auto& words = section.words;
   auto text = verdictOf(section);
+  if (!text.empty() && areAnswersPooled(section)) {
+    text += "\n" + words(
+                       "As the protocol declares, these tests take all answers of a person as "
+                       "independent: their p may be far too small. The tests within participants "
+                       "compare people.");
+  }
   if (text.empty()) {
     text = words("Nothing can be compared yet: no completed session has answers to compare.");
   }

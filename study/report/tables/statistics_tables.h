@@ -8,12 +8,14 @@
 
 namespace study::report {
 
-/// What kind of sessions the results are of, unless they are live; then verdictOf().
+/// What kind of sessions the results are of, unless they are live; then verdictOf(), and the caveat
+/// of pooled answers.
 std::string answerInWords(const ReportSection& section);
 
 /// The results of a study as tables in words, to be shown in a window, copied or saved: for each
 /// family the comparisons of @p profile, each with what it says in words or why it was not tested,
-/// and the differences by site; then means, preferences, scores, and what a reader has to know.
+/// and the differences by site; then means, preferences, single items, scores, and what a reader
+/// has to know.
 /// Tables without rows are left out.
 std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile);
 

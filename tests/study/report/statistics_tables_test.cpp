@@ -1,6 +1,7 @@
 #include "study/report/tables/statistics_tables.h"
 
 #include <algorithm>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,42 @@ TEST(StatisticsTables, HaveTheNumbersOfTheDeclaredTestsInTheirOrder) {
   EXPECT_EQ(column(table, "adjusted p"), adjusted);
 }
 
+TEST(StatisticsTables, SayHowManyPeopleGaveThePooledAnswers) {
+  const auto section = tests::madeUpSection();
+  const auto table = statisticsTables(section, Profile::Declared).front();
+  std::vector<std::string> people;
+  for (const auto& part : section.results.families.front().cohorts) {
+    for (std::size_t i = 0; i < part.comparisons.rows.size(); ++i) {
+      people.push_back(std::to_string(part.table.participants.size()));
+    }
+  }
+  EXPECT_EQ(column(table, "People"), people);
+  const auto within = statisticsTables(section, Profile::Recommended).front();
+  EXPECT_EQ(std::ranges::count(within.columns, "People", &Heading::name), 0) << "n is of people";
+}
+
+TEST(StatisticsTables, ListItemsByThemselvesButNotThoseOfOnePerson) {
+  auto section = tests::madeUpSection();
+  section.results.answers.items = {
+      {.instrument = "punch-face-validity",
+       .item = "1.1",
+       .cohort = "professional",
+       .condition = "kalman",
+       .values = {3.0, 4.0},
+       .mean = 3.5},
+      {.instrument = "punch-face-validity",
+       .item = "1.2",
+       .cohort = "professional",
+       .condition = "kalman",
+       .values = {3.0},
+       .mean = 3.0}};
+  const auto tables = statisticsTables(section, Profile::Declared);
+  const auto items = std::ranges::find(tables, "items", &DataTable::name);
+  ASSERT_NE(items, tables.end());
+  EXPECT_EQ(column(*items, "M"), std::vector<std::string>{"3.50"});
+  EXPECT_EQ(column(*items, "People"), std::vector<std::string>{"2"});
+}
+
 TEST(StatisticsTables, SayWhyATestWasNotMade) {
   const auto section = tests::madeUpSection();
   const auto table = statisticsTables(section, Profile::Declared).front();
@@ -49,6 +86,31 @@ TEST(StatisticsTables, SayWhyATestWasNotMade) {
   ASSERT_TRUE(std::ranges::count(p, "") > 0) << "the section has a test that is not defined";
   for (std::size_t i = 0; i < p.size(); ++i) {
     EXPECT_EQ(p[i].empty(), words[i].starts_with("Not tested: ")) << words[i];
+  }
+}
+
+TEST(StatisticsTables, AreOfTextsWhereACohortHasNoAnswersYet) {
+  auto section = tests::madeUpSection();
+  for (auto& condition : section.results.families.front().cohorts.front().conditions) {
+    condition.answers = analysis::AnswerSample(std::span<const double>());
+  }
+  const auto table = statisticsTables(section, Profile::Declared).front();
+  const auto words = column(table, "In words");
+  EXPECT_EQ(words.front(), "No answers yet.");
+  for (const auto& row : table.rows) {
+    EXPECT_EQ(row.size(), table.columns.size());
+    for (const auto& cell : row) EXPECT_TRUE(std::holds_alternative<std::string>(cell));
+  }
+}
+
+TEST(StatisticsTables, AreNoFormulasToASpreadsheetWhereATitleLooksLikeOne) {
+  auto section = tests::madeUpSection();
+  for (auto& condition : section.protocol.conditions) condition.title = "=1+1";
+  for (const auto& table : statisticsTables(section, Profile::Declared)) {
+    const auto csv = "\n" + asCsv(table);
+    EXPECT_EQ(csv.find(",=1+1"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find(",\"=1+1"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find("\n=1+1"), std::string::npos) << csv;
   }
 }
 
