@@ -95,7 +95,12 @@ ColumnsForm::ColumnsForm(QWidget* parent)
 }
 
 bool ColumnsForm::offer(const std::string& file) {
-  const auto text = haptics::recordings::contentOfRecording(file);
+  std::string text;
+  try {
+    text = haptics::recordings::contentOfRecording(file);
+  } catch (const base::UserError&) {
+    return false;  // reading the recording says why
+  }
   const auto lines = base::linesOf(base::withoutByteOrderMark(text));
   if (lines.size() < 2) return false;
   separator_ = base::separatorOf(lines.front().text);
@@ -103,13 +108,14 @@ bool ColumnsForm::offer(const std::string& file) {
   if (heads.size() < 3) return false;
   rows_.clear();
   for (const auto& line : lines) rows_.push_back(base::cellsOf(line.text, separator_));
-  hasHeadings_ = std::ranges::none_of(
+  const bool hasHeadings = std::ranges::none_of(
       heads, [&](const auto& cell) { return base::numberIn(cell, separator_).has_value(); });
+  headingLine_ = hasHeadings ? lines.front().number : 0;
   const QSignalBlocker quiet(this);
   for (auto* box : {time_, travel_, force_}) {
     box->clear();
     for (std::size_t i = 0; i < heads.size(); ++i) {
-      box->addItem(hasHeadings_ ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
+      box->addItem(hasHeadings ? QString::fromStdString(heads[i]) : tr("Column %1").arg(i + 1));
     }
   }
   std::size_t time = 0;
@@ -153,10 +159,10 @@ void ColumnsForm::measureTravel() {
 }
 
 haptics::recordings::RecordingColumns ColumnsForm::columns() const {
-  const auto chosen = [this](const QComboBox& box) {
-    const auto place = static_cast<std::size_t>(box.currentIndex());
-    return hasHeadings_ ? haptics::recordings::TableColumn{.heading = rows_.front()[place]}
-                        : haptics::recordings::TableColumn{.number = place + 1};
+  // By number: two columns may have the same heading.
+  const auto chosen = [](const QComboBox& box) {
+    return haptics::recordings::TableColumn{
+        .number = static_cast<std::size_t>(box.currentIndex()) + 1};
   };
   const auto unit = forceUnit_->currentText().toStdString();
   return {
@@ -168,6 +174,7 @@ haptics::recordings::RecordingColumns ColumnsForm::columns() const {
       .closed = closed_->value(),
       .force = chosen(*force_),
       .forceFactor = haptics::recordings::newtonsIn(unit),
+      .skippedLines = headingLine_,
       .separator = separator_};
 }
 

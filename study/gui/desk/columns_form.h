@@ -33,7 +33,7 @@ class ColumnsForm final : public QWidget {
 
   std::vector<std::vector<std::string>> rows_;  ///< cells; the first row may be the headings
   char separator_ = ',';
-  bool hasHeadings_ = false;
+  std::size_t headingLine_ = 0;  ///< number of the line with the headings; 0: there is none
   QComboBox* time_;
   QComboBox* timeUnit_;
   QComboBox* travel_;

@@ -10,6 +10,7 @@
 
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"
@@ -145,7 +146,8 @@ void ImportCutDialog::preview() {
   cutPicture_->setVisible(shown.has_value());
   isPossible_ = shown.has_value();
   if (shown) {
-    constexpr int kRoomForPictures = 1180;  // [px]
+    clear();                                // what was said about another cut
+    constexpr int kRoomForPictures = 1320;  // [px]
     resize(
         std::max(width(), std::min(kRoomForPictures, screen()->availableSize().width())), height());
     try {
@@ -174,21 +176,27 @@ void ImportCutDialog::updateButton() {
 void ImportCutDialog::work() {
   const auto recording = recording_->path().toStdString();
   const auto target = target_->path().toStdString();
+  // Widgets are read here, and not in the thread of the work.
+  const auto file = columns_->path().toStdString();
+  const auto entered = file.empty() ? columns() : std::nullopt;
+  const auto how = options();
   haptics::recordings::ImportReport report;
-  const auto said = runWithProgress(this, tr("Importing"), [&](const Progress& progress) {
-    report = importCutTo(recording, columns(), options(), target, progress);
-    std::string words = report.reason + "\n";
-    for (const auto& change : report.changes) words += change + "\n";
-    return words;
-  });
-  if (!said) return clear();
+  const bool isDone = BackgroundTask::run(
+      this, tr("Importing"), MessageTopic::DocumentNotMade, [&](const Progress& progress) {
+        const auto columns = file.empty() ? entered : columnsIn(file);
+        report = importCutTo(recording, columns, how, target, progress);
+      });
+  if (!isDone) return clear();
+  QStringList changes{tr("Why this cut: %1").arg(deskText(report.reason))};
+  for (const auto& change : report.changes) changes << capitalised(deskText(change));
+  const auto more = changes.join(QLatin1Char('\n'));
   if (!report.isAltered()) {
-    return showWrittenFile(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
+    return showWrittenFile(target_->path(), tr("Cut saved: %1").arg(target_->path()), more);
   }
   showWrittenFile(
       target_->path(),
       tr("Cut saved, but it is not what was recorded: %1").arg(peakInWords(report)),
-      *said,
+      more,
       Outcome::Warning);
 }
 
@@ -196,7 +204,8 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
     : WorkDialog(
           tr("Fit a material"),
           tr("Makes bone that can be felt from a folder of measured reaming series. The name of "
-             "each file says of which test it is: static, dynamic-1 or dynamic-2."),
+             "each file says of which test it is: static, dynamic-1 or dynamic-2, as in "
+             "pig03-static.csv."),
           tr("Fit"),
           parent),
       series_(new PathField(PathField::Kind::ExistingFolder, tr("Folder of series"), {}, this)),
@@ -248,6 +257,7 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
           PathField::Kind::NewFile, tr("New file"), tr("Packings (*.packing)"), this)) {
   spheres_->setRange(100, kMostSpheres);
   spheres_->setValue(kUsualSpheres);
+  spheres_->setGroupSeparatorShown(true);
   spheres_->setAccessibleName(tr("Spheres"));
   spheres_->setObjectName(QStringLiteral("spheres"));
   seed_->setRange(1, 1'000'000);
@@ -255,7 +265,11 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-bone", ".packing"));
   form().addRow(tr("Spheres"), spheres_);
-  form().addRow(tr("Seed"), seed_);
+  form().addRow(quietLabel(
+      tr("%1 are those of the published model. More of them are smaller, and take longer.")
+          .arg(spheres_->locale().toString(kUsualSpheres)),
+      this));
+  form().addRow(tr("Seed (the same number builds the same bone)"), seed_);
   form().addRow(tr("To a new file"), target_);
   connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
     setObstacle(path.isEmpty() ? tr("Choose a new file.") : QString());

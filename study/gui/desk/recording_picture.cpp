@@ -1,9 +1,11 @@
 #include "study/gui/desk/recording_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QEvent>
+#include <QScreen>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
@@ -16,6 +18,14 @@ namespace study::gui {
 namespace {
 
 constexpr double kMilli = 1e-3;
+
+/// Two plots and the buttons fit on a laptop's screen; a larger one has room for larger plots.
+int heightOfPlotOn(const QScreen& screen) {
+  constexpr int kLarge = 1000;  // [px]
+  constexpr int kOnALaptop = 170;
+  constexpr int kOnALargeScreen = 260;
+  return screen.availableSize().height() >= kLarge ? kOnALargeScreen : kOnALaptop;
+}
 
 QString sourceOfForce(const RecordingPreview& preview) {
   if (preview.recording.readingUnit == "N") return RecordingPlot::tr("force in newtons");
@@ -32,9 +42,10 @@ QString describe(const RecordingPreview& preview) {
                       .arg(survey.sampling.rate, 0, 'f', 0)
                       .arg(sourceOfForce(preview))
                       .arg(survey.closures.size());
-  words += RecordingPlot::tr("; largest force %1 N").arg(survey.maxForce, 0, 'f', 2);
+  words +=
+      RecordingPlot::tr("; largest force of the recording %1 N").arg(survey.maxForce, 0, 'f', 2);
   if (survey.saturatedRows > 0) {
-    words += RecordingPlot::tr("; in %1 rows the sensor was at its end, and the force was larger")
+    words += RecordingPlot::tr("; in %1 rows the sensor was at its limit, and the force was larger")
                  .arg(survey.saturatedRows);
   }
   if (survey.uncalibratedRows > survey.saturatedRows) {
@@ -63,7 +74,7 @@ RecordingPreview previewOf(
 RecordingPlot::RecordingPlot(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), words_(quietLabel({}, this)) {
   words_->setObjectName(QStringLiteral("recording-words"));
-  plot_->setMinimumHeight(180);
+  plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
@@ -131,6 +142,10 @@ void RecordingPlot::draw() {
     label->setColor(colours.field.text);
   }
   plot_->rescaleAxes();
+  constexpr double kAbove = 1.18;  // room for the numbers of the cuts above the curves
+  for (auto* axis : {plot_->yAxis, plot_->yAxis2}) {
+    axis->setRangeUpper(axis->range().lower + kAbove * axis->range().size());
+  }
   plot_->replot();
 }
 
@@ -156,7 +171,9 @@ QString landmark(const QString& name, const std::optional<CurvePoint>& point) {
 }
 
 QString describe(const CutLandmarks& landmarks) {
-  return CutPlot::tr("Landmarks, at travels from 0 (open) to 10 (closed): %1, %2, %3, %4.")
+  return CutPlot::tr(
+             "Landmarks of the cut, by travel (0: open; 10: closed; more: pressed on): %1, %2, %3, "
+             "%4.")
       .arg(
           landmark(CutPlot::tr("interception"), landmarks.interception),
           landmark(CutPlot::tr("yield"), landmarks.yield),
@@ -181,11 +198,17 @@ QString describeChange(const haptics::recordings::ImportedCut& imported) {
 
 QString peakInWords(const haptics::recordings::ImportReport& report) {
   const double change = report.peakAfter - report.peakBefore;
-  const QString words = CutPlot::tr("peak %1 → %2 N")
+  constexpr double kShown = 0.005;  // [N]: two decimals
+  if (std::abs(change) < kShown) {
+    return CutPlot::tr("its largest force is %1 N, as recorded").arg(report.peakAfter, 0, 'f', 2);
+  }
+  const QString words = CutPlot::tr("its largest force was %1 N and is %2 N")
                             .arg(report.peakBefore, 0, 'f', 2)
                             .arg(report.peakAfter, 0, 'f', 2);
   if (!(report.peakBefore > 0.0)) return words;
-  return words + QStringLiteral(" (%1 %)").arg(100.0 * change / report.peakBefore, 0, 'f', 1);
+  return words + QStringLiteral(" (%1%2\u00a0%)")
+                     .arg(change > 0.0 ? QStringLiteral("+") : QStringLiteral("\u2212"))
+                     .arg(100.0 * std::abs(change) / report.peakBefore, 0, 'f', 1);
 }
 
 CutPlot::CutPlot(QWidget* parent)
@@ -195,7 +218,7 @@ CutPlot::CutPlot(QWidget* parent)
       landmarks_(quietLabel({}, this)) {
   change_->setObjectName(QStringLiteral("cut-change"));
   landmarks_->setObjectName(QStringLiteral("cut-landmarks"));
-  plot_->setMinimumHeight(180);
+  plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->xAxis->setLabel(tr("travel [units]"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);
@@ -209,7 +232,7 @@ CutPlot::CutPlot(QWidget* parent)
     graph->setLineStyle(line);
     graph->setScatterStyle(dots);
   };
-  add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDisc, 3));
+  add(tr("recorded"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDisc, 5));
   add(tr("the cut"), QCPGraph::lsLine, QCPScatterStyle::ssNone);
   add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
   auto* layout = new QVBoxLayout(this);

@@ -81,7 +81,7 @@ class CutPlot final : public QWidget {
   QLabel* landmarks_;
 };
 
-/// "peak 17.06 → 12.99 N (-23.9 %)"
+/// "its largest force was 17.06 N and is 12.99 N (−23.9 %)"
 QString peakInWords(const haptics::recordings::ImportReport& report);
 
 }  // namespace study::gui

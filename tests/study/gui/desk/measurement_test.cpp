@@ -18,6 +18,7 @@
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/desk/recording_picture.h"
+#include "study/model/storage_error.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"
 #include "tests/haptics/recordings/made_recording.h"
@@ -120,7 +121,7 @@ TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
   EXPECT_TRUE(picture->words().startsWith(u'!')) << picture->words().toStdString();
   const auto line = press(dialog);
   EXPECT_TRUE(line.starts_with("!")) << line;
-  EXPECT_NE(line.find("peak 4.96 → 4.41 N"), std::string::npos) << line;
+  EXPECT_NE(line.find("its largest force was 4.96 N and is 4.41 N"), std::string::npos) << line;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
   const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
   EXPECT_TRUE(more.contains(QStringLiteral("to 1.00 N per travel unit"))) << more.toStdString();
@@ -173,6 +174,39 @@ TEST_F(MeasurementTest, AsksForTheColumnsOfAnotherTableAndImportsIt) {
   const auto line = press(dialog);
   EXPECT_NE(line.find("Cut saved"), std::string::npos) << line;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
+}
+
+TEST_F(MeasurementTest, SaysThatARecordingIsTooLargeToBeRead) {
+  const auto file = folder_.write("table.csv", "t_s;jaw_mm;load_mN\n");
+  std::filesystem::resize_file(file, haptics::recordings::kLargestRecording + 1);
+  ImportCutDialog dialog;
+  ASSERT_NO_THROW(set(dialog, "recording", file));
+  EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'));
+  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  EXPECT_TRUE(more.contains(QStringLiteral("larger than 200 MB"))) << more.toStdString();
+}
+
+TEST_F(MeasurementTest, ImportsTheChosenOneOfTwoColumnsWithTheSameHeading) {
+  const auto file = folder_.write(
+      "table.csv", "t_s;jaw;jaw;load_N\n0;5;0;0\n0.1;5;2;0.5\n0.2;5;8;1\n0.3;5;10;2\n");
+  ColumnsForm form;
+  ASSERT_TRUE(form.offer(file));
+  form.findChild<QComboBox*>(QStringLiteral("travel"))->setCurrentIndex(2);
+  const auto recording = readRecordingWithColumns(file, form.columns());
+  ASSERT_EQ(recording.rows.size(), 4U);
+  EXPECT_EQ(recording.rows[1].travel, 2.0);
+  EXPECT_EQ(recording.refusedCount, 0U) << "the headings are no row";
+}
+
+TEST_F(MeasurementTest, NoLongerSaysThatThereIsNoCutOnceOneIsChosen) {
+  ImportCutDialog dialog;
+  set(dialog, "recording", folder_.write("saturated.txt", tests::textOf({.scales = {10.0, 10.0}})));
+  dialog.show();
+  const auto* line = dialog.findChild<QLabel*>(QStringLiteral("outcome"));
+  EXPECT_TRUE(line->text().startsWith(u'!')) << "no cut is typical";
+  dialog.findChild<QSpinBox*>()->setValue(1);
+  EXPECT_EQ(line->text(), QString());
+  EXPECT_TRUE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
 }
 
 TEST_F(MeasurementTest, SaysWhatIsWrongInAColumnsFile) {
@@ -237,7 +271,7 @@ TEST_F(MeasurementTest, LeavesNoFileAfterCancelling) {
 
 TEST_F(MeasurementTest, OverwritesNoFile) {
   const auto mine = folder_.write("cup.packing", "mine");
-  EXPECT_THROW(buildBoneTo(400, 1, mine, {}), UserError);
+  EXPECT_THROW(buildBoneTo(400, 1, mine, {}), storage::StorageError);
   EXPECT_EQ(tests::contentOf(mine), "mine");
 }
 
