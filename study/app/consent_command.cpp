@@ -22,9 +22,11 @@ struct ConsentArguments {
 int copyConsent(const ConsentArguments& options) {
   auto study = Study::open(options.folder, storage::Database::Access::ReadOnly);
   const auto html = report::consentCopy(study, options.participant, htmlOf);
-  const bool isNoted = recordConsentCopy(study, options.participant);
   const bool isPdf = std::filesystem::path(options.out).extension() == ".pdf";
-  writeNewFile(options.out, isPdf ? pdfOf(html, study.protocol().protocol.study.title) : html);
+  const auto page = isPdf ? pdfOf(html, study.protocol().protocol.study.title) : html;
+  requireNewFile(options.out);  // the trail never loses a copy that is noted
+  const bool isNoted = recordConsentCopy(study, options.participant);
+  writeNewFile(options.out, page);
   fmt::print("{} is for {} to keep.\n", options.out, options.participant);
   if (!isNoted) fmt::print("{}\n", kCopyNotNoted);
   return 0;

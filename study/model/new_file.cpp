@@ -70,6 +70,13 @@ void writeNewFile(const std::string& path, const std::string& content) {
   flush(folderOf(path));
 }
 
+void requireNewFile(const std::string& path) {
+  struct stat ignored {};
+  const bool isThere = lstat(path.c_str(), &ignored) == 0;
+  if (isThere) errno = EEXIST;
+  if (isThere || access(folderOf(path).c_str(), W_OK | X_OK) != 0) fail(path, -1);
+}
+
 void flushFolder(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.is_symlink()) continue;

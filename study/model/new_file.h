@@ -16,6 +16,10 @@ void setPrivateUmask() noexcept;
 ///     overwritten.
 void writeNewFile(const std::string& path, const std::string& content);
 
+/// Called before work whose result becomes a new file.
+/// @throws storage::StorageError  if the file exists already or its folder cannot be written.
+void requireNewFile(const std::string& path);
+
 /// A new empty folder beside @p target, for moveIntoPlace() when it is complete. Its owner alone
 /// can read it.
 /// @throws storage::StorageError  if it cannot be made.

@@ -177,8 +177,7 @@ std::vector<KnownCopy> copiesLeft(
       return copy.folder == other.folder || fs::equivalent(copy.folder, other.folder, ignored);
     });
   });
-  for (const auto& event : study.events().read()) {
-    if (event.kind != EventKind::CopiedConsent) continue;
+  for (const auto& event : study.events().read(EventKind::CopiedConsent)) {
     if (textIn(event, "participant") != participant) continue;
     known.push_back(
         {.folder = {},

@@ -10,6 +10,7 @@
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
 #include "study/model/new_file.h"
+#include "study/model/storage_error.h"
 #include "study/report/pdf_report.h"
 #include "study/words/words.h"
 
@@ -40,14 +41,28 @@ std::string fileOf(
   return ending == QLatin1String("pdf") ? report::asPdf(html, certificate.title) : html;
 }
 
+/// Erases from the study, and from @p copy unless that is empty.
+report::ErasureCertificate erase(
+    const std::string& folder, const ErasureRequest& request, const std::string& copy) {
+  SystemClock clock;
+  auto study = Study::open(folder, clock);
+  report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
+  certificate.report = study::erase(study, request);
+  if (!copy.empty()) {
+    certificate.copies.push_back(eraseFromCopy(
+        copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));
+  }
+  certificate.left = copiesLeft(study, certificate.copies, request.participant);
+  return certificate;
+}
+
 }  // namespace
 
 EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Erase a participant"),
           tr("Deletes the data of a participant permanently. The audit trail stays valid and "
-             "records "
-             "when and why; results no longer include this person."),
+             "records when and why; results no longer include this person."),
           tr("Erase"),
           parent),
       folder_(study.folder),
@@ -67,8 +82,8 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   participant_->setAccessibleName(tr("Participant"));
   level_->setObjectName(QStringLiteral("level"));
   level_->setAccessibleName(tr("What is erased"));
-  level_->addItem(tr("Names, answers and traces"), QStringLiteral("all"));
-  level_->addItem(tr("Answers and traces only"), QStringLiteral("answers"));
+  level_->addItem(tr("Names, answers and recordings"), QStringLiteral("all"));
+  level_->addItem(tr("Answers and recordings only"), QStringLiteral("answers"));
   level_->addItem(tr("Names and signature only"), QStringLiteral("identity"));
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
@@ -81,15 +96,16 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
     const QString tag = QString::fromStdString(language);
     language_->addItem(nativeName(tag), tag);
   }
+  runButton().setProperty("role", QStringLiteral("danger"));
   reseal_->setObjectName(QStringLiteral("reseal"));
-  reseal_->setToolTip(
-      tr("Once for the whole study. Heads of the audit trail that were noted earlier are no longer "
-         "found in it. Back up the study first."));
+  reseal_->setToolTip(tr(
+      "Once for the whole study. States of the audit trail that were noted earlier are no longer "
+      "found in it. Back up the study first."));
   copy_->startIn(folderBeside(folder_));
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
   form().addRow(tr("Reason"), reason_);
-  form().addRow(tr("Also from a backup or export"), copy_);
+  form().addRow(tr("Also from a backup or export (optional)"), copy_);
   form().addRow(tr("Certificate"), certificate_);
   form().addRow(tr("Language of the certificate"), language_);
   form().addRow(QString(), reseal_);
@@ -128,48 +144,53 @@ void EraseDialog::updateButton() {
                                             : QString());
 }
 
-report::ErasureCertificate EraseDialog::erase() const {
-  const auto level = level_->currentData().toString().toStdString();
-  SystemClock clock;
-  auto study = Study::open(folder_, clock);
-  report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
-  certificate.report = study::erase(
-      study,
-      {.participant = participant_->currentData().toString().toStdString(),
-       .level = storage::erasureLevelNamed(level).value(),
-       .reason = reason_->text().trimmed().toStdString(),
-       .resealsTrail = reseal_->isChecked()});
-  if (const auto copy = copy_->path().toStdString(); !copy.empty()) {
-    certificate.copies.push_back(eraseFromCopy(
-        copy, certificate.report.listed, certificate.report.texts, clock, knownCopies(study)));
-  }
-  certificate.left = copiesLeft(study, certificate.copies, certificate.report.erasure.participant);
-  if (const auto path = certificate_->path(); !path.isEmpty()) {
-    const auto words = words::wordsIn(language_->currentData().toString().toStdString());
-    writeNewFile(path.toStdString(), fileOf(certificate, words, path));
-  }
-  return certificate;
-}
-
 void EraseDialog::work() {
+  const auto path = certificate_->path();
+  try {
+    if (!path.isEmpty()) requireNewFile(path.toStdString());
+  } catch (const storage::StorageError& error) {
+    return showOutcome(
+        Outcome::Bad,
+        tr("Nothing was erased: the certificate cannot be saved."),
+        QString::fromUtf8(error.what()));
+  }
+  const ErasureRequest request{
+      .participant = participant_->currentData().toString().toStdString(),
+      .level = storage::erasureLevelNamed(level_->currentData().toString().toStdString()).value(),
+      .reason = reason_->text().trimmed().toStdString(),
+      .resealsTrail = reseal_->isChecked()};
+  const auto copy = copy_->path().toStdString();
+  const auto words = words::wordsIn(language_->currentData().toString().toStdString());
   report::ErasureCertificate certificate;
+  std::string whyNotSaved;
   const bool isDone = BackgroundTask::run(
       this,
       tr("Erasing"),
       MessageTopic::ParticipantNotErased,
-      [&](const Progress&) { certificate = erase(); },
+      [&](const Progress&) {
+        certificate = erase(folder_, request, copy);
+        try {
+          if (!path.isEmpty()) writeNewFile(path.toStdString(), fileOf(certificate, words, path));
+        } catch (const std::exception& error) {
+          whyNotSaved = error.what();
+        }
+      },
       BackgroundTask::Cancelling::Impossible);
   if (!isDone) return clear();
-  const auto told = QString::fromStdString(asText(certificate));
-  const auto path = certificate_->path();
-  const auto code = QString::fromStdString(certificate.report.erasure.participant);
-  if (!certificate.isClean()) {
-    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), told);
+  const auto said = QString::fromStdString(asText(certificate));
+  const auto code = QString::fromStdString(request.participant);
+  if (!whyNotSaved.empty()) {
+    showOutcome(
+        Outcome::Warning,
+        tr("%1 is erased, but the certificate was not saved.").arg(code),
+        QString::fromStdString(whyNotSaved) + QStringLiteral("\n\n") + said);
+  } else if (!certificate.isClean()) {
+    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), said);
   } else if (path.isEmpty()) {
-    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), told);
+    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), said);
   } else {
     rememberDocument(QString::fromStdString(folder_), path);
-    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), told);
+    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), said);
   }
   fillIn();
   emit erased();

@@ -31,7 +31,6 @@ class EraseDialog final : public WorkDialog {
  private:
   void fillIn();
   void updateButton();
-  report::ErasureCertificate erase() const;
 
   std::string folder_;
   QComboBox* participant_;

@@ -28,14 +28,12 @@ namespace fs = std::filesystem;
 namespace reaming = haptics::reaming;
 
 /// Called before the computation. Throws if the result could not be written to @p out.
-void requireNewFile(const std::string& out, std::string_view ending) {
+void requireNewFileEndingIn(const std::string& out, std::string_view ending) {
   if (!out.ends_with(ending)) {
     throw UserError(
         "'" + out + "' does not end in " + std::string(ending) + ". Choose another name.");
   }
-  if (fs::exists(out)) {
-    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
-  }
+  requireNewFile(out);
 }
 
 /// The test named in a file name; std::nullopt if the name has no test.
@@ -106,7 +104,7 @@ haptics::recordings::ImportReport importCutTo(
     const haptics::recordings::ImportOptions& options,
     const std::string& out,
     const Progress& progress) {
-  requireNewFile(out, ".json");
+  requireNewFileEndingIn(out, ".json");
   tell(progress, 0.0, "reading the recording");
   const auto read = readRecordingWithColumns(recording, columns);
   tell(progress, 0.5, "taking the cut");
@@ -121,7 +119,7 @@ std::string fitMaterialTo(
     const std::string& title,
     const std::string& out,
     const Progress& progress) {
-  requireNewFile(out, ".json");
+  requireNewFileEndingIn(out, ".json");
   constexpr double kShareOfReading = 0.5;
   const auto files = seriesIn(folder);
   std::vector<reaming::Series> all;
@@ -153,7 +151,7 @@ std::string fitMaterialTo(
 
 std::string buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress) {
-  requireNewFile(out, protocols::kPackingExtension);
+  requireNewFileEndingIn(out, protocols::kPackingExtension);
   const reaming::Acetabulum body;
   reaming::PackedBone bone{
       .name = fs::path(out).stem().string(), .title = "A cup of spheres", .isSynthetic = true};

@@ -22,9 +22,7 @@ void requireWritable(const std::string& out) {
     throw UserError(
         "A report is a page (.html) or a PDF (.pdf), not '" + out + "'. Choose another name.");
   }
-  if (std::filesystem::exists(out)) {
-    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
-  }
+  requireNewFile(out);
 }
 
 }  // namespace
@@ -51,9 +49,9 @@ bool write(const ReportRequest& order, const Progress& progress) {
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
   sections.back().wording = order.wording;
   sections.back().hasQuotes = order.hasQuotes;
-  tell(progress, kStep, "painting the figures");
+  tell(progress, kStep, "drawing the figures");
   report::paintFigures(sections.front());
-  tell(progress, 2 * kStep, "setting the page");
+  tell(progress, 2 * kStep, "laying out the page");
   const auto html = report::asHtml(sections);
   const bool isPdf = std::filesystem::path(order.out).extension() == ".pdf";
   const auto page =

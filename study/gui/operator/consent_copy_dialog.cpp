@@ -20,10 +20,11 @@ bool writeConsentCopy(Study& study, const std::string& participant, const std::s
   const auto html = report::consentCopy(study, participant, [](const std::string& text) {
     return report::asHtml(QString::fromStdString(text)).toStdString();
   });
-  const bool isNoted = recordConsentCopy(study, participant);
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
-  const auto& title = study.protocol().protocol.study.title;
-  writeNewFile(path, isPdf ? report::asPdf(html, title) : html);
+  const auto page = isPdf ? report::asPdf(html, study.protocol().protocol.study.title) : html;
+  requireNewFile(path);  // the trail never loses a copy that is noted
+  const bool isNoted = recordConsentCopy(study, participant);
+  writeNewFile(path, page);
   return isNoted;
 }
 

@@ -91,6 +91,36 @@ TEST_F(EraseDialogTest, ErasesOnlyAfterTheCodeWasTyped) {
   EXPECT_NE(stateOf(2), SessionState::Erased);
 }
 
+TEST_F(EraseDialogTest, ErasesNothingIfTheCertificateCannotBeSaved) {
+  EraseDialog dialog(summaryOf(study_.folder()));
+  const auto file = study_.scratch().write("certificate.pdf", "another one");
+  fillIn(dialog, QStringLiteral("P001"), QString::fromStdString(file));
+  the<QLineEdit>(dialog, "code").setText(QStringLiteral("P001"));
+  dialog.show();
+  QTest::mouseClick(&button(dialog), Qt::LeftButton);
+  const auto outcome = the<QLabel>(dialog, "outcome").text();
+  EXPECT_EQ(outcome, QStringLiteral("✕  Nothing was erased: the certificate cannot be saved."));
+  EXPECT_EQ(tests::contentOf(file), "another one");
+  EXPECT_NE(stateOf(1), SessionState::Erased);
+}
+
+TEST_F(EraseDialogTest, SaysWhatWasErasedAlsoIfTheCertificateWasNotSaved) {
+  EraseDialog dialog(summaryOf(study_.folder()));
+  const std::string tooLong(300, 'x');  // for a name of a file, which only writing it shows
+  const std::string file = study_.scratch() / (tooLong + ".pdf");
+  fillIn(dialog, QStringLiteral("P001"), QString::fromStdString(file));
+  the<QLineEdit>(dialog, "code").setText(QStringLiteral("P001"));
+  dialog.show();
+  QTest::mouseClick(&button(dialog), Qt::LeftButton);
+  const auto outcome = the<QLabel>(dialog, "outcome").text();
+  EXPECT_EQ(outcome, QStringLiteral("!  P001 is erased, but the certificate was not saved."));
+  const auto more = the<QTextBrowser>(dialog, "more").toPlainText();
+  EXPECT_TRUE(more.contains(QStringLiteral("Could not write"))) << more.toStdString();
+  EXPECT_TRUE(more.contains(QStringLiteral("P001"))) << "the certificate's text";
+  EXPECT_EQ(the<QComboBox>(dialog, "participant").count(), 1);
+  EXPECT_EQ(stateOf(1), SessionState::Erased);
+}
+
 TEST_F(EraseDialogTest, NeedsAReason) {
   EraseDialog dialog(summaryOf(study_.folder()));
   fillIn(dialog, QStringLiteral("P002"), {});
