@@ -241,12 +241,14 @@ void ParticipantWindow::goOn() {
 
 void ParticipantWindow::goBack() {
   showsUnanswered_ = false;
-  if (questions_ != nullptr && !questions_->turn(false)) readAgain();
+  if (questions_ == nullptr || reading_ != nullptr) return;
+  if (!questions_->turn(false)) readAgain();
 }
 
 /// Says how many questions are open once Next was pressed, and which sheet is shown.
 void ParticipantWindow::showUnanswered(bool isAskedFor) {
-  if (questions_ == nullptr) return;
+  // Answers typed before Back are stored while the text is read again.
+  if (questions_ == nullptr || reading_ != nullptr) return;
   showsUnanswered_ = showsUnanswered_ || isAskedFor;
   const bool isFirst = controller_.session().stepIndex() == 0 && questions_->sheet() == 0;
   back_->setVisible(!isFirst);

@@ -22,6 +22,7 @@
 #include "study/gui/operator/consent_copy_dialog.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/participant/option_buttons.h"
+#include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/session/erasure_copies.h"
 #include "tests/study/gui/participant.h"
@@ -168,6 +169,24 @@ TEST_F(ParticipantPages, LetTheInformationBeReadAgainAndLoseNothing) {
   EXPECT_EQ(session.stepIndex(), step);
   EXPECT_EQ(page().findChild<OptionButtons*>()->chosen(), 0);
   EXPECT_EQ(page().findChild<QLineEdit*>()->text(), QStringLiteral("Ada"));
+}
+
+TEST_F(ParticipantPages, ShowOneTextAgainAlsoWhenAnAnswerIsStoredMeanwhile) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  participant_.goTo(StepKind::Consent);
+  QCoreApplication::processEvents();
+  QTest::mouseClick(tests::buttonSaying(&page(), QStringLiteral("Back")), Qt::LeftButton);
+  QCoreApplication::processEvents();
+  for (auto* questions : page().findChildren<QuestionnairePage*>()) {
+    emit questions->progressChanged();  // as when typing rests
+  }
+  QCoreApplication::processEvents();
+  EXPECT_EQ(tests::buttonSaying(&page(), QStringLiteral("Back")), nullptr);
+  QTest::mouseClick(tests::buttonSaying(&page(), QStringLiteral("Next")), Qt::LeftButton);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(tests::wordsIn(page()).count(QStringLiteral("About this study")), 0U);
+  EXPECT_NE(tests::buttonSaying(&page(), QStringLiteral("Back")), nullptr);
 }
 
 TEST_F(ParticipantPages, MarkBlanksThatAreStillToBeFilledIn) {
@@ -452,6 +471,7 @@ TEST_F(OptionalTrialPages, WriteACopyOfTheConsentOnRequest) {
   ASSERT_EQ(left.size(), 1U) << "an erasure has to list it";
   EXPECT_EQ(left[0].what, "copied_consent");
   EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "the file exists";
+  EXPECT_EQ(copiesLeft(study_, {}, code).size(), 1U) << "what was not written is not listed";
 }
 
 }  // namespace participant_window_test
