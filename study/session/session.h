@@ -60,6 +60,8 @@ class Session {
   /// The present step. Must not be called when the session is over.
   const Step& step() const { return plan_.at(static_cast<std::size_t>(row_.step)); }
   int stepIndex() const noexcept { return row_.step; }
+  /// The step that repeatStep() goes back to.
+  int stepToRepeat() const;
   /// The present step and attempt.
   VisitKey visit() const noexcept { return {row_.id, row_.step, row_.attempt}; }
 
@@ -151,7 +153,6 @@ class Session {
   /// Stores a trial and its events.
   void keepTrial(const TrialRecord& record);
   TrialRecord abortedRecord(TrialEnding ending);
-  int stepToRepeat() const;
   bool isRightAfterConsent() const noexcept;
   bool gaveConsent() const;
   /// @throws UserError  if nothing can be answered in the present state.

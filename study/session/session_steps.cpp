@@ -127,7 +127,7 @@ TrialRecord Session::abortedRecord(TrialEnding ending) {
   return record;
 }
 
-/// The step that repeatStep() goes back to. From a questionnaire about a condition it is the trial
+/// From a questionnaire about a condition it is the trial
 /// of that condition. From the step after such a questionnaire it is the questionnaire, or the
 /// trial if the trial was not finished: without its trial, no questions about a condition are
 /// asked.

@@ -9,6 +9,27 @@
 #include "study/gui/widgets/message_box.h"
 
 namespace study::gui {
+namespace {
+
+/// The question that says what will happen in the present state and step of the session.
+MessageTopic asAsked(MessageTopic question, const Session& session) {
+  const bool isTrial = !session.isOver() && session.step().kind == StepKind::Trial;
+  const bool isBroken = session.state() == SessionState::Interrupted;
+  if (question == MessageTopic::RepeatStep && isBroken) return MessageTopic::RepeatTrial;
+  if (question == MessageTopic::SkipStep && isTrial) return MessageTopic::SkipTrial;
+  return question;
+}
+
+/// What a question names: the number and the name of the step to repeat.
+QStringList argumentsOf(MessageTopic question, const Session& session) {
+  if (question != MessageTopic::RepeatStep) return {};
+  const int step = session.stepToRepeat();
+  return {
+      QString::number(step + 1),
+      describe(session.plan()[static_cast<std::size_t>(step)], session.protocol().protocol.labels)};
+}
+
+}  // namespace
 
 ControlPanel::ControlPanel(QWidget* parent)
     : QWidget(parent),
@@ -158,7 +179,9 @@ QPushButton* ControlPanel::add(
 void ControlPanel::performWithReason(Perform action, MessageTopic question) {
   if (controller_ == nullptr) return;
   controller_->stop();  // no force while the operator types a reason
-  const auto reason = askForText(this, question);
+  const auto& session = controller_->session();
+  question = asAsked(question, session);
+  const auto reason = askForText(this, question, argumentsOf(question, session));
   if (reason && controller_ != nullptr) (controller_->*action)(*reason);
   keepFocusOffButtons();
 }

@@ -133,6 +133,15 @@ void MessageBox::addField(const MessageRow& row) {
     line_ = new QLineEdit(this);
     if (row.field == MessageRow::Field::Passphrase) line_->setEchoMode(QLineEdit::Password);
     form->addRow(label, line_);
+    if (row.field == MessageRow::Field::NeededText) {
+      obstacle_ = quietLabel(deskText(row.missing), this);
+      obstacle_->setObjectName(QStringLiteral("obstacle"));
+      auto size = obstacle_->sizePolicy();
+      size.setRetainSizeWhenHidden(
+          true);  // the box does not change its height with the first letter
+      obstacle_->setSizePolicy(size);
+      form->addRow(QString(), obstacle_);
+    }
     connect(line_, &QLineEdit::textChanged, this, &MessageBox::updateButtons);
   }
   column_->addLayout(form);
@@ -145,6 +154,9 @@ void MessageBox::addButtons(const MessageRow& row) {
   if (*row.action != '\0') {
     actionButton_ = buttons->addButton(deskText(row.action), QDialogButtonBox::AcceptRole);
     actionButton_->setObjectName(QStringLiteral("action"));
+    if (row.field != MessageRow::Field::None) {
+      actionButton_->setProperty("role", QStringLiteral("main"));
+    }
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -168,6 +180,7 @@ void MessageBox::updateButtons() {
     actionButton_->setDefault(isWritten);
   }
   safeButton_->setDefault(!isWritten);
+  if (obstacle_ != nullptr) obstacle_->setVisible(!isWritten);
 }
 
 QString MessageBox::text() const {

@@ -28,7 +28,7 @@ constexpr MessageRow reason(
     const char* headline,
     const char* data,
     const char* action,
-    const char* safe = "Go on with the session") {
+    Field field = Field::Text) {
   return {
       .topic = topic,
       .kind = Kind::Question,
@@ -36,10 +36,11 @@ constexpr MessageRow reason(
       .headline = headline,
       .data = data,
       .advice = kReasonIsKept,
-      .safe = safe,
+      .safe = "Go on with the session",
       .action = action,
-      .field = Field::Text,
-      .label = "Reason"};
+      .field = field,
+      .label = "Reason",
+      .missing = "Give a reason."};
 }
 
 constexpr auto kMessages = std::to_array<MessageRow>({
@@ -79,7 +80,7 @@ constexpr auto kMessages = std::to_array<MessageRow>({
     failure(
         KeyNotTaken,
         "Key",
-        "The key was not taken.",
+        "The key was not imported.",
         "This account still does not have the key of the study. The study was not changed."),
     failure(
         NamesNotSealed,
@@ -243,7 +244,8 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .safe = "Do not save",
      .action = "Choose the file…",
      .field = Field::NeededText,
-     .label = "Title"},
+     .label = "Title",
+     .missing = "Give a title."},
     reason(
         PauseSession,
         "Pause",
@@ -255,13 +257,23 @@ constexpr auto kMessages = std::to_array<MessageRow>({
         "Reject",
         "End the session because it does not count?",
         kEndsForGood,
-        "End the session"),
+        "End the session",
+        Field::NeededText),
     reason(
         RepeatStep,
         "Repeat",
-        "Repeat this step?",
-        "What was answered and measured in this step is kept as an earlier attempt.",
-        "Repeat the step"),
+        "Go back to step %1 (%2), and repeat it?",
+        "What was answered and measured from that step on is kept as an earlier attempt, and no "
+        "longer counts.",
+        "Repeat the step",
+        Field::NeededText),
+    reason(
+        RepeatTrial,
+        "Repeat",
+        "Repeat the trial from its start?",
+        "What was felt so far is kept as broken off.",
+        "Repeat the trial",
+        Field::NeededText),
     {.topic = RestoredBackup,
      .kind = Kind::Question,
      .title = "Restored backup",
@@ -271,13 +283,22 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .safe = "Change nothing",
      .action = "Record the backup",
      .field = Field::NeededText,
-     .label = "Reason"},
+     .label = "Reason",
+     .missing = "Give a reason."},
     reason(
         SkipStep,
         "Skip",
         "Skip this step?",
         "The step stays without the answers that are still missing.",
-        "Skip the step"),
+        "Skip the step",
+        Field::NeededText),
+    reason(
+        SkipTrial,
+        "Skip",
+        "Skip the trial and the questions about it?",
+        "The trial does not count, and the questions about it stay without answers.",
+        "Skip the trial",
+        Field::NeededText),
     {.topic = StudyPassphrase,
      .kind = Kind::Question,
      .title = "Sealed study",
@@ -298,7 +319,8 @@ constexpr auto kMessages = std::to_array<MessageRow>({
      .safe = "Leave it there",
      .action = "Take it over",
      .field = Field::NeededText,
-     .label = "Reason"},
+     .label = "Reason",
+     .missing = "Give a reason."},
     {.topic = WhichProtocol,
      .kind = Kind::Question,
      .title = "Check protocol",

@@ -54,8 +54,10 @@ enum class MessageTopic {
   PauseSession,
   Rejection,
   RepeatStep,
+  RepeatTrial,
   RestoredBackup,
   SkipStep,
+  SkipTrial,
   StudyPassphrase,
   TakeOver,
   WhichProtocol,
@@ -76,7 +78,8 @@ struct MessageRow {
   const char* safe = "Close";
   const char* action = "";  ///< the verb of what is asked; empty: nothing is asked
   Field field = Field::None;
-  const char* label = "";  ///< of the field
+  const char* label = "";    ///< of the field
+  const char* missing = "";  ///< why the action cannot be chosen while a needed text is empty
 };
 
 /// All messages and questions of the windows, one row for each MessageTopic, in its order.

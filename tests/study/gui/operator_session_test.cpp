@@ -187,6 +187,27 @@ TEST_F(OperatorSession, ShowsThePauseAndHowTheSessionEnded) {
   EXPECT_TRUE(says("this session is over: withdrawn"));
 }
 
+TEST_F(OperatorSession, SaysBeforeARepetitionWhichStepIsRepeated) {
+  enrol();
+  const auto asked = [this](const char* button) {
+    const Reader reader;
+    QTest::mouseClick(buttonSaying(&window_, QString::fromUtf8(button)), Qt::LeftButton);
+    return reader.texts().value(0).toStdString();
+  };
+  goTo(StepKind::Questionnaire);
+  const int trial = session().stepIndex();  // the step before, counted from 1
+  const auto repeat = asked("Repeat…");
+  EXPECT_NE(repeat.find("Go back to step " + std::to_string(trial) + " ("), std::string::npos)
+      << repeat;
+  EXPECT_EQ(asked("Skip…").find("trial"), std::string::npos);
+  goTo(StepKind::Trial);
+  EXPECT_NE(asked("Skip…").find("Skip the trial and the questions about it?"), std::string::npos);
+  participant_.cut(1);
+  window_.controller()->stop();
+  ASSERT_EQ(session().state(), SessionState::Interrupted);
+  EXPECT_NE(asked("Repeat…").find("Repeat the trial from its start?"), std::string::npos);
+}
+
 TEST_F(OperatorSession, ShowsNoDataOfThePreviousSession) {
   enrol();
   goTo(StepKind::Trial);

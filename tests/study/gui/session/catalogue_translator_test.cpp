@@ -129,7 +129,14 @@ TEST_P(CatalogueTranslatorTest, HasEveryTextOfTheOperatorsWindowsAndNoOther) {
   }
   for (const auto& row : messages()) {
     for (const std::string text :
-         {row.title, row.headline, row.data, row.advice, row.safe, row.action, row.label}) {
+         {row.title,
+          row.headline,
+          row.data,
+          row.advice,
+          row.safe,
+          row.action,
+          row.label,
+          row.missing}) {
       EXPECT_TRUE(text.empty() || desk.contains(text)) << "no text for '" << text << "'";
     }
   }
