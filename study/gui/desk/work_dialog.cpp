@@ -1,7 +1,10 @@
 #include "study/gui/desk/work_dialog.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QScreen>
 #include <QTimer>
@@ -13,6 +16,21 @@ namespace study::gui {
 namespace {
 
 constexpr int kUsualWidth = 760;  // [px]
+
+/// The widgets of a layout that Tab stops at, in the order in which they are seen.
+void collectStops(const QLayout& layout, std::vector<QWidget*>& stops) {
+  for (int i = 0; i < layout.count(); ++i) {
+    auto* item = layout.itemAt(i);
+    if (item->layout() != nullptr) collectStops(*item->layout(), stops);
+    auto* widget = item->widget();
+    if (widget == nullptr) continue;
+    if (widget->focusProxy() == nullptr && (widget->focusPolicy() & Qt::TabFocus) != 0) {
+      stops.push_back(widget);
+    } else if (widget->layout() != nullptr) {
+      collectStops(*widget->layout(), stops);
+    }
+  }
+}
 
 }  // namespace
 
@@ -35,7 +53,6 @@ WorkDialog::WorkDialog(
   line_->setObjectName(QStringLiteral("outcome"));
   details_->setObjectName(QStringLiteral("more"));
   details_->setAccessibleName(tr("Details"));
-  details_->setMinimumHeight(200);
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form_->setVerticalSpacing(10);
@@ -125,10 +142,37 @@ void WorkDialog::showDetails(const QString& more) {
   fit();
 }
 
+/// Makes the details as high as their text; of a long one some lines are seen, and all where the
+/// dialog has room.
+void WorkDialog::fitDetails() {
+  constexpr int kLeast = 200;  // [px] of a long text
+  const int frame = 2 * details_->frameWidth();
+  const auto margins = scroll_->widget()->layout()->contentsMargins();
+  details_->document()->setTextWidth(width() - margins.left() - margins.right() - frame);
+  const int own = static_cast<int>(std::ceil(details_->document()->size().height())) + frame;
+  details_->setMinimumHeight(std::min(own, kLeast));
+  details_->setMaximumHeight(own);
+}
+
+/// Tab goes through the fields in the order of the rows and ends at the buttons. The first field
+/// has the focus; without one, the button.
+void WorkDialog::orderStops() {
+  std::vector<QWidget*> fields;
+  collectStops(*form_, fields);
+  std::vector<QWidget*> stops;
+  collectStops(*layout(), stops);
+  for (std::size_t i = 1; i < stops.size(); ++i) setTabOrder(stops[i - 1], stops[i]);
+  const auto first = std::ranges::find_if(fields, [this](const QWidget* field) {
+    return field->isVisibleTo(this) && field->isEnabled();
+  });
+  (first == fields.end() ? runButton_ : *first)->setFocus();
+}
+
 void WorkDialog::fit() {
   constexpr int kFrame = 80;  // [px]: of the window and of the desktop's bars
   auto* inside = scroll_->widget();
   inside->layout()->activate();
+  fitDetails();
   const auto* buttons = layout()->itemAt(1);
   // A scrolled widget is never lower than its minimum size hint, for which labels wrap into more
   // lines.
@@ -153,6 +197,7 @@ void WorkDialog::resizeEvent(QResizeEvent* event) {
     pictures_->setDirection(isWide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   }
   QDialog::resizeEvent(event);
+  fitDetails();
 }
 
 void WorkDialog::showEvent(QShowEvent* event) {
@@ -162,6 +207,11 @@ void WorkDialog::showEvent(QShowEvent* event) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
+  const auto numbers = findChildren<QAbstractSpinBox*>();
+  int widest = 0;
+  for (const auto* number : numbers) widest = std::max(widest, number->sizeHint().width());
+  for (auto* number : numbers) number->setMinimumWidth(widest);
+  orderStops();
   fit();  // sizes depend on the theme, which is applied when the dialog is shown
   QTimer::singleShot(0, this, &WorkDialog::fit);  // some fields get the theme only afterwards
 }

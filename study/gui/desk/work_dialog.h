@@ -58,6 +58,8 @@ class WorkDialog : public QDialog {
 
  private:
   QHBoxLayout* makeButtons();
+  void fitDetails();
+  void orderStops();
 
   QScrollArea* scroll_;
   FieldForm* form_;

@@ -69,7 +69,7 @@ PinDialog::PinDialog(QWidget* parent)
   auto* words = addBoxWords(
       *layout,
       MessageRow::Kind::Question,
-      tr("Which PIN brings you back?"),
+      tr("With which PIN do you come back to your window?"),
       {tr("The participant gets the whole screen until the PIN is typed. The session goes on, and "
           "answers are saved as before."),
        tr("The PIN is valid until the program ends, and is not saved.")},
@@ -81,6 +81,7 @@ PinDialog::PinDialog(QWidget* parent)
   words->addWidget(problemLabel_);
   auto* buttons = new QDialogButtonBox(this);
   handOver_ = buttons->addButton(tr("Hand over"), QDialogButtonBox::AcceptRole);
+  handOver_->setProperty("role", QStringLiteral("main"));
   buttons->addButton(tr("Keep the screen"), QDialogButtonBox::RejectRole);
   layout->addWidget(buttons);
   for (auto* line : {first_, second_}) {

@@ -42,7 +42,10 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
   setMinimumHeight(choose->sizeHint().height());
   setFocusProxy(line_);
   connect(choose, &QPushButton::clicked, this, &PathField::choose);
-  connect(line_, &QLineEdit::textChanged, this, [this] { emit pathChanged(path()); });
+  connect(line_, &QLineEdit::textChanged, this, [this] {
+    line_->setToolTip(path());  // a long one is not seen whole
+    emit pathChanged(path());
+  });
 }
 
 void PathField::choose() {

@@ -21,6 +21,8 @@ constexpr const char* kThemeProperty = "wears";
 constexpr const char* kScaleProperty = "scale";
 constexpr int kBody = 17;  // [px] at scale 1: all running text of participants
 
+/// The button layout 3 has what is asked at the right end, and the way out beside it, as the other
+/// dialogs have.
 /// @name stands for a background colour and @name.text for the colour of text on it. Normal text
 /// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
 constexpr const char* kStyleSheet = R"css(
@@ -53,6 +55,9 @@ QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 4px 1
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
+QPushButton[role="danger"] { color: @bad.text; background: @bad; border-color: @bad; font-weight: 600; }
+QPushButton[role="danger"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
+QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 4px 14px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
 QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 34px; padding: 4px 4px 22px 4px; }
 QPushButton[role="point"]:checked:focus { padding: 0px 0px 18px 0px; }
@@ -77,9 +82,21 @@ QPushButton[role="stop"]:focus { border: 6px double @stop.text; padding: 4px 14p
 QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QLineEdit, QPlainTextEdit, QComboBox {
   background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
-QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid @focus; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid @focus; padding: 5px; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled.text; background: @disabled; }
-QSpinBox, QDoubleSpinBox { color: @field.text; background: @field; min-height: 34px; }
+QSpinBox, QDoubleSpinBox {
+  color: @field.text; background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px 30px 6px 6px; }
+QSpinBox:focus, QDoubleSpinBox:focus { border: 3px solid @focus; padding: 5px 29px 5px 5px; }
+QSpinBox:disabled, QDoubleSpinBox:disabled { color: @disabled.text; background: @disabled; }
+QSpinBox::up-button, QDoubleSpinBox::up-button {
+  subcontrol-origin: border; subcontrol-position: top right; width: 28px; border: none; margin: 3px 2px 0 0; }
+QSpinBox::down-button, QDoubleSpinBox::down-button {
+  subcontrol-origin: border; subcontrol-position: bottom right; width: 28px; border: none; margin: 0 2px 3px 0; }
+QSpinBox::up-arrow, QDoubleSpinBox::up-arrow { image: url(@up); width: 12px; height: 12px; }
+QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
+QCheckBox::indicator { width: 18px; height: 18px; background: @field; border: 2px solid @border; border-radius: 4px; }
+QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(@check); }
+QCheckBox::indicator:disabled { background: @disabled; border-color: @line; }
 QComboBox::drop-down { border: none; width: 28px; }
 QComboBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
 QComboBox { combobox-popup: 0; }
@@ -108,7 +125,7 @@ QPushButton[role="link"] { color: @link; background: transparent; border: 2px so
 QPushButton[role="link"]:hover { text-decoration: underline; }
 QPushButton[role="link"]:focus { border: 3px solid @focus; padding: 2px 5px; }
 QPushButton[role="link"]:disabled { color: @disabled.text; background: transparent; border-color: transparent; }
-QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; button-layout: 3; }
 QScrollArea { border: none; }
 QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }
 QScrollBar::handle:vertical { background: @border; min-height: 40px; border-radius: 7px; }
@@ -277,10 +294,15 @@ QString styleSheetOf(const Theme& theme, double scale) {
   for (const auto& [name, colour] : colours) {
     sheet.replace(QStringLiteral("@") + QString::fromUtf8(name), colour.name());
   }
-  const bool isDark = theme.field.background.lightness() < theme.field.text.lightness();
-  sheet.replace(
-      QStringLiteral("@arrow"),
-      isDark ? QStringLiteral(":/gui/arrow-chalk.png") : QStringLiteral(":/gui/arrow-ink.png"));
+  const std::array<std::pair<const char*, Fill>, 3> pictures{
+      {{"arrow", theme.field}, {"up", theme.field}, {"check", theme.accent}}};
+  for (const auto& [name, ground] : pictures) {
+    const bool isDark = ground.background.lightness() < ground.text.lightness();
+    sheet.replace(
+        QStringLiteral("@%1").arg(QLatin1String(name)),
+        QStringLiteral(":/gui/%1-%2.png")
+            .arg(QLatin1String(name), isDark ? QLatin1String("chalk") : QLatin1String("ink")));
+  }
   return scale == 1.0 ? sheet : withLengths(sheet, scale);
 }
 

@@ -18,12 +18,14 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTableView>
 #include <QTest>
+#include <QTextBrowser>
 
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/participant/questionnaire_page.h"
@@ -536,6 +538,37 @@ QStringList textsWithoutMnemonic(QWidget& window) {
       found << QStringLiteral("%1 share a letter, and others are free")
                    .arg(QStringList(texts.begin(), texts.end()).join(QStringLiteral(", ")));
     }
+  }
+  return found;
+}
+
+QStringList outOfOrder(QWidget& dialog) {
+  QStringList found;
+  const auto placeOf = [&](const QWidget* widget) {
+    return QRect(widget->mapTo(&dialog, QPoint(0, 0)), widget->size());
+  };
+  const QWidget* action = nullptr;
+  for (const auto* button : dialog.findChildren<QPushButton*>()) {
+    const auto role = button->property("role").toString();
+    const bool isAction = role == QStringLiteral("main") || role == QStringLiteral("danger");
+    if (isAction && button->isVisible()) action = button;
+  }
+  for (const auto* other : dialog.findChildren<QPushButton*>()) {
+    if (action == nullptr || other == action || !other->isVisible()) continue;
+    const QRect place = placeOf(other);
+    const QRect end = placeOf(action);
+    const bool isBeside = place.top() < end.bottom() && end.top() < place.bottom();
+    if (isBeside && place.left() > end.left()) {
+      found << nameOf(*other) + QStringLiteral(" is to the right of the action");
+    }
+  }
+  const auto* focused = dialog.focusWidget();
+  const auto* button = qobject_cast<const QPushButton*>(focused);
+  const bool isWayOut = button != nullptr && button->text().remove(u'&') == QStringLiteral("Close");
+  const bool hasNothingToEnter = qobject_cast<const QTextBrowser*>(focused) != nullptr ||
+                                 qobject_cast<const QTableView*>(focused) != nullptr;
+  if (hasNothingToEnter || (isWayOut && dialog.findChild<QLineEdit*>() != nullptr)) {
+    found << QStringLiteral("begins at ") + nameOf(*focused);
   }
   return found;
 }

@@ -32,4 +32,7 @@ QStringList unnamedElements(QWidget& window);
 /// chooses, and those of a menu that share a letter.
 QStringList textsWithoutMnemonic(QWidget& window);
 
+/// Buttons to the right of a dialog's action, and a first focus where nothing can be entered.
+QStringList outOfOrder(QWidget& dialog);
+
 }  // namespace tests

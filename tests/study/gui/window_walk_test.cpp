@@ -16,6 +16,8 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -96,7 +98,12 @@ class Windows {
         {"KeyDialog", [=] { return make<KeyDialog>(summary); }},
         {"MessageBox", [] { return message(); }},
         {"MessageBox_Question",
-         [] { return make<MessageBox>(MessageTopic::RepeatStep, QStringList(), QString()); }},
+         [] {
+           return make<MessageBox>(
+               MessageTopic::RepeatStep,
+               QStringList({QStringLiteral("5"), QStringLiteral("Round 1: Alternative 2")}),
+               QString());
+         }},
         {"NewStudyDialog", [] { return make<NewStudyDialog>(); }},
         {"OperatorWindow", [this] { return desk(); }},
         {"OperatorWindow_Sessions", [this] { return betweenSessions(); }},
@@ -255,7 +262,7 @@ Windows& windows() {
   return made;
 }
 
-enum class Check { Contrast, Room, Keyboard, Names, Mnemonics };
+enum class Check { Contrast, Room, Keyboard, Names, Mnemonics, Order };
 
 /// What is known to be wrong and not mended yet. An entry that describes nothing fails.
 struct KnownFlaw {
@@ -363,6 +370,11 @@ TEST_P(WindowWalk, FitsEveryScreenInEveryLanguage) {
 TEST_P(WindowWalk, HasAMnemonicForEveryButtonAndMenu) {
   addMnemonics(window());
   expectNone(Check::Mnemonics, tests::textsWithoutMnemonic(window()));
+}
+
+TEST_P(WindowWalk, BeginsAtAFieldAndHasItsActionAtTheRightEnd) {
+  if (qobject_cast<QDialog*>(&window()) == nullptr) return;
+  expectNone(Check::Order, tests::outOfOrder(window()));
 }
 
 TEST_P(WindowWalk, CanBeUsedByKeyboard) {
@@ -486,6 +498,14 @@ TEST_F(MessageWalk, SaysWhatHappenedAndWhatItMeansAndLeavesTheSafeButtonTheDefau
     const bool isChoice = row.field == MessageRow::Field::Choice;
     EXPECT_EQ(safe->isDefault(), !isChoice) << row.headline;
     if (row.field == MessageRow::Field::None) EXPECT_TRUE(safe->hasFocus()) << row.headline;
+    if (row.field == MessageRow::Field::NeededText) {
+      EXPECT_FALSE(box->findChild<QPushButton*>(QStringLiteral("action"))->isEnabled());
+      auto* obstacle = box->findChild<QLabel*>(QStringLiteral("obstacle"));
+      EXPECT_FALSE(obstacle->text().isEmpty()) << row.headline;
+      EXPECT_TRUE(obstacle->isVisible()) << row.headline;
+      box->setText(QStringLiteral("a"));
+      EXPECT_FALSE(obstacle->isVisible()) << row.headline;
+    }
     for (const std::string bare : {"Yes", "No", "OK", "Cancel"}) {
       EXPECT_NE(row.safe, bare) << row.headline;
       EXPECT_NE(row.action, bare) << row.headline;
