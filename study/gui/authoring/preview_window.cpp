@@ -100,7 +100,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   sides->addWidget(steps_);
   sides->addWidget(place_);
   sides->setStretchFactor(1, 1);
-  sides->setSizes({260, 1000});
+  sides->setSizes({320, 1000});
   layout->addWidget(sides, 1);
   layout->addWidget(messageLabel_);
   constexpr int kLeastWidth = 640;  // [px]: of the bar in two lines
@@ -114,12 +114,14 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setResizeMode(QListView::Adjust);
   place_->setAlignment(Qt::AlignCenter);
   place_->setAccessibleName(tr("Page of the participant"));
-  if (const auto blanks = protocols::unfilledPlaceholdersIn(loaded_).size(); blanks > 0) {
+  const auto left = std::ranges::count_if(
+      protocols::blanksOf(loaded_), [](const auto& blank) { return blank.text.isEmpty(); });
+  if (left > 0) {
     blanks_ =
         QStringLiteral(" ") +
-        tr("The texts still have blanks (%1); they are marked on the pages. Choose “Fill in the "
+        tr("Texts that are still blank: %1. They are marked on the pages. Choose “Fill in the "
            "texts…” before a live session.")
-            .arg(blanks);
+            .arg(left);
     setRole(*messageLabel_, "warn");
   }
   SystemClock clock;

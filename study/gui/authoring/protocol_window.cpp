@@ -242,13 +242,27 @@ void ProtocolWindow::fillInTexts() {
   showSource(file);
 }
 
+/// Whether there is a warning on the design, and not only on blanks in texts.
+bool ProtocolWindow::hasWeaknesses() const {
+  const bool hasBlanks = std::ranges::any_of(
+      protocols::blanksOf(*checked_.loaded),
+      [](const protocols::Blank& blank) { return blank.text.isEmpty(); });
+  return checked_.warnings() > (hasBlanks ? 1 : 0);
+}
+
 void ProtocolWindow::showVerdict() {
   const bool isUsable = checked_.loaded.has_value();
   const bool isSound = isUsable && checked_.warnings() == 0;
   const char* const role = isSound ? "good" : isUsable ? "warn" : "bad";
   const char* const sign = isSound ? "✓  " : isUsable ? "!  " : "✕  ";
   setRole(*verdict_, role);
-  verdict_->setText(QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict()));
+  QString words = QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict());
+  if (isUsable && isShipped() && hasWeaknesses()) {
+    words += QLatin1Char(' ') +
+             tr("The design is kept as published, with its weaknesses. For a study of your own "
+                "begin with punch-counterbalanced.");
+  }
+  verdict_->setText(words);
 }
 
 void ProtocolWindow::showText() {

@@ -43,6 +43,7 @@ class ProtocolWindow final : public QMainWindow {
   void prepareText();
   QWidget* makeSummary();
   void prepareProblems();
+  bool hasWeaknesses() const;
   void showVerdict();
   void showProblems();
   void showText();

@@ -41,7 +41,8 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
     const QString tag = QString::fromStdString(language);
     const QString name = nativeName(tag);
     languages_->addItem(
-        language == "en" ? tr("%1, and where others are empty").arg(name) : name, tag);
+        language == "en" ? tr("%1 (also shown where another language is empty)").arg(name) : name,
+        tag);
   }
   auto* form = new QFormLayout;
   form->setVerticalSpacing(10);

@@ -36,7 +36,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       reason_(new QLineEdit(this)),
       exact_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
       texts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
-      traces_(new QCheckBox(tr("Traces: what was felt, sample by sample"), this)),
+      traces_(new QCheckBox(tr("Recordings: what was felt, sample by sample"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
       earlier_(new PathField(
           PathField::Kind::ExistingFolder, tr("Folder of an earlier export"), {}, this)) {
@@ -73,7 +73,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), texts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Same codes as (optional)"), earlier_);
+  form().addRow(tr("Use the codes of (optional)"), earlier_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -109,20 +109,22 @@ void ExportDialog::updateChoices() {
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlier_, hasCodes);
   clear();
-  updateButton();
   showIdentifiability();
+  updateButton();
 }
 
 void ExportDialog::updateButton() {
   const bool needsReason = audienceOf(*audience_) == Audience::Unblinded;
   setObstacle(
       !hasSessions(*mode_)                                 ? noSessions()
+      : !isPossible_                                       ? tr("These data cannot be exported.")
       : needsReason && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
       : target_->path().isEmpty()                          ? tr("Choose a new folder.")
                                                            : QString());
 }
 
 void ExportDialog::showIdentifiability() {
+  isPossible_ = true;
   try {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto how = options();
@@ -131,7 +133,7 @@ void ExportDialog::showIdentifiability() {
                         : identifiabilityInWords(study, how)));
   } catch (const std::exception& error) {
     showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
-    runButton().setEnabled(false);
+    isPossible_ = false;
   }
 }
 

@@ -33,6 +33,7 @@ class ExportDialog final : public WorkDialog {
   void showIdentifiability();
 
   std::string folder_;
+  bool isPossible_ = true;  ///< whether what is chosen can be exported
   QComboBox* format_;
   QComboBox* mode_;
   QComboBox* audience_;

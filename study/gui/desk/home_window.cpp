@@ -199,6 +199,7 @@ QWidget* HomeWindow::makeList() {
     const auto* study = chosen();
     if (study != nullptr) openStudy(QString::fromStdString(study->folder));
   });
+  none_ = quietLabel(tr("The studies that you make or open are listed here."), side);
   auto* make = new QPushButton(tr("New study…"), side);
   make->setObjectName(QStringLiteral("new-study"));
   auto* open = new QPushButton(tr("Open a folder…"), side);
@@ -213,7 +214,9 @@ QWidget* HomeWindow::makeList() {
   layout->setSpacing(12);
   layout->addWidget(titleLabel(tr("Studies"), side));
   layout->addWidget(list_, 1);
+  layout->addWidget(none_);
   layout->addLayout(buttons);
+  layout->addStretch(0);
   return side;
 }
 
@@ -348,6 +351,8 @@ void HomeWindow::refresh() {
     list_->setItem(row, 2, day);
     fillRow(row++);
   }
+  list_->setVisible(!recent.empty());
+  none_->setVisible(recent.empty());
   reading_.start();
   select(QString::fromStdString(folder));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QBoxLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QTableWidget>
 #include <QTimer>
@@ -84,6 +85,7 @@ class HomeWindow final : public QMainWindow {
   std::string language_;      ///< of the present contents
   QBoxLayout* columns_ = nullptr;
   QTableWidget* list_ = nullptr;
+  QLabel* none_ = nullptr;  ///< in place of the list where there are no studies
   StudyPanel* panel_ = nullptr;
   std::unique_ptr<OpenStudy> open_;
 };

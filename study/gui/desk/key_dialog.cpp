@@ -9,11 +9,9 @@ namespace study::gui {
 KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Key of the study"),
-          tr("The study's folder keeps sealed which condition an alternative was. The key is with "
-             "this user account on this computer. Save a copy before the first participant, and "
-             "keep it apart from the study: without a key the conditions can never be told apart "
-             "again. Another account or computer needs it to go on with sessions, and to export or "
-             "report them."),
+          tr("Only the key tells which condition an alternative was. Save a copy of it, and keep "
+             "it "
+             "apart from the study: without a key the conditions can never be told apart again."),
           tr("Save"),
           parent),
       folder_(study.folder),
@@ -26,13 +24,14 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   task_->setObjectName(QStringLiteral("wanted"));
   task_->setAccessibleName(tr("What to do"));
   task_->addItem(tr("Save a copy of the key"), static_cast<int>(KeyTask::Save));
-  task_->addItem(tr("Take the key from a file"), static_cast<int>(KeyTask::Take));
+  task_->addItem(tr("Import the key from a file"), static_cast<int>(KeyTask::Take));
   task_->addItem(tr("Put names behind a passphrase"), static_cast<int>(KeyTask::SealNames));
   passphrase_->setObjectName(QStringLiteral("passphrase"));
   passphrase_->setAccessibleName(tr("Passphrase"));
   again_->setObjectName(QStringLiteral("again"));
   again_->setAccessibleName(tr("The same again"));
-  passphrase_->setPlaceholderText(tr("write it down: without it nobody ever reads the names"));
+  passphrase_->setPlaceholderText(
+      tr("write it down: without it the names can never be read again"));
   for (auto* field : {passphrase_, again_}) {
     field->setEchoMode(QLineEdit::Password);
     connect(field, &QLineEdit::textChanged, this, &KeyDialog::updateChoices);
@@ -82,7 +81,7 @@ void KeyDialog::updateChoices() {
   form().setRowVisible(source_, takes);
   form().setRowVisible(passphrase_, seals);
   form().setRowVisible(again_, seals);
-  runButton().setText(saves ? tr("Save") : takes ? tr("Take") : tr("Set"));
+  runButton().setText(saves ? tr("Save") : takes ? tr("Import") : tr("Set"));
   const bool isReasoned = !reason_->text().trimmed().isEmpty();
   const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
   setObstacle(
@@ -131,7 +130,7 @@ void KeyDialog::sealNames() {
   showState();
   showOutcome(
       Outcome::Good,
-      tr("Names are behind the passphrase now. Sessions ask for it; nobody can find it out."),
+      tr("Names are behind the passphrase now. Sessions ask for it; it cannot be recovered."),
       state_);
 }
 

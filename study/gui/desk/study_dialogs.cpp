@@ -87,9 +87,9 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Back up a study"),
           tr("Copies the whole study as it is at one moment, also while sessions are open, and "
-             "verifies "
-             "the copy. Keep it on another disk, as carefully as the study: it contains what names "
-             "participants."),
+             "verifies the copy. Keep it on another disk, as carefully as the study: it contains "
+             "the "
+             "participants' names."),
           tr("Back up"),
           parent),
       folder_(study.folder),
@@ -209,18 +209,18 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   quotes_->setObjectName(QStringLiteral("quotes"));
   quotes_->setChecked(true);
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
+  reason_->setAccessibleName(tr("Reason for unblinding"));
+  reason_->setObjectName(QStringLiteral("reason"));
   form().addRow(tr("Sessions"), mode_);
+  form().addRow(tr("Reason for unblinding"), reason_);
   auto* pages = new QWidget(this);
   auto* side = new QHBoxLayout(pages);
   side->setContentsMargins(0, 0, 0, 0);
   side->addWidget(language_, 3);
   side->addWidget(paper_, 2);
-  form().addRow(tr("Language, pages of a PDF"), pages);
+  form().addRow(tr("Language and paper"), pages);
   form().addRow(tr("Numbers in sentences"), wording_);
   form().addRow(tr("Quotes"), quotes_);
-  reason_->setAccessibleName(tr("Reason for unblinding"));
-  reason_->setObjectName(QStringLiteral("reason"));
-  form().addRow(tr("Reason for unblinding"), reason_);
   form().addRow(tr("File (.html or .pdf)"), target_);
   addFigures();
   connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);

@@ -1,5 +1,7 @@
 #include "study/gui/authoring/preview_window.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <QFileInfo>
@@ -8,6 +10,7 @@
 #include "protocols/load_protocol.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/gui/visible_words.h"
 
 namespace study::gui {
 namespace preview_window_test {
@@ -63,6 +66,15 @@ TEST(PreviewWindow, ShowsWholePagesUntilASizeIsChosen) {
   QCoreApplication::processEvents();
   const auto* place = preview.findChild<QScrollArea*>();
   EXPECT_EQ(preview.page().size(), place->viewport()->size());
+}
+
+TEST(PreviewWindow, CountsTheTextsThatAreStillBlankAsTheHomePageDoes) {
+  PreviewWindow preview(shipped("punch-face-validity"));
+  preview.show();
+  const auto words = tests::wordsIn(preview);
+  EXPECT_TRUE(std::ranges::any_of(words, [](const QString& text) {
+    return text.contains(QStringLiteral("Texts that are still blank: 10."));
+  }));
 }
 
 TEST(PreviewWindow, LetsAnAlternativeBeFelt) {

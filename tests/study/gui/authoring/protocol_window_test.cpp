@@ -146,6 +146,16 @@ TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
   EXPECT_TRUE(text->isVisible());
 }
 
+TEST_F(ProtocolWindowTest, SaysThatThePublishedDesignKeepsItsWeaknesses) {
+  const auto verdictOn = [](const char* name) {
+    ProtocolWindow window(QString::fromUtf8(name));
+    return window.findChild<QLabel*>(QStringLiteral("verdict"))->text();
+  };
+  const auto known = QStringLiteral("kept as published");
+  EXPECT_TRUE(verdictOn("punch-face-validity").contains(known));
+  EXPECT_FALSE(verdictOn("punch-counterbalanced").contains(known)) << "only blanks are left";
+}
+
 TEST_F(ProtocolWindowTest, NamesPlacesWithoutSignsOfTheFileFormat) {
   const CheckedProtocol broken;
   EXPECT_EQ(

@@ -166,6 +166,7 @@ TEST_F(HomeTest, OffersANewStudyIfThereIsNone) {
   EXPECT_EQ(listOf(home)->rowCount(), 0);
   EXPECT_FALSE(home.findChild<QPushButton*>(QStringLiteral("open"))->isEnabled());
   EXPECT_NE(buttonSaying(&home, QStringLiteral("New study…")), nullptr);
+  EXPECT_FALSE(listOf(home)->isVisible()) << "an empty table says nothing";
   tests::photographInAllThemes(home, QStringLiteral("home-empty"));
 }
 

@@ -176,12 +176,15 @@ TEST_F(StudyDialogsTest, StatisticsAnswerFirstAndThenShowTheDeclaredTests) {
   EXPECT_TRUE(answer->text().contains(QString::fromStdString(report::verdictOf(section))))
       << answer->text().toStdString();
   auto& view = *dialog.findChild<ResultView*>();
+  EXPECT_TRUE(answer->text().contains(QStringLiteral("take all answers of a person as")))
+      << "two rounds, pooled";
   const auto expected = report::statisticsTables(section, Profile::Declared);
   EXPECT_EQ(asCsv(view.table()), asCsv(expected.front()));
   EXPECT_EQ(view.table().rows.size(), 6U) << "three pairs in each of two cohorts";
   const auto* cells = dialog.findChild<QTableWidget*>(QStringLiteral("results"));
   EXPECT_EQ(cells->rowCount(), 6);
-  EXPECT_TRUE(cells->horizontalHeaderItem(2)->text() == QStringLiteral("In words"));
+  const auto* p = cells->horizontalHeaderItem(6);
+  EXPECT_EQ(p->text(), QStringLiteral("p")) << "before what it says in words";
   tests::photographInAllThemes(dialog, QStringLiteral("statistics"));
 }
 
@@ -206,7 +209,7 @@ TEST_F(StudyDialogsTest, StatisticsAreCopiedAndSaved) {
   QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("copy")), Qt::LeftButton);
   const auto whole = QApplication::clipboard()->text();
   EXPECT_EQ(whole.count(u'\n'), 7) << whole.toStdString();
-  EXPECT_TRUE(whole.startsWith(QStringLiteral("Cohort\tComparison\tIn words\t")))
+  EXPECT_TRUE(whole.startsWith(QStringLiteral("Cohort\tComparison\tAnswers\tPeople\t")))
       << whole.toStdString();
   cells->setFocus();
   cells->selectRow(1);
@@ -219,6 +222,29 @@ TEST_F(StudyDialogsTest, StatisticsAreCopiedAndSaved) {
   EXPECT_EQ(tests::contentOf(out_ / "table.csv"), asCsv(view.table()));
   EXPECT_ANY_THROW(view.saveTo(QString::fromStdString(out_ / "table.csv")))
       << "nothing is overwritten";
+}
+
+TEST_F(StudyDialogsTest, StatisticsOfOneCohortSayThatTheOtherHasNoAnswers) {
+  questionnaires::Problems problems;
+  const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
+  SimulatedClock clock;
+  auto study = Study::create(out_ / "begun", protocol, clock, 7, tests::knownSecret());
+  simulateCohorts(study, clock, 1, 7, [](const auto&) {});
+  const auto section = report::gather(study, RunMode::Simulated);
+  ResultView view;
+  ASSERT_NO_THROW(view.show(QString(), report::statisticsTables(section, Profile::Declared)));
+  EXPECT_NE(asCsv(view.table()).find("No answers yet."), std::string::npos);
+}
+
+TEST_F(StudyDialogsTest, ResultsWithoutATableCanNeitherBeCopiedNorSaved) {
+  ResultView view;
+  const auto shows = [&](const char* name) {
+    return view.findChild<QWidget*>(QString::fromUtf8(name))->isVisibleTo(&view);
+  };
+  view.show(QStringLiteral("Nothing can be compared."), {});
+  for (const auto* part : {"table", "copy", "save", "results"}) EXPECT_FALSE(shows(part)) << part;
+  view.show(QString(), {{.name = "one", .description = "One", .columns = {{"a"}}, .rows = {}}});
+  for (const auto* part : {"table", "copy", "save", "results"}) EXPECT_TRUE(shows(part)) << part;
 }
 
 TEST_F(StudyDialogsTest, SimulationAddsParticipants) {
@@ -350,6 +376,10 @@ TEST_F(StudyDialogsTest, PlanSaysFirstWhatTheStudyCanFind) {
   EXPECT_EQ(
       dialog.findChild<QLabel*>(QStringLiteral("answer"))->text().toStdString(),
       report::planInWords(plan));
+  const auto answer = report::planInWords(plan);
+  EXPECT_TRUE(answer.starts_with("14 participants in a cohort find")) << answer;
+  EXPECT_NE(answer.find("paired t-test"), std::string::npos) << answer;
+  EXPECT_NE(answer.find("declares another test (Welch"), std::string::npos) << answer;
   const auto& table = dialog.findChild<ResultView*>()->table();
   EXPECT_EQ(asCsv(table), asCsv(report::planTables(plan).front()));
   tests::photographInAllThemes(dialog, QStringLiteral("plan"));
@@ -402,12 +432,19 @@ TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   }
   EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
   dialog.show();
+  QTest::qWait(1);  // sizes follow what is shown
+  const auto* smallest = dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"));
+  EXPECT_TRUE(smallest->isVisible());
+  EXPECT_GE(smallest->height(), smallest->minimumSizeHint().height());
   tests::photographInAllThemes(dialog, QStringLiteral("export-public"));
   press(dialog, out_ / "open");
   EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("for the public")));
   dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"))->setValue(9);
-  EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
+  const auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  EXPECT_FALSE(go->isEnabled());
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕")));
+  dialog.findChild<PathField*>()->setPath(QString::fromStdString(out_ / "other"));
+  EXPECT_FALSE(go->isEnabled()) << "another folder does not make it possible";
 }
 
 TEST_F(StudyDialogsTest, ExportSaysWhatACodedFolderTellsOfPeopleBeforeWriting) {
