@@ -404,11 +404,11 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   const auto check = [&](const char* what, const std::function<Problems(Study&)>& problemsOf) {
     look(what, [&](Study& of) { return storage::Findings{.problems = problemsOf(of)}; });
   };
-  look("the database files are whole, and every row refers to something", filesAndRights);
+  look("the database files are whole, and every reference leads to a row", filesAndRights);
   look("tables, indexes and triggers are those that the program makes", schemas);
   check("the audit trail is unbroken", auditTrail);
   result.checks.back().remarks = remarksOn(study);
-  look("every signature is of the events before it", signatures);
+  look("every signature matches the events before it", signatures);
   look("the audit trail goes on from all that this station signed", [&](Study& of) {
     return noted.compareWith(of, options.isOlderCopy);
   });

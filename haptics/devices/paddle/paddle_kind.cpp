@@ -64,7 +64,7 @@ const DeviceKind& paddleKind() {
              "freizugeben."},
             {"nb",
              "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
-             "denne siden, for å trykke på padlen; slipp for å gi den fri."}}},
+             "denne siden, for å trykke på spaken; slipp for å gi den fri."}}},
       .sentences = {
           {"en", "at least {} cut or stroke", "at least {} press"},
           {"en", "at least {} cuts or strokes", "at least {} presses"},

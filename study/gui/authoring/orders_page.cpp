@@ -80,7 +80,7 @@ void OrdersPage::clear() {
 void OrdersPage::show(const protocols::Protocol& protocol) {
   const bool isFirst = !protocol_;
   protocol_ = protocol;
-  const QString drawn = tr("1; the protocol has none");
+  const QString drawn = tr("1 (the protocol has no seed)");
   seed_->setPlaceholderText(protocol.seed ? QString::number(*protocol.seed) : drawn);
   if (isFirst) participants_->setValue(plannedOf(protocol));
   fill();

@@ -114,7 +114,7 @@ FindingLine judgeScreen(const QScreen& screen) {
       .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
-    found.fix = "The windows want 1280 × 800 points: choose a higher resolution or less scaling.";
+    found.fix = "The windows need 1280 × 800 points: choose a higher resolution or less scaling.";
   } else if (screen.refreshRate() < kLeastRefresh) {
     found.finding = Finding::Warn;
     found.fix = "Pictures come late: choose a refresh rate of 50 Hz or more.";
@@ -196,7 +196,7 @@ FindingLine evaluateCommitTimes(const storage::CommitTimes& times, const std::st
 
 std::vector<FindingLine> testComputer(const SelfTestOptions& order, const Progress& progress) {
   auto lines = testDevices(order, progress);
-  tell(progress, kUnknownShare, "ticking a thousand times a second");
+  tell(progress, kUnknownShare, "testing the timing: a thousand steps a second");
   lines.push_back(testClock(order.seconds));
   tell(progress, kUnknownShare, "writing to the disk");
   const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): no thread sets it
