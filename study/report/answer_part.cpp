@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -7,8 +6,6 @@
 
 namespace study::report {
 namespace {
-
-constexpr std::size_t kMostInASentence = 2;  // comparisons; the table has all of them
 
 bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
   return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
@@ -25,10 +22,10 @@ class AnswerWriter : HtmlWriter {
     if (family == nullptr) {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
+      references(*family);
       sentences();
       pooledAnswers();
       html_ += caveatsOfRenderingAsHtml(section_);
-      references(*family);
     }
     if (family != nullptr) {
       mainFigure(*family);
@@ -59,7 +56,9 @@ class AnswerWriter : HtmlWriter {
   /// Writes the main weakness of pooled tests next to their p values.
   void pooledAnswers() {
     const bool isRepeated = std::ranges::any_of(section_.results.families, [](const auto& family) {
-      if (!isPooled(Profile::Declared, family.family)) return false;
+      const bool isTested = std::ranges::any_of(
+          family.cohorts, [&](const auto& part) { return isAnyDefined(family, part); });
+      if (!isTested || !isPooled(Profile::Declared, family.family)) return false;
       return std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
         return raised.flag->id == "pseudo_replication";
       });
@@ -85,18 +84,37 @@ class AnswerWriter : HtmlWriter {
   std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {
     auto rows = declaredIn(family, part);
     if (!isAnyDefined(family, part)) {
-      return rows.empty()
-                 ? std::string()
-                 : say("nothing can be tested: {}.", section_.words(rows.front().test->reason));
+      return rows.empty() ? std::string() : notTested(rows.front());
     }
-    std::erase_if(rows, [](const auto& row) { return !row.isDefined(); });
-    std::ranges::stable_sort(
-        rows, [](const auto& a, const auto& b) { return a.effect() > b.effect(); });
+    const auto best = comparedIn(family);
     std::string text;
-    for (std::size_t i = 0; i < std::min(rows.size(), kMostInASentence); ++i) {
-      text += (i > 0 ? "; " : "") + inWords(family, rows[i]);
+    for (const auto& row : rows) {
+      if (!best.empty() && !row.has(best)) continue;
+      if (row.isDefined()) text += (text.empty() ? "" : "; ") + inWords(family, row);
     }
+    const auto other = std::ranges::find_if(rows, [&](const auto& row) { return row.has(best); });
+    if (text.empty() && other != rows.end()) return notTested(*other);
     return text + ".";
+  }
+
+  std::string notTested(const Declared& row) const {
+    return say("nothing can be tested: {}.", section_.words(row.test->reason));
+  }
+
+  /// The alternative whose comparisons the sentences are about; empty if there is none: they are
+  /// then about all.
+  std::string comparedIn(const FamilyResult& family) const {
+    const auto isCompared = [&](const std::string& id) {
+      return std::ranges::any_of(family.cohorts, [&](const auto& part) {
+        return std::ranges::any_of(declaredIn(family, part), [&](const auto& row) {
+          return row.isDefined() && row.has(id);
+        });
+      });
+    };
+    for (const auto& id : {bestAlternativeOf(section_), highestRatedIn(family)}) {
+      if (isCompared(id)) return id;
+    }
+    return {};
   }
 
   /// The sentence on one comparison. It names the method with the higher rating first.
@@ -119,6 +137,7 @@ class AnswerWriter : HtmlWriter {
       numbers += fmt::format("{} = {}, ", effect.name, rounded(sign * *effect.value, 2));
     }
     numbers += formatP(family, *row.test);
+    if (family.isNamed("welch")) numbers += "; " + withinPeople(family, *row.withinPeople, sign);
     const bool isInDoubt = family.isDeclared && !row.test->isSignificant.value_or(true);
     return withSubscripts(
         say(isInDoubt ? "{} was rated {} points higher than {}, which is not significant ({})"
@@ -127,6 +146,20 @@ class AnswerWriter : HtmlWriter {
             rounded(sign * *row.difference->estimate.value, 2),
             lower,
             numbers));
+  }
+
+  /// The same difference by the paired t-test, beside that of pooled answers.
+  std::string withinPeople(
+      const FamilyResult& family, const analysis::TestRow& test, double sign) const {
+    if (!test.p || !test.interval) return section_.words("not testable within people");
+    const auto interval =
+        sign > 0.0 ? *test.interval : analysis::Interval{-test.interval->high, -test.interval->low};
+    return section_.words.say(
+               "within people {}, {:g} % CI {}",
+               rounded(sign * test.estimate.value.value_or(0.0), 2),
+               100.0 * (1.0 - family.family.alpha),
+               formatInterval(interval, section_.wording, section_.words)) +
+           ", " + formatP(family, test);
   }
 
   std::string formatP(const FamilyResult& family, const analysis::TestRow& test) const {
@@ -138,8 +171,21 @@ class AnswerWriter : HtmlWriter {
 
   // --- Figure and table ---
 
+  /// Which comparisons the sentences are about, and where all of them are.
   void references(const FamilyResult& family) {
-    put("<p>{}</p>",
+    const auto best = comparedIn(family);
+    const auto title = best.empty() ? best : section_.conditionTitle(best);
+    const auto rated =
+        say("{} was rated highest: the sentences compare it with the others.", title);
+    const auto named =
+        say("{} was named most often: the sentences compare it with the others.", title);
+    const auto several =
+        say("The sentences compare what was named most often, or rated highest, with the others.");
+    const auto about = section_.results.families.size() > 1 ? several
+                       : best == highestRatedIn(family)     ? rated
+                                                            : named;
+    put("<p>{} {}</p>",
+        best.empty() || !isAnyTested() ? std::string() : about,
         mainSvg(family).empty() ? withReferences("See {}.", {"answer"})
                                 : withReferences("See {} and {}.", {"answer-figure", "answer"}));
   }
@@ -162,12 +208,15 @@ class AnswerWriter : HtmlWriter {
     figure(mainSvg(family), caption, "answer-figure");
   }
 
+  bool isAnyTested() const {
+    bool isAny = false;
+    forEachAnswered(
+        [&](const auto& family, const auto& part) { isAny = isAny || isAnyDefined(family, part); });
+    return isAny;
+  }
+
   void tableOfAnswers() {
-    bool isAnyTested = false;
-    forEachAnswered([&](const auto& family, const auto& part) {
-      isAnyTested = isAnyTested || isAnyDefined(family, part);
-    });
-    if (isAnyTested) {
+    if (isAnyTested()) {
       comparisons();
     } else {
       means();
@@ -217,17 +266,24 @@ class AnswerWriter : HtmlWriter {
       }
     });
     endTable();
+    const bool isCorrected = std::ranges::any_of(section_.results.families, [](const auto& family) {
+      return !nameOf(family.family.correction).empty();
+    });
+    const auto uncorrected =
+        say("Intervals are of each comparison by itself and not corrected for their number, p is: "
+            "an interval without 0 may come with a p above α.");
+    if (isCorrected) put("<p class=\"note\">{}</p>", uncorrected);
   }
 
   void comparisonRow(
       const FamilyResult& family, const CohortResult& part, const Declared& comparison) {
-    const auto& [group1, group2, difference, test] = comparison;
+    const auto& [group1, group2, difference, test, withinPeople] = comparison;
     const auto& effect = difference->effect;
     const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
     const auto p = cellOfP(
         test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p);
     row(
-        {withMean(part, group1) + " vs. " + withMean(part, group2),
+        {withMeans(family, part, group1, group2),
          rounded(difference->estimate.value, 2),
          cellOf(difference->interval),
          effect.value
@@ -236,12 +292,31 @@ class AnswerWriter : HtmlWriter {
          isBold ? "<strong>" + p + "</strong>" : p});
   }
 
-  /// "Interpolation (4.25)".
-  std::string withMean(const CohortResult& part, const std::string& id) const {
-    for (const auto& one : part.conditions) {
-      if (one.name == id) return condition(id) + " (" + rounded(one.answers.mean(), 2) + ")";
-    }
-    return condition(id);
+  /// "Interpolation (4.25) vs. FEM (2.81)": the means that the declared test compares, of all
+  /// answers or of the means of the participants who judged both methods.
+  std::string withMeans(
+      const FamilyResult& family,
+      const CohortResult& part,
+      const std::string& first,
+      const std::string& second) const {
+    const auto& methods = part.table.methods;
+    const auto placeOf = [&](const std::string& id) {
+      return static_cast<std::size_t>(std::ranges::find(methods, id) - methods.begin());
+    };
+    const std::vector<std::size_t> places{placeOf(first), placeOf(second)};
+    const bool isOfPeople = !family.isNamed("welch") && std::ranges::max(places) < methods.size();
+    const auto people = isOfPeople ? analysis::completeCaseMeans(part.table, places)
+                                   : analysis::CompleteCaseMeans();
+    const auto meanOf = [&](const std::string& id, std::size_t place) -> std::optional<double> {
+      if (isOfPeople) return analysis::summarise(people.of(place)).mean;
+      const auto one = std::ranges::find(part.conditions, id, &analysis::NamedSample::name);
+      return one == part.conditions.end() ? std::nullopt : one->answers.mean();
+    };
+    const auto named = [&](const std::string& id, std::size_t place) {
+      const auto mean = meanOf(id, place);
+      return condition(id) + (mean ? " (" + rounded(mean, 2) + ")" : std::string());
+    };
+    return named(first, 0) + " vs. " + named(second, 1);
   }
 
   void means() {
@@ -298,15 +373,24 @@ const FamilyResult* mainFamily(const ReportSection& section) {
 
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
   std::vector<Declared> all;
+  static const analysis::TestRow kNone;
   if (family.isNamed("welch")) {
     for (const auto& row : cohort.comparisons.rows) {
-      all.push_back({row.group1, row.group2, &row, &row});
+      const auto within = std::ranges::find_if(cohort.within.rows, [&](const auto& other) {
+        return other.group1 == row.group1 && other.group2 == row.group2;
+      });
+      all.push_back(
+          {row.group1,
+           row.group2,
+           &row,
+           &row,
+           within == cohort.within.rows.end() ? &kNone : &within->test("paired_t")});
     }
     return all;
   }
   for (const auto& row : cohort.within.rows) {
-    const auto& test = row.test(idOf(family.family.test));
-    all.push_back({row.group1, row.group2, &row.test("paired_t"), &test});
+    const auto& paired = row.test("paired_t");
+    all.push_back({row.group1, row.group2, &paired, &row.test(idOf(family.family.test)), &paired});
   }
   return all;
 }

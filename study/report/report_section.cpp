@@ -273,6 +273,14 @@ std::string ReportSection::inWords(const base::Message& message) const {
   return message.key().empty() ? words(message) : words(base::Message(kind, arguments));
 }
 
+std::string listed(const std::vector<std::string>& names, const words::Words& words) {
+  std::string first;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i) first += (i == 0 ? "" : ", ") + names[i];
+  if (names.empty()) return {};
+  const auto both = words.say("{} and {}", first, names.back());
+  return first.empty() ? names.back() : both;
+}
+
 std::string questionOf(const questionnaires::Item& item, const std::string& language) {
   const auto& text = item.text.in(language);
   if (!text.empty() && text.find("[[") == std::string::npos) return text;

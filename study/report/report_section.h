@@ -130,6 +130,9 @@ struct ReportSection {
   std::string titleOf(const std::string& id) const;
 };
 
+/// "Interpolation, FEM and KF".
+std::string listed(const std::vector<std::string>& names, const words::Words& words);
+
 /// The question; for an item with two opposite words both of them.
 std::string questionOf(const questionnaires::Item& item, const std::string& language);
 

@@ -39,9 +39,9 @@ class HeadWriter : HtmlWriter {
 
   void declared(const FamilyResult& result) {
     const auto& family = result.family;
-    std::string compared;
+    std::vector<std::string> compared;
     for (const auto& id : conditionsOf(section_.protocol, family)) {
-      compared += (compared.empty() ? "" : ", ") + section_.conditionTitle(id);
+      compared.push_back(section_.conditionTitle(id));
     }
     paragraph(
         result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
@@ -49,7 +49,7 @@ class HeadWriter : HtmlWriter {
                           : "“{}”: {} are compared. Not declared before the first participant, and "
                             "exploratory: {}, α = {}.",
         family.title,
-        compared,
+        listed(compared, section_.words),
         declaredInWords(family, section_.words),
         exactly(family.alpha));
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +22,13 @@ std::string participantsAsHtml(const ReportSection& section);
 /// What was found, in one or two plain sentences without statistics; empty without answers.
 std::string verdictOf(const ReportSection& section);
 
+/// The condition that was named most often or, where votes do not say, rated highest; empty without
+/// answers.
+std::string bestAlternativeOf(const ReportSection& section);
+
+/// The condition of the family with the highest mean of all answers; empty without answers.
+std::string highestRatedIn(const FamilyResult& family);
+
 /// The answer: one figure, one table, a sentence for each cohort, and what weakens it.
 std::string answerAsHtml(const ReportSection& section);
 
@@ -34,11 +40,14 @@ const FamilyResult* mainFamily(const ReportSection& section);
 struct Declared {
   std::string group1;
   std::string group2;
-  const analysis::TestRow* difference;  ///< has estimate, interval and effect
-  const analysis::TestRow* test;        ///< has p
+  const analysis::TestRow* difference;    ///< has estimate, interval and effect
+  const analysis::TestRow* test;          ///< has p
+  const analysis::TestRow* withinPeople;  ///< the paired t-test of participants' means
 
   bool isDefined() const { return difference->estimate.value && test->p; }
-  double effect() const { return std::abs(difference->effect.value.value_or(0.0)); }
+  bool has(const std::string& condition) const {
+    return group1 == condition || group2 == condition;
+  }
 };
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort);
 
@@ -81,12 +90,17 @@ std::string renderingAsHtml(const ReportSection& section);
 /// methods; empty if there are none.
 std::string caveatsOfRenderingAsHtml(const ReportSection& section);
 
-/// What weakens the answer, in at most three points; empty if nothing does.
+/// What weakens the answer, the heaviest first, and how much more the appendix has; empty without
+/// participants.
 std::string weaknessesAsHtml(const ReportSection& section);
 
 /// All caveats and weaknesses, explained: remarks on the data, and on the design from the
-/// validation of the protocol.
+/// validation of the protocol; and what was looked for and not found. Empty without participants.
 std::string limitationsAsHtml(const ReportSection& section);
+
+/// By what a reader of the protocol could tell conditions apart in spite of their labels: "the
+/// number of an alternative and its position"; empty if by nothing.
+std::string disclosuresInWords(const ReportSection& section);
 
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);
@@ -130,11 +144,12 @@ inline constexpr std::string_view kParticipantMeansCaption =
     "are fewer than ten.";
 
 inline constexpr std::string_view kDifferencesCaption =
-    "Mean differences within people with their intervals at 1 − α.";
+    "Mean differences within people with their intervals at 1 − α, not corrected for the number of "
+    "comparisons.";
 
 inline constexpr std::string_view kShadedDifferencesCaption =
-    "Mean differences within people with their intervals at 1 − α. Shaded are differences that "
-    "count as none.";
+    "Mean differences within people with their intervals at 1 − α, not corrected for the number of "
+    "comparisons. Shaded are differences that count as none.";
 
 inline constexpr std::string_view kCorrectedDifferencesCaption =
     "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "

@@ -151,14 +151,14 @@ class TablesWriter {
       }
       switch (profile_) {
         case Profile::Declared:
-          for (const auto& [group1, group2, difference, test] : declaredIn(family, part)) {
+          for (const auto& one : declaredIn(family, part)) {
             table.rows.push_back(cellsOf(
                 family,
                 section_.cohortTitle(part.cohort),
-                section_.conditionTitle(group1) + " vs. " + section_.conditionTitle(group2),
+                section_.conditionTitle(one.group1) + " vs. " + section_.conditionTitle(one.group2),
                 people,
-                *test,
-                *difference));
+                *one.test,
+                *one.difference));
           }
           break;
         case Profile::AsPublished:

@@ -117,14 +117,14 @@ std::string mainPart(const std::string& page) {
 
 TEST(HtmlReport, AnswersBeforeItsAppendix) {
   const auto main = mainPart(asHtml({tests::madeUpSection()}));
-  EXPECT_TRUE(has(main, "“Realism of the three methods”: Interpolation, FEM, KF are compared."));
+  EXPECT_TRUE(has(main, "“Realism of the three methods”: Interpolation, FEM and KF are compared."));
   EXPECT_TRUE(has(main, "<td>Orthopaedic surgeons</td><td>7</td><td>6</td><td>1</td>"));
   EXPECT_FALSE(has(main, "<th>Rejected</th>")) << "nobody was";
   // study_golden.txt: 1.42 [0.76, 2.07], p < .001; 0.86 [0.23, 1.50], adjusted .026; KF 0.56 more
   // than FEM [-0.19, 1.30], adjusted .418. Means of 36 answers: 146, 95 and 115 points.
   EXPECT_TRUE(
       has(main, "Interpolation was rated 1.42 points higher than FEM (95 % CI [0.76, 2.07], "));
-  EXPECT_TRUE(has(main, "p<sub>Bonferroni</sub> = .026)"));
+  EXPECT_TRUE(has(main, "p<sub>Bonferroni</sub> = .026; within people 0.86, 95 % CI ["));
   EXPECT_FALSE(has(main, "KF was rated 0.56 points higher than FEM")) << "the table has it";
   EXPECT_TRUE(has(main, "<td>Interpolation (4.06) vs. FEM (2.64)</td><td>1.42</td>"));
   EXPECT_TRUE(has(main, "What weakens the answer"));
@@ -137,17 +137,69 @@ TEST(HtmlReport, BeginsWithAPlainSentence) {
   const auto verdict = main.find("<p class=\"verdict\">");
   ASSERT_NE(verdict, std::string::npos);
   EXPECT_LT(verdict, main.find("The question"));
-  EXPECT_TRUE(
-      has(main,
-          "To 11 participants, Interpolation resembled the real tool most: 11 of 21 votes (in 2 "
-          "rounds)."
-          " It was rated significantly higher than FEM (finite elements), KF (Kalman filter)."))
-      << main.substr(verdict, 400);
+  EXPECT_TRUE(has(
+      main,
+      "Interpolation got 11 of 21 votes of 11 participants for resembling the real tool most "
+      "(in 2 rounds). By the declared test, which takes all answers as independent, it was rated "
+      "significantly higher than FEM (finite elements) and KF (Kalman filter); compared within "
+      "people, this is significant for FEM and KF.</p>"))
+      << main.substr(verdict, 600);
   EXPECT_FALSE(has(main, "preferred"));
   section.results.votes.clear();
   EXPECT_TRUE(has(asHtml({section}), "11 participants rated Interpolation highest. "));
   section.results.families.front().isDeclared = false;
   EXPECT_TRUE(has(asHtml({section}), "highest. All comparisons are exploratory.</p>"));
+}
+
+/// The comparison of @p family in @p cohort between its methods @p first and @p second.
+analysis::TestRow& pairedT(
+    FamilyResult& family, std::size_t cohort, const std::string& first, const std::string& second) {
+  for (auto& row : family.cohorts[cohort].within.rows) {
+    if (row.group1 != first || row.group2 != second) continue;
+    return *std::ranges::find(row.tests, "paired_t", &analysis::TestRow::id);
+  }
+  throw std::logic_error("no such pair");
+}
+
+TEST(HtmlReport, CallsNoPooledResultSignificantWithoutTheResultWithinPeople) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  pairedT(family, 0, "interpolation", "finite-elements") = {.id = "paired_t"};
+  pairedT(family, 0, "interpolation", "kalman").isSignificant = false;
+  const auto answer = verdictOf(section);
+  EXPECT_TRUE(has(
+      answer, "; compared within people, this is not significant for KF, not testable for FEM."))
+      << answer;
+  family.family.test = protocols::TestType::PairedT;
+  EXPECT_FALSE(has(verdictOf(section), "independent"));
+}
+
+TEST(HtmlReport, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  for (const auto* other : {"finite-elements", "kalman"}) {
+    for (const std::size_t cohort : {0U, 1U}) {
+      auto& row = pairedT(family, cohort, "interpolation", other);
+      row.estimate = {"difference", cohort == 0 ? 1.04 : 0.48};
+      row.p = 0.01;
+      row.isSignificant = cohort == 0;
+    }
+  }
+  const auto answer = verdictOf(section);
+  EXPECT_FALSE(has(answer, "only by")) << answer;
+  EXPECT_TRUE(has(
+      answer,
+      "Its rating differs from that of FEM (finite elements) by 1.04 points (Orthopaedic surgeons, "
+      "significant) and 0.48 points (Adults without surgical experience); whether cohorts differ "
+      "in this was not tested."))
+      << answer;
+}
+
+TEST(HtmlReport, ClaimsNothingOfOneParticipant) {
+  auto section = tests::madeUpSection();
+  section.results.flow = {{.cohort = "professional", .enrolled = 1, .completed = 1}};
+  EXPECT_EQ(verdictOf(section), "One participant so far: nothing can be compared.");
 }
 
 TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesNoneOfSeveral) {
@@ -158,11 +210,15 @@ TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesNoneOfSeveral) {
   section.results.votes = {
       {.cohort = "professional", .phase = "preference-1", .block = "round-1", .votes = votes},
       {.cohort = "professional", .phase = "preference-2", .block = "round-2", .votes = votes}};
-  EXPECT_TRUE(has(asHtml({section}), "12 of 22 votes (11 people × 2 rounds)."));
+  EXPECT_TRUE(
+      has(asHtml({section}),
+          "12 of 22 votes of 11 participants for resembling the real tool most (11 people × 2 "
+          "rounds)."));
   section.results.votes.pop_back();
-  EXPECT_TRUE(has(asHtml({section}), "6 of 11 votes (one vote each)."));
+  EXPECT_TRUE(has(asHtml({section}), "6 of 11 votes of 11 participants "));
+  EXPECT_TRUE(has(asHtml({section}), "(one vote each)."));
   section.results.votes.front().votes.add("finite-elements", 1);
-  EXPECT_FALSE(has(asHtml({section}), "votes (")) << "two were named equally often";
+  EXPECT_FALSE(has(asHtml({section}), " votes of ")) << "two were named equally often";
 }
 
 TEST(HtmlReport, HasPooledTestsAndTheirFlagsOnlyWhereTheyAreDeclared) {
