@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -8,7 +10,10 @@
 namespace study::report {
 namespace {
 
-constexpr std::size_t kMostOnThePage = 3;
+constexpr std::size_t kMostOnThePage = 4;
+
+/// In kBySeverity, the last that weighs more than conditions that can be told apart.
+constexpr std::ptrdiff_t kDisclosures = 2;
 
 /// Warnings about a study's files that say nothing about its results.
 constexpr std::array<std::string_view, 14> kFileWarnings{
@@ -27,10 +32,46 @@ constexpr std::array<std::string_view, 14> kFileWarnings{
     "hides_library_instrument",
     "items_not_analysed"};
 
+/// All kinds of flags, the heaviest first.
+constexpr std::array<std::string_view, 13> kBySeverity{
+    "n_below_minimum_for_alpha",
+    "pseudo_replication",
+    "family_not_declared",
+    "order_not_counterbalanced",
+    "items_not_common_to_methods",
+    "relative_item_without_referent",
+    "missing_cells",
+    "paired_data_unpaired_test",
+    "bimodal",
+    "constant_group",
+    "alpha_rounded",
+    "late_ticks",
+    "saturated"};
+
+/// Those that concern tests and distributions: one participant has neither.
+constexpr std::array<std::string_view, 6> kOfSeveralPeople{
+    "n_below_minimum_for_alpha",
+    "pseudo_replication",
+    "paired_data_unpaired_test",
+    "bimodal",
+    "constant_group",
+    "alpha_rounded"};
+
+template <std::size_t count>
+bool isIn(const std::array<std::string_view, count>& ids, std::string_view id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+/// A sentence that was found, and the ids of the cohorts to which it applies.
+struct Found {
+  std::string sentence;
+  std::vector<std::string> cohorts;
+};
+
 /// A kind of flag, with what was found in each cohort, of all families together.
 struct Limitation {
   const analysis::Flag* flag;
-  std::vector<std::pair<std::string, std::string>> found;  ///< sentence, cohorts
+  std::vector<Found> found;
 };
 
 /// Writes what weakens the answer. The page has a title for each, the appendix explains it.
@@ -51,49 +92,53 @@ class LimitationsWriter : HtmlWriter {
   }
 
   std::string briefly() {
-    std::vector<std::string> points;
-    for (const auto& limitation : limitations()) {
-      // the sentences of the answer mention these two already
-      if (limitation.flag->concernsRendering || limitation.flag->id == "pseudo_replication")
-        continue;
-      std::string cohorts;
-      for (const auto& [sentence, own] : limitation.found) {
-        cohorts += (cohorts.empty() ? "" : ", ") + own;
-      }
-      points.push_back(inWords(limitation.flag->title()));
-      const bool isOfAll = cohortsIn(limitation) == section_.results.flow.size();
-      if (!isOfAll) points.back() += " (" + escaped(cohorts) + ")";
-    }
-    const auto warned = warnings();
-    if (!warned.empty()) {
-      points.push_back(count(warned.size(), "{} remark on the design", "{} remarks on the design"));
-    }
-    if (points.empty()) return {};
+    if (section_.results.completed() == 0) return {};
+    const auto points = allPoints();
     heading("What weakens the answer");
+    // one more takes no more room than to say that there is one more
+    const auto shown = points.size() <= kMostOnThePage + 1 ? points.size() : kMostOnThePage;
     std::string items;
-    for (std::size_t i = 0; i < std::min(points.size(), kMostOnThePage); ++i) {
-      items += "<li>" + points[i] + "</li>";
-    }
-    put("<ul>{}</ul>", items);
-    note("All of it is explained in the appendix, under “Limitations”.");
+    for (std::size_t i = 0; i < shown; ++i) items += "<li>" + points[i] + "</li>";
+    const auto more = count(points.size() - shown, "and {} more", "and {} more");
+    if (shown < points.size()) items += "<li>" + more + "</li>";
+    if (!items.empty()) put("<ul>{}</ul>", items);
+    const bool hasFlags = !limitations().empty();
+    const auto none = say(
+        "None of {} checks of the answers and trials found anything; “Limitations” in the appendix "
+        "says what they look for.",
+        kBySeverity.size());
+    const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
+    put("<p class=\"note\">{}</p>", hasFlags ? explained : none);
     return std::move(html_);
   }
 
   std::string all() {
+    if (section_.results.completed() == 0) return {};
+    put("<dl class=\"flags\">");
+    sample();
     const auto found = limitations();
-    if (!found.empty()) put("<dl class=\"flags\">");
     for (const auto& limitation : found) {
       const auto& flag = *limitation.flag;
-      put("<dt>{}</dt><dd>", inWords(flag.title()));
       std::string sentences;
       for (const auto& one : limitation.found) sentences += sentenceOf(limitation, one) + " ";
       if (flag.concernsRendering) sentences.clear();  // the page has them
-      put("<p>{}{} <span class=\"source\">({})</span></p></dd>",
-          sentences,
-          inWords(flag.why),
-          escaped(section_.words(flag.source)));
+      explain(
+          inWords(flag.title()),
+          fmt::format(
+              "{}{} <span class=\"source\">({})</span>",
+              sentences,
+              inWords(flag.why),
+              escaped(section_.words(flag.source))));
     }
-    if (!found.empty()) put("</dl>");
+    if (!families().empty()) {
+      explain(
+          say("Corrections within each family and cohort"),
+          families() + ". " +
+              say("A report of several cohorts or families has more chances of a false finding "
+                  "than one of one."));
+    }
+    put("</dl>");
+    notFound(found);
     std::string items;
     for (const auto& warning : warnings()) items += "<li>" + warning + ".</li>";
     if (!items.empty()) put("<p>{}</p><ul>{}</ul>", say("The design:"), items);
@@ -101,54 +146,181 @@ class LimitationsWriter : HtmlWriter {
   }
 
  private:
+  void explain(const std::string& title, const std::string& text) {
+    put("<dt>{}</dt><dd><p>{}</p></dd>", title, text);
+  }
+
+  /// The titles of all weaknesses, the heaviest first.
+  std::vector<std::string> allPoints() const {
+    std::vector<std::string> points;
+    if (const auto alone = aloneInWords(); !alone.empty()) points.push_back(alone);
+    if (const auto fewer = fewerInWords(); !fewer.empty()) {
+      points.push_back(say("Fewer participants than planned") + ": " + fewer);
+    }
+    const auto disclosed = disclosuresInWords(section_);
+    const auto apart = say("A reader of the protocol could tell conditions apart by {}", disclosed);
+    const auto cohorts = cohortsWithPeople();
+    bool isSaid = disclosed.empty();
+    for (const auto& limitation : limitations()) {
+      if (limitation.flag->concernsRendering) continue;  // the sentences of the answer have it
+      if (!isSaid && severityOf(limitation) > kDisclosures) points.push_back(apart);
+      isSaid = isSaid || severityOf(limitation) > kDisclosures;
+      points.push_back(inWords(limitation.flag->title()));
+      const bool isOfAll = cohortsIn(limitation).size() == cohorts.size();
+      if (!isOfAll) points.back() += " (" + escaped(titlesOf(cohortsIn(limitation))) + ")";
+    }
+    if (!isSaid) points.push_back(apart);
+    if (const auto found = families(); !found.empty()) points.push_back(found);
+    const auto warned = warnings();
+    const auto remarks =
+        count(warned.size(), "{} remark on the design", "{} remarks on the design");
+    if (!warned.empty()) points.push_back(remarks);
+    return points;
+  }
+
+  static std::ptrdiff_t severityOf(const Limitation& limitation) {
+    return std::ranges::find(kBySeverity, limitation.flag->id) - kBySeverity.begin();
+  }
+
+  /// The cohorts in which only one person completed, in a study of several.
+  std::string aloneInWords() const {
+    std::vector<std::string> alone;
+    for (const auto& flow : section_.results.flow) {
+      if (flow.completed == 1) alone.push_back(flow.cohort);
+    }
+    const auto only = say("One participant only");
+    const auto each = say("One participant only in: {}", titlesOf(alone));
+    return alone.empty() ? std::string() : section_.results.completed() == 1 ? only : each;
+  }
+
+  /// "Orthopaedic surgeons 1 of 6"; empty if all that were planned completed.
+  std::string fewerInWords() const {
+    std::string fewer;
+    for (const auto& flow : section_.results.flow) {
+      const auto* planned = section_.protocol.cohort(flow.cohort);
+      if (planned == nullptr || flow.completed >= planned->planned) continue;
+      fewer +=
+          (fewer.empty() ? "" : ", ") +
+          say("{} {} of {}", section_.cohortTitle(flow.cohort), flow.completed, planned->planned);
+    }
+    return fewer;
+  }
+
+  void sample() {
+    const auto alone = aloneInWords();
+    const auto ofOne =
+        say("The numbers are those of one person: nothing can be compared, and they show "
+            "what this person answered.");
+    if (!alone.empty()) explain(alone, ofOne);
+    const auto fewer = fewerInWords();
+    const auto early =
+        say("Differences are known less well than planned; where the results decided when to stop, "
+            "p values lose their meaning.");
+    if (!fewer.empty()) explain(say("Fewer participants than planned"), fewer + ". " + early);
+  }
+
+  /// The chance of a false finding in any cohort and family; empty if there is one of each.
+  std::string families() const {
+    std::set<std::string> cohorts;
+    double alpha = 0.0;
+    std::size_t tested = 0;
+    for (const auto& family : section_.results.families) {
+      bool isTested = false;
+      for (const auto& part : family.cohorts) {
+        const auto rows = declaredIn(family, part);
+        if (std::ranges::none_of(rows, &Declared::isDefined)) continue;
+        cohorts.insert(part.cohort);
+        isTested = true;
+      }
+      if (!isTested) continue;
+      ++tested;
+      const bool isCorrected = !nameOf(family.family.correction).empty();
+      const auto comparisons = static_cast<double>(family.family.comparisons.size());
+      alpha += family.family.alpha * (isCorrected ? 1.0 : comparisons);
+    }
+    // families of one cohort are of the same people, cohorts are independent
+    const double chance =
+        1.0 - std::pow(1.0 - std::min(alpha, 1.0), static_cast<double>(cohorts.size()));
+    const auto sentence =
+        say("p is corrected within each of {} analyses (families by cohorts): if all methods were "
+            "alike, at least one would be called significant in up to {:.0f} % of such studies",
+            tested * cohorts.size(),
+            100.0 * chance);
+    return tested * cohorts.size() > 1 ? sentence : std::string();
+  }
+
+  /// What was looked for and not found.
+  void notFound(const std::vector<Limitation>& found) {
+    std::string titles;
+    for (const auto id : kBySeverity) {
+      const auto isSame = [&](const auto& other) { return other.flag->id == id; };
+      if (std::ranges::any_of(found, isSame)) continue;
+      titles += (titles.empty() ? "" : "; ") + inWords(analysis::Flag{.id = id}.title());
+    }
+    if (!titles.empty()) put("<p>{} {}.</p>", say("Looked for and not found:"), titles);
+  }
+
   /// All limitations of the families, each kind once. Flags on pooled tests are left out if the
   /// protocol declares no pooled test, because the report then has none.
   std::vector<Limitation> limitations() const {
     std::vector<Limitation> all;
     for (const auto& family : section_.results.families) {
       for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
+        if (section_.results.completed() == 1 && isIn(kOfSeveralPeople, raised.flag->id)) continue;
         auto same = std::ranges::find_if(
             all, [&](const auto& other) { return other.flag->id == raised.flag->id; });
         if (same == all.end()) same = all.insert(all.end(), {raised.flag, {}});
         for (const auto& [cohort, flag] : raised.found) add(same->found, cohort, *flag);
       }
     }
+    std::ranges::stable_sort(all, {}, severityOf);
     return all;
   }
 
-  void add(
-      std::vector<std::pair<std::string, std::string>>& found,
-      const std::string& cohort,
-      const analysis::Flag& flag) const {
+  void add(std::vector<Found>& found, const std::string& cohort, const analysis::Flag& flag) const {
     std::string what;
     for (const auto& part : flag.what) what += section_.inWords(part);
-    const auto& title = section_.cohortTitle(cohort);
-    const auto same = std::ranges::find(found, what, &std::pair<std::string, std::string>::first);
-    if (same == found.end()) {
-      found.emplace_back(what, title);
-    } else if (same->second.find(title) == std::string::npos) {
-      same->second += ", " + title;
+    auto same = std::ranges::find(found, what, &Found::sentence);
+    if (same == found.end()) same = found.insert(found.end(), {what, {}});
+    if (std::ranges::find(same->cohorts, cohort) == same->cohorts.end()) {
+      same->cohorts.push_back(cohort);
     }
   }
 
-  std::size_t cohortsIn(const Limitation& limitation) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(section_.results.flow, [&](const auto& flow) {
-          return std::ranges::any_of(limitation.found, [&](const auto& found) {
-            return found.second.find(section_.cohortTitle(flow.cohort)) != std::string::npos;
-          });
-        }));
+  std::vector<std::string> cohortsWithPeople() const {
+    std::vector<std::string> ids;
+    for (const auto& flow : section_.results.flow) {
+      if (flow.completed > 0) ids.push_back(flow.cohort);
+    }
+    return ids;
+  }
+
+  /// The cohorts with people to which a limitation applies.
+  std::vector<std::string> cohortsIn(const Limitation& limitation) const {
+    auto ids = cohortsWithPeople();
+    std::erase_if(ids, [&](const auto& id) {
+      return std::ranges::none_of(limitation.found, [&](const auto& found) {
+        return std::ranges::find(found.cohorts, id) != found.cohorts.end();
+      });
+    });
+    return ids;
+  }
+
+  std::string titlesOf(const std::vector<std::string>& cohorts) const {
+    std::vector<std::string> titles;
+    for (const auto& id : cohorts) titles.push_back(section_.cohortTitle(id));
+    return listed(titles, section_.words);
   }
 
   /// What was found, after the names of the cohorts to which it applies.
-  std::string sentenceOf(
-      const Limitation& limitation, const std::pair<std::string, std::string>& found) const {
-    const auto& [what, who] = found;
+  std::string sentenceOf(const Limitation& limitation, const Found& found) const {
     const auto each = say("In each cohort") + ": ";
-    const bool isOfAll =
-        limitation.found.size() == 1 && cohortsIn(limitation) == section_.results.flow.size();
-    const bool isOnlyCohort = section_.results.flow.size() == 1;
-    return (isOnlyCohort ? "" : isOfAll ? each : escaped(who) + ": ") + escaped(what);
+    const auto cohorts = cohortsWithPeople().size();
+    const bool isOfAll = limitation.found.size() == 1 && cohortsIn(limitation).size() == cohorts;
+    const auto who = cohorts == 1 ? std::string()
+                     : isOfAll    ? each
+                                  : escaped(titlesOf(found.cohorts)) + ": ";
+    return who + escaped(found.sentence);
   }
 
   /// What the check of the protocol says about its design.

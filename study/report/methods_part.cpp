@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "protocols/validation/validation.h"
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/references.h"
@@ -23,7 +24,7 @@ struct ModelText {
 
 /// In the order of haptics::engine::ModelSpec.
 constexpr std::array<ModelText, std::variant_size_v<haptics::engine::ModelSpec>> kModels{
-    {{"linear interpolation of a recorded cut", kPunchPaper},
+    {{"linear interpolation of a cut", kPunchPaper},
      {"one-dimensional finite elements", kPunchPaper},
      {"interpolation and finite elements, fused by a Kalman filter", kPunchPaper},
      {"force over depth, blended between the curves of soft and hard bone", kReamingPaper},
@@ -185,7 +186,12 @@ class MethodsWriter : HtmlWriter {
     const auto open = say("The protocol declares that conditions are not hidden.");
     const auto hidden =
         say("Participants and operators saw labels only; no condition was named during a session.");
-    return section_.protocol.isOpenLabel ? open : hidden;
+    const auto disclosed = disclosuresInWords(section_);
+    const auto but =
+        say("But a reader of the protocol could tell conditions apart by {} (“Limitations”).",
+            disclosed);
+    if (section_.protocol.isOpenLabel) return open;
+    return disclosed.empty() ? hidden : hidden + " " + but;
   }
 
   /// How many trials, strokes and answers of each condition count.
@@ -262,7 +268,7 @@ class MethodsWriter : HtmlWriter {
       conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
     }
     std::string text = section_.words.say(
-        "every participant felt {} ({}) {}, under anonymous labels, with {} each.",
+        "every participant felt {} ({}) {}, under labels, with {} each.",
         section_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
         conditions,
         section_.words.say(
@@ -347,6 +353,24 @@ class MethodsWriter : HtmlWriter {
 };
 
 }  // namespace
+
+std::string disclosuresInWords(const ReportSection& section) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kWays{
+      {{"labels_tell", "the number of an alternative"},
+       {"order_tells", "the position in a fixed order"},
+       {"statements_tell", "the statements that were asked"},
+       {"blocks_tell", "the rounds in which they were felt"},
+       {"seed_tells", "the seed in the protocol"}}};
+  std::vector<std::string> ways;
+  const auto disclosures = protocols::disclosuresOf(section.protocol);
+  for (const auto& one : kWays) {
+    const auto way = section.words(one.second);
+    const bool isDisclosed = std::ranges::any_of(
+        disclosures, [&](const auto& other) { return other.what.key() == one.first; });
+    if (isDisclosed) ways.push_back(way);
+  }
+  return listed(ways, section.words);
+}
 
 std::string methodsAsHtml(const ReportSection& section) {
   return MethodsWriter(section).all();

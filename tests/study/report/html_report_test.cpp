@@ -230,20 +230,102 @@ TEST(HtmlReport, HasPooledTestsAndTheirFlagsOnlyWhereTheyAreDeclared) {
   EXPECT_FALSE(has(page, "Welch’s t-tests"));
 }
 
-TEST(HtmlReport, HasAtMostThreePointsThatWeakenTheAnswerAndExplainsEachOnce) {
-  const auto page = asHtml({tests::madeUpSection()});
-  const auto main = mainPart(page);
-  const auto points = main.substr(main.find("What weakens the answer"));
-  std::size_t count = 0;
-  for (auto at = points.find("<li>"); at != std::string::npos; at = points.find("<li>", at + 1)) {
-    ++count;
+/// What stands in the list of weaknesses.
+std::vector<std::string> weaknessesOf(const ReportSection& section) {
+  std::vector<std::string> points;
+  const auto list = weaknessesAsHtml(section);
+  for (auto at = list.find("<li>"); at != std::string::npos; at = list.find("<li>", at + 1)) {
+    points.push_back(list.substr(at + 4, list.find("</li>", at) - at - 4));
   }
-  EXPECT_EQ(count, 3U) << points;
+  return points;
+}
+
+TEST(HtmlReport, NamesTheHeaviestWeaknessesFirstAndCountsTheOthers) {
+  auto section = tests::madeUpSection();
+  const auto points = weaknessesOf(section);
+  ASSERT_EQ(points.size(), 5U);
+  EXPECT_EQ(points[0], "Too few participants for a significant result");
+  EXPECT_EQ(
+      points[1], "Several answers of one person counted as independent (Orthopaedic surgeons)");
+  EXPECT_EQ(
+      points[3].find("A reader of the protocol could tell conditions apart by the number"), 0U)
+      << points[3];
+  EXPECT_EQ(points[4].find("and "), 0U) << points[4];
+  EXPECT_TRUE(points[4].ends_with(" more")) << points[4];
+  section.results.flow.front().completed = 5;
+  EXPECT_EQ(
+      weaknessesOf(section).front(),
+      "Fewer participants than planned: Orthopaedic surgeons 5 of 6");
+}
+
+TEST(HtmlReport, SaysThatOneParticipantIsOneAndNothingOfTests) {
+  auto section = tests::madeUpSection();
+  section.results.flow = {
+      {.cohort = "professional", .enrolled = 1, .completed = 1}, {.cohort = "non-professional"}};
+  section.results.families.front().cohorts[1] = {.cohort = "non-professional"};
+  const auto points = weaknessesOf(section);
+  EXPECT_EQ(points[0], "One participant only");
+  EXPECT_EQ(
+      points[1],
+      "Fewer participants than planned: Orthopaedic surgeons 1 of 6, Adults without surgical "
+      "experience 0 of 5");
+  for (const auto& point : points) EXPECT_FALSE(has(point, "independent")) << point;
+  for (const auto& point : points) EXPECT_FALSE(has(point, "(Orthopaedic surgeons)")) << point;
+}
+
+TEST(HtmlReport, ExplainsEachLimitationOnce) {
+  const auto page = asHtml({tests::madeUpSection()});
   for (const auto* explained : {"In 2 of 9 trials the force loop was late", "In 1 of 9 trials"}) {
     const auto first = page.find(explained);
     ASSERT_NE(first, std::string::npos) << explained;
     EXPECT_EQ(page.find(explained, first + 1), std::string::npos) << explained;
   }
+}
+
+TEST(HtmlReport, SaysWhatWasLookedForAndNotFound) {
+  auto section = tests::madeUpSection();
+  section.warnings.clear();
+  for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
+  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 13 checks of the answers and trials found"));
+  const auto all = limitationsAsHtml(section);
+  for (const auto& kind : analysis::kFlagMessages) {
+    if (!kind.key.ends_with(".title")) continue;
+    EXPECT_TRUE(has(all, std::string(kind.english))) << kind.key;
+  }
+}
+
+TEST(HtmlReport, SaysHowLikelyAFalseFindingIsInAnyOfItsAnalyses) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  family.cohorts[1] = family.cohorts[0];
+  family.cohorts[1].cohort = "non-professional";
+  family.cohorts.push_back(family.cohorts[0]);
+  family.cohorts[2].cohort = "third";
+  // 1 - 0.95³ = 0.143
+  EXPECT_TRUE(has(limitationsAsHtml(section), "within each of 3 analyses"))
+      << limitationsAsHtml(section);
+  EXPECT_TRUE(has(limitationsAsHtml(section), "in up to 14 % of such studies"));
+  family.cohorts.resize(1);
+  EXPECT_FALSE(has(limitationsAsHtml(section), "analyses"));
+}
+
+TEST(HtmlReport, TellsCohortsApartWhoseTitlesContainEachOther) {
+  auto section = tests::madeUpSection();
+  const auto titled = [](const std::string& text) {
+    return protocols::LocalizedText(std::map<std::string, std::string>{{"en", text}});
+  };
+  section.protocol.cohorts[0].title = titled("Senior residents");
+  section.protocol.cohorts[1].title = titled("residents");
+  auto& cohorts = section.results.families.front().cohorts;
+  const auto isTooFew = [](const auto& flag) { return flag.id == "n_below_minimum_for_alpha"; };
+  const auto flag = *std::ranges::find_if(cohorts[1].flags, isTooFew);
+  cohorts[0].flags = {flag};
+  cohorts[1].flags.clear();
+  EXPECT_TRUE(has(limitationsAsHtml(section), "<p>Senior residents: With "))
+      << limitationsAsHtml(section);
+  cohorts[1].flags = {flag};
+  EXPECT_TRUE(has(limitationsAsHtml(section), "<p>In each cohort: With "));
 }
 
 TEST(HtmlReport, HasNoIdsAndNoPlacesInFiles) {

@@ -37,7 +37,7 @@ TEST(Methods, CitesTheOriginOfEveryForceModel) {
   const auto text = methodsOf(tests::madeUpSection());
   EXPECT_TRUE(has(
       text,
-      "Interpolation: linear interpolation of a recorded cut; FEM: one-dimensional finite "
+      "Interpolation: linear interpolation of a cut; FEM: one-dimensional finite "
       "elements; "
       "KF: interpolation and finite elements, fused by a Kalman filter (“Intraoperative Data-Based "
       "Haptic Feedback”, n.d.; Bjelland, 2022)."))
@@ -63,6 +63,24 @@ TEST(Methods, NamesDatesInstitutionAndEthicsOrSaysThatTheyAreMissing) {
       << partly;
   section.protocol.texts["institution"] = inEnglish("NTNU");
   EXPECT_TRUE(has(methodsOf(section), "Institution: NTNU. Ethics: REK 2026/1.</p>"));
+}
+
+TEST(Methods, ClaimsNoBlindingThatTheDesignGivesAway) {
+  auto section = tests::madeUpSection();
+  const std::string but = " But a reader of the protocol could tell conditions apart by ";
+  EXPECT_TRUE(has(
+      methodsOf(section),
+      but + "the number of an alternative, the position in a fixed order and the statements that "
+            "were asked (“Limitations”)."));
+  EXPECT_FALSE(has(methodsOf(section), "anonymous"));
+  auto& protocol = section.protocol;
+  protocol.labels.policy = protocols::LabelPolicy::Random;
+  for (auto& phase : protocol.phases) {
+    phase.trials.order.type = protocols::OrderType::LatinSquare;
+    phase.trials.questionnaires.clear();
+  }
+  EXPECT_FALSE(has(methodsOf(section), but));
+  EXPECT_TRUE(has(methodsOf(section), "saw labels only"));
 }
 
 TEST(Methods, CountsWhatEachConditionContributes) {
