@@ -222,7 +222,9 @@ class TablesWriter {
       const FamilyResult& family,
       const analysis::TestRow& test,
       const std::optional<double>& difference) const {
-    if (!test.p && !test.effect.value) return say("Not tested: {}.", section_.inWords(test.reason));
+    if (!test.p && (!test.effect.value || family.isNamed(test.id))) {
+      return say("Not tested: {}.", section_.inWords(test.reason));
+    }
     if (!family.isConfirmatory(test.id) || !test.isSignificant) return say("Exploratory.");
     if (!*test.isSignificant) return say("No significant difference.");
     if (!difference) return say("A significant difference.");

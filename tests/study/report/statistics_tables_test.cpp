@@ -114,6 +114,19 @@ TEST(StatisticsTables, AreNoFormulasToASpreadsheetWhereATitleLooksLikeOne) {
   }
 }
 
+TEST(StatisticsTables, CallNoDeclaredTestExploratoryThatCouldNotBeMade) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::SignedRank;
+  auto& row = family.cohorts.front().within.rows.front();
+  auto& test = *std::ranges::find(row.tests, "signed_rank", &analysis::TestRow::id);
+  test.p.reset();
+  test.effect = {"rank_biserial", 1.0};
+  test.reason = base::Message::verbatim("one pair only");
+  const auto table = statisticsTables(section, Profile::Declared).front();
+  EXPECT_EQ(column(table, "In words").front(), "Not tested: one pair only.");
+}
+
 TEST(StatisticsTables, HaveTheDifferenceBesideADeclaredTestOfRanks) {
   auto section = tests::madeUpSection();
   auto& family = section.results.families.front();
