@@ -24,22 +24,34 @@ class ItemsWriter : HtmlWriter {
       choices(instrument);
       figures(instrument);
     }
-    if (html_.empty()) return {};
+    const auto leftOut = count(
+        leftOut_,
+        "{} row is left out, because its numbers would be of one person alone.",
+        "{} rows are left out, because their numbers would be of one person alone.");
+    if (html_.empty() && leftOut_ == 0) return {};
+    if (leftOut_ > 0) put("<p class=\"note\">{}</p>", leftOut);
+    if (leftOut_ > 0 && !hasTable_) return std::move(html_);
     note(
         "Answers as they were given, not reversed. Numbers are of participants’ means; choices are "
         "counted by form. Choices between alternatives are among the preferences.");
     if (isAnythingHidden_) {
       note(
-          "To protect anonymity, no mean is of one person alone, and options that one person chose "
-          "are counted together as “other answers”.");
+          "To protect anonymity, these tables have no mean of one person alone, and options that "
+          "one person chose are counted together as “other answers”. What all of a cohort answered "
+          "alike is the answer of each. Other tables and figures, of ratings, scores and votes, "
+          "show single people too.");
     }
     return std::move(html_);
   }
 
   std::string quotes() {
     if (!section_.hasQuotes) return {};
-    for (const auto& instrument : section_.instruments) quotesOf(instrument);
-    return std::move(html_);
+    for (const auto& instrument : section_.instruments) quotesOf(instrument, false);
+    const auto own = std::exchange(html_, {});
+    for (const auto& instrument : section_.instruments) quotesOf(instrument, true);
+    const auto title = say("What the operator wrote down");
+    if (html_.empty()) return own;
+    return own + "<h4>" + title + "</h4>\n" + html_;
   }
 
  private:
@@ -93,7 +105,11 @@ class ItemsWriter : HtmlWriter {
     table(captionOfNumbers(instrument, summaries), columns);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       auto& [item, cells] = questions[q];
-      if (std::ranges::all_of(cells, [](const auto& cell) { return cell.empty(); })) continue;
+      if (std::ranges::all_of(cells, [](const auto& cell) { return cell.empty(); })) {
+        ++leftOut_;
+        continue;
+      }
+      hasTable_ = true;
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty() && people[i].size() > 1) cells[i] += ofPeople(sizes[q][i]);
       }
@@ -124,7 +140,12 @@ class ItemsWriter : HtmlWriter {
       }
       cells[0] = cohort(first.cohort);
       cells[1] = std::to_string(people);
-      if (people >= kFewestPeople) row(cells);
+      if (people < kFewestPeople) {
+        ++leftOut_;
+        continue;
+      }
+      hasTable_ = true;
+      row(cells);
     }
     endTable();
   }
@@ -158,7 +179,11 @@ class ItemsWriter : HtmlWriter {
       if (item == nullptr || *item != one->item) group(questionOf(instrument, one->item));
       item = &one->item;
       const auto chosen = chosenIn(instrument, *one);
-      if (chosen.empty()) continue;
+      if (chosen.empty()) {
+        ++leftOut_;
+        continue;
+      }
+      hasTable_ = true;
       row(
           {cohort(one->cohort),
            one->condition.empty() ? std::string() : condition(one->condition),
@@ -197,8 +222,8 @@ class ItemsWriter : HtmlWriter {
     return "item-" + figure.instrument + "-" + figure.item;
   }
 
-  /// "left 3, right 12", without options that were not chosen; empty if all are rare. In answers
-  /// about the participants themselves, rare options are hidden as in a public release.
+  /// "left (3), right (12)", without options that were not chosen; empty if one person answered. In
+  /// answers about the participants themselves, rare options are hidden as in a public release.
   std::string chosenIn(const questionnaires::Instrument& instrument, const ItemSummary& summary) {
     const auto* item = instrument.item(summary.item);
     Values chosen;
@@ -206,7 +231,7 @@ class ItemsWriter : HtmlWriter {
     if (summary.condition.empty()) chosen = suppressRareValues(chosen, kFewestPeople);
     std::string text;
     const auto add = [&](const std::string& label, std::ptrdiff_t times) {
-      if (times > 0) text += (text.empty() ? "" : ", ") + label + " " + std::to_string(times);
+      if (times > 0) text += (text.empty() ? "" : ", ") + label + fmt::format(" ({})", times);
     };
     for (const auto& [id, times] : summary.options) {
       const auto label =
@@ -215,19 +240,20 @@ class ItemsWriter : HtmlWriter {
     }
     const auto others = std::ranges::count(chosen, "");
     isAnythingHidden_ = isAnythingHidden_ || others > 0;
-    if (text.empty()) return text;  // all are hidden
+    if (text.empty() && others < static_cast<std::ptrdiff_t>(kFewestPeople)) return text;
     add(section_.words("other answers"), others);
     return escaped(text);
   }
 
   /// A paragraph for each question and alternative.
-  void quotesOf(const questionnaires::Instrument& instrument) {
+  /// @param areNotes  of the operator, instead of what participants wrote
+  void quotesOf(const questionnaires::Instrument& instrument, bool areNotes) {
     const auto& quotes = section_.results.answers.quotes;
     for (auto at = quotes.begin(); at != quotes.end();) {
       const auto& first = *at;
       const auto end = std::find_if(at, quotes.end(), [&](const auto& q) {
         return q.instrument != first.instrument || q.item != first.item ||
-               q.condition != first.condition;
+               q.condition != first.condition || q.isNote != first.isNote;
       });
       std::string said;
       while (at != end) {
@@ -236,7 +262,7 @@ class ItemsWriter : HtmlWriter {
         if (next - at > 1) said += fmt::format(" × {}", next - at);
         at = next;
       }
-      if (first.instrument != instrument.id) continue;
+      if (first.instrument != instrument.id || first.isNote != areNotes) continue;
       const auto& about = first.condition;
       put("<p><b>{}</b> {}{}</p>",
           questionOf(instrument, first.item),
@@ -246,6 +272,8 @@ class ItemsWriter : HtmlWriter {
   }
 
   bool isAnythingHidden_ = false;
+  bool hasTable_ = false;    ///< whether any row is written
+  std::size_t leftOut_ = 0;  ///< rows whose numbers would be of one person
 };
 
 }  // namespace

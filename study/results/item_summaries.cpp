@@ -62,6 +62,9 @@ class ItemSummariser {
     for (const auto& answer : answers) {
       const auto* phase = loaded.protocol.phase(answer.step.phase);
       if (phase == nullptr || phase->type == PhaseType::Consent) continue;
+      // a later version of the protocol may lack the cohort or condition
+      const auto& cohort = sessions.at(answer.step.visit.session).cohort;
+      if (loaded.protocol.cohort(cohort) == nullptr || !isKnown(answer.step.condition)) continue;
       answers_[{answer.step.instrument, answer.answer.item}].push_back(&answer);
       noteChoice(answer, *phase);
     }
@@ -83,6 +86,10 @@ class ItemSummariser {
   }
 
  private:
+  bool isKnown(const std::string& condition) const {
+    return condition.empty() || loaded_.protocol.condition(condition) != nullptr;
+  }
+
   static bool isDescribed(const Item& item) {
     return !item.isIdentifying && item.consentOption.empty() &&
            item.optionSource == questionnaires::OptionSource::Listed;
@@ -147,11 +154,17 @@ class ItemSummariser {
       const auto* text = std::get_if<std::string>(&answer.answer.response);
       const bool isTold =
           text != nullptr && !text->empty() && beforeBlocks_.count(answer.step.phase) == 0;
-      if (isTold) quotes.push_back({instrument, item.id, aboutOf(answer), *text});
+      if (isTold)
+        quotes.push_back(
+            {instrument,
+             item.id,
+             aboutOf(answer),
+             *text,
+             loaded_.protocol.phase(answer.step.phase)->type == PhaseType::Interview});
     });
     // Sorted by text, so that the order does not reveal which participant wrote a text.
     std::ranges::sort(quotes, {}, [&](const Quote& quote) {
-      return std::pair(sortKeyOf({}, quote.condition), quote.text);
+      return std::tuple(sortKeyOf({}, quote.condition), quote.isNote, quote.text);
     });
     std::ranges::move(quotes, std::back_inserter(all));
   }
@@ -173,7 +186,8 @@ class ItemSummariser {
     int number = 0;
     std::from_chars(label->data(), label->data() + label->size(), number);
     const auto felt = allocation_.find({answer.step.visit.session, phase.block, number});
-    if (felt != allocation_.end()) chosen_[answer.step.visit] = felt->second;
+    if (felt != allocation_.end() && isKnown(felt->second))
+      chosen_[answer.step.visit] = felt->second;
   }
 
   const protocols::LoadedProtocol& loaded_;

@@ -33,13 +33,14 @@ struct ItemSummary {
   std::vector<std::pair<std::string, std::uint64_t>> options;
 };
 
-/// A free text of a participant.
+/// A free text of a participant, or of the operator about one.
 struct Quote {
   std::string instrument;
   std::string item;
   std::string condition;  ///< the condition it is about; for a preference the chosen one; empty if
                           ///< none
   std::string text;
+  bool isNote = false;  ///< whether the operator wrote it, in an interview
 
   bool operator==(const Quote&) const = default;
 };

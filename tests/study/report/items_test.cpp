@@ -266,6 +266,38 @@ TEST(ComparedScale, IsOfPointsForSlidersAndNumbersInWholeSteps) {
   EXPECT_FALSE(protocols::scaleOf(item("why", ItemType::ShortText)));
 }
 
+TEST(ItemSummaries, LeaveOutCohortsAndConditionsThatALaterVersionDropped) {
+  Answered study;
+  study.add(1, "kalman", "vas", 50.0);
+  study.add(1, "interpolation", "vas", 60.0);
+  study.add(1, "interpolation", "why", std::string("dropped"));
+  study.add(4, "kalman", "vas", 70.0);
+  study.add(4, "", "hand", std::string("left"));
+  auto& protocol = study.loaded.protocol;
+  std::erase_if(protocol.conditions, [](const auto& one) { return one.id == "interpolation"; });
+  std::erase_if(protocol.cohorts, [](const auto& one) { return one.id == "students"; });
+  const auto described = study.described();
+  ASSERT_EQ(described.items.size(), 1U);
+  EXPECT_EQ(described.items[0].condition, "kalman");
+  EXPECT_EQ(described.items[0].cohort, "surgeons");
+  EXPECT_TRUE(described.quotes.empty());
+}
+
+TEST(ItemSummaries, ShowNotesOfTheOperatorApartFromWhatParticipantsWrote) {
+  auto section = tests::madeUpSection();
+  section.instruments.push_back(mine());
+  section.results.answers.quotes = {
+      {.instrument = "mine", .item = "why", .condition = "kalman", .text = "soft"},
+      {.instrument = "mine", .item = "why", .condition = "", .text = "hesitated", .isNote = true}};
+  const auto quotes = report::quotesAsHtml(section);
+  const auto notes = quotes.find("<h4>What the operator wrote down</h4>");
+  ASSERT_NE(notes, std::string::npos) << quotes;
+  EXPECT_LT(quotes.find("soft"), notes);
+  EXPECT_GT(quotes.find("hesitated"), notes);
+  section.results.answers.quotes.pop_back();
+  EXPECT_EQ(report::quotesAsHtml(section).find("<h4>"), std::string::npos);
+}
+
 TEST(ItemSummaries, AreShownInTheReport) {
   Answered study;
   study.add(1, "kalman", "vas", 50.0);
@@ -282,7 +314,7 @@ TEST(ItemSummaries, AreShownInTheReport) {
                  "<tr><td>Orthopaedic surgeons</td><td>2</td><td>56.25 (8.84)</td></tr>"),
       std::string::npos)
       << items;
-  EXPECT_NE(items.find("<td class=\"words\">The right 1</td>"), std::string::npos) << items;
+  EXPECT_NE(items.find("<td class=\"words\">The right (1)</td>"), std::string::npos) << items;
   EXPECT_EQ(items.find("<figure>"), std::string::npos);
   section.figures.items = {{"mine", "vas", "<svg>1</svg>"}, {"mine", "hand", "<svg>2</svg>"}};
   const auto illustrated = report::itemsAsHtml(section);
@@ -337,9 +369,10 @@ TEST(ItemSummaries, OfOnePersonAreNotShownInTheReport) {
   EXPECT_EQ(page.find("The left"), std::string::npos) << page;
   EXPECT_EQ(page.find("Non-professionals"), std::string::npos) << "all that it had is hidden";
   EXPECT_NE(page.find("To protect anonymity"), std::string::npos) << page;
+  EXPECT_NE(page.find("3 rows are left out, because"), std::string::npos) << page;
   items[2].options = {{"left", 2}, {"right", 3}};
   const auto shown = report::itemsAsHtml(section);
-  EXPECT_NE(shown.find("The left 2, The right 3"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("The left (2), The right (3)"), std::string::npos) << shown;
 }
 
 }  // namespace items_test
