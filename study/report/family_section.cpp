@@ -229,7 +229,9 @@ class FamilyWriter : HtmlWriter {
         "α and ω: whether the statements about a method agree; † marks an ω whose factor explains "
         "a "
         "statement completely. W: whether participants’ means are normal, and Brown and Forsythe’s "
-        "F whether methods vary alike; no test above depends on either.");
+        "F whether methods vary alike. No test is chosen by them. Paired t-tests and the linear "
+        "models "
+        "assume that differences of these means are normal, which W does not examine.");
   }
 
   const FamilyResult& result_;

@@ -31,7 +31,8 @@ class InstrumentWriter : HtmlWriter {
           "Where an interval passes an end of the scale, in brackets after the score, it ends "
           "there.");
     }
-    if (isOfConditions_ && mainFamily(section_) != nullptr) {
+    const auto* family = mainFamily(section_);
+    if (isOfConditions_ && family != nullptr && family->isNamed("welch")) {
       put("<p class=\"note\">{}</p>",
           withReferences(
               "A score is one number for each participant. {} takes all answers, so its means are "

@@ -227,18 +227,57 @@ class MethodsWriter : HtmlWriter {
   /// The procedure for a participant, part by part.
   std::string procedure() const {
     std::string text;
-    std::string last;  // what was done in the last block
+    std::string last;                // what was done in the last block
+    std::vector<std::string> forms;  // that follow each other
+    const auto filledIn = [&] {
+      const auto sentence = say("They filled in {}.", listed(forms, section_.words));
+      if (!forms.empty()) text += sentence + " ";
+      forms.clear();
+    };
     for (const auto& phase : section_.protocol.phases) {
-      if (phase.type == PhaseType::Benchmark) text += benchmark(phase) + " ";
-      if (phase.type == PhaseType::Preference) text += preference(phase) + " ";
-      if (phase.type != PhaseType::Block) continue;
+      if (phase.type == PhaseType::Form) {
+        forms.push_back(section_.words.say("“{}”", section_.titleOf(phase.instrument)));
+        continue;
+      }
+      filledIn();
+      if (phase.type != PhaseType::Block) {
+        text += outsideOfBlocks(phase) + " ";
+        continue;
+      }
       const auto done = block(phase);
       const auto title = section_.blockTitle(phase.id);
       const auto likewise = say("So they did in {}.", title);
       text += (done == last ? likewise : say("In {}, {}", title, done)) + " ";
       last = done;
     }
+    filledIn();
     return text;
+  }
+
+  std::string outsideOfBlocks(const protocols::Phase& phase) const {
+    const auto title =
+        phase.instrument.empty() ? std::string() : section_.titleOf(phase.instrument);
+    switch (phase.type) {
+      case PhaseType::Information:
+        return say("Participants read “{}”.", title);
+      case PhaseType::Consent:
+        return say("They gave their consent (“{}”).", title);
+      case PhaseType::Benchmark:
+        return benchmark(phase);
+      case PhaseType::Preference:
+        return preference(phase);
+      case PhaseType::Break:
+        return phase.seconds > 0.0 ? say("There was a break of at least {:g} s.", phase.seconds)
+                                   : say("There was a break.");
+      case PhaseType::Interview:
+        return say("The operator asked “{}” and wrote down the answers.", title);
+      case PhaseType::Debrief:
+        return say("At the end they read “{}”.", title);
+      case PhaseType::Form:
+      case PhaseType::Block:
+        break;
+    }
+    return {};
   }
 
   /// The physical tool that participants compared with.
@@ -311,6 +350,18 @@ class MethodsWriter : HtmlWriter {
       }
       lines += fmt::format("<li>{}: {}</li>", describe(source), escaped(conditions));
     }
+    const auto computed = say("parameters of the protocol; nothing was recorded or measured");
+    std::vector<std::string> others;
+    for (const auto& one : section_.protocol.conditions) {
+      const bool hasSource = std::ranges::any_of(section_.sources, [&](const auto& source) {
+        return source.kind != kShownSourceKind &&
+               std::ranges::find(source.conditions, one.id) != source.conditions.end();
+      });
+      if (!hasSource) others.push_back(section_.conditionTitle(one.id));
+    }
+    if (!isOfShown && !others.empty()) {
+      lines += fmt::format("<li>{}: {}</li>", computed, escaped(listed(others, section_.words)));
+    }
     if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", section_.words(words), lines);
   }
 
@@ -343,7 +394,7 @@ class MethodsWriter : HtmlWriter {
     put("<p>{}</p><ul>", say("Instruments:"));
     const auto own = section_.words("Palpate’s own wording.");
     for (const auto& [source, named] : titles) {
-      const auto said = source == "Palpate's own wording." ? own : source;
+      const auto said = source == kOwnWording ? own : source;
       put("<li>{}{}</li>", escaped(named), said.empty() ? said : ": " + escaped(said));
     }
     put("</ul>");

@@ -16,7 +16,11 @@ class PreferenceWriter : HtmlWriter {
     if (section_.results.votes.empty()) return {};
     const auto tables = voteTables(section_.results);
     for (const auto& one : tables) tableOf(one);
-    note("Exact multinomial test of equal shares, for each round by itself (exploratory).");
+    const auto exact =
+        say("Exact multinomial test of equal shares, for each round by itself (exploratory).");
+    const bool isTested = std::ranges::any_of(
+        section_.results.votes, [](const auto& vote) { return vote.test.exactP.has_value(); });
+    if (isTested) put("<p class=\"note\">{}</p>", exact);
     if (std::ranges::any_of(tables, hasSums)) {
       note(
           "Sums count a participant once a round. Votes of one person are not independent, so sums "

@@ -8,6 +8,8 @@
 namespace study::report {
 namespace {
 
+constexpr std::uint64_t kFewestVotes = 2;  // one vote is as likely for any alternative
+
 base::Message reasonOf(const analysis::StatisticalTest& test) {
   return base::messageOf<kSmallSampleMessages>("fewer_people", test.fewestPeople);
 }
@@ -51,6 +53,11 @@ std::size_t peopleIn(const analysis::AnswerTable& table) {
 }  // namespace
 
 void leaveOutSmallSamples(Results& results) {
+  for (auto* votes : {&results.votes, &results.siteVotes}) {
+    for (auto& vote : *votes) {
+      if (vote.votes.total() < kFewestVotes) vote.test = {};
+    }
+  }
   for (auto& family : results.families) {
     for (auto& part : family.cohorts) {
       const auto people = peopleIn(part.table);

@@ -216,7 +216,7 @@ class StatisticsWriter : HtmlWriter {
     }
     const auto sentence =
         section_.words.say("p values are adjusted before they are rounded: {}.", list);
-    add(!list.empty(), sentence);
+    add(!list.empty() && !(pooled_.empty() && pairs_.empty()), sentence);
   }
 
   Citations& citations_;

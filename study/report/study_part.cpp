@@ -102,26 +102,54 @@ class ParticipantWriter : HtmlWriter {
     for (const auto& flow : section_.results.flow) {
       enrolled += flow.enrolled;
       isAnyErased = isAnyErased || flow.erased > 0;
-      if (flow.completed == 0) continue;
+      const auto* planned = section_.protocol.cohort(flow.cohort);
+      const bool isPlanned = planned != nullptr && planned->planned > 0;
+      if (flow.completed == 0 && !isPlanned) continue;
+      const auto ofPlan = say("{} of {} planned", flow.completed, isPlanned ? planned->planned : 0);
       cohorts += (cohorts.empty() ? "" : ", ") + cohort(flow.cohort) + " " +
-                 std::to_string(flow.completed);
+                 (isPlanned ? ofPlan : std::to_string(flow.completed));
     }
     put("<p>{}{}.</p>",
-        say("{} of {} enrolled participants completed their sessions",
-            section_.results.completed(),
-            enrolled),
+        count(
+            enrolled,
+            "{1} of {0} enrolled participant completed the session",
+            "{1} of {0} enrolled participants completed their sessions",
+            section_.results.completed()),
         cohorts.empty() ? cohorts : " (" + cohorts + ")");
     std::vector<std::string> headings{say("Cohort")};
     for (const auto& [column, count] : kColumns) headings.push_back(say(column));
-    if (section_.results.completed() == enrolled) return;
-    table(say("Who took part"), headings);
-    for (const auto& flow : section_.results.flow) add(cohort(flow.cohort), flow);
-    endTable();
+    const bool didAllComplete = section_.results.completed() == enrolled;
+    if (!didAllComplete) {
+      table(say("Who took part"), headings);
+      for (const auto& flow : section_.results.flow) add(cohort(flow.cohort), flow);
+      endTable();
+    }
     headings.front() = say("Site");
     table(say("Who took part, by site"), headings);
     for (const auto& [site, flow] : section_.results.siteFlow) add(escaped(site), flow);
     endTable();
-    notes(isAnyErased);
+    if (!didAllComplete) notes(isAnyErased);
+    singlePeople();
+  }
+
+  /// Warns of numbers that are one person's answers.
+  void singlePeople() {
+    std::vector<std::string> alone;
+    for (const auto& flow : section_.results.flow) {
+      const bool isPerson = section_.results.runMode != RunMode::Simulated;
+      if (isPerson && flow.completed == 1) alone.push_back(section_.cohortTitle(flow.cohort));
+    }
+    const auto warning =
+        say("This report shows the answers of one person ({}): do not hand it on where this person "
+            "may be recognised.",
+            listed(alone, section_.words));
+    const auto warnings =
+        say("This report shows the answers of single people ({}): do not hand it on where they may "
+            "be recognised.",
+            listed(alone, section_.words));
+    if (!alone.empty()) {
+      put("<p><strong>{}</strong></p>", alone.size() == 1 ? warning : warnings);
+    }
   }
 
   void add(const std::string& who, const CohortFlow& flow) {

@@ -102,6 +102,9 @@ std::string limitationsAsHtml(const ReportSection& section);
 /// number of an alternative and its position"; empty if by nothing.
 std::string disclosuresInWords(const ReportSection& section);
 
+/// The citation of questionnaires that Palpate words itself.
+inline constexpr std::string_view kOwnWording = "Palpate's own wording.";
+
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);
 

@@ -51,51 +51,80 @@ class ValidityWriter : HtmlWriter {
 
   std::string content() const {
     if (section_.instruments.empty()) return {};
-    const auto cited = std::ranges::count_if(
-        section_.instruments, [](const auto& one) { return !one.source.citation.empty(); });
+    const auto own = std::ranges::count_if(section_.instruments, [](const auto& one) {
+      return one.source.citation.empty() || one.source.citation == kOwnWording;
+    });
     return count(
         section_.instruments.size(),
-        "{} questionnaire or form was used; {} with a source, listed under “How this was made”. "
-        "Whether experts judged its items is not recorded.",
-        "{} questionnaires and forms were used; {} with a source, listed under “How this was "
-        "made”. Whether experts judged their items is not recorded.",
-        cited);
+        "{} questionnaire or form was used, {} of it without a published source (“How this was "
+        "made”). Whether experts judged its items is not recorded.",
+        "{} questionnaires and forms were used, {} of them without a published source (“How this "
+        "was made”). Whether experts judged their items is not recorded.",
+        own);
   }
 
   std::string responseProcess() const {
     const auto& q = section_.quality;
     if (q.trials == 0) return {};
     return say(
-        "The force at the handle was recorded: {} of {} trials passed every check of the "
-        "rendering. Time and changes of every answer are in the export.",
+        "Quality control only: the force at the handle was recorded, and {} of {} trials passed "
+        "every check of the rendering. How participants understood the questions was not "
+        "examined.",
         q.pass,
         q.trials);
   }
 
   std::string internalStructure() const {
     ValueRange alpha;
+    ValueRange intervals;
+    ValueRange people;
     for (const auto& family : section_.results.families) {
       for (const auto& part : family.cohorts) {
-        for (const auto& method : part.checks.methods) alpha.add(method.alpha.value);
+        for (const auto& method : part.checks.methods) {
+          if (!method.alpha.value) continue;
+          alpha.add(method.alpha.value);
+          people.add(static_cast<double>(method.alpha.respondents));
+          if (!method.alpha.interval) continue;
+          intervals.add(method.alpha.interval->low);
+          intervals.add(method.alpha.interval->high);
+        }
       }
     }
-    const auto text = section_.words("Cronbach’s α of the statements about a method: {} to {}.");
-    if (!alpha.least) return {};
-    return escaped(
-        fmt::format(fmt::runtime(text), rounded(alpha.least, 2), rounded(alpha.most, 2)));
+    const auto text = section_.words.say(
+        "Cronbach’s α of the statements about a method: {} to {}, of {} participants each; "
+        "the intervals reach from {} to {}.",
+        rounded(alpha.least, 2),
+        rounded(alpha.most, 2),
+        people.least == people.most
+            ? rounded(people.least, 0)
+            : section_.words.say("{} to {}", rounded(people.least, 0), rounded(people.most, 0)),
+        rounded(intervals.least, 2),
+        rounded(intervals.most, 2));
+    return alpha.least ? escaped(text) : std::string();
   }
 
   std::string relations() const {
     ValueRange delta;
+    std::size_t all = 0;
+    std::size_t clear = 0;
     for (const auto& family : section_.results.families) {
       for (const auto& between : family.between) {
-        delta.add(between.test("mann_whitney").effect.value);
+        const auto& test = between.test("mann_whitney");
+        if (!test.effect.value) continue;
+        delta.add(test.effect.value);
+        ++all;
+        const auto& interval = test.effectInterval;
+        if (interval && (interval->low > 0.0 || interval->high < 0.0)) ++clear;
       }
     }
-    const auto text = section_.words("Cohorts differ by Cliff’s δ of {} to {} (exploratory).");
-    if (!delta.least) return {};
-    return escaped(
-        fmt::format(fmt::runtime(text), rounded(delta.least, 2), rounded(delta.most, 2)));
+    const auto text = section_.words.say(
+        "Cliff’s δ between cohorts: {} to {} (exploratory); its interval excludes 0 in {} of {} "
+        "comparisons.",
+        rounded(delta.least, 2),
+        rounded(delta.most, 2),
+        clear,
+        all);
+    return all > 0 ? escaped(text) : std::string();
   }
 
   std::string consequences() const {

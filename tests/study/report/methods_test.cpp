@@ -83,6 +83,18 @@ TEST(Methods, ClaimsNoBlindingThatTheDesignGivesAway) {
   EXPECT_TRUE(has(methodsOf(section), "saw labels only"));
 }
 
+TEST(Methods, NamesEveryPartOfTheProcedureAndWhatHasNoSource) {
+  auto section = tests::madeUpSection();
+  const auto text = methodsOf(section);
+  for (const auto& phase : section.protocol.phases) {
+    if (phase.instrument.empty()) continue;
+    EXPECT_TRUE(has(text, "“" + section.titleOf(phase.instrument) + "”")) << phase.id;
+  }
+  EXPECT_TRUE(has(text, "They gave their consent (“"));
+  EXPECT_TRUE(
+      has(text, "<li>parameters of the protocol; nothing was recorded or measured: FEM</li>"));
+}
+
 TEST(Methods, CountsWhatEachConditionContributes) {
   const auto text = methodsOf(tests::madeUpSection());
   EXPECT_TRUE(

@@ -339,8 +339,13 @@ TEST_F(ReportTables, OfValidityEvidenceHasTheSmallestAndTheLargestNumber) {
   };
   expectEvidence(1, "Response process", "103 of 101 trials passed every check");
   expectEvidence(
-      2, "Internal structure", "Cronbach’s α of the statements about a method: 0.53 to 0.59.");
-  expectEvidence(3, "Relations to other variables", "Cohorts differ by Cliff’s δ of 0.71 to 0.79");
+      2,
+      "Internal structure",
+      "Cronbach’s α of the statements about a method: 0.53 to 0.59, of 501 participants each; ");
+  expectEvidence(
+      3,
+      "Relations to other variables",
+      "Cliff’s δ between cohorts: 0.71 to 0.79 (exploratory); its interval excludes 0 in 2 of 2 ");
 }
 
 TEST_F(ReportTables, HaveOtherNumbersInSentencesBesideThem) {

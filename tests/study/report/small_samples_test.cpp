@@ -38,6 +38,16 @@ study::report::ReportSection sectionOf(std::size_t people) {
   return section;
 }
 
+TEST(SmallSamples, OfOneVoteHaveNoTest) {
+  auto results = tests::madeUpSection().results;
+  ASSERT_TRUE(results.votes.front().test.exactP);
+  results.votes.back().votes = analysis::VoteCounts({"interpolation", "kalman"});
+  results.votes.back().votes.add("kalman", 1);
+  leaveOutSmallSamples(results);
+  EXPECT_TRUE(results.votes.front().test.exactP);
+  EXPECT_FALSE(results.votes.back().test.exactP);
+}
+
 TEST(SmallSamples, OfFourHaveExactTestsAndNoApproximations) {
   auto results = sectionOf(4).results;
   const auto& family = results.families.front();

@@ -1,0 +1,194 @@
+// What a report claims, and what it says against its claims.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "analysis/summary/flags.h"
+#include "study/report/html_report.h"
+#include "study/report/study_parts.h"
+#include "tests/study/report/section.h"
+
+namespace study::report {
+namespace claims_test {
+
+bool has(const std::string& page, const std::string& words) {
+  return page.find(words) != std::string::npos;
+}
+
+/// The comparison of @p family in @p cohort between its methods @p first and @p second.
+analysis::TestRow& pairedT(
+    FamilyResult& family, std::size_t cohort, const std::string& first, const std::string& second) {
+  for (auto& row : family.cohorts[cohort].within.rows) {
+    if (row.group1 != first || row.group2 != second) continue;
+    return *std::ranges::find(row.tests, "paired_t", &analysis::TestRow::id);
+  }
+  throw std::logic_error("no such pair");
+}
+
+/// What stands in the list of weaknesses.
+std::vector<std::string> weaknessesOf(const ReportSection& section) {
+  std::vector<std::string> points;
+  const auto list = weaknessesAsHtml(section);
+  for (auto at = list.find("<li>"); at != std::string::npos; at = list.find("<li>", at + 1)) {
+    points.push_back(list.substr(at + 4, list.find("</li>", at) - at - 4));
+  }
+  return points;
+}
+
+TEST(Claims, CallsNoPooledResultSignificantWithoutTheResultWithinPeople) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  pairedT(family, 0, "interpolation", "finite-elements") = {.id = "paired_t"};
+  pairedT(family, 0, "interpolation", "kalman").isSignificant = false;
+  const auto answer = verdictOf(section);
+  EXPECT_TRUE(has(
+      answer, "; compared within people, this is not significant for KF, not testable for FEM."))
+      << answer;
+  family.family.test = protocols::TestType::PairedT;
+  EXPECT_FALSE(has(verdictOf(section), "independent"));
+}
+
+TEST(Claims, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  for (const auto* other : {"finite-elements", "kalman"}) {
+    for (const std::size_t cohort : {0U, 1U}) {
+      auto& row = pairedT(family, cohort, "interpolation", other);
+      row.estimate = {"difference", cohort == 0 ? 1.04 : 0.48};
+      row.p = 0.01;
+      row.isSignificant = cohort == 0;
+    }
+  }
+  const auto answer = verdictOf(section);
+  EXPECT_FALSE(has(answer, "only by")) << answer;
+  EXPECT_TRUE(has(
+      answer,
+      "Its rating differs from that of FEM (finite elements) by 1.04 points (Orthopaedic surgeons, "
+      "significant) and 0.48 points (Adults without surgical experience); whether cohorts differ "
+      "in this was not tested."))
+      << answer;
+}
+
+TEST(Claims, SaysHowManyParticipantsWerePlannedAndWhoseAnswersItShows) {
+  auto section = tests::madeUpSection();
+  EXPECT_TRUE(
+      has(participantsAsHtml(section),
+          "11 of 12 enrolled participants completed their sessions (Orthopaedic surgeons 6 of 6 "
+          "planned, Adults without surgical experience 5 of 5 planned)."));
+  section.results.runMode = RunMode::Live;
+  EXPECT_FALSE(has(participantsAsHtml(section), "hand it on"));
+  section.results.flow = {
+      {.cohort = "professional", .enrolled = 1, .completed = 1}, {.cohort = "non-professional"}};
+  const auto one = participantsAsHtml(section);
+  EXPECT_TRUE(
+      has(one,
+          "1 of 1 enrolled participant completed the session (Orthopaedic surgeons 1 of 6 planned, "
+          "Adults without surgical experience 0 of 5 planned)."))
+      << one;
+  EXPECT_TRUE(
+      has(one, "shows the answers of one person (Orthopaedic surgeons): do not hand it on"));
+}
+
+TEST(Claims, CountsParticipantsBySiteEvenIfAllCompleted) {
+  auto section = tests::madeUpSectionOfSites();
+  section.results.flow.front().enrolled = 6;
+  EXPECT_TRUE(has(participantsAsHtml(section), "Who took part, by site"));
+}
+
+TEST(Claims, ClaimsNothingOfOneParticipant) {
+  auto section = tests::madeUpSection();
+  section.results.flow = {{.cohort = "professional", .enrolled = 1, .completed = 1}};
+  EXPECT_EQ(verdictOf(section), "One participant so far: nothing can be compared.");
+}
+
+TEST(Claims, NamesTheHeaviestWeaknessesFirstAndCountsTheOthers) {
+  auto section = tests::madeUpSection();
+  const auto points = weaknessesOf(section);
+  ASSERT_EQ(points.size(), 5U);
+  EXPECT_EQ(points[0], "Too few participants for a significant result");
+  EXPECT_EQ(
+      points[1], "Several answers of one person counted as independent (Orthopaedic surgeons)");
+  EXPECT_EQ(
+      points[3].find("A reader of the protocol could tell conditions apart by the number"), 0U)
+      << points[3];
+  EXPECT_EQ(points[4].find("and "), 0U) << points[4];
+  EXPECT_TRUE(points[4].ends_with(" more")) << points[4];
+  section.results.flow.front().completed = 5;
+  EXPECT_EQ(
+      weaknessesOf(section).front(),
+      "Fewer participants than planned: Orthopaedic surgeons 5 of 6");
+}
+
+TEST(Claims, SaysThatOneParticipantIsOneAndNothingOfTests) {
+  auto section = tests::madeUpSection();
+  section.results.flow = {
+      {.cohort = "professional", .enrolled = 1, .completed = 1}, {.cohort = "non-professional"}};
+  section.results.families.front().cohorts[1] = {.cohort = "non-professional"};
+  const auto points = weaknessesOf(section);
+  EXPECT_EQ(points[0], "One participant only");
+  EXPECT_EQ(
+      points[1],
+      "Fewer participants than planned: Orthopaedic surgeons 1 of 6, Adults without surgical "
+      "experience 0 of 5");
+  for (const auto& point : points) EXPECT_FALSE(has(point, "independent")) << point;
+  for (const auto& point : points) EXPECT_FALSE(has(point, "(Orthopaedic surgeons)")) << point;
+}
+
+TEST(Claims, ExplainsEachLimitationOnce) {
+  const auto page = asHtml({tests::madeUpSection()});
+  for (const auto* explained : {"In 2 of 9 trials the force loop was late", "In 1 of 9 trials"}) {
+    const auto first = page.find(explained);
+    ASSERT_NE(first, std::string::npos) << explained;
+    EXPECT_EQ(page.find(explained, first + 1), std::string::npos) << explained;
+  }
+}
+
+TEST(Claims, SaysWhatWasLookedForAndNotFound) {
+  auto section = tests::madeUpSection();
+  section.warnings.clear();
+  for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
+  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 13 checks of the answers and trials found"));
+  const auto all = limitationsAsHtml(section);
+  for (const auto& kind : analysis::kFlagMessages) {
+    if (!kind.key.ends_with(".title")) continue;
+    EXPECT_TRUE(has(all, std::string(kind.english))) << kind.key;
+  }
+}
+
+TEST(Claims, SaysHowLikelyAFalseFindingIsInAnyOfItsAnalyses) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  family.cohorts[1] = family.cohorts[0];
+  family.cohorts[1].cohort = "non-professional";
+  family.cohorts.push_back(family.cohorts[0]);
+  family.cohorts[2].cohort = "third";
+  // 1 - 0.95³ = 0.143
+  EXPECT_TRUE(has(limitationsAsHtml(section), "within each of 3 analyses"))
+      << limitationsAsHtml(section);
+  EXPECT_TRUE(has(limitationsAsHtml(section), "in up to 14 % of such studies"));
+  family.cohorts.resize(1);
+  EXPECT_FALSE(has(limitationsAsHtml(section), "analyses"));
+}
+
+TEST(Claims, TellsCohortsApartWhoseTitlesContainEachOther) {
+  auto section = tests::madeUpSection();
+  const auto titled = [](const std::string& text) {
+    return protocols::LocalizedText(std::map<std::string, std::string>{{"en", text}});
+  };
+  section.protocol.cohorts[0].title = titled("Senior residents");
+  section.protocol.cohorts[1].title = titled("residents");
+  auto& cohorts = section.results.families.front().cohorts;
+  const auto isTooFew = [](const auto& flag) { return flag.id == "n_below_minimum_for_alpha"; };
+  const auto flag = *std::ranges::find_if(cohorts[1].flags, isTooFew);
+  cohorts[0].flags = {flag};
+  cohorts[1].flags.clear();
+  EXPECT_TRUE(has(limitationsAsHtml(section), "<p>Senior residents: With "))
+      << limitationsAsHtml(section);
+  cohorts[1].flags = {flag};
+  EXPECT_TRUE(has(limitationsAsHtml(section), "<p>In each cohort: With "));
+}
+
+}  // namespace claims_test
+}  // namespace study::report
