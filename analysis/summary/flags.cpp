@@ -51,7 +51,7 @@ class FlagFinder {
          {text("family_not_declared")},
          text("family_not_declared.why"),
          text("family_not_declared.remedy"),
-         {Message::verbatim("Wagenmakers et al. 2012, 10.1177/1745691612463078")}});
+         {Message::verbatim("Wagenmakers et al. 2012")}});
   }
 
   void pooled() {
@@ -80,8 +80,7 @@ class FlagFinder {
            std::move(what),
            text("pseudo_replication.why"),
            text("pseudo_replication.remedy"),
-           {Message::verbatim("Hurlbert 1984, 10.2307/1942661"),
-            Message::verbatim("Lazic et al. 2020, PMC7012913")},
+           {Message::verbatim("Hurlbert 1984"), Message::verbatim("Lazic et al. 2020")},
            true});
     }
     const auto methods = table_.methods.size();
@@ -165,7 +164,7 @@ class FlagFinder {
          {text("order_not_counterbalanced", least, most)},
          text("order_not_counterbalanced.why"),
          text("order_not_counterbalanced.remedy"),
-         {Message::verbatim("Williams 1949, 10.1071/CH9490149")}});
+         {Message::verbatim("Williams 1949")}});
   }
 
   void scatter() {
@@ -192,8 +191,7 @@ class FlagFinder {
            std::move(camps),
            text("bimodal.why"),
            text("bimodal.remedy"),
-           {Message::verbatim("Dharmadhikari & Joag-Dev 1988"),
-            Message::verbatim("Liddell & Kruschke 2018, 10.1016/j.jesp.2018.08.009")}});
+           {Message::verbatim("Liddell & Kruschke 2018")}});
     }
     if (!constant.empty()) {
       flags_.push_back(
@@ -268,7 +266,7 @@ class FlagFinder {
                        : text("missing_cells", answers, expected, cells, given.size())},
          text("missing_cells.why"),
          text("missing_cells.remedy"),
-         {Message::verbatim("Little & Rubin 2002")}});
+         {text("source.not_defined")}});
   }
 
   void trials() {

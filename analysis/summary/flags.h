@@ -122,12 +122,14 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
 
 /// A caveat that is shown beside a result.
 struct Flag {
-  std::string_view id;                ///< "pseudo_replication": as tables and exports name it
-  std::vector<base::Message> what;    ///< what was found: the parts of one sentence
-  base::Message why;                  ///< why it matters
-  base::Message remedy;               ///< what to do
-  std::vector<base::Message> source;  ///< where a paper or the manual explains it
-  bool concernsPooledTests = false;   ///< it concerns pooled tests only
+  std::string_view id;              ///< "pseudo_replication": as tables and exports name it
+  std::vector<base::Message> what;  ///< what was found: the parts of one sentence
+  base::Message why;                ///< why it matters
+  base::Message remedy;             ///< what to do
+  /// Where it is explained: in the manual, or in a work, which is verbatim as
+  /// study::report::works() names it ("Hurlbert 1984").
+  std::vector<base::Message> source;
+  bool concernsPooledTests = false;  ///< it concerns pooled tests only
   /// Whether it concerns the rendering: the rendered forces were not those of the compared methods.
   bool concernsRendering = false;
 

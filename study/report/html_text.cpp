@@ -50,6 +50,19 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string withCurlyQuotes(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool opens = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
+    if (text[i] == '\'') {
+      result += opens ? "‘" : "’";
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
 std::string withSubscripts(std::string html) {
   const auto lower = [&](std::string_view before, std::string_view plain) {
     std::string::size_type at = 0;

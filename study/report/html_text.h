@@ -8,6 +8,9 @@ namespace study::report {
 /// Text escaped for an HTML element or attribute.
 std::string escaped(std::string_view text);
 
+/// Text with typographic quotation marks and apostrophes in place of straight single ones.
+std::string withCurlyQuotes(std::string_view text);
+
 /// Escaped text with "p_Holm", "g_z" and "BF10" as subscripts.
 std::string withSubscripts(std::string html);
 

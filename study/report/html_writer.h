@@ -37,13 +37,14 @@ class HtmlWriter {
 
   template <typename... Args>
   std::string say(std::string_view english, Args&&... args) const {
-    return escaped(section_.words.say(english, std::forward<Args>(args)...));
+    return escaped(withCurlyQuotes(section_.words.say(english, std::forward<Args>(args)...)));
   }
 
   template <typename Number, typename... Args>
   std::string count(
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
-    return escaped(section_.words.count(number, one, many, std::forward<Args>(args)...));
+    return escaped(
+        withCurlyQuotes(section_.words.count(number, one, many, std::forward<Args>(args)...)));
   }
 
   template <typename... Args>
@@ -175,7 +176,7 @@ class HtmlWriter {
 
   /// A message, with titles in place of the ids in it.
   std::string inWords(const base::Message& message) const {
-    return escaped(section_.inWords(message));
+    return escaped(withCurlyQuotes(section_.inWords(message)));
   }
   std::string notDefined(const base::Message& reason) const {
     return escaped(section_.words.say("not defined: {}", section_.inWords(reason)));

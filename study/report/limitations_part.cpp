@@ -5,6 +5,7 @@
 #include <set>
 
 #include "study/report/html_writer.h"
+#include "study/report/references.h"
 #include "study/report/study_parts.h"
 
 namespace study::report {
@@ -128,14 +129,10 @@ class LimitationsWriter : HtmlWriter {
               "{}{} <span class=\"source\">({})</span>",
               sentences,
               inWords(flag.why),
-              escaped(section_.words(flag.source))));
+              sourcesOf(flag)));
     }
     if (!families().empty()) {
-      explain(
-          say("Corrections within each family and cohort"),
-          families() + ". " +
-              say("A report of several cohorts or families has more chances of a false finding "
-                  "than one of one."));
+      explain(say("Corrections within each family and cohort"), families() + ".");
     }
     put("</dl>");
     notFound(found);
@@ -148,6 +145,17 @@ class LimitationsWriter : HtmlWriter {
  private:
   void explain(const std::string& title, const std::string& text) {
     put("<dt>{}</dt><dd><p>{}</p></dd>", title, text);
+  }
+
+  /// "Hurlbert, 1984; Palpate’s manual, Statistics: planning": works as in the list of references.
+  std::string sourcesOf(const analysis::Flag& flag) const {
+    std::string all;
+    for (const auto& source : flag.source) {
+      const auto text =
+          source.key().empty() ? authorsAndYear(base::describe(source)) : section_.words(source);
+      all += (all.empty() ? "" : "; ") + escaped(text);
+    }
+    return all;
   }
 
   /// The titles of all weaknesses, the heaviest first.
@@ -241,11 +249,12 @@ class LimitationsWriter : HtmlWriter {
     // families of one cohort are of the same people, cohorts are independent
     const double chance =
         1.0 - std::pow(1.0 - std::min(alpha, 1.0), static_cast<double>(cohorts.size()));
-    const auto sentence =
-        say("p is corrected within each of {} analyses (families by cohorts): if all methods were "
-            "alike, at least one would be called significant in up to {:.0f} % of such studies",
-            tested * cohorts.size(),
-            100.0 * chance);
+    const auto sentence = say(
+        "p is corrected within each of {} analyses (families by cohorts): if all methods were "
+        "alike, tests that keep their α would call at least one significant in up to {:.0f} % of "
+        "such studies",
+        tested * cohorts.size(),
+        100.0 * chance);
     return tested * cohorts.size() > 1 ? sentence : std::string();
   }
 
@@ -328,14 +337,21 @@ class LimitationsWriter : HtmlWriter {
     std::vector<std::string> all;
     for (const auto& warning : section_.warnings) {
       if (std::ranges::find(kFileWarnings, warning.what.key()) != kFileWarnings.end()) continue;
-      auto sentence = placeOf(warning.path) + inWords(warning.what);
+      auto sentence = placeOf(warning) + inWords(warning.what);
       if (std::ranges::find(all, sentence) == all.end()) all.push_back(std::move(sentence));
     }
     return all;
   }
 
-  /// The title of the condition or block to which a place in the protocol belongs.
-  std::string placeOf(const std::string& path) const {
+  /// The title of the condition or block to which a warning belongs, unless it names it itself.
+  std::string placeOf(const questionnaires::Problem& warning) const {
+    const auto& path = warning.path;
+    const auto isNamed = [&](const std::string& id) {
+      return std::ranges::any_of(warning.what.arguments(), [&](const auto& argument) {
+        const auto* text = std::get_if<std::string>(&argument);
+        return text != nullptr && *text == id;
+      });
+    };
     const auto indexIn = [&](const std::string& list) -> std::size_t {
       const auto at = path.find("$." + list + "[");
       if (at != 0) return std::string::npos;
@@ -345,9 +361,11 @@ class LimitationsWriter : HtmlWriter {
     const auto& conditions = section_.protocol.conditions;
     if (const auto i = indexIn("phases"); i < phases.size()) {
       const bool isBlock = phases[i].type == protocols::PhaseType::Block;
-      return isBlock ? escaped(section_.blockTitle(phases[i].id)) + ": " : std::string();
+      return isBlock && !isNamed(phases[i].id) ? escaped(section_.blockTitle(phases[i].id)) + ": "
+                                               : std::string();
     }
     if (const auto i = indexIn("conditions"); i < conditions.size()) {
+      if (isNamed(conditions[i].id)) return {};
       return escaped(conditions[i].title) + ": ";
     }
     return {};

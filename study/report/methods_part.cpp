@@ -55,6 +55,13 @@ class MethodsWriter : HtmlWriter {
     auditTrail();
     sources();
     instruments();
+    for (const auto& family : section_.results.families) {
+      for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
+        for (const auto& source : raised.flag->source) {
+          if (source.key().empty()) citations_.cite(base::describe(source));
+        }
+      }
+    }
     put("<h4>{}</h4>", say("References"));
     for (const auto& entry : citations_.list(section_.words)) {
       put("<p class=\"reference\">{}</p>", entry);

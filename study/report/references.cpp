@@ -30,7 +30,10 @@ constexpr std::array kWorks{
     Work{"Hochberg 1988", "Hochberg Y", "A sharper Bonferroni procedure for multiple tests of significance", "Biometrika", "75(4)", "800–802", "10.1093/biomet/75.4.800"},
     Work{"Holm 1979", "Holm S", "A simple sequentially rejective multiple test procedure", "Scandinavian Journal of Statistics", "6(2)", "65–70", ""},
     Work{"Hommel 1988", "Hommel G", "A stagewise rejective multiple test procedure based on a modified Bonferroni test", "Biometrika", "75(2)", "383–386", "10.1093/biomet/75.2.383"},
+    Work{"Hurlbert 1984", "Hurlbert SH", "Pseudoreplication and the design of ecological field experiments", "Ecological Monographs", "54(2)", "187–211", "10.2307/1942661"},
     Work{"Kuznetsova et al. 2017", "Kuznetsova A; Brockhoff PB; Christensen RHB", "lmerTest package: Tests in linear mixed effects models", "Journal of Statistical Software", "82(13)", "1–26", "10.18637/jss.v082.i13"},
+    Work{"Lazic et al. 2020", "Lazic SE; Mellor JR; Ashby MC; Munafo MR", "A Bayesian predictive approach for dealing with pseudoreplication", "Scientific Reports", "10", "2366", "10.1038/s41598-020-59384-7"},
+    Work{"Liddell & Kruschke 2018", "Liddell TM; Kruschke JK", "Analyzing ordinal data with metric models: What could possibly go wrong?", "Journal of Experimental Social Psychology", "79", "328–348", "10.1016/j.jesp.2018.08.009"},
     Work{"Mann & Whitney 1947", "Mann HB; Whitney DR", "On a test of whether one of two random variables is stochastically larger than the other", "The Annals of Mathematical Statistics", "18(1)", "50–60", "10.1214/aoms/1177730491"},
     Work{"McDonald 1999", "McDonald RP", "Test theory: A unified treatment", "Lawrence Erlbaum", "", "", ""},
     Work{"Messick 1995", "Messick S", "Validity of psychological assessment: Validation of inferences from persons’ responses and performances as scientific inquiry into score meaning", "American Psychologist", "50(9)", "741–749", "10.1037/0003-066X.50.9.741"},
@@ -40,8 +43,10 @@ constexpr std::array kWorks{
     Work{"Royston 1995", "Royston P", "Remark AS R94: A remark on algorithm AS 181: The W-test for normality", "Applied Statistics", "44(4)", "547–551", "10.2307/2986146"},
     Work{"Schuirmann 1987", "Schuirmann DJ", "A comparison of the two one-sided tests procedure and the power approach for assessing the equivalence of average bioavailability", "Journal of Pharmacokinetics and Biopharmaceutics", "15(6)", "657–680", "10.1007/BF01068419"},
     Work{"Student 1908", "Student", "The probable error of a mean", "Biometrika", "6(1)", "1–25", "10.1093/biomet/6.1.1"},
+    Work{"Wagenmakers et al. 2012", "Wagenmakers E-J; Wetzels R; Borsboom D; van der Maas HLJ; Kievit RA", "An agenda for purely confirmatory research", "Perspectives on Psychological Science", "7(6)", "632–638", "10.1177/1745691612463078"},
     Work{"Welch 1947", "Welch BL", "The generalization of ‘Student’s’ problem when several different population variances are involved", "Biometrika", "34(1–2)", "28–35", "10.1093/biomet/34.1-2.28"},
     Work{"Wilcoxon 1945", "Wilcoxon F", "Individual comparisons by ranking methods", "Biometrics Bulletin", "1(6)", "80–83", "10.2307/3001968"},
+    Work{"Williams 1949", "Williams EJ", "Experimental designs balanced for the estimation of residual effects of treatments", "Australian Journal of Scientific Research, Series A", "2", "149–168", "10.1071/CH9490149"},
     Work{"Wilson 1927", "Wilson EB", "Probable inference, the law of succession, and statistical inference", "Journal of the American Statistical Association", "22(158)", "209–212", "10.1080/01621459.1927.10502953"},
     Work{kPunchPaper, "", "Intraoperative data-based haptic feedback for arthroscopic partial meniscectomy punch simulation", "", "", "", ""},
 };
@@ -105,7 +110,7 @@ std::string authorsAsVancouver(const Work& work) {
 }
 
 std::string withStop(std::string text) {
-  return text.empty() || text.back() == '.' ? text : text + ".";
+  return text.empty() || text.back() == '.' || text.back() == '?' ? text : text + ".";
 }
 
 /// "Mann, H. B., & Whitney, D. R. (1947). Title. Journal, 18(1), 50–60."
@@ -138,18 +143,21 @@ std::span<const Work> works() noexcept {
   return kWorks;
 }
 
+std::string authorsAndYear(std::string_view key) {
+  const auto year = yearOf(workNamed(key));
+  return fmt::format("{}, {}", key.substr(0, key.size() - year.size() - 1), year);
+}
+
 std::string Citations::cite(std::string_view keys) {
   std::string text;
   for (const auto key : partsOf(keys, ", ")) {
     const auto* work = &workNamed(key);
     auto place = std::ranges::find(cited_, work);
     if (place == cited_.end()) place = cited_.insert(place, work);
-    const auto year = yearOf(*work);
     if (wording_ == Wording::Vancouver) {
       text += (text.empty() ? "" : ", ") + std::to_string(place - cited_.begin() + 1);
     } else {
-      const auto names = key.substr(0, key.size() - year.size() - 1);
-      text += fmt::format("{}{}, {}", text.empty() ? "" : "; ", names, year);
+      text += (text.empty() ? "" : "; ") + authorsAndYear(key);
     }
   }
   return wording_ == Wording::Vancouver ? "[" + text + "]" : "(" + text + ")";

@@ -28,6 +28,9 @@ inline constexpr std::string_view kReamingPaper = "Pelliccia et al. 2020";
 
 std::span<const Work> works() noexcept;
 
+/// "Mann & Whitney, 1947"
+std::string authorsAndYear(std::string_view key);
+
 /// The works that a text cites. APA names author and year in the text and sorts the list by author;
 /// the Vancouver style numbers works in the order in which they are cited.
 class Citations {

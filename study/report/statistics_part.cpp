@@ -72,7 +72,7 @@ class StatisticsWriter : HtmlWriter {
         "Evidence of validity is arranged by Messick’s sources {}.",
         citations_.cite("Messick 1995, Cook & Hatala 2016"));
     add(true, validity);
-    put("<p>{} {}</p>", plan(), escaped(text_));
+    put("<p>{} {}</p>", plan(), escaped(withCurlyQuotes(text_)));
     return std::move(html_);
   }
 

@@ -58,16 +58,16 @@ class HeadWriter : HtmlWriter {
     std::string made;
     for (const auto& source : section_.sources) {
       if (!source.isSynthetic) continue;
-      std::string conditions;
-      for (const auto& id : source.conditions) {
-        conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
-      }
-      made += (made.empty() ? "" : "; ") +
-              section_.words.say("{} (from: {})", conditions, section_.words(source.title));
+      std::vector<std::string> conditions;
+      for (const auto& id : source.conditions) conditions.push_back(section_.conditionTitle(id));
+      made +=
+          (made.empty() ? "" : "; ") +
+          section_.words.say(
+              "{} (from: {})", listed(conditions, section_.words), section_.words(source.title));
     }
     if (made.empty()) return;
     put("<p class=\"banner\">{}</p>",
-        say("SYNTHETIC, made from what was neither recorded nor measured: {}. See “How this was "
+        say("SYNTHETIC, neither recorded nor measured: {}. See “How this was "
             "made”.",
             made));
   }
