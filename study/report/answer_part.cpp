@@ -272,7 +272,10 @@ class AnswerWriter : HtmlWriter {
     const auto uncorrected =
         say("Intervals are of each comparison by itself and not corrected for their number, p is: "
             "an interval without 0 may come with a p above α.");
-    if (isCorrected) put("<p class=\"note\">{}</p>", uncorrected);
+    const auto order =
+        say("In each pair the method with the higher mean over all cohorts comes first; exports "
+            "keep the protocol’s order.");
+    put("<p class=\"note\">{}{}</p>", order, isCorrected ? " " + uncorrected : std::string());
   }
 
   void comparisonRow(

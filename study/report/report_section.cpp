@@ -264,7 +264,11 @@ std::string ReportSection::inWords(const base::Message& message) const {
     std::string titles;  // of a list, too: "1.1, 1.2"
     for (std::size_t at = 0; at <= text->size();) {
       const auto end = std::min(text->find(", ", at), text->size());
-      titles += (at > 0 ? ", " : "") + titleOf(text->substr(at, end - at));
+      const auto id = text->substr(at, end - at);
+      auto title = titleOf(id);
+      const bool isSentence = title != id && title.ends_with('.');
+      if (isSentence) title.pop_back();
+      titles += (at == 0 ? "" : isSentence ? "; " : ", ") + title;
       at = end + 2;
     }
     *text = titles;
@@ -342,7 +346,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
 
 ReportSection gatherResults(Study& study, RunMode mode, const words::Words& words) {
   auto [firstDay, lastDay] = daysOf(study, mode);
-  auto results = computeResults(study, mode);
+  auto results = computeResults(study, mode, PairOrder::HigherFirst);
   leaveOutSmallSamples(results);
   return {
       .protocol = study.protocol().protocol,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -129,6 +128,7 @@ class VerdictWriter {
     std::vector<Outcome> lower;
     std::vector<Outcome> alike;
     std::string mixed;
+    const auto untested = words_("Whether cohorts differ in this was not tested.");
     for (const auto& condition : section_.protocol.conditions) {
       const auto one = outcomeOf(family, condition.id);
       if (one.tested == 0) continue;
@@ -140,8 +140,7 @@ class VerdictWriter {
         alike.push_back(one);
       } else {
         mixed += " " + words_.say(
-                           "Its rating differs from that of {} by {}; whether cohorts differ in "
-                           "this was not tested.",
+                           "Its rating differs from that of {} by {}.",
                            section_.introducedTitle(condition.id),
                            listed(one.differences, words_));
       }
@@ -159,7 +158,7 @@ class VerdictWriter {
                         : "It was rated significantly lower than {}{}.",
                lower,
                isPooled) +
-           mixed +
+           (mixed.empty() ? mixed : mixed + " " + untested) +
            significant("Its rating does not differ significantly from that of {}{}.", alike, false);
   }
 
@@ -238,17 +237,14 @@ class VerdictWriter {
 }  // namespace
 
 std::string highestRatedIn(const FamilyResult& family) {
-  std::map<std::string, std::pair<double, double>> sums;  // answers, points
+  std::string best;
   for (const auto& part : family.cohorts) {
     for (const auto& one : part.conditions) {
-      if (one.answers.total() == 0) continue;
-      auto& [answers, points] = sums[one.name];
-      answers += static_cast<double>(one.answers.total());
-      points += static_cast<double>(one.answers.total()) * *one.answers.mean();
+      const auto mean = meanOfAll(family, one.name);
+      if (mean && (best.empty() || *mean > *meanOfAll(family, best))) best = one.name;
     }
   }
-  const auto mean = [](const auto& sum) { return sum.second.second / sum.second.first; };
-  return sums.empty() ? std::string() : std::ranges::max_element(sums, {}, mean)->first;
+  return best;
 }
 
 std::string bestAlternativeOf(const ReportSection& section) {

@@ -26,8 +26,9 @@ using storage::SessionRecord;
 /// Reads all data of the results once, and computes them.
 class Computation {
  public:
-  Computation(Study& study, RunMode mode)
+  Computation(Study& study, RunMode mode, PairOrder order)
       : mode_(mode),
+        order_(order),
         loaded_(study.protocol()),
         records_(study.database()),
         history_(analysisPlanHistory(study)) {
@@ -102,12 +103,17 @@ class Computation {
 
   FamilyResult resultOf(const protocols::Family& family) const {
     FamilyResult result{.family = family, .isDeclared = history_.isDeclared(family.id)};
-    std::vector<analysis::DeclaredPair> pairs;
-    for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
     for (const auto& cohort : loaded_.protocol.cohorts) {
       CohortResult part{.cohort = cohort.id, .table = tableOf(family, cohort.id)};
       part.conditions = pooledCounts(part.table);
-      part.comparisons = comparePooled(family, part.conditions, part.table.participants.size());
+      result.cohorts.push_back(std::move(part));
+    }
+    if (order_ == PairOrder::HigherFirst) putHigherFirst(result);
+    std::vector<analysis::DeclaredPair> pairs;
+    for (const auto& pair : result.family.comparisons) pairs.push_back({pair.first, pair.second});
+    for (auto& part : result.cohorts) {
+      part.comparisons =
+          comparePooled(result.family, part.conditions, part.table.participants.size());
       part.within = analysis::compareWithin(
           part.table,
           pairs,
@@ -121,10 +127,17 @@ class Computation {
         const auto sites = sitesOf(part.table.participants);
         part.sites = analysis::compareSites(part.table, sites, pairs, 1.0 - family.alpha);
       }
-      result.cohorts.push_back(std::move(part));
     }
     result.between = betweenCohorts(result);
     return result;
+  }
+
+  static void putHigherFirst(FamilyResult& result) {
+    for (auto& pair : result.family.comparisons) {
+      const auto first = meanOfAll(result, pair.first);
+      const auto second = meanOfAll(result, pair.second);
+      if (first && second && *first < *second) std::swap(pair.first, pair.second);
+    }
   }
 
   static std::vector<double> meansOf(const analysis::AnswerTable& table, std::size_t method) {
@@ -311,6 +324,7 @@ class Computation {
   }
 
   RunMode mode_;
+  PairOrder order_;
   const protocols::LoadedProtocol& loaded_;
   Records records_;
   AnalysisPlanHistory history_;
@@ -382,8 +396,21 @@ std::vector<RaisedFlag> flagsByKind(const FamilyResult& family, bool hasPooledTe
   return raised;
 }
 
-Results computeResults(Study& study, RunMode mode) {
-  return Computation(study, mode).all();
+std::optional<double> meanOfAll(const FamilyResult& family, const std::string& condition) {
+  double answers = 0.0;
+  double points = 0.0;
+  for (const auto& part : family.cohorts) {
+    for (const auto& one : part.conditions) {
+      if (one.name != condition || one.answers.total() == 0) continue;
+      answers += static_cast<double>(one.answers.total());
+      points += static_cast<double>(one.answers.total()) * *one.answers.mean();
+    }
+  }
+  return answers > 0.0 ? std::optional(points / answers) : std::nullopt;
+}
+
+Results computeResults(Study& study, RunMode mode, PairOrder order) {
+  return Computation(study, mode, order).all();
 }
 
 }  // namespace study

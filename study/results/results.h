@@ -99,6 +99,9 @@ struct RaisedFlag {
                                                                      ///< flag
 };
 
+/// The mean of all answers to the family about a condition; std::nullopt without answers.
+std::optional<double> meanOfAll(const FamilyResult& family, const std::string& condition);
+
 /// Whether a profile shows a family's tests on pooled answers instead of those within participants.
 bool isPooled(Profile profile, const protocols::Family& family) noexcept;
 
@@ -137,7 +140,13 @@ struct Results {
   int completed() const;
 };
 
+/// Which method of a declared comparison comes first; differences are first − second.
+enum class PairOrder {
+  AsDeclared,
+  HigherFirst,  ///< the one with the higher mean of the answers of all cohorts
+};
+
 /// @throws storage::StorageError
-Results computeResults(Study& study, RunMode mode);
+Results computeResults(Study& study, RunMode mode, PairOrder order = PairOrder::AsDeclared);
 
 }  // namespace study

@@ -75,6 +75,31 @@ TEST(ReportSection, CountsTrialsWhoseForceWasCutOffByCondition) {
       << flag->inEnglish();
 }
 
+TEST(ReportSection, ComparesTheMethodWithTheHigherMeanWithTheOther) {
+  tests::MadeStudy study;
+  simulateCohorts(*study, study.clock, 4, 3, [](const auto&) {});
+  const auto declared = computeResults(*study, RunMode::Simulated).families.front();
+  const auto family = gatherResults(*study, RunMode::Simulated).results.families.front();
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < family.family.comparisons.size(); ++i) {
+    const auto& pair = family.family.comparisons[i];
+    EXPECT_GE(*meanOfAll(family, pair.first), *meanOfAll(family, pair.second));
+    for (std::size_t part = 0; part < family.cohorts.size(); ++part) {
+      const auto& row = family.cohorts[part].within.rows[i];
+      const auto& asDeclared = declared.cohorts[part].within.rows[i];
+      EXPECT_EQ(row.group1, pair.first);
+      EXPECT_EQ(family.cohorts[part].comparisons.rows[i].group1, pair.first);
+      if (row.group1 == asDeclared.group1) continue;
+      ++turned;
+      const auto& difference = row.test("paired_t").estimate.value;
+      if (difference) {
+        EXPECT_DOUBLE_EQ(*difference, -*asDeclared.test("paired_t").estimate.value);
+      }
+    }
+  }
+  EXPECT_GT(turned, 0U) << "the simulated answers turn no pair";
+}
+
 TEST(ReportSection, SummarisesTheLandmarksOfTheCutsThatCount) {
   tests::MadeStudy study;
   simulateCohorts(*study, study.clock, 4, 3, [](const auto&) {});
