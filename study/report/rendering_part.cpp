@@ -10,11 +10,12 @@ namespace {
 
 constexpr std::string_view kCurvesCaption =
     "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
-    "% of all strokes, each of which counts once.";
+    "% of all strokes, each of which counts once. A curve ends where fewer than half of them came.";
 
 constexpr std::string_view kBoneCurvesCaption =
     "Force at the handle while the tool closed or advanced, over travel: median and the middle 80 "
-    "% of all strokes, each of which counts once. Dashed, for bone: what its material gives where "
+    "% of all strokes, each of which counts once. A curve ends where fewer than half of them came. "
+    "Dashed, for bone: what its material gives where "
     "nothing has been reamed away. Where bone is taken away, the first stroke and the later ones, "
     "which go through its hole, are in this together: the median then lies between both.";
 
@@ -76,7 +77,7 @@ class RenderingWriter : HtmlWriter {
     note(
         "Both columns are over the same travel: what everyone who felt both alternatives passed "
         "with both. A mean square is never below zero: also two alternatives that are alike differ "
-        "by what hands do differently from one cut to the next.");
+        "by what hands do differently from one stroke to the next.");
   }
 
   bool isOfBone() const {
@@ -145,6 +146,52 @@ class RenderingWriter : HtmlWriter {
     return value ? std::optional(*value * factor) : std::nullopt;
   }
 
+  /// Whether a landmark has the mean of all strokes that have it: at least half of the strokes of
+  /// its condition do.
+  bool isOfMost(const LandmarkSummary& one) const {
+    return 2 * one.force.n >= strokesOf(one.condition);
+  }
+
+  /// The strokes of a condition, each of which has a largest force.
+  std::uint64_t strokesOf(const std::string& id) const {
+    std::uint64_t most = 0;
+    for (const auto& one : section_.landmarks) {
+      if (one.condition == id) most = std::max(most, one.force.n);
+    }
+    return most;
+  }
+
+  /// Whether a landmark is at the origin in every stroke, such as the first contact with bone,
+  /// which has no backlash before it.
+  bool isOrigin(const LandmarkSummary& one) const {
+    const auto isZero = [](const std::optional<double>& value, double factor) {
+      constexpr double kPrintedAsZero = 0.005;
+      return std::abs(value.value_or(0.0) * factor) < kPrintedAsZero;
+    };
+    const auto factor = kindOf(one.condition).shown.factor;
+    return isZero(one.travel.mean, factor) && isZero(one.travel.standardDeviation, factor) &&
+           isZero(one.force.mean, 1.0) && isZero(one.force.standardDeviation, 1.0);
+  }
+
+  /// Whether a row on this landmark says something.
+  bool isShown(std::string_view name) const {
+    return std::ranges::any_of(section_.landmarks, [&](const auto& one) {
+      return one.landmark == name && isOfMost(one) && !isOrigin(one);
+    });
+  }
+
+  /// "7.20 (0.28); 4.50 (0.71)", with n if not all strokes have the landmark.
+  std::string landmarkCell(const LandmarkSummary& one) const {
+    const auto n = fmt::format("{} = {}", kN, one.force.n);
+    if (!isOfMost(one)) return n;
+    const auto factor = kindOf(one.condition).shown.factor;
+    const auto travel = withDeviation(
+        scaled(one.travel.mean, factor), scaled(one.travel.standardDeviation, factor));
+    return travel + (travel.empty() ? "" : "; ") +
+           withDeviation(one.force.mean, one.force.standardDeviation) +
+           (one.force.n < strokesOf(one.condition) ? ", " + n : std::string());
+  }
+
   /// A row for each landmark, a column for each condition with cuts.
   void landmarks() {
     std::vector<std::string> conditions;
@@ -160,22 +207,28 @@ class RenderingWriter : HtmlWriter {
         say("Landmarks of all strokes, over all participants: travel; force, M with SD in "
             "brackets"),
         columns);
+    std::vector<std::string> counts{kN};
+    for (const auto& id : conditions) counts.push_back(std::to_string(strokesOf(id)));
+    row(counts);
+    bool isAnyRare = false;
     for (const auto name : names) {
+      if (!isShown(name)) continue;
       std::vector<std::string> cells(columns.size());
       cells.front() = say(name);
       for (const auto& one : section_.landmarks) {
         if (one.landmark != name) continue;
         const auto place = std::ranges::find(conditions, one.condition) - conditions.begin() + 1;
-        const auto factor = kindOf(one.condition).shown.factor;
-        const auto travel = withDeviation(
-            scaled(one.travel.mean, factor), scaled(one.travel.standardDeviation, factor));
-        cells[static_cast<std::size_t>(place)] =
-            travel + (travel.empty() ? "" : "; ") +
-            withDeviation(one.force.mean, one.force.standardDeviation);
+        cells[static_cast<std::size_t>(place)] = landmarkCell(one);
+        isAnyRare = isAnyRare || one.force.n < strokesOf(one.condition);
       }
       row(cells);
     }
     endTable();
+    if (isAnyRare) {
+      note(
+          "n in a cell: the strokes that have the landmark, where not all have it. It has no mean "
+          "where fewer than half of them have it, and no row where this is so in every column.");
+    }
   }
 
   void againstMaterial() {

@@ -114,11 +114,18 @@ std::map<int, double> RenderedForceBins::medians() {
   return medians;
 }
 
+std::size_t RenderedForceBins::strokes() const {
+  std::size_t most = 0;
+  for (const auto& forces : forces_) most = std::max(most, forces.size());
+  return most;
+}
+
 std::vector<RenderedForceCurve::Point> RenderedForceBins::points() {
   std::vector<RenderedForceCurve::Point> points;
+  const auto all = strokes();
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     auto& forces = forces_[bin];
-    if (forces.empty()) continue;
+    if (forces.empty() || 2 * forces.size() < all) continue;
     std::sort(forces.begin(), forces.end());
     const auto at = [&](double share) {
       return static_cast<double>(

@@ -35,8 +35,13 @@ class RenderedForceBins {
   /// The median over strokes for every bin that a stroke passed, by the number of the bin [N].
   std::map<int, double> medians();
 
-  /// The bins with the median, 10th and 90th percentile over strokes.
+  /// The median, 10th and 90th percentile over strokes, of the bins that at least half as many
+  /// strokes passed as the bin that most of them passed. Beyond, a few deep strokes would be taken
+  /// for the curve of all.
   std::vector<RenderedForceCurve::Point> points();
+
+  /// How many strokes passed the bin that most of them passed.
+  std::size_t strokes() const;
 
  private:
   using Stroke = std::map<std::size_t, std::vector<float>>;  ///< forces of one stroke, by bin [N]

@@ -67,6 +67,7 @@ std::vector<RenderedForceCurve> renderedForceCurves(Study& study, RunMode mode) 
       ++curve.trials;
     }
     curve.points = bins.points();
+    curve.strokes = bins.strokes();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
     curve.intended = intendedForces(*condition.model, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));

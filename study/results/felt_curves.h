@@ -28,7 +28,8 @@ struct RenderedForceCurve {
   std::string condition;
   std::string device;
   int trials = 0;
-  std::vector<Point> points;
+  std::size_t strokes = 0;    ///< that passed the bin that most of them passed
+  std::vector<Point> points;  ///< where at least half of them came
   /// For bone: the quasi-static force of the material at the travel of each point [N]; otherwise
   /// empty.
   std::vector<double> intended = {};

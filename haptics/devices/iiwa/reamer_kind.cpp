@@ -68,16 +68,29 @@ const DeviceKind& reamerKind() {
           {"Push the reamer into the bone, then draw it back.",
            {{"de", "Drücken Sie die Fräse in den Knochen, dann ziehen Sie sie zurück."},
             {"nb", "Skyv fresen inn i beinet, og trekk den så tilbake."}}},
-      .pointerHint = {
-          "No instrument at hand? Hold the space bar, or drag down on this page, to push in; let "
-          "go to draw back. R switches the reamer off and on.",
-          {{"de",
-            "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
-            "dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen. R "
-            "schaltet die Fräse aus und wieder ein."},
-           {"nb",
-            "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
-            "denne siden, for å skyve inn; slipp for å trekke tilbake. R slår fresen av og på."}}}};
+      .pointerHint =
+          {"No instrument at hand? Hold the space bar, or drag down on this page, to push in; let "
+           "go to draw back. R switches the reamer off and on.",
+           {{"de",
+             "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
+             "dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen. R "
+             "schaltet die Fräse aus und wieder ein."},
+            {"nb",
+             "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
+             "denne siden, for å skyve inn; slipp for å trekke tilbake. R slår fresen av og på."}}},
+      .sentences = {
+          {"en", "{} cut or stroke", "{} stroke"},
+          {"en", "{} cuts or strokes", "{} strokes"},
+          {"en", "at least {} cut or stroke", "at least {} stroke"},
+          {"en", "at least {} cuts or strokes", "at least {} strokes"},
+          {"de", "{} cut or stroke", "{} Fräsbewegung"},
+          {"de", "{} cuts or strokes", "{} Fräsbewegungen"},
+          {"de", "at least {} cut or stroke", "mindestens {} Fräsbewegung"},
+          {"de", "at least {} cuts or strokes", "mindestens {} Fräsbewegungen"},
+          {"nb", "{} cut or stroke", "{} fresebevegelse"},
+          {"nb", "{} cuts or strokes", "{} fresebevegelser"},
+          {"nb", "at least {} cut or stroke", "minst {} fresebevegelse"},
+          {"nb", "at least {} cuts or strokes", "minst {} fresebevegelser"}}};
   return kind;
 }
 

@@ -70,11 +70,6 @@ const DeviceKind& paddleKind() {
           {"en", "at least {} cuts or strokes", "at least {} presses"},
           {"en", "{} cut or stroke", "{} press"},
           {"en", "{} cuts or strokes", "{} presses"},
-          {"en",
-           "A mean square is never below zero: also two alternatives that are alike differ by what "
-           "hands do differently from one cut to the next.",
-           "A mean square is never below zero: also two alternatives that are alike differ by what "
-           "hands do differently from one press to the next."},
           {"en", "Cuts (strokes) that were made", "Presses that were made"},
           {"en",
            "One row per cut (stroke), with its landmarks; what was not found is missing.",
@@ -88,22 +83,11 @@ const DeviceKind& paddleKind() {
           {"de", "at least {} cuts or strokes", "mindestens {} Druckbewegungen"},
           {"de", "{} cut or stroke", "{} Druckbewegung"},
           {"de", "{} cuts or strokes", "{} Druckbewegungen"},
-          {"de",
-           "A mean square is never below zero: also two alternatives that are alike differ by what "
-           "hands do differently from one cut to the next.",
-           "Ein quadratisches Mittel liegt nie unter null: Auch zwei gleiche Alternativen "
-           "unterscheiden sich um das, was Hände von einer Druckbewegung zur nächsten anders "
-           "machen."},
           {"nb", "angle [°]", "vinkel [°]"},
           {"nb", "at least {} cut or stroke", "minst {} trykk"},
           {"nb", "at least {} cuts or strokes", "minst {} trykk"},
           {"nb", "{} cut or stroke", "{} trykk"},
-          {"nb", "{} cuts or strokes", "{} trykk"},
-          {"nb",
-           "A mean square is never below zero: also two alternatives that are alike differ by what "
-           "hands do differently from one cut to the next.",
-           "Et kvadratisk middel er aldri under null: også to like alternativer skiller seg med "
-           "det hender gjør ulikt fra ett trykk til det neste."}}};
+          {"nb", "{} cuts or strokes", "{} trykk"}}};
   return kind;
 }
 

@@ -49,15 +49,28 @@ const DeviceKind& punchKind() {
            {{"de",
              "Schließen Sie die Griffe, bis das Gewebe durchtrennt ist, dann öffnen Sie sie."},
             {"nb", "Lukk håndtakene til vevet er kuttet, og åpne dem så."}}},
-      .pointerHint = {
-          "No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
-          "to open.",
-          {{"de",
-            "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
-            "dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen."},
-           {"nb",
-            "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
-            "denne siden, for å lukke; slipp for å åpne."}}}};
+      .pointerHint =
+          {"No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
+           "to open.",
+           {{"de",
+             "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
+             "dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen."},
+            {"nb",
+             "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
+             "denne siden, for å lukke; slipp for å åpne."}}},
+      .sentences = {
+          {"en", "{} cut or stroke", "{} cut"},
+          {"en", "{} cuts or strokes", "{} cuts"},
+          {"en", "at least {} cut or stroke", "at least {} cut"},
+          {"en", "at least {} cuts or strokes", "at least {} cuts"},
+          {"de", "{} cut or stroke", "{} Schnitt"},
+          {"de", "{} cuts or strokes", "{} Schnitte"},
+          {"de", "at least {} cut or stroke", "mindestens {} Schnitt"},
+          {"de", "at least {} cuts or strokes", "mindestens {} Schnitten"},
+          {"nb", "{} cut or stroke", "{} kutt"},
+          {"nb", "{} cuts or strokes", "{} kutt"},
+          {"nb", "at least {} cut or stroke", "minst {} kutt"},
+          {"nb", "at least {} cuts or strokes", "minst {} kutt"}}};
   return kind;
 }
 

@@ -183,7 +183,7 @@ class FeltPainter {
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(
               section_.conditionTitle(curve->condition) + ", " +
-              section_.words.count(curve->trials, "{} trial", "{} trials")),
+              section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")),
           12);
       y += kFeltEntry;
     }
@@ -209,7 +209,8 @@ class FeltPainter {
           painter_,
           {x + 34, y + 17, width - x - 34, 18},
           Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(section_.words.count(curves_[i]->trials, "{} trial", "{} trials")),
+          QString::fromStdString(
+              section_.words.count(curves_[i]->strokes, "{} cut or stroke", "{} cuts or strokes")),
           11);
       y += 44;
     }

@@ -377,8 +377,21 @@ TEST(HtmlReport, SaysWhichConditionsAskedForTooMuchForce) {
 TEST(HtmlReport, HasTheLandmarksOfEachConditionsCuts) {
   const auto page = renderingAsHtml(tests::madeUpSection());
   EXPECT_TRUE(has(page, "<th>Interpolation [travel units; N]</th>")) << page;
-  EXPECT_TRUE(has(page, "<td>yield</td><td>7.20 (0.28); 4.50 (0.71)</td>")) << page;
+  EXPECT_TRUE(has(page, "<td><i>n</i></td><td>3</td>")) << page;
+  EXPECT_TRUE(has(page, "<td>yield</td><td>7.20 (0.28); 4.50 (0.71), <i>n</i> = 2</td>")) << page;
   EXPECT_TRUE(has(page, "<td>largest force</td><td>5.50 (0.50)</td>")) << page;
+}
+
+TEST(HtmlReport, HasNoLandmarkOfFewStrokesOrAtTheOrigin) {
+  auto section = tests::madeUpSection();
+  const auto page = renderingAsHtml(section);
+  EXPECT_FALSE(has(page, "<td>opening</td>")) << "one stroke of three";
+  EXPECT_FALSE(has(page, "<td>interception</td>")) << "0.00 (0.00); 0.00 (0.00)";
+  const std::vector<double> all{7.0, 7.1, 7.2};
+  section.landmarks.push_back(
+      {"kalman", "opening", analysis::summarise(all), analysis::summarise(all)});
+  EXPECT_TRUE(has(renderingAsHtml(section), "<td>opening</td><td><i>n</i> = 1</td><td>7.10 (0.10)"))
+      << "where another alternative has it in all strokes";
 }
 
 TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {

@@ -113,6 +113,16 @@ TEST(ReportSection, SummarisesTheLandmarksOfTheCutsThatCount) {
   EXPECT_TRUE(gather(*study, RunMode::Live).landmarks.empty());
 }
 
+TEST(ReportSection, CallsStrokesAsItsDeviceDoes) {
+  const auto strokesOf = [](const char* protocol) {
+    tests::MadeStudy study(tests::libraryProtocol(protocol));
+    const auto section = gatherResults(*study, RunMode::Simulated);
+    return section.words.count(3, "{} cut or stroke", "{} cuts or strokes");
+  };
+  EXPECT_EQ(strokesOf("reaming-hardness"), "3 strokes");
+  EXPECT_EQ(strokesOf("punch-face-validity"), "3 cuts");
+}
+
 TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {
   tests::MadeStudy study;
   simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});

@@ -78,7 +78,7 @@ CohortResult cohort(
 
 study::RenderedForceCurve curve(const std::string& condition, double force) {
   study::RenderedForceCurve curve{
-      .condition = condition, .device = "punch", .trials = 4, .points = {}};
+      .condition = condition, .device = "punch", .trials = 4, .strokes = 13, .points = {}};
   for (int i = 0; i < 20; ++i) {
     curve.points.push_back({0.5 * i, force - 0.2, force, force + 0.2});
   }
@@ -191,6 +191,11 @@ study::report::ReportSection madeUpSection() {
        "yield",
        analysis::summarise(std::vector{7.0, 7.4}),
        analysis::summarise(std::vector{4.0, 5.0})},
+      {"interpolation",
+       "opening",
+       analysis::summarise(std::vector{7.8}),
+       analysis::summarise(std::vector{5.2})},
+      {"interpolation", "interception", {3, 0.0, 0.0, 0.0}, {3, -1e-15, 0.0, 0.0}},
       {"interpolation", "largest force", {}, {3, 5.5, 0.25, 0.5}}};
   section.warnings = problems.all();
   return section;

@@ -109,6 +109,20 @@ TEST(RenderedForceBins, CountEveryStrokeOnce) {
   EXPECT_EQ(bins.points().front().low, 1.0);
 }
 
+TEST(RenderedForceBins, GiveNoPointWhereFewerThanHalfOfTheStrokesCame) {
+  RenderedForceBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+  const auto upTo = [](double end) {
+    auto samples = closing(20.0, [](double travel) { return travel; });
+    std::erase_if(samples, [&](const auto& one) { return one.landmark == 0 && one.travel > end; });
+    return samples;
+  };
+  for (const double end : {3.0, 3.0, 6.0, 10.0}) bins.add(upTo(end));
+  const auto points = bins.points();
+  EXPECT_EQ(bins.strokes(), 4U);
+  EXPECT_NEAR(points.back().travel, 6.0, 11.0 / 80.0);
+  EXPECT_GT(bins.medians().rbegin()->first, points.back().bin) << "they have every bin";
+}
+
 TEST(RenderedForceBins, ReachAsDeepAsTheDataOfTheScene) {
   MaterialSpec deep{.nodes = haptics::engine::parametricMaterial()};
   deep.nodes.push_back({0.03, 900.0, 950.0});
