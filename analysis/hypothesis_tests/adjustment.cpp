@@ -33,7 +33,7 @@ Sorted stepUp(Sorted p, const StepFormula& step) {
   return p;
 }
 
-double timesRemaining(double p, double i, double m) {
+double pTimesRemaining(double p, double i, double m) {
   return (m - i + 1.0) * p;
 }
 
@@ -85,9 +85,9 @@ Sorted adjusted(const Sorted& p, Adjustment method) {
     case Adjustment::Bonferroni:
       return stepDown(p, [](double own, double /*i*/, double m) { return own * m; });
     case Adjustment::Holm:
-      return stepDown(p, timesRemaining);
+      return stepDown(p, pTimesRemaining);
     case Adjustment::Hochberg:
-      return stepUp(p, timesRemaining);
+      return stepUp(p, pTimesRemaining);
     case Adjustment::Hommel:
       return hommel(p);
     case Adjustment::BenjaminiHochberg:

@@ -16,13 +16,13 @@ namespace analysis {
 /// participants' differences at one site. A site that is lenient as a whole needs no term, because
 /// leniency cancels in differences within participants.
 struct SitePlan {
-  /// Klein et al. 2018 (Adv. Methods Pract. Psychol. Sci. 1(4), 443–490,
+  /// A cautious default. Klein et al. 2018 (Adv. Methods Pract. Psychol. Sci. 1(4), 443–490,
   /// doi:10.1177/2515245918810225) replicated 28 effects at 125 sites: τ was above 0.2 for one
   /// effect, and about 0.1 for eight.
-  static constexpr double kTypicalTau = 0.2;
+  static constexpr double kCautiousTau = 0.2;
 
   std::uint64_t sites = 2;
-  double deviation = kTypicalTau;  ///< τ [d_z]
+  double deviation = kCautiousTau;  ///< τ [d_z]
 
   /// ρ = τ² / (1 + τ²), of the participants' differences within sites.
   double intraclassCorrelation() const;

@@ -23,7 +23,8 @@ class MeshView {
   explicit MeshView(const FiniteElementsSpec& spec, TissueDrawing law = TissueDrawing::Penetration);
 
   struct Point {
-    double position = 0.0;      ///< along the tissue [string units]
+    double position = 0.0;      ///< along the tissue, in the unit of start and end of
+                                ///< models::FiniteElements [string units]
     double displacement = 0.0;  ///< [travel units]
   };
 

@@ -20,7 +20,7 @@ double minimumJerk(double tau) {
   return tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau));
 }
 
-constexpr double kPeakOfMinimumJerk = 1.875;
+constexpr double kPeakSpeedOfMinimumJerk = 1.875;
 
 /// The position, 0 to 1, at time @p tau, 0 to 1.
 double placeAt(Motion::Shape shape, double tau) {
@@ -41,7 +41,7 @@ double secondsOf(const Motion& motion) {
     case Motion::Shape::Closing:
       return way / motion.speed;
     case Motion::Shape::Cut:
-      return 2.0 * kPeakOfMinimumJerk * way / motion.speed;
+      return 2.0 * kPeakSpeedOfMinimumJerk * way / motion.speed;
     case Motion::Shape::Sine:
       return 2.0 * std::numbers::pi * way / motion.speed;
   }

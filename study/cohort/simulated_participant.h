@@ -40,8 +40,8 @@ class SimulatedParticipant {
       std::string cohort,
       std::uint64_t slot);
 
-  /// The response to @p item in @p step of @p session; std::nullopt if the participant skips the
-  /// item.
+  /// The response to @p item in the present step of @p session; std::nullopt if the participant
+  /// skips the item.
   std::optional<questionnaires::Response> answer(
       const Session& session, const questionnaires::Item& item) const;
 

@@ -52,7 +52,7 @@ void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
 }
 
 /// Adds a table to @p contents, unless the table of that name from another session was added.
-void list(FolderContents& contents, const std::string& file, const ExportedTable& table) {
+void addTableOnce(FolderContents& contents, const std::string& file, const ExportedTable& table) {
   const bool isListed =
       std::any_of(contents.tables.begin(), contents.tables.end(), [&](const auto& known) {
         return known.file == file;
@@ -100,7 +100,7 @@ class BidsSession {
       const std::string& ending, const ExportedTable& part, const Json& sidecar) const {
     if (part.rows.empty()) return;
     writeWithSidecar(folder_ / (stem_ + ending), part, sidecar);
-    list(contents_, "sub-…/ses-…/beh/…" + ending + ".tsv", part);
+    addTableOnce(contents_, "sub-…/ses-…/beh/…" + ending + ".tsv", part);
   }
 
   template <typename Row>
@@ -187,7 +187,7 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
   FolderContents contents{.sessions = sessions.size(), .tables = {}};
   const auto people = participantsOf(sessions, readers);
   writeWithSidecar(folder / "participants", people);
-  list(contents, "participants.tsv", people);
+  addTableOnce(contents, "participants.tsv", people);
   for (const auto& session : sessions) {
     const BidsSession files(folder, session.owner, task, readers, contents);
     files.write(responseTable(), answers);
@@ -199,13 +199,13 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
     const auto subject = bidsSubject(session.owner);
     const auto own = sessionsOf(session.owner.participant, sessions, readers);
     writeWithSidecar(folder / subject / (subject + "_sessions"), own);
-    list(contents, "sub-…/sub-…_sessions.tsv", own);
+    addTableOnce(contents, "sub-…/sub-…_sessions.tsv", own);
   }
   const auto source = folder / "sourcedata";
   fs::create_directories(source);
   const auto items = itemsTable(study, readers);
   writeWithSidecar(source / "items", items);
-  list(contents, "sourcedata/items.tsv", items);
+  addTableOnce(contents, "sourcedata/items.tsv", items);
   if (options.hasTraces) writeTraces(study, source / "traces", options);
   writeNewFile(
       (folder / "dataset_description.json").string(),

@@ -207,7 +207,7 @@ std::string exportMetadataAsJson(Study& study, const ExportOptions& options) {
   return head.dump();
 }
 
-std::string codesInWords(Study& study, const ExportOptions& options) {
+std::string readmeLineOnBlinding(Study& study, const ExportOptions& options) {
   if (!options.isBlinded) return "- Not blinded: `condition` says which rendering was felt.\n";
   const auto disclosures = disclosuresOf(study);
   if (!disclosures.empty()) {
@@ -263,7 +263,7 @@ std::string readmeOf(Study& study, const ExportOptions& options, const FolderCon
     text += "- The study's audit trail had " + study.events().headAsText() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";
   }
-  text += codesInWords(study, options) + codeSetInWords(options);
+  text += readmeLineOnBlinding(study, options) + codeSetInWords(options);
   if (options.isBlinded) {
     text +=
         "- Not in this folder: what was measured in trials, when answers were saved, when sessions "

@@ -248,10 +248,10 @@ class Column {
     return std::move(*this);
   }
 
-  /// As inPublic(), but only if the public folder releases the quasi-identifier @p respect (a
+  /// As inPublic(), but only if the public folder releases the quasi-identifier @p identifier (a
   /// property of people, such as their age).
-  Column inPublicIfReleased(const std::string& respect, const std::string& description = {}) && {
-    public_ = InPublic{.requiredIdentifier = respect, .description = description};
+  Column inPublicIfReleased(const std::string& identifier, const std::string& description = {}) && {
+    public_ = InPublic{.requiredIdentifier = identifier, .description = description};
     return std::move(*this);
   }
 

@@ -14,7 +14,7 @@ namespace study {
 std::string exportMetadataAsJson(Study& study, const ExportOptions& options);
 
 /// A line of the README on whether the folder is blinded.
-std::string codesInWords(Study& study, const ExportOptions& options);
+std::string readmeLineOnBlinding(Study& study, const ExportOptions& options);
 
 /// How the tables of a format are written, as lines of its README.
 std::string formatInWords(const ExportOptions& options);

@@ -121,7 +121,8 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
   // the alternative, a blinded folder has no row with its code.
   const auto add = [&](const StepRecord& step) {
     if (!step.condition.empty())
-      felt_.try_emplace({step.visit.session, step.phase, step.label}, step.condition);
+      conditionOfAlternative_.try_emplace(
+          {step.visit.session, step.phase, step.label}, step.condition);
   };
   for (const auto& answer : answers_) add(answer.step);
   if (isBlinded_) return;
@@ -151,8 +152,8 @@ std::string_view StudyRows::chosenIn(const ExportedAnswer& row) const {
   if (!isVote || phase == nullptr) return {};
   int number = 0;
   std::from_chars(label->data(), label->data() + label->size(), number);
-  const auto felt = felt_.find({row.owner.session, phase->block, number});
-  if (felt == felt_.end()) return {};
+  const auto felt = conditionOfAlternative_.find({row.owner.session, phase->block, number});
+  if (felt == conditionOfAlternative_.end()) return {};
   if (!isBlinded_) return felt->second;
   const auto& codes = codes_.at(row.owner.runMode);
   const auto code = codes.find(felt->second);

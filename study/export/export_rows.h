@@ -102,8 +102,9 @@ class StudyRows {
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;
   std::vector<storage::CutRecord> cuts_;
-  std::map<storage::Records::Alternative, std::string> felt_;  ///< condition ids, of exported rows
-                                                               ///< only
+  std::map<storage::Records::Alternative, std::string>
+      conditionOfAlternative_;  ///< condition ids, of exported rows
+                                ///< only
 };
 
 }  // namespace study

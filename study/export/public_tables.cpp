@@ -174,9 +174,10 @@ class PublicTables {
     return holds::asCell(isAlternative ? preferred(answer, text) : std::string_view(text));
   }
 
-  /// The released value of a person for the quasi-identifier @p respect; empty if none is released.
-  std::string_view releasedValue(const char* respect, std::size_t person) const {
-    const auto* column = release_.column(respect);
+  /// The released value of a person for the quasi-identifier @p identifier; empty if none is
+  /// released.
+  std::string_view releasedValue(const char* identifier, std::size_t person) const {
+    const auto* column = release_.column(identifier);
     return column == nullptr || !column->level ? std::string_view() : column->values[person];
   }
 

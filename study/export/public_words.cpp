@@ -104,7 +104,7 @@ std::string publicReadme(Study& study, const ExportOptions& options, const Relea
       "here "
       "by them; nobody else should be able to.\n";
   if (!isOrderTold) text += "- The order of conditions is not told, and no position in it.\n";
-  text += codesInWords(study, options);
+  text += readmeLineOnBlinding(study, options);
   return text + "\n" + afterInWords(release) + "\n" + columnsInWords(release);
 }
 

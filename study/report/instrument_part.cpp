@@ -32,7 +32,7 @@ class InstrumentWriter : HtmlWriter {
           "there.");
     }
     const auto* family = mainFamily(section_);
-    if (isOfConditions_ && family != nullptr && family->isNamed("welch")) {
+    if (hasConditionScore_ && family != nullptr && family->isNamed("welch")) {
       put("<p class=\"note\">{}</p>",
           withReferences(
               "A score is one number for each participant. {} takes all answers, so its means are "
@@ -85,7 +85,7 @@ class InstrumentWriter : HtmlWriter {
       const auto& interval = score.interval;
       isBeyond_ =
           isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
-      isOfConditions_ = isOfConditions_ || !about.empty();
+      hasConditionScore_ = hasConditionScore_ || !about.empty();
       row(
           {escaped(kind.title.in(section_.words.language())) + ends,
            cohort(score.cohort),
@@ -133,7 +133,7 @@ class InstrumentWriter : HtmlWriter {
   }
 
   bool isBeyond_ = false;
-  bool isOfConditions_ = false;
+  bool hasConditionScore_ = false;
 };
 
 }  // namespace

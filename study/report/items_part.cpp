@@ -80,7 +80,8 @@ class ItemsWriter : HtmlWriter {
     const auto summaries =
         summariesOf(instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
     const auto& cohorts = section_.results.flow;
-    std::vector<std::set<std::size_t>> people(cohorts.size());  // behind the numbers of a cohort
+    // The different numbers of participants whose means a cohort's column has.
+    std::vector<std::set<std::size_t>> people(cohorts.size());
     std::vector<std::pair<std::string, std::vector<std::string>>> questions;  // cell by cohort
     std::vector<std::vector<std::size_t>> sizes;                              // n of each cell
     for (const auto* one : summaries) {

@@ -174,7 +174,7 @@ inline bool isShownByPoint(const FamilyResult& family) {
 
 /// The figure beside the answer.
 enum class MainFigure {
-  Differences,       ///< of the declared test within people
+  Differences,       ///< for a declared test within participants
   Answers,           ///< counts per point; for the pooled test, or if nothing is tested
   ParticipantMeans,  ///< means of participants; in place of Answers if the scale has many points
 };

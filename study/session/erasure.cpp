@@ -236,7 +236,7 @@ storage::ListedErasure asListed(Study& study, const Erasure& erasure) {
 /// Adds the erasure to this station's list. @return  why it could not be added; empty if it was
 std::string listOnStation(const storage::ListedErasure& erasure) {
   try {
-    storage::list(erasure);
+    storage::addListedErasure(erasure);
     return {};
   } catch (const StorageError& error) {
     return error.what();

@@ -31,11 +31,11 @@ namespace {
 /// Slows a hand to the feed of a reamer: the speed of its target stays below @p mostFeed [m/s]. The
 /// movement is shortened, too, to about the depth at which most bone is reamed in one stroke.
 void limitToFeed(SimulatedHand::Person& person, double mostFeed) {
-  constexpr double kPeakOfMinimumJerk = 1.875;
+  constexpr double kPeakSpeedOfMinimumJerk = 1.875;
   constexpr double kShareOfFeed = 0.9;
   constexpr double kShareOfReach = 0.55;
   const auto timeFor = [&](double way) {
-    return kPeakOfMinimumJerk * way / (kShareOfFeed * mostFeed);
+    return kPeakSpeedOfMinimumJerk * way / (kShareOfFeed * mostFeed);
   };
   if (!(mostFeed > 0.0) || timeFor(person.closed - person.open) <= person.closeTime) return;
   person.closed = person.open + kShareOfReach * (person.closed - person.open);

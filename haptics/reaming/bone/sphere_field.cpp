@@ -81,9 +81,9 @@ void SphereField::layOut(const Packing& packing, std::size_t cells) {
 
 std::size_t SphereField::cellOf(Vec3 place) const noexcept {
   const Vec3 from = place - low_;
-  const auto i = static_cast<std::size_t>(along(from.x, nx_));
-  const auto j = static_cast<std::size_t>(along(from.y, ny_));
-  const auto k = static_cast<std::size_t>(along(from.z, nz_));
+  const auto i = static_cast<std::size_t>(cellIndexAlong(from.x, nx_));
+  const auto j = static_cast<std::size_t>(cellIndexAlong(from.y, ny_));
+  const auto k = static_cast<std::size_t>(cellIndexAlong(from.z, nz_));
   return (k * static_cast<std::size_t>(ny_) + j) * static_cast<std::size_t>(nx_) + i;
 }
 

@@ -91,7 +91,7 @@ class SphereField {
   double largestRadius() const noexcept { return largest_; }  ///< of the packing [m]
 
  private:
-  int along(double from, int count) const noexcept {
+  int cellIndexAlong(double from, int count) const noexcept {
     return static_cast<int>(std::clamp(std::floor(from / cell_), 0.0, count - 1.0));
   }
   std::size_t cellOf(Vec3 place) const noexcept;
@@ -120,8 +120,8 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
     return low > 0.0 ? low : high < 0.0 ? -high : 0.0;
   };
   const auto farthest = [](double low, double high) { return std::max(std::abs(low), high); };
-  const int firstK = along(from.z - outer, nz_);
-  const int lastK = along(from.z + outer, nz_);
+  const int firstK = cellIndexAlong(from.z - outer, nz_);
+  const int lastK = cellIndexAlong(from.z + outer, nz_);
   for (int k = firstK; k <= lastK; ++k) {
     const double z0 = k * cell_ - from.z;
     const double z1 = z0 + cell_;
@@ -130,8 +130,8 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
     const double acrossY = outer * outer - nearZ * nearZ;
     if (acrossY < 0.0) continue;
     const double reachY = std::sqrt(acrossY);
-    const int firstJ = along(from.y - reachY, ny_);
-    const int lastJ = along(from.y + reachY, ny_);
+    const int firstJ = cellIndexAlong(from.y - reachY, ny_);
+    const int lastJ = cellIndexAlong(from.y + reachY, ny_);
     for (int j = firstJ; j <= lastJ; ++j) {
       const double y0 = j * cell_ - from.y;
       const double y1 = y0 + cell_;
@@ -149,8 +149,8 @@ void SphereField::forEachRange(const Reamer& reamer, See see) const {
       const std::size_t row = (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny_) +
                                static_cast<std::size_t>(j)) *
                               static_cast<std::size_t>(nx_);
-      const int first = along(from.x - reachX, nx_);
-      const int last = along(from.x + reachX, nx_);
+      const int first = cellIndexAlong(from.x - reachX, nx_);
+      const int last = cellIndexAlong(from.x + reachX, nx_);
       const auto stretch = [&](int a, int b) {
         const auto begin = start_[row + static_cast<std::size_t>(a)];
         const auto end = start_[row + static_cast<std::size_t>(b) + 1];

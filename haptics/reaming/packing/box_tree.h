@@ -26,9 +26,9 @@ class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /// Calls @p see with the index of every box that overlaps @p box.
-  template <typename See>
-  void forEachOverlapping(const Box& box, See see) const {
+  /// Calls @p take with the index of every box that overlaps @p box.
+  template <typename Take>
+  void forEachOverlapping(const Box& box, Take take) const {
     std::uint32_t stack[64];
     int depth = 0;
     stack[depth++] = 0;
@@ -36,7 +36,7 @@ class BoxTree {
       const Node& node = nodes_[stack[--depth]];
       if (!node.box.meets(box)) continue;
       if (node.isLeaf()) {
-        see(node.item);
+        take(node.item);
       } else {
         stack[depth++] = node.item;
         stack[depth++] = node.item + 1;
@@ -44,10 +44,10 @@ class BoxTree {
     }
   }
 
-  /// Calls @p see with the index of every box that is nearer to @p place than the squared distance
-  /// @p square [m²], nearer halves first. @p see returns the new, smaller squared distance.
-  template <typename See>
-  void forEachNearer(Vec3 place, double square, See see) const {
+  /// Calls @p take with the index of every box that is nearer to @p place than the squared distance
+  /// @p square [m²], nearer halves first. @p take returns the new, smaller squared distance.
+  template <typename Take>
+  void forEachNearer(Vec3 place, double square, Take take) const {
     std::uint32_t stack[64];
     int depth = 0;
     stack[depth++] = 0;
@@ -55,7 +55,7 @@ class BoxTree {
       const Node& node = nodes_[stack[--depth]];
       if (node.box.squaredDistanceTo(place) >= square) continue;
       if (node.isLeaf()) {
-        square = see(node.item);
+        square = take(node.item);
         continue;
       }
       const double first = nodes_[node.item].box.squaredDistanceTo(place);

@@ -74,7 +74,7 @@ struct Dual {
 
   /// Line search from @p from along @p step; std::nullopt if the value does not rise. Sets @p end
   /// to the point after the full step.
-  std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
+  std::optional<Point> lineSearch(const Point& from, const Vector& step, Point& end) const {
     constexpr double kLeastShare = 1e-5;
     const double slope = from.rest.dot(step);
     // Armijo's condition, and a strict rise, since near the optimum the required rise is below
@@ -103,7 +103,7 @@ struct Dual {
     for (bool isMissing = true; isMissing;) {
       const Vector step =
           Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(curvature(counts)).solve(from.rest);
-      if (auto point = along(from, step, end)) return point;
+      if (auto point = lineSearch(from, step, end)) return point;
       isMissing = false;
       for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] > 0.0 || !(end.densities[i] > 0.0)) continue;

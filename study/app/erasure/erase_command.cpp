@@ -54,7 +54,7 @@ int eraseBy(const ErasureArguments& options) {
         "--certificate FILE.txt' writes it.");
   }
   // opening a copy of the study repeats the erasures of this station's list
-  for (const auto& erasure : erasures) storage::list(erasure);
+  for (const auto& erasure : erasures) storage::addListedErasure(erasure);
   auto study = Study::open(options.folder);
   bool isOfThisStudy = false;
   for (const auto& erasure : erasures) {

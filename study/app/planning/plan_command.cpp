@@ -18,7 +18,7 @@ struct PlanOptions {
   StudyPlanOptions question;
   std::vector<double> shares;
   std::optional<std::uint64_t> sites;
-  double siteDeviation = analysis::SitePlan::kTypicalTau;
+  double siteDeviation = analysis::SitePlan::kCautiousTau;
   bool json = false;
 };
 

@@ -73,7 +73,8 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
   return text + "\n";
 }
 
-/// The conventions that reproduce the whole row with the stated sizes.
+/// The check with the stated sizes: a table of the printed and the computed numbers, and the
+/// conventions that reproduce the whole row.
 std::string statedPart(const PublishedReport& report) {
   std::string text = comparisonTable(report.table, report.atStated.front());
   std::vector<std::string> fitting;

@@ -531,7 +531,7 @@ ResultJson itemAsJson(const ItemSummary& one) {
 }
 
 /// The manipulation check: differences of rendered forces [N].
-ResultJson feltAsJson(const RenderedForceDifference& felt) {
+ResultJson renderedForceDifferenceAsJson(const RenderedForceDifference& felt) {
   return {
       {"condition1", felt.condition1},
       {"condition2", felt.condition2},
@@ -542,10 +542,11 @@ ResultJson feltAsJson(const RenderedForceDifference& felt) {
 }
 
 /// Adds `felt_differences`; null with a reason if the traces could not be read.
-void addFelt(ResultJson& json, const RenderedForceResult& felt) {
+void addRenderedForces(ResultJson& json, const RenderedForceResult& felt) {
   auto& differences = json["felt_differences"];
   if (felt.reason.empty()) differences = ResultJson::array();
-  for (const auto& d : renderedForceDifferences(felt.curves)) differences.push_back(feltAsJson(d));
+  for (const auto& d : renderedForceDifferences(felt.curves))
+    differences.push_back(renderedForceDifferenceAsJson(d));
   json["felt_differences_reason"] = reasonOf(felt.reason);
 }
 
@@ -593,7 +594,7 @@ std::string resultsAsJson(Study& study, const Results& results) {
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
   for (const auto& one : results.answers.items) json["items"].push_back(itemAsJson(one));
-  addFelt(json, renderedForceResult(study, results.runMode));
+  addRenderedForces(json, renderedForceResult(study, results.runMode));
   return json.dump(2) + "\n";
 }
 

@@ -26,7 +26,7 @@ bool isErased(const storage::SessionTables& facts) {
 /// Adds an erasure of a station to this computer's list, so that copies from earlier pulls are
 /// erased from when they are opened next.
 void listErasure(const std::string& study, const storage::SessionTables& facts) {
-  storage::list(
+  storage::addListedErasure(
       {.study = study,
        .participant = storage::textIn(facts, "participant", "code"),
        .enrolledUtc = storage::textIn(facts, "participant", "created_utc"),

@@ -15,7 +15,8 @@ struct CheckedProtocol {
   std::string source;                               ///< a path, or the name of a built-in protocol
   std::string text;                                 ///< empty if the file cannot be read
   std::optional<protocols::LoadedProtocol> loaded;  ///< std::nullopt if there are errors
-  std::vector<questionnaires::Problem> problems;    ///< all blanks of texts are one, the first
+  /// The blanks of all texts are reported as one problem, which is the first.
+  std::vector<questionnaires::Problem> problems;
 
   int errors() const noexcept;
   int warnings() const noexcept;

@@ -28,8 +28,8 @@ class HipScene final : public SimulatedScene {
 
   /// Applies a change of a sphere that does not come from a trial's bone.
   void apply(const haptics::engine::SphereChange& change);
-  /// Also passes each change to @p listener from update(); empty: to none.
   using Listener = std::function<void(const haptics::engine::SphereChange&)>;
+  /// From now on update() also passes each change of a sphere to @p listener; empty: to none.
   void setListener(Listener listener) { listener_ = std::move(listener); }
   /// The depth of the reamer along its path [m].
   double depth() const noexcept { return depth_; }

@@ -7,8 +7,9 @@
 
 namespace study::gui {
 
-/// The settings of the studio on this computer: recent studies, the theme, and whether the tour was
-/// seen. They contain nothing about participants.
+/// The settings of the studio on this computer: recent studies and written documents, theme and
+/// language, the folder of protocols, and whether the tour was seen. They contain nothing about
+/// participants.
 inline QSettings studioSettings() {
   return QSettings(
       QSettings::IniFormat,

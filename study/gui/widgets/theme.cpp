@@ -234,7 +234,7 @@ const Theme& theme() noexcept {
 }
 
 const Theme& themeOf(const QWidget& widget) noexcept {
-  const auto own = themeCalled(ownProperty(widget, kThemeProperty).toString());
+  const auto own = themeNameIn(ownProperty(widget, kThemeProperty).toString());
   return own ? themeNamed(*own) : theme();
 }
 
@@ -317,7 +317,7 @@ QString nameOf(ThemeName name) {
   return QString::fromUtf8(kNames[static_cast<std::size_t>(name)]);
 }
 
-std::optional<ThemeName> themeCalled(const QString& name) {
+std::optional<ThemeName> themeNameIn(const QString& name) {
   for (const auto each : {ThemeName::Light, ThemeName::Dark, ThemeName::HighContrast}) {
     if (nameOf(each) == name) return each;
   }
@@ -334,7 +334,7 @@ ThemeName& desktopTheme() noexcept {
 }
 
 void applyChosen(QApplication& application) {
-  const auto chosen = themeCalled(studioSettings().value(QLatin1String(kThemeKey)).toString());
+  const auto chosen = themeNameIn(studioSettings().value(QLatin1String(kThemeKey)).toString());
   applyTheme(application, chosen.value_or(desktopTheme()));
 }
 

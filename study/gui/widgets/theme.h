@@ -75,7 +75,7 @@ double contrast(const QColor& one, const QColor& other) noexcept;
 
 /// The name under which a theme is stored: "light", "dark", "high-contrast".
 QString nameOf(ThemeName name);
-std::optional<ThemeName> themeCalled(const QString& name);
+std::optional<ThemeName> themeNameIn(const QString& name);
 
 /// Applies the theme that was chosen last; if none was, light or dark as on the desktop. Call it
 /// before any other theme is applied, because afterwards the desktop's colours cannot be read.

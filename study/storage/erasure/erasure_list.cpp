@@ -51,7 +51,7 @@ std::vector<ListedErasure> listedErasures(const std::string& study) {
   return listed;
 }
 
-void list(const ListedErasure& erasure) {
+void addListedErasure(const ListedErasure& erasure) {
   const auto known = listedErasures(erasure.study);
   if (std::find(known.begin(), known.end(), erasure) != known.end()) return;
   StationStore::openOrCreate(StationStore::defaultFolder()).append(kList, asLine(erasure));

@@ -29,7 +29,7 @@ std::optional<ListedErasure> listedErasureIn(const std::string& line);
 std::vector<ListedErasure> listedErasures(const std::string& study);
 
 /// Adds an erasure to this station's list, unless the list has it already. @throws StorageError
-void list(const ListedErasure& erasure);
+void addListedErasure(const ListedErasure& erasure);
 
 /// Those of the erasures in @p listed that must be repeated in this database: it has the
 /// participant, and the data of that level are not erased in it.

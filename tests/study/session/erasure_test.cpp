@@ -320,7 +320,7 @@ TEST_F(CopiedStudy, IsLeftAsItIsOnAnotherStationUntilACertificateIsThere) {
   const auto report = eraseThem();
   const tests::OwnStation other(study_.scratch() / "other");
   EXPECT_FALSE(isErasedFrom(copy_));
-  storage::list(report.listed);
+  storage::addListedErasure(report.listed);
   EXPECT_TRUE(isErasedFrom(copy_));
 }
 
@@ -328,7 +328,7 @@ TEST_F(CopiedStudy, KeepsAnotherParticipantOfTheSameCode) {
   auto report = eraseThem();
   report.listed.enrolledUtc = "2001-01-01T00:00:00.000Z";
   const tests::OwnStation other(study_.scratch() / "other");
-  storage::list(report.listed);
+  storage::addListedErasure(report.listed);
   EXPECT_FALSE(isErasedFrom(copy_));
   const auto copy = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
   EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::NotInCopy);

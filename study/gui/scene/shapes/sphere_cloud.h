@@ -55,10 +55,11 @@ class SphereCloud {
   const std::vector<SphereInstance>& instances() const noexcept { return instances_; }
   std::size_t shown() const noexcept { return instances_.size() - free_.size(); }
 
-  /// Passes the instances that changed since the last call to @p upload, in contiguous ranges that
-  /// start at index @p first. The first call passes all.
-  /// @return the number of instances passed.
+  /// Takes a contiguous range of instances that starts at index @p first.
   using Upload = std::function<void(std::size_t first, std::span<const SphereInstance> stretch)>;
+  /// Passes the instances that changed since the last call to @p upload, range by range. The first
+  /// call passes all.
+  /// @return the number of instances passed.
   std::size_t uploadChanges(const Upload& upload);
 
   /// Makes the next uploadChanges() pass all instances, for a new renderer.
