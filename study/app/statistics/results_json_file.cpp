@@ -531,7 +531,7 @@ ResultJson itemAsJson(const ItemSummary& one) {
 }
 
 /// The manipulation check: differences of rendered forces [N].
-ResultJson renderedForceDifferenceAsJson(const RenderedForceDifference& felt) {
+ResultJson differenceAsJson(const RenderedForceDifference& felt) {
   return {
       {"condition1", felt.condition1},
       {"condition2", felt.condition2},
@@ -543,10 +543,9 @@ ResultJson renderedForceDifferenceAsJson(const RenderedForceDifference& felt) {
 
 /// Adds `felt_differences`; null with a reason if the traces could not be read.
 void addRenderedForces(ResultJson& json, const RenderedForceResult& felt) {
-  auto& differences = json["felt_differences"];
-  if (felt.reason.empty()) differences = ResultJson::array();
-  for (const auto& d : renderedForceDifferences(felt.curves))
-    differences.push_back(renderedForceDifferenceAsJson(d));
+  auto& all = json["felt_differences"];
+  if (felt.reason.empty()) all = ResultJson::array();
+  for (const auto& d : renderedForceDifferences(felt.curves)) all.push_back(differenceAsJson(d));
   json["felt_differences_reason"] = reasonOf(felt.reason);
 }
 
