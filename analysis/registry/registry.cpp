@@ -442,8 +442,8 @@ const StatisticalTest& statisticalTest(std::string_view id) {
   std::vector<std::string> ids;
   for (const auto& test : kTests) ids.emplace_back(test.id);
   throw base::UserError(
-      "there is no test '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) +
-      "'? 'palpate stats test --list' lists all");
+      "There is no test '" + std::string(id) + "'; did you mean '" + nearestName(id, ids) +
+      "'? 'palpate stats test --list' lists all.");
 }
 
 std::vector<TestRow> computeTest(

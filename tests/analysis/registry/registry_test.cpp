@@ -59,8 +59,8 @@ TEST(StatisticalTests, HaveANameOfTheirOwn) {
 TEST(StatisticalTests, SuggestTheNearestNameForAnUnknownOne) {
   EXPECT_EQ(
       errorOf([] { analysis::statisticalTest("fischer_exact"); }),
-      "there is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
-      "lists all");
+      "There is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
+      "lists all.");
 }
 
 analysis::TestData dataFor(const StatisticalTest& test, std::string_view csv) {
