@@ -1,5 +1,9 @@
 #include "study/app/command_reference.h"
 
+#include <algorithm>
+#include <memory>
+#include <set>
+
 #include <CLI/CLI.hpp>
 
 namespace study::app {
@@ -23,22 +27,44 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   return text;
 }
 
+/// A range of CLI11 in words: "1 to 100" for "INT in [1 - 100]"; other validators as they are.
+std::string rangeInWords(const std::string& validator) {
+  if (validator == "POSITIVE") return "above 0";
+  if (validator == "NONNEGATIVE") return "0 or above";
+  const auto open = validator.find(" in [");
+  const auto between = validator.find(" - ", open);
+  const bool isRange = open != std::string::npos && between != std::string::npos &&
+                       validator.find(' ') == open && validator.back() == ']';
+  if (!isRange) return validator;
+  const auto least = open + std::string(" in [").size();
+  const auto most = between + std::string(" - ").size();
+  return validator.substr(least, between - least) + " to " +
+         validator.substr(most, validator.size() - 1 - most);
+}
+
 /// Reads CLI11's description of a type, "TEXT:{csv,json}", "INT:INT in [1 - 100]" or "TEXT:DIR":
 /// the type, a colon, and the validator.
 void readType(const std::string& type, OptionDescription& option) {
   const auto colon = type.find(':');
   option.value = type.substr(0, colon);
+  if (option.value == "INT" || option.value == "UINT" || option.value == "FLOAT") {
+    option.value = "NUMBER";
+  }
   if (colon == std::string::npos) return;
   const std::string validator = type.substr(colon + 1);
-  const std::string interval = option.value + " in ";
-  if (validator == "DIR" || validator == "FILE") {
-    option.value = validator;
+  if (validator == "DIR") {
+    option.value = "FOLDER";
+  } else if (validator == "FILE") {
+    option.value = "FILE";
   } else if (validator.size() > 2 && validator.front() == '{' && validator.back() == '}') {
     option.choices = split(validator.substr(1, validator.size() - 2), ',');
-  } else if (validator.rfind(interval, 0) == 0) {
-    option.range = validator.substr(option.value.size() + 1);
+  } else if (const auto either = validator.find("}) OR ("); either != std::string::npos) {
+    constexpr std::size_t kBrackets = 2;  // "({"
+    option.choices = split(validator.substr(kBrackets, either - kBrackets), ',');
+    const auto other = validator.substr(either + std::string("}) OR (").size());
+    option.range = "or " + rangeInWords(other.substr(0, other.size() - 1));
   } else {
-    option.range = validator;
+    option.range = rangeInWords(validator);
   }
 }
 
@@ -196,7 +222,45 @@ void addCompletions(const CommandDescription& command, CompletionCases& cases) {
   for (const auto& below : command.commands) addCompletions(below, cases);
 }
 
+/// Shows the value of an option as manual pages do: what it is, its range and its default.
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const auto described = describe(*option);
+    std::string text;
+    if (!described.choices.empty()) {
+      text += " {" + join(described.choices, ",") + "}";
+    } else if (!described.value.empty() && !described.isPositional) {
+      text += " " + described.value;
+    }
+    std::vector<std::string> remarks;
+    if (!described.range.empty()) remarks.push_back(described.range);
+    if (!described.initial.empty()) remarks.push_back("default: " + described.initial);
+    if (!option->get_envname().empty()) remarks.push_back("or $" + option->get_envname());
+    if (!remarks.empty()) text += " (" + join(remarks, "; ") + ")";
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+    if (described.isRequired) text += " REQUIRED";
+    text += namesOf("Needs", option->get_needs());
+    return text + namesOf("Excludes", option->get_excludes());
+  }
+
+ private:
+  static std::string namesOf(const char* label, const std::set<CLI::Option*>& options) {
+    if (options.empty()) return "";
+    std::vector<std::string> names;
+    for (const auto* option : options) names.push_back(option->get_name());
+    std::sort(names.begin(), names.end());
+    return std::string(" ") + label + ": " + join(names, " ");
+  }
+};
+
 }  // namespace
+
+void setHelpFormat(CLI::App& program) {
+  constexpr std::size_t kColumnOfDescriptions = 34;
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.get_formatter()->column_width(kColumnOfDescriptions);
+}
 
 CommandDescription describe(const CLI::App& program) {
   return describe(program, "");

@@ -14,7 +14,7 @@ struct OptionDescription {
   std::vector<std::string> names{};    ///< "--out", "-o"; a positional argument has one: "DIR"
   std::string value{};                 ///< placeholder of the value: "FILE"; empty for a flag
   std::string text{};                  ///< description
-  std::string range{};                 ///< accepted values, in words: "INT in [1 - 100]"
+  std::string range{};                 ///< accepted values, in words: "1 to 100"
   std::vector<std::string> choices{};  ///< all accepted values; empty if they cannot be listed
   std::string initial{};               ///< default value
   bool isRequired = false;
@@ -32,6 +32,10 @@ struct CommandDescription {
 /// Reads the description of a command line from its parser. Leaves out options without a group,
 /// which help pages hide as well.
 CommandDescription describe(const CLI::App& program);
+
+/// Lets help pages of @p program and of commands that are added afterwards show values, ranges and
+/// defaults of options as describe() gives them.
+void setHelpFormat(CLI::App& program);
 
 /// The sections of a manual page that are not in the parser's description. Texts are plain;
 /// manPage() escapes them.

@@ -104,13 +104,17 @@ void addDemoCommand(CLI::App& program, Action& action) {
       "demo",
       "Run both published studies with simulated participants, and write report and export",
       app::demo);
-  command->add_option("--out", options.out, "New folder")->capture_default_str();
+  command->add_option("--out", options.out, "New folder")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   command->add_option("--seed", options.seed, "Random seed; the same seed gives the same bytes")
       ->capture_default_str();
-  command->add_option(
-      "--recording",
-      options.recording,
-      "Recording (text) of a real punch; its cut replaces the shipped synthetic one");
+  command
+      ->add_option(
+          "--recording",
+          options.recording,
+          "Recording (text) of a real punch; its cut replaces the shipped synthetic one")
+      ->type_name("FILE");
 }
 
 }  // namespace study::app

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/command_reference.h"
 #include "study/app/commands.h"
 #include "study/session/study.h"
 
@@ -15,7 +16,7 @@ std::unique_ptr<CLI::App> makeProgram(Action& action) {
       "palpate");
   program->set_version_flag("--version", "palpate " + std::string(appVersion()));
   program->require_subcommand(1);
-  program->get_formatter()->column_width(34);
+  setHelpFormat(*program);
   addDemoCommand(*program, action);
   addProtocolCommands(*program, action);
   addInstrumentCommands(*program, action);

@@ -148,7 +148,7 @@ void addProtocolTextsCommand(CLI::App& noun, Action& action) {
       "List the blanks in texts that participants read, or fill them in",
       protocolTexts);
   addProtocolFile(*verb, options.source);
-  verb->add_option("--out", options.out, "New file for the filled-in protocol");
+  verb->add_option("--out", options.out, "New file for the filled-in protocol")->type_name("FILE");
 }
 
 void addStudyTextsCommand(CLI::App& noun, Action& action) {

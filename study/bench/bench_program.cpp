@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/command_reference.h"
 #include "study/session/study.h"
 
 namespace study::bench {
@@ -14,7 +15,7 @@ std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action) {
       "palpate-bench");
   program->set_version_flag("--version", "palpate-bench " + std::string(appVersion()));
   program->require_subcommand(1);
-  program->get_formatter()->column_width(34);
+  app::setHelpFormat(*program);
   addAccuracyCommand(*program, action);
   addStabilityCommand(*program, action);
   addServoCommand(*program, action);

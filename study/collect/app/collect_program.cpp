@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/command_reference.h"
 #include "study/app/commands.h"
 #include "study/model/user_error.h"
 #include "study/session/study.h"
@@ -20,7 +21,7 @@ std::unique_ptr<CLI::App> makeCollectProgram(Action& action) {
       "palpate collect");
   program->set_version_flag("--version", "palpate " + std::string(appVersion()));
   program->require_subcommand(1);
-  program->get_formatter()->column_width(34);
+  app::setHelpFormat(*program);
   addDemoCommand(*program, action);
   addServerCommands(*program, action);
   addStationCommands(*program, action);

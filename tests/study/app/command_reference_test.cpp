@@ -106,6 +106,21 @@ TEST(CommandReference, ListsTheValuesOfAnOption) {
       << part;
 }
 
+TEST(CommandReference, ShowsTheValuesOfAnOptionInHelp) {
+  const auto help = program().get_subcommand("export")->help();
+  EXPECT_NE(help.find("--out FOLDER REQUIRED"), std::string::npos) << help;
+  EXPECT_NE(
+      help.find("--format {csv,json,psych-ds,bids,r,python} (default: csv)"), std::string::npos)
+      << help;
+  const auto orders = program().get_subcommand("protocol")->get_subcommand("orders")->help();
+  EXPECT_NE(orders.find("--participants NUMBER (1 to 100000"), std::string::npos) << orders;
+  forEachCommand(program(), "", [&](const CLI::App& command, const std::string& name) {
+    for (const char* raw : {"TEXT:", "INT:", "UINT", "INT in", "FLOAT", "POSITIVE"}) {
+      EXPECT_EQ(command.help().find(raw), std::string::npos) << name << ": " << raw;
+    }
+  });
+}
+
 TEST(CommandReference, EscapesTroffRequests) {
   const auto page = palpatePage();
   EXPECT_NE(page.find("\n\\&.dot\n"), std::string::npos);
