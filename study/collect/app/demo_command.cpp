@@ -117,9 +117,9 @@ void addDemoCommand(CLI::App& program, Action& action) {
       program,
       action,
       "demo",
-      "Four stations with simulated participants and a private server, on this computer",
+      "Try it on this computer: four stations, simulated participants, and a private server",
       collect::demo);
-  noun->add_option("--out", given.out, "New folder (default: palpate-sites)");
+  noun->add_option("--out", given.out, "New folder (default: palpate-sites)")->type_name("FOLDER");
   noun->add_option(
           "--participants",
           given.participants,

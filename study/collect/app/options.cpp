@@ -16,8 +16,7 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       .add_option(
           "--server",
           server,
-          "PostgreSQL server: \"service=NAME\" or \"host=… dbname=…\" (default: PGHOST, "
-          "PGDATABASE, …)")
+          "PostgreSQL server: \"service=NAME\" or \"host=… dbname=…\" (default: PGHOST, …)")
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }

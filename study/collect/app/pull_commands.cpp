@@ -138,10 +138,12 @@ void addPullCommands(CLI::App& program, Action& action) {
       program,
       action,
       "pull",
-      "Make one study folder on this computer of all data on the server",
+      "Make one study folder on this computer from all data on the server",
       pullStudy);
   addSource(*out, pulling);
-  out->add_option("--out", pulling.folder, "New folder of the study")->required();
+  out->add_option("--out", pulling.folder, "New folder of the study")
+      ->type_name("FOLDER")
+      ->required();
   out->add_option(
          "--reason",
          pulling.reason,

@@ -85,8 +85,8 @@ int addOneStation(Connection& server, const ServerArguments& given) {
 }
 
 int init(const ServerArguments& given) {
-  const bool isOfSchemaAlone = given.protocol.empty() && given.station.empty() &&
-                               given.study.empty() && given.site.empty() && given.key.empty();
+  const bool isOfSchemaAlone =
+      given.protocol.empty() && given.station.empty() && given.study.empty();
   if (!isOfSchemaAlone && given.protocol.empty() == given.station.empty()) {
     throw UserError(
         "Say what to make: a study (--protocol FILE --study NAME) or a station of it (--station "
@@ -151,7 +151,8 @@ int ingestFile(const ServerArguments& given) {
 
 void addStudyAndStation(CLI::App& command, ServerArguments& given) {
   addServerOption(command, given.server);
-  command.add_option("--study", given.study, "Name of the study on the server");
+  command.add_option(
+      "--study", given.study, "Name of the study on the server (default: the only one)");
   command.add_option("--station", given.station, "Name of the station")->required();
 }
 
@@ -166,39 +167,50 @@ void addServerCommands(CLI::App& program, Action& action) {
       "(--station)",
       init);
   addServerOption(*make, given.server);
-  make->add_option("--study", given.study, "Name of the study on the server");
+  make->add_option(
+      "--study",
+      given.study,
+      "Name of the study on the server (for a station, default: the only one)");
   make->add_option(
           "--protocol",
           given.protocol,
-          "Protocol of the study; for an existing study its new version")
+          "A protocol file, or one of the library by name; for an existing study its new version")
       ->type_name("FILE");
   make->add_option(
-      "--seed", given.seed, "Seed of the condition orders of all stations (default: random)");
+      "--seed",
+      given.seed,
+      "Seed of the condition orders of all stations (default: the protocol's, otherwise random)");
+  auto* station =
+      make->add_option(
+              "--station", given.station, "Enrol a station: write its enrolment to this new file")
+          ->type_name("FILE");
+  make->add_option("--site", given.site, "Name of the site where the station is: \"oslo\"")
+      ->needs(station);
   make->add_option(
-          "--station", given.station, "Enrol a station: write its enrolment to this new file")
-      ->type_name("FILE");
-  make->add_option("--site", given.site, "Name of the site where the station is: \"oslo\"");
+          "--name", given.name, "Name of the station (default: that of its site): \"oslo-2\"")
+      ->needs(station);
   make->add_option(
-      "--name", given.name, "Name of the station (default: that of its site): \"oslo-2\"");
-  make->add_option(
-      "--key", given.key, "Public key of the station, as 'palpate collect key' prints it there");
+          "--key", given.key, "Public key of the station, as 'palpate collect key' prints it there")
+      ->needs(station);
   make->add_option(
           "--address",
           given.address,
           "How the station reaches the server, as for --server (default: the same)")
+      ->needs(station)
       ->type_name("WHERE");
   make->add_option(
           "--days", given.days, "Number of days for which the enrolment is valid (default: 30)")
+      ->needs(station)
       ->check(CLI::Range(1, 365));
 
   auto [in, taking] = app::addCommand(
       program,
       action,
       "ingest",
-      "Take a file of 'palpate collect bundle' into the server",
+      "Import a file from 'palpate collect bundle' into the server",
       ingestFile);
   addServerOption(*in, taking.server);
-  in->add_option("FILE", taking.file, "The bundle")->required();
+  in->add_option("FILE", taking.file, "File from 'palpate collect bundle'")->required();
 
   auto [out, revoking] = app::addCommand(
       program,

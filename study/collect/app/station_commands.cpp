@@ -252,7 +252,8 @@ void addStationCommands(CLI::App& program, Action& action) {
   join->add_option(
       "--mark",
       joining.mark,
-      "Mark (fingerprint) of the study, as its administrator read it out; another one is refused");
+      "Mark (fingerprint) of the study, as its administrator reads it out; joining fails if it "
+      "differs");
 
   auto [push, pushing] = app::addCommand(
       program,
@@ -260,8 +261,9 @@ void addStationCommands(CLI::App& program, Action& action) {
       "push",
       "Send the sessions and events that the server does not have yet",
       pushStudy);
-  push->add_option("FOLDER", pushing.folder, "Folder of the study")->required();
-  addServerOption(*push, pushing.server);
+  push->add_option("FOLDER", pushing.folder, "The study's folder")->required();
+  addServerOption(*push, pushing.server)
+      ->description("PostgreSQL server, as for init (default: the one in the enrolment)");
 
   auto [bundle, bundling] = app::addCommand(
       program,
@@ -269,8 +271,8 @@ void addStationCommands(CLI::App& program, Action& action) {
       "bundle",
       "Without a network: write what the server lacks to a file for 'palpate collect ingest'",
       bundleStudy);
-  bundle->add_option("FOLDER", bundling.folder, "Folder of the study")->required();
-  bundle->add_option("--out", bundling.out, "New file")->required();
+  bundle->add_option("FOLDER", bundling.folder, "The study's folder")->required();
+  bundle->add_option("--out", bundling.out, "New file")->type_name("FILE")->required();
   bundle->add_option(
       "--after",
       bundling.afterEvent,
@@ -283,8 +285,12 @@ void addStationCommands(CLI::App& program, Action& action) {
       "Show how many sessions have arrived at the server: of one station, or of all",
       collect::status);
   status->add_option("FOLDER", asking.folder, "Folder of the study (default: all on the server)");
-  status->add_option("--study", asking.study, "Name of the study on the server (default: all)");
-  addServerOption(*status, asking.server);
+  status->add_option(
+      "--study", asking.study, "Without FOLDER: name of the study on the server (default: all)");
+  addServerOption(*status, asking.server)
+      ->description(
+          "PostgreSQL server, as for init (default: with FOLDER that of the enrolment, else "
+          "PGHOST, …)");
 }
 
 }  // namespace study::collect

@@ -81,19 +81,34 @@ std::vector<ProtocolOnServer> protocolsOf(Connection& server, const std::string&
   return protocols;
 }
 
+namespace {
+
+/// The names of the studies in @p rows: "a, b".
+std::string namesIn(const Rows& rows) {
+  std::string names;
+  for (int i = 0; i < rows.count(); ++i) names += (i == 0 ? "" : ", ") + rows.text(i, 1);
+  return names;
+}
+
+}  // namespace
+
 StudyOnServer findStudy(Connection& server, const std::string& name) {
   const std::string select = "SELECT uuid, name, title, seed, secret FROM palpate.study ";
   const auto rows = name.empty() ? server.query(select + "ORDER BY name")
                                  : server.query(select + "WHERE name = $1", {name});
   if (rows.count() == 1) return readStudyRow(rows);
-  std::string names;
-  for (int i = 0; i < rows.count(); ++i) names += (i == 0 ? "" : ", ") + rows.text(i, 1);
+  if (rows.isEmpty() && !name.empty()) {
+    const auto others = server.query(select + "ORDER BY name");
+    throw UserError(
+        "There is no study named '" + name + "' on this server." +
+        (others.isEmpty() ? "" : " There are: " + namesIn(others) + "."));
+  }
   throw UserError(
-      rows.isEmpty() ? name.empty() ? "There is no study on this server yet: 'palpate collect init "
-                                      "--protocol FILE --study NAME' makes one."
-                                    : "There is no study named '" + name + "' on this server."
-                     : "There are several studies on this server: " + names +
-                           ". Say which one: --study NAME.");
+      rows.isEmpty()
+          ? "There is no study on this server yet: 'palpate collect init --protocol FILE "
+            "--study NAME' makes one."
+          : "There are several studies on this server: " + namesIn(rows) +
+                ". Say which one: --study NAME.");
 }
 
 AddedStation addStation(Connection& server, const std::string& study, const NewStation& added) {
