@@ -368,9 +368,10 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       program,
       action,
       "accuracy",
-      "Errors and run times of the models, and those of other libraries",
+      "Measure errors and run times of the models, and those of other libraries",
       accuracy);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+      ->type_name("FOLDER");
   command
       ->add_option(
           "--processes", options.processes, "Number of processes that measure, one after the other")
@@ -378,7 +379,9 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   std::vector<std::string> names;
   for (const auto& family : families()) names.emplace_back(family.option);
-  command->add_option("--family", options.families, "Families of methods to measure (default: all)")
+  command
+      ->add_option(
+          "--family", options.families, "Methods to measure (docs/benchmarks.md; default: all)")
       ->check(CLI::IsMember(names));
   command->add_flag("--short", options.isShortRun, "Measure errors of small models only, no times");
   command->add_flag("--worker", options.isWorker)->group("");  // measureInProcess() sets it

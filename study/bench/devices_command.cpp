@@ -274,9 +274,11 @@ void addDevicesCommand(CLI::App& program, Action& action) {
       program,
       action,
       "devices",
-      "Round trip, lost cycles and stalls of both emulated devices on their real interfaces",
+      "Measure round trips, lost cycles and stalls of the emulated punch and arm on their "
+      "interfaces",
       benchDevices);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+      ->type_name("FOLDER");
   command->add_option("--seconds", options.bench.seconds, "Duration with both devices at once [s]")
       ->check(app::finiteRange(0.5, 36'000.0))
       ->capture_default_str();

@@ -198,10 +198,13 @@ void addServoCommand(CLI::App& program, Action& action) {
       program,
       action,
       "servo",
-      "Timing of the force loop on this computer, and the cost of recording",
+      "Measure the timing of the force loop on this computer, and the cost of recording",
       servo);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
-  command->add_option("--disk", options.disk, "Folder on the disk on which studies are stored")
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+      ->type_name("FOLDER");
+  command
+      ->add_option(
+          "--disk", options.disk, "Folder on the disk to measure, where studies are stored")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
   command->add_option("--rates", options.rates, "Rates of the loop [Hz]")
@@ -210,7 +213,7 @@ void addServoCommand(CLI::App& program, Action& action) {
   command->add_option("--seconds", options.seconds, "Duration for each rate and mode [s]")
       ->check(app::finiteRange(0.1, 3600.0))
       ->capture_default_str();
-  command->add_option("--recording", options.recording, "Duration of the recorded loop [s]")
+  command->add_option("--recording", options.recording, "Duration of the run that is recorded [s]")
       ->check(app::finiteRange(0.1, 36'000.0))
       ->capture_default_str();
 }

@@ -225,9 +225,10 @@ void addStabilityCommand(CLI::App& program, Action& action) {
       program,
       action,
       "stability",
-      "Stability of stiff and extreme cases, each against a bound",
+      "Check the stability of stiff and extreme cases, each against a bound",
       stability);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+      ->type_name("FOLDER");
   command
       ->add_option(
           "--effort",

@@ -137,9 +137,10 @@ void addStatsCommand(CLI::App& program, Action& action) {
       program,
       action,
       "stats",
-      "Time and memory from a database of answers to the table of comparisons",
+      "Measure time and memory from a database of answers to the table of comparisons",
       stats);
-  command->add_option("--out", options.out, "A folder for tables (CSV) and a page");
+  command->add_option("--out", options.out, "A folder for tables (CSV) and a page")
+      ->type_name("FOLDER");
   command->add_option("--answers", options.answers, "Number of answers in the synthetic study")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->capture_default_str();
@@ -149,7 +150,8 @@ void addStatsCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command
-      ->add_option("--disk", options.disk, "A folder for the database (default: temporary files)")
+      ->add_option(
+          "--disk", options.disk, "Folder for the database (default: that of temporary files)")
       ->check(CLI::ExistingDirectory);
 }
 

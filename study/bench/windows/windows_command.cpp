@@ -192,7 +192,7 @@ void addWindowsCommand(CLI::App& program, Action& action) {
       program,
       action,
       "windows",
-      "Speed at which simulations, live plots and a participant's pages are drawn",
+      "Measure how fast simulations, live plots and a participant's pages are drawn",
       windows);
   auto& simulation = options.simulation;
   command
@@ -201,13 +201,16 @@ void addWindowsCommand(CLI::App& program, Action& action) {
           options.part,
           "Part to measure: simulations, or desk (plots, pages, list of studies) (default: both)")
       ->check(CLI::IsMember({kSimulations, kDesk}));
-  command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
-  command->add_option("--seconds", simulation.seconds, "Duration of each simulation [s]")
+  command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page")
+      ->type_name("FOLDER");
+  command
+      ->add_option(
+          "--seconds", simulation.seconds, "Duration of each simulation, and of the live plots [s]")
       ->check(app::finiteRange(0.5, 600.0))
       ->capture_default_str();
   command
       ->add_option(
-          "--size", simulation.size, "Size of a simulation's window [pixels], 1280x800 by default")
+          "--size", simulation.size, "Size of a simulation's window [pixels] (default: 1280x800)")
       ->delimiter('x')
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Range(320, 7680));
