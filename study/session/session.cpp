@@ -46,7 +46,10 @@ void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrol
     throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
   }
   if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
-    throw UserError("The protocol has no texts in '" + enrolment.language + "'.");
+    std::string known;
+    for (const auto& language : languages) known += (known.empty() ? "" : ", ") + language;
+    throw UserError(
+        "The protocol has no texts in '" + enrolment.language + "'. It has: " + known + ".");
   }
   if (!enrolment.code.empty() && !questionnaires::isValidId(enrolment.code)) {
     throw UserError(

@@ -163,7 +163,7 @@ std::string keyStatusText(Study& study) {
   if (hasOnlyCopyOfKey(study)) return "sealed; this account has the only key: save a copy of it";
   const std::string passphrase = study.hasPassphrase() ? ", or a passphrase opens it" : "";
   return study.hasKey() ? "sealed; this account has the key" + passphrase
-                        : "sealed; this account has not the key" + passphrase;
+                        : "sealed; this account does not have the key" + passphrase;
 }
 
 }  // namespace study
