@@ -1,5 +1,7 @@
 #include "study/app/command_options.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "protocols/load_protocol.h"
@@ -81,6 +83,18 @@ void addWordingOption(CLI::App& command, std::string& wording) {
           "to 2.42)")
       ->check(CLI::IsMember({"apa", "vancouver"}))
       ->capture_default_str();
+}
+
+CLI::Validator fileEndingIn(const std::vector<std::string>& endings) {
+  return CLI::Validator(
+      [endings](const std::string& path) -> std::string {
+        const auto ending = std::filesystem::path(path).extension().string();
+        if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return "";
+        std::string known;
+        for (const auto& one : endings) known += (known.empty() ? "" : " or ") + one;
+        return "'" + path + "' does not end in " + known;
+      },
+      "FILE");
 }
 
 RunMode chosenRunMode(Study& study, const std::string& name) {

@@ -3,8 +3,10 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/app/commands.h"
@@ -73,13 +75,18 @@ void addWordingOption(CLI::App& command, std::string& wording);
 inline CLI::Validator finiteRange(double least, double most) {
   const CLI::Range range(least, most);
   return CLI::Validator(
-      [range](std::string& text) {
+      [range, least, most](std::string& text) {
         const bool isNumber = text.find_first_of("nN") == std::string::npos;  // "nan" and "inf"
                                                                               // contain an n
-        return isNumber ? range(text) : text + " is no number";
+        if (!isNumber) return text + " is no number";
+        return range(text).empty() ? std::string()
+                                   : fmt::format("{} lies outside {:g} to {:g}", text, least, most);
       },
       range.get_description());
 }
+
+/// A validator for names of files that end in one of @p endings, from which the content follows.
+CLI::Validator fileEndingIn(const std::vector<std::string>& endings);
 
 /// The run mode named by @p name, or live if it is empty.
 /// @throws UserError  if there are no sessions of that mode; the message names the modes with

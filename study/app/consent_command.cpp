@@ -38,9 +38,12 @@ void addConsentCommand(CLI::App& noun, Action& action) {
   auto [verb, options] = addCommand(
       noun, action, "consent", "Write the participant's copy of the signed consent", copyConsent);
   addStudyFolder(*verb, options.folder);
-  verb->add_option("--participant", options.participant, "Participant code")->required();
-  verb->add_option("--out", options.out, "File to write, .html or .pdf; nothing is overwritten")
+  verb->add_option("--participant", options.participant, "Participant code")
+      ->type_name("CODE")
       ->required();
+  verb->add_option("--out", options.out, "New file, .html or .pdf")
+      ->required()
+      ->check(fileEndingIn({".html", ".pdf"}));
 }
 
 }  // namespace study::app

@@ -97,7 +97,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       "Export a study's data: tidy tables, one row per answer, blinded by default",
       exportAs);
   addStudyFolder(*command, options.folder);
-  command->add_option("--out", options.out, "New folder; nothing is overwritten")->required();
+  command->add_option("--out", options.out, "New folder")->type_name("FOLDER")->required();
   command
       ->add_option(
           "--format",
@@ -106,7 +106,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids", "r", "python"}))
       ->capture_default_str();
   addRunModeOption(*command, options.runMode);
-  command->add_flag(
+  auto* traces = command->add_flag(
       "--traces",
       options.traces,
       "Include the recorded samples of every trial (gzip); needs --unblind");
@@ -118,18 +118,22 @@ void addExportCommand(CLI::App& program, Action& action) {
       "--unblind",
       options.unblind,
       "Name the condition of each alternative (recorded in the audit trail)");
-  auto* reason = command->add_option("--reason", options.reason, "Reason for unblinding");
+  auto* reason = command->add_option(
+      "--reason", options.reason, "Reason for unblinding; goes into the audit trail");
   unblind->needs(reason);
-  auto* codes = command->add_option(
-      "--codes-of",
-      options.codesOf,
-      "Reuse the condition codes of the earlier export in this folder (default: new codes)");
+  auto* codes =
+      command
+          ->add_option(
+              "--codes-of",
+              options.codesOf,
+              "Reuse the condition codes of the earlier export in this folder (default: new codes)")
+          ->type_name("FOLDER");
   auto* forPublic = command->add_flag(
       "--public",
       options.forPublic,
       "Public release: ages and the like in bands, no free text, no times, new ids, k-anonymous "
       "(--k)");
-  forPublic->excludes(exact)->excludes(texts)->excludes(codes);
+  forPublic->excludes(exact)->excludes(texts)->excludes(codes)->excludes(traces);
   command
       ->add_option(
           "--k",

@@ -243,10 +243,13 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       "List all problems of an instrument and its wording files",
       app::check);
   addName(*check, checking.name);
-  check->add_option(
-      "--folder",
-      checking.folder,
-      "Folder that holds 'wording' (default: beside the file, or here)");
+  check
+      ->add_option(
+          "--folder",
+          checking.folder,
+          "Folder in which the folder 'wording' is (default: that of NAME; for the library: this "
+          "one)")
+      ->type_name("FOLDER");
   addLanguage(*check, checking.language);
 
   auto [keys, scoring] =
@@ -261,7 +264,8 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       app::wording);
   addName(*wording, writing.name);
   addLanguage(*wording, writing.language);
-  wording->add_option("--out", writing.out, "New file (default: print to the terminal)");
+  wording->add_option("--out", writing.out, "New file (default: print to the terminal)")
+      ->type_name("FILE");
 }
 
 }  // namespace study::app

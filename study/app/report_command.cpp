@@ -55,12 +55,6 @@ report::FigureFormat formatOf(const ReportArguments& options) {
   return format;
 }
 
-std::string knownLanguages() {
-  std::string list;
-  for (const auto& language : words::languages()) list += (list.empty() ? "" : ", ") + language;
-  return list;
-}
-
 int report(const ReportArguments& options) {
   if (!options.figures.empty() && std::filesystem::exists(options.figures)) {
     throw std::runtime_error(
@@ -104,33 +98,30 @@ void addReportCommand(CLI::App& program, Action& action) {
       "Write a results section as one HTML page or PDF: tables, figures, rendered forces",
       app::report);
   command->add_option("DIR", options.folders, "Folders of one or more studies")->required();
-  command->add_option("--out", options.out, "File to write, .html or .pdf; nothing is overwritten")
+  command->add_option("--out", options.out, "New file, .html or .pdf")
       ->required()
-      ->check(CLI::Validator(
-          [](const std::string& path) -> std::string {
-            const auto extension = std::filesystem::path(path).extension();
-            return extension == ".html" || extension == ".pdf"
-                       ? ""
-                       : "a report is a page (.html) or a PDF (.pdf), not '" + path + "'";
-          },
-          "FILE"));
-  command->add_option(
-      "--figures",
-      options.figures,
-      "New folder in which every figure is saved as SVG, PDF and PNG");
+      ->check(fileEndingIn({".html", ".pdf"}));
+  auto* figures = command
+                      ->add_option(
+                          "--figures",
+                          options.figures,
+                          "New folder in which every figure is saved as SVG, PDF and PNG")
+                      ->type_name("FOLDER");
   command
       ->add_option(
           "--figure-width",
           options.figureWidth,
-          "Width of these figures [mm], as the journal asks: 85 for one column, 180 for two")
-      ->check(finiteRange(60.0, 400.0));
-  command->add_option("--figure-font", options.figureFont, "Font size in these figures [pt]")
+          "With --figures: their width [mm], as the journal asks: 85 for one column, 180 for two")
+      ->check(finiteRange(60.0, 400.0))
+      ->needs(figures);
+  command->add_option("--figure-font", options.figureFont, "With --figures: their font size [pt]")
       ->check(finiteRange(5.0, 14.0))
+      ->needs(figures)
       ->capture_default_str();
-  command->add_option("--language", options.language, "Language of the report: " + knownLanguages())
+  command->add_option("--language", options.language, "Language of the report")
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));
-  command->add_option("--paper", options.paper, "Size of the pages of a PDF: a4, letter")
+  command->add_option("--paper", options.paper, "Size of the pages of a PDF")
       ->capture_default_str()
       ->check(CLI::IsMember({"a4", "letter"}));
   addWordingOption(*command, options.wording);

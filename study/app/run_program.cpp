@@ -32,16 +32,17 @@ std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   const auto& command = commandCalled(program, name);
   const std::string explains = "'" + name + " --help' explains it.\n";
-  const auto unknown = program.remaining(true);
-  if (unknown.empty()) {
-    return program.get_name() + ": " + error.what() + ". " + explains;
-  }
   std::string known;
   for (const auto* verb : command.get_subcommands({})) {
     known += (known.empty() ? "" : ", ") + verb->get_name();
   }
+  if (!known.empty()) known = "There are: " + known + ". ";
+  const auto unknown = program.remaining(true);
+  if (unknown.empty()) {
+    return program.get_name() + ": " + error.what() + ". " + known + explains;
+  }
   return program.get_name() + ": '" + unknown.front() + "' means nothing to '" + name + "'. " +
-         (known.empty() ? "" : "There are: " + known + ". ") + explains;
+         known + explains;
 }
 
 /// Whether all output was written. If not, prints an error, so that a table that was cut off by a

@@ -401,15 +401,15 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--speed",
           options.speed,
-          "Speed (default: 57 travel units/s; reaming: 0.005 m/s or 0.9 of the feed limit, if "
-          "less)")
+          "Speed [device's unit/s] (default: punch 57, paddle 150; reamer 0.005 or 0.9 of its feed "
+          "limit)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
   play->add_option(
           "--encoder",
           options.quantum,
-          "Resolution of the encoder [travel units] (default: 0, exact)")
+          "Resolution of the encoder [device's unit] (default: 0, exact)")
       ->check(finiteRange(0.0, 1.0));
   play->add_option(
           "--interpolation-noise",
@@ -420,13 +420,15 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--smoothing",
           options.smoothing,
-          "Smoothing of the filtered force before the motor (default: the protocol's)")
+          "Smoothing of the filtered force: none, mean of two steps, published code (default: "
+          "protocol's)")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
   play->add_option("--over", options.over, "Horizontal axis of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
   play->add_option(
           "--out", options.out, "CSV file to write; the figure (.svg) is written beside it")
+      ->type_name("FILE")
       ->required();
 }
 
@@ -446,18 +448,20 @@ void addSceneCommands(CLI::App& program, Action& action) {
   addProtocolFile(*explain, options.file);
   explain->add_option("--condition", options.condition, "Id of the condition in the protocol")
       ->required();
-  explain->add_option(
-      "--devices",
-      options.devices,
-      "Device file: explain the scene for its device (default: the simulated device)");
+  explain
+      ->add_option(
+          "--devices",
+          options.devices,
+          "Device file: explain the scene for its device (default: the simulated device)")
+      ->type_name("FILE");
   explain->add_flag(
       "--visualised",
       options.visualised,
-      "Explain the scene as in a block that shows the visualisation");
+      "Explain the force as in a block in which participants also see the simulation");
   explain->add_flag(
       "--cost",
       options.cost,
-      "Also measure the time of a tick, with and without the optional parts");
+      "Also measure how long one step of the force takes, with and without the optional parts");
   explain->add_flag("--json", options.json, "Print JSON");
 }
 

@@ -251,6 +251,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   create
       ->add_option(
           "--protocol", creating.protocol, "A protocol file, or one of the library by name")
+      ->type_name("FILE")
       ->required();
   create->add_option(
       "--seed", creating.seed, "Random seed (default: the protocol's, otherwise a new one)");
@@ -262,15 +263,23 @@ void addStudyCommands(CLI::App& program, Action& action) {
 
   auto [run, running] =
       add("run", "Run a session in the terminal, or resume an interrupted one", app::run);
-  run->add_option("--cohort", running.cohort, "Cohort of a new participant (default: the first)");
+  run->add_option("--cohort", running.cohort, "Cohort of a new participant (default: the first)")
+      ->type_name("NAME");
   run->add_option(
-      "--participant", running.participant, "Participant code (default: the next free one)");
-  run->add_option("--language", running.language, "Language of the texts")->capture_default_str();
+         "--participant", running.participant, "Participant code (default: the next free one)")
+      ->type_name("CODE");
+  run->add_option(
+         "--language",
+         running.language,
+         "Language of the texts, one of the protocol's: en, de, nb …")
+      ->capture_default_str();
   addRunModeOfSession(*run, running.runMode);
   run->add_option(
-      "--devices",
-      running.devices,
-      "The laboratory's device file (default: devices.json in DIR; without it, simulated devices)");
+         "--devices",
+         running.devices,
+         "The laboratory's device file (default: devices.json in DIR; without it, simulated "
+         "devices)")
+      ->type_name("FILE");
   run->add_option(
       "--take-over",
       running.takeOver,
@@ -289,15 +298,23 @@ void addStudyCommands(CLI::App& program, Action& action) {
       simulating.seed,
       "Seed of the simulated hands and answers (default: the study's; at a station derived from "
       "it)");
-  simulate->add_option(
-      "--devices",
-      simulating.devices,
-      "Use the devices of this file, in real time (default: simulated devices, as fast as "
-      "possible)");
+  simulate
+      ->add_option(
+          "--devices",
+          simulating.devices,
+          "Use the devices of this file, in real time (default: simulated devices, as fast as "
+          "possible)")
+      ->type_name("FILE");
   simulate->add_flag("--verbose", simulating.verbose, "Print each answer as soon as it is saved");
 
   auto [amend, amending] = add("amend", "Amend the protocol of a study", app::amend);
-  amend->add_option("--protocol", amending.protocol, "The changed protocol")->required();
+  amend
+      ->add_option(
+          "--protocol",
+          amending.protocol,
+          "The changed protocol: a file, or one of the library by name")
+      ->type_name("FILE")
+      ->required();
   addReasonOfAmendment(*amend, amending.reason);
 
   auto [status, showing] =

@@ -89,10 +89,13 @@ int check(const DeviceArguments& arguments) {
   return isFit(found) ? 0 : 1;
 }
 
-void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
-  verb.add_option(
-          "--seed", options.seed, "Seed of the simulated hand's movements and of injected faults")
-      ->capture_default_str();
+/// @return the option --seed.
+CLI::Option* addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
+  auto* seed = verb.add_option(
+                       "--seed",
+                       options.seed,
+                       "Seed of the simulated hand's movements and of injected faults")
+                   ->capture_default_str();
   verb.add_option(
           "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
       ->check(CLI::PositiveNumber);
@@ -100,6 +103,7 @@ void addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
       "--until-input-ends",
       options.endsWithInput,
       "Also stop when standard input is closed (default: keep running)");
+  return seed;
 }
 
 void addEmulate(CLI::App& noun, Action& action) {
@@ -114,17 +118,21 @@ void addEmulate(CLI::App& noun, Action& action) {
         emulate, action, name, "Emulate the " + name + " on a pseudo-terminal", emulateSerial);
     options.kind = kind;
     verb->add_option(
-        "--link", options.link, "Symbolic link to create, which points to the emulator's port");
-    verb->add_option("--clock-drift", options.clockDrift, "Drift of the device's clock [ppm]")
-        ->check(CLI::Range(-10'000.0, 10'000.0));
+            "--link", options.link, "Symbolic link to create, which points to the emulator's port")
+        ->type_name("FILE");
+    auto* drift =
+        verb->add_option("--clock-drift", options.clockDrift, "Drift of the device's clock [ppm]");
+    drift->check(CLI::Range(-10'000.0, 10'000.0));
     auto* rate = verb->add_option("--rate", options.rate, "Rate of the device's control loop [Hz]");
     rate->check(CLI::Range(100, 8000))->capture_default_str();
     verb->add_option(
             "--firmware",
             options.firmware,
             "Firmware of the device's board to run under QEMU, in place of the built-in emulation")
-        ->excludes(rate);
-    addEmulateOptions(*verb, options);
+        ->type_name("FILE")
+        ->excludes(rate)
+        ->excludes(drift)
+        ->excludes(addEmulateOptions(*verb, options));
   }
   auto [iiwa, options] =
       addCommand(emulate, action, "iiwa", "Emulate the arm and its controller on UDP", emulateIiwa);
@@ -165,7 +173,8 @@ void addListen(CLI::App& noun, Action& action) {
       "Record the output of a punch that runs the published sketch",
       app::listen);
   verb->add_option("PORT", options.port, "Serial port of the punch")->required();
-  verb->add_option("--out", options.out, "New CSV file (default: print to the terminal)");
+  verb->add_option("--out", options.out, "New CSV file (default: print to the terminal)")
+      ->type_name("FILE");
   verb->add_option("--baud", options.baud, "Baud rate of the line")->capture_default_str();
   verb->add_option(
           "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
@@ -177,16 +186,24 @@ void addRehearse(CLI::App& noun, Action& action) {
       noun,
       action,
       "rehearse",
-      "Rehearse a study: emulate both devices, check them, run a simulated participant",
+      "Rehearse a study: emulate the protocol's devices, check them, run simulated participants",
       app::rehearse);
-  rehearse->add_option("--out", options.out, "A new folder for device file and study")->required();
-  rehearse->add_option("--protocol", options.protocol, "Protocol to rehearse")
+  rehearse->add_option("--out", options.out, "New folder for device file and study")
+      ->type_name("FOLDER")
+      ->required();
+  rehearse
+      ->add_option(
+          "--protocol",
+          options.protocol,
+          "A protocol file to rehearse, or one of the library by name")
+      ->type_name("FILE")
       ->capture_default_str();
   rehearse->add_option("--participants", options.participants, "Number of simulated participants")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   rehearse->add_option("--seed", options.seed, "Seed of all random choices")->capture_default_str();
-  rehearse->add_option("--firmware", options.firmware, "Firmware of the punch, run under QEMU");
+  rehearse->add_option("--firmware", options.firmware, "Firmware of the punch, run under QEMU")
+      ->type_name("FILE");
 }
 
 void addDeviceFile(CLI::App& verb, DeviceArguments& options) {
@@ -210,8 +227,12 @@ void addDeviceCommands(CLI::App& program, Action& action) {
       "Check every device: PASS, WARN or FAIL, what was measured, and a fix",
       app::check);
   addDeviceFile(*check, checking);
-  check->add_option(
-      "--protocol", checking.protocol, "Protocol: also check that the devices give what it needs");
+  check
+      ->add_option(
+          "--protocol",
+          checking.protocol,
+          "Also check that the devices give what this protocol (file or library name) needs")
+      ->type_name("FILE");
   check->add_option("--seconds", checking.seconds, "Time for each device [s]")
       ->check(CLI::Range(0.5, 600.0))
       ->capture_default_str();

@@ -132,37 +132,50 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       "Erase a participant: names, answers and traces; the audit trail stays valid",
       app::erase);
   addStudyFolder(*erase, erasure.folder);
-  erase->add_option("--participant", erasure.request.participant, "Participant code");
-  erase
-      ->add_option(
-          "--level",
-          erasure.level,
-          "Data to erase: identity (names, signatures), answers (with votes, texts and traces), or "
-          "all")
-      ->check(CLI::IsMember({"identity", "answers", "all"}))
-      ->capture_default_str();
-  erase->add_option(
+  auto* participant =
+      erase->add_option("--participant", erasure.request.participant, "Participant code")
+          ->type_name("CODE");
+  auto* level = erase
+                    ->add_option(
+                        "--level",
+                        erasure.level,
+                        "Data to erase: identity (names, signatures), answers (with votes, texts "
+                        "and traces), or "
+                        "all")
+                    ->check(CLI::IsMember({"identity", "answers", "all"}))
+                    ->capture_default_str();
+  auto* reason = erase->add_option(
       "--reason", erasure.request.reason, "Reason, without a name: it stays in the audit trail");
-  erase->add_flag(
+  auto* reseal = erase->add_flag(
       "--reseal",
       erasure.request.resealsTrail,
       "Before erasing, encrypt an audit trail that an older release wrote (once per study)");
-  erase->add_option(
-      "--also",
-      erasure.otherCopies,
-      "Other copy of the data: a backup to erase from, or an export or a report to delete; "
-      "repeatable");
-  erase->add_option(
-      "--certificate",
-      erasure.certificates,
-      "Write a certificate: .txt, .html or .pdf; nothing is overwritten; repeatable");
+  auto* also =
+      erase
+          ->add_option(
+              "--also",
+              erasure.otherCopies,
+              "Other copy of the data: a backup to erase from, or an export or a report to delete; "
+              "repeatable")
+          ->type_name("PATH");
+  auto* certificate = erase
+                          ->add_option(
+                              "--certificate",
+                              erasure.certificates,
+                              "New file for a certificate: .txt, .html or .pdf; repeatable")
+                          ->check(fileEndingIn({".txt", ".html", ".pdf"}));
   erase->add_option("--language", erasure.language, "Language of certificates")
       ->check(CLI::IsMember(words::languages()))
       ->capture_default_str();
-  erase->add_option(
-      "--by",
-      erasure.by,
-      "Repeat in DIR, a copy of the study, the erasure that this certificate (.txt) records");
+  auto* by = erase
+                 ->add_option(
+                     "--by",
+                     erasure.by,
+                     "Repeat in DIR, a copy of the study, the erasure that this certificate (.txt) "
+                     "records")
+                 ->type_name("FILE");
+  // A certificate says what is erased, from whom and why.
+  for (auto* option : {participant, level, reason, reseal, also, certificate}) by->excludes(option);
 
   auto [names, naming] =
       addCommand(noun, action, "names", "List names by participant code", app::names);

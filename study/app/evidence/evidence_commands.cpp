@@ -106,10 +106,11 @@ int restored(const EvidenceArguments& options) {
 
 void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
-      "--write-witness",
-      options.newWitness,
-      "New file for the signed heads of the trail; keep it where the study's operators cannot "
-      "change it");
+          "--write-witness",
+          options.newWitness,
+          "New file for --witness: signed states of the audit trail; keep it from the study's "
+          "operators")
+      ->type_name("FILE");
 }
 
 void addTimeStampCommand(CLI::App& noun, Action& action) {
@@ -117,22 +118,27 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
       noun,
       action,
       "timestamp",
-      "Let a public authority stamp the audit trail with the time (RFC 3161)",
+      "Have an authority time-stamp the audit trail (RFC 3161): --authority, or --request then "
+      "--reply",
       timestamp);
   addStudyFolder(*verb, options.folder);
   verb->add_option(
-      "--authority", options.authority, "URL of the authority, which receives only a hash");
+          "--authority", options.authority, "URL of the authority, which receives only a hash")
+      ->type_name("URL");
   verb->add_option(
-      "--request",
-      options.request,
-      "Write the request to a new file, to be sent from another computer");
+          "--request",
+          options.request,
+          "Write the request to a new file, to be sent from another computer")
+      ->type_name("FILE");
   verb->add_option(
           "--reply", options.reply, "File with the authority's reply to a request, to be stored")
       ->check(CLI::ExistingFile);
   verb->add_option(
-      "--authority-certificate",
-      options.certificate,
-      "Root certificate (PEM) of the authority, against which its replies are checked");
+          "--authority-certificate",
+          options.certificate,
+          "Root certificate (PEM) of the authority, to check its replies; not needed with "
+          "--request")
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -145,7 +151,7 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       "Back up a study, also during sessions, and verify the copy",
       app::backup);
   addStudyFolder(*backup, copying.folder);
-  backup->add_option("--out", copying.out, "New folder; nothing is overwritten")->required();
+  backup->add_option("--out", copying.out, "New folder")->type_name("FOLDER")->required();
   addNewWitness(*backup, copying);
 
   auto [verify, verifying] = addCommand(
@@ -159,23 +165,25 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_option(
       "--expect",
       verifying.expectedHead,
-      "Head (hash of the trail's last event) noted earlier: fails if the trail does not contain "
-      "it");
-  verify->add_option(
-      "--witness",
-      verifying.witness,
-      "Witness file from an earlier --write-witness: fails if the study does not match it");
+      "Head (hash of the audit trail's last event) noted earlier: fails if it is not in the trail");
+  verify
+      ->add_option(
+          "--witness",
+          verifying.witness,
+          "Witness file from an earlier --write-witness: fails if the study does not match it")
+      ->type_name("FILE");
   addNewWitness(*verify, verifying);
   verify
       ->add_option(
           "--authority-certificate",
           verifying.certificate,
           "Root certificate (PEM) of an authority: checks its time stamps")
+      ->type_name("FILE")
       ->check(CLI::ExistingFile);
   verify->add_flag(
       "--older-copy",
       verifying.isOlderCopy,
-      "DIR is an older backup: heads that this station signed later may be missing");
+      "DIR is an older backup: what this computer signed later may be missing");
 
   addTimeStampCommand(noun, action);
 

@@ -56,7 +56,7 @@ int passphrase(const KeyArguments& options) {
 int drop(const KeyArguments& options) {
   auto study = Study::open(options.folder);
   dropKey(study, options.reason);
-  fmt::print("This account has the key of {} no more.\n", options.folder);
+  fmt::print("This account no longer has the key of {}.\n", options.folder);
   return 0;
 }
 
@@ -71,7 +71,7 @@ void addKeyCommands(CLI::App& study, Action& action) {
     return added;
   };
   auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
-  out->add_option("--out", exporting.file, "New file; nothing is overwritten")->required();
+  out->add_option("--out", exporting.file, "New file")->type_name("FILE")->required();
   addAuditedReason(*out, exporting.reason)->required();
   auto [in, importing] = add("import", "Store in this account a key that was handed over", import);
   in->add_option(

@@ -41,7 +41,9 @@ struct ProcessOutput {
 /// Runs a program of the operating system, without a shell.
 ProcessOutput run(std::vector<std::string> texts) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had. Try again.");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw UserError(
+        "The program could not be started: too many open files. Close programs, and try again.");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -82,7 +84,8 @@ std::string contentOf(const std::string& path) {
   std::error_code error;
   const bool isFile = fs::is_regular_file(path, error) && fs::file_size(path) <= kLargestReply;
   auto content = isFile ? base::readFile(path) : std::nullopt;
-  if (!content) throw UserError(path + " cannot be read.");
+  if (!content)
+    throw UserError(path + " cannot be read, or is larger than 256 kB: check the name.");
   return std::move(*content);
 }
 
@@ -100,7 +103,7 @@ void writeRequest(
        "-cert",
        "-out",
        path});
-  if (ran.status != 0) throw UserError("openssl makes no request of a time stamp:\n" + ran.output);
+  if (ran.status != 0) throw UserError("openssl could not write the request:\n" + ran.output);
 }
 
 /// The unverified time in a reply; std::nullopt if the reply is not a time stamp.
@@ -136,7 +139,7 @@ VerifiedTimeStamp verifyReply(
   const TemporaryFolder scratch;
   const auto file = fileWith(scratch, "reply", reply);
   const auto time = timeIn(file);
-  if (!time) return {.utc = {}, .whyNot = "it is no granted reply of an authority"};
+  if (!time) return {.utc = {}, .whyNot = "it is not an authority's reply with a time stamp"};
   // The certificate is verified for the time of the stamp, because it may have expired since.
   const auto ran = run(
       {"openssl",
@@ -231,7 +234,8 @@ int timestamp(const TimeStampArguments& options) {
   const int ways = static_cast<int>(!options.authority.empty()) +
                    static_cast<int>(!options.request.empty()) +
                    static_cast<int>(!options.reply.empty());
-  if (ways != 1) throw UserError("Say one of --authority URL, --request FILE and --reply FILE.");
+  if (ways != 1)
+    throw UserError("Give exactly one of --authority URL, --request FILE and --reply FILE.");
   auto study = Study::open(options.folder);
   if (options.request.empty()) requireCertificate(options.certificate);
   if (!options.reply.empty()) return keepReply(study, options);

@@ -160,8 +160,12 @@ void addFit(CLI::App& noun, Action& action) {
   auto [verb, command] = addCommand(
       noun, action, "fit", "Fit a material file to measured series of reaming", app::fit);
   command.inputs.addTo(*verb);
-  verb->add_option("--out", command.out, "The material file to write; nothing is overwritten");
-  verb->add_option("--report", command.report, "A folder for tables, figures and a page");
+  verb->add_option("--out", command.out, "New file for the material")->type_name("FILE");
+  verb->add_option(
+          "--report",
+          command.report,
+          "Folder for tables, figures and a page; no file is overwritten")
+      ->type_name("FOLDER");
   verb->add_option("--name", command.name, "Name of the material")->capture_default_str();
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
@@ -225,9 +229,14 @@ void addCompare(CLI::App& noun, Action& action) {
   verb->get_option("--nodes")->default_str("12");
   verb->get_option("--nodes-of")
       ->description("Kind of spline for which nodes are chosen (default: cubic-natural)");
+  verb->get_option("--axis")->description(
+      "Horizontal axis: depth, share of the set's depth or the series' own");
+  verb->remove_option(verb->get_option("--spline"));  // two kinds are compared, both fixed
   verb->add_option("--curve", command.curve, "Curve to compare: TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
-  verb->add_option("--report", command.report, "A folder for the figure and a page");
+  verb->add_option(
+          "--report", command.report, "Folder for the figure and a page; no file is overwritten")
+      ->type_name("FOLDER");
 }
 
 struct SynthesiseCommand {
@@ -269,7 +278,11 @@ void addSynthesise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addMaterialCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(program, "material", "Fit reaming materials to measured series");
+  auto& noun = addCommandGroup(
+      program,
+      "material",
+      "Fit reaming materials to measured series; docs/reaming.md explains tests, rules and "
+      "splines");
   addFit(noun, action);
   addCompare(noun, action);
   addSynthesise(noun, action);

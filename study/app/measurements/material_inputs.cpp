@@ -76,16 +76,19 @@ std::optional<std::size_t> numberIn(const std::string& nodes) {
 
 void MaterialInputs::addTo(CLI::App& verb) {
   command = &verb;
-  verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)");
-  verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests");
-  verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests");
+  verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)")->type_name("FILE");
+  verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests")->type_name("FILE");
+  verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests")->type_name("FILE");
   verb.add_option(
       "--column",
       columns,
       "QUANTITY=HEADING of its column, if the heading does not name the quantity: force=Channel2");
   verb.add_option("--unit", units, "QUANTITY=UNIT, if the column's heading has no unit: force=kN");
   verb.add_option(
-          "--axis", axis, "Horizontal axis of the curves; only curves over depth can be rendered")
+          "--axis",
+          axis,
+          "Horizontal axis: depth (the only one to render), share of the set's depth or the "
+          "series' own")
       ->check(oneOf(kAxes))
       ->capture_default_str();
   verb.add_option(
@@ -93,7 +96,10 @@ void MaterialInputs::addTo(CLI::App& verb) {
       ->check(finiteRange(1.0, 1e5))
       ->capture_default_str();
   verb.add_option(
-          "--cutoff-rule", cutoffRule, "Rule by which the low-pass filter's cut-off is found")
+          "--cutoff-rule",
+          cutoffRule,
+          "Rule for the low-pass filter's cut-off: at twice the noise floor, or of the plain "
+          "spectrum")
       ->check(oneOf(kCutoffRules))
       ->capture_default_str();
   verb.add_option(
@@ -111,7 +117,10 @@ void MaterialInputs::addTo(CLI::App& verb) {
           "specimens")
       ->check(oneOf(kEnvelopes))
       ->capture_default_str();
-  verb.add_option("--nodes", nodes, "Number of the spline's nodes, or the rule that places them")
+  verb.add_option(
+          "--nodes",
+          nodes,
+          "Number of the spline's nodes, or the rule that places them (docs/reaming.md, \"nodes\")")
       ->check(oneOf(kNodeRules) | CLI::Range(kFewestNodes, kMostNodes))
       ->capture_default_str();
   verb.add_option(
@@ -119,7 +128,10 @@ void MaterialInputs::addTo(CLI::App& verb) {
           nodesOf,
           "Kind of spline for which nodes are chosen (default: that of --spline)")
       ->check(oneOf(kSplines));
-  verb.add_option("--spline", spline, "Kind of spline: how its slopes at the nodes are found")
+  verb.add_option(
+          "--spline",
+          spline,
+          "Kind of spline: how its slopes at the nodes are found (docs/reaming.md, \"spline\")")
       ->check(oneOf(kSplines))
       ->capture_default_str();
   verb.add_option(

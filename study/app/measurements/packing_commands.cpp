@@ -45,7 +45,7 @@ struct BuildCommand {
 
 std::string checkedEnding(const std::string& path) {
   if (!path.ends_with(protocols::kPackingExtension)) {
-    throw UserError("'" + path + "' does not end in '.packing', by which such files are known.");
+    throw UserError("'" + path + "' does not end in '.packing'. Name it '" + path + ".packing'.");
   }
   if (fs::exists(path)) {
     throw UserError(
@@ -139,7 +139,9 @@ void addBuildPacking(CLI::App& noun, Action& action) {
       "MESH",
       command.mesh,
       "Closed mesh (STL, OBJ, PLY) whose +z axis points into the cup (default: the built-in cup)");
-  verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
+  verb->add_option("--out", command.out, "New file that ends in .packing")
+      ->type_name("FILE")
+      ->required();
   verb->add_option("--unit", command.unit, "Unit of the mesh (default: derived from its size)")
       ->check(CLI::IsMember({"m", "mm"}));
   auto* count =
@@ -317,8 +319,14 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option("PACKING", command.packing, "A packing from 'palpate packing build'")
       ->required();
   addMaterialOptions(*verb, command.material);
-  verb->add_option("--out", command.out, "A new file that ends in .packing")->required();
-  verb->add_option("--report", command.report, "A folder for tables, figures and a page");
+  verb->add_option("--out", command.out, "New file that ends in .packing")
+      ->type_name("FILE")
+      ->required();
+  verb->add_option(
+          "--report",
+          command.report,
+          "Folder for tables, figures and a page; no file is overwritten")
+      ->type_name("FOLDER");
   verb->add_option(
           "--depths", command.options.depths, "Number of depths at which the curve is fitted")
       ->check(CLI::Range(20, 2000))

@@ -58,8 +58,12 @@ double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMe
 
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
   verb.add_option("--material", choice.file, "Material file, or parametric (the built-in material)")
+      ->type_name("FILE")
       ->required();
-  verb.add_option("--test-set", choice.set, "Test set of the material file whose curves are used")
+  verb.add_option(
+          "--test-set",
+          choice.set,
+          "Test set of the material file whose curves are used (not with parametric)")
       ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
       ->capture_default_str();
 }

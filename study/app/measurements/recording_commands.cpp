@@ -223,7 +223,10 @@ void addImport(CLI::App& noun, Action& action) {
       "Read a recording of a real punch, find its cuts, write one as a cut file",
       app::import);
   command.inputs.addTo(*import);
-  import->add_option("--out", command.out, "The cut file to write; nothing is overwritten");
+  import
+      ->add_option(
+          "--out", command.out, "New file for the cut (default: only print what was found)")
+      ->type_name("FILE");
   auto* cuts = import->add_option(
       "--cut",
       command.options.closures,
@@ -243,11 +246,15 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--yield-load",
           command.options.yieldLoad,
-          "Smallest rise of the force until the tissue yields that counts as a cut [N]; 0: any")
+          "A cut counts if the force rises by at least this until the tissue yields [N]; 0: any")
       ->check(finiteRange(0.0, 1e6))
       ->capture_default_str();
-  import->add_option(
-      "--report", command.report, "A new folder for figures: spectrum, closures, the cut");
+  import
+      ->add_option(
+          "--report",
+          command.report,
+          "Folder for figures (spectrum, closures, the cut) and a page; no file is overwritten")
+      ->type_name("FOLDER");
   import->add_option("--name", command.options.name, "Name of the cut (default: the file's name)");
   import->add_flag("--json", command.json, "Print JSON with full precision");
 }
@@ -257,7 +264,7 @@ void addNoise(CLI::App& noun, Action& action) {
       noun,
       action,
       "noise",
-      "Estimate a filter's process noise from the variation of recorded cuts",
+      "Estimate the process noise of a Kalman filter from the variation of recorded cuts",
       app::noise);
   command.inputs.addTo(*noise);
   noise

@@ -32,10 +32,11 @@ void RecordingInputs::addTo(CLI::App& verb) {
   verb.add_option("FILE", file, "Recording (text): five columns, or those that --columns describes")
       ->required();
   verb.add_option(
-      "--columns",
-      columns,
-      "Columns file (JSON) that describes the columns of FILE: docs/protocol-format.md, "
-      "Recordings");
+          "--columns",
+          columns,
+          "Columns file (JSON) that describes the columns of FILE: docs/protocol-format.md, "
+          "Recordings")
+      ->type_name("FILE");
   verb.add_option(
       "--calibration",
       calibration,
@@ -43,7 +44,8 @@ void RecordingInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--filter",
           filter,
-          "Low-pass filter of the travel, designed for the recording's sampling rate")
+          "Low-pass filter of the travel; authors-fir-333 is designed for 333 Hz, the others for "
+          "FILE")
       ->check(CLI::IsMember(recordings::travelFilterNames()))
       ->capture_default_str();
   verb.add_option(

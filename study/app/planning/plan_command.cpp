@@ -27,7 +27,7 @@ void applyShares(PlanOptions& options) {
   const double sum = options.shares[0] + options.shares[1] + options.shares[2];
   if (std::abs(sum - 1.0) > 1e-9) {
     throw std::runtime_error(
-        "the three shares of the variance add up to 1, for instance --shares .3 .2 .5");
+        "The three shares of the variance must add up to 1, for instance --shares 0.3 0.2 0.5.");
   }
   options.question.model.participantShare = options.shares[0];
   options.question.model.participantByConditionShare = options.shares[1];
@@ -60,7 +60,7 @@ void addSites(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--site-sd",
           options.siteDeviation,
-          "Standard deviation of the effect between sites [d_z] (default after Klein et al. 2018)")
+          "Standard deviation of the effect between sites [d_z] (default: Klein et al. 2018)")
       ->check(finiteRange(0.0, 10.0))
       ->capture_default_str()
       ->needs(sites);
@@ -72,8 +72,8 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--shares",
           options.shares,
-          "Shares of the variance: participant, participant × condition, residual (default: .3 .2 "
-          ".5)")
+          "Shares of the variance: participant, participant × condition, residual (default: 0.3 "
+          "0.2 0.5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
   command.add_option("--studies", question.studies, "Number of studies to simulate; 0 for none")

@@ -187,7 +187,7 @@ void addTestCommand(CLI::App& stats, Action& action) {
       options.settings.from,
       "For answer_probability: gives the probability of this answer or a higher one");
   command->add_option("--level", options.settings.level, "Level of the confidence interval")
-      ->check(finiteRange(1e-9, 1.0 - 1e-9))
+      ->check(finiteRange(0.0001, 0.9999))
       ->capture_default_str();
   command->add_flag("--json", options.json, "Print JSON with full precision");
   command->parse_complete_callback([&options = options] {
