@@ -105,7 +105,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
   form().addRow(tr("Reason"), reason_);
-  form().addRow(tr("Also from a backup or export (optional)"), copy_);
+  form().addRow(tr("Also from a backup or export"), copy_);
   form().addRow(tr("Certificate"), certificate_);
   form().addRow(tr("Language of the certificate"), language_);
   form().addRow(QString(), reseal_);

@@ -28,6 +28,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
   auto* go = new QPushButton(tr("Test"), this);
   go->setObjectName(QStringLiteral("go"));
   go->setProperty("role", QStringLiteral("main"));
+  go->setFocus();
   auto* close = new QPushButton(tr("Close"), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(details_);

@@ -422,6 +422,7 @@ TEST_F(StudyDialogsTest, ExportNamesConditionsOnlyWhereAReasonIsGiven) {
 
 TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   ExportDialog dialog(summary());
+  dialog.show();
   dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(2);
   SystemClock clock;
   std::string expected;
@@ -431,7 +432,6 @@ TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
         study::describe(publicRelease(study, {.runMode = RunMode::Simulated, .publicClass = 5}));
   }
   EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
-  dialog.show();
   QTest::qWait(1);  // sizes follow what is shown
   const auto* smallest = dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"));
   EXPECT_TRUE(smallest->isVisible());
