@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "questionnaires/scoring/scoring.h"
+#include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
@@ -80,7 +81,10 @@ class InstrumentWriter : HtmlWriter {
       const auto& occasion = score.occasion;
       const auto& kind = *instrument.score(score.score);
       const auto range = questionnaires::rangeOf(instrument, kind);
-      const auto ends = range.low < range.high ? fmt::format(" ({:g}–{:g})", range.low, range.high)
+      const auto ends = range.low < range.high ? fmt::format(
+                                                     " ({}–{})",
+                                                     withMinusSign(exactly(range.low)),
+                                                     withMinusSign(exactly(range.high)))
                                                : std::string();
       const auto& interval = score.interval;
       isBeyond_ =

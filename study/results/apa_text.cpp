@@ -20,7 +20,7 @@ std::string formatDegreesOfFreedom(double df) {
 std::string formatLimit(double value) {
   constexpr double kLong = 1e5;
   return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
-                                                      : fmt::format("{:.1e}", value);
+                                                      : withMinusSign(fmt::format("{:.1e}", value));
 }
 
 /// Writes the sentences of one language.
@@ -194,10 +194,18 @@ class ApaWriter {
 
 std::string rounded(const std::optional<double>& value, int digits) {
   if (!value || std::isnan(*value)) return "–";
-  if (std::isinf(*value)) return *value > 0.0 ? "∞" : "-∞";
+  if (std::isinf(*value)) return *value > 0.0 ? "∞" : "−∞";
   // A tie lies a little to either side of itself: 1.125 may be 1.1249999999999996 as a difference.
   constexpr double kTie = 1e-12;
-  return fmt::format("{:.{}f}", *value * (1.0 + kTie), digits);
+  auto text = fmt::format("{:.{}f}", *value * (1.0 + kTie), digits);
+  const bool isZero = text.find_first_of("123456789") == std::string::npos;
+  if (isZero && text.starts_with('-')) text.erase(0, 1);
+  return withMinusSign(std::move(text));
+}
+
+std::string withMinusSign(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
 }
 
 std::string formatBayesFactor(double bayesFactor) {

@@ -11,9 +11,12 @@
 namespace study {
 
 /// A number with @p digits decimals, halves of its decimal value rounded away from zero: 3.125 is
-/// "3.13"; "–" if there is none, "∞" if it is infinite. All tables and figures use this function,
-/// so that they agree.
+/// "3.13"; "–" if there is none, "∞" if it is infinite. The minus is the sign, not a hyphen, and
+/// zero has none: −0.004 is "0.00". All tables and figures use this function, so that they agree.
 std::string rounded(const std::optional<double>& value, int digits);
+
+/// A number with the minus sign "−" in place of a hyphen before it.
+std::string withMinusSign(std::string number);
 
 /// A Bayes factor with three significant digits; "> 1000" for all larger values.
 std::string formatBayesFactor(double bayesFactor);

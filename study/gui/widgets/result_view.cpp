@@ -25,6 +25,11 @@
 namespace study::gui {
 namespace {
 
+/// Numbers as programs read them: with a hyphen for the minus sign.
+QString forPrograms(QString text) {
+  return text.replace(u'−', u'-');
+}
+
 /// A table whose columns are as wide as their words, up to a limit. Those with more words share the
 /// room that is left.
 class FittedTable final : public QTableWidget {
@@ -166,11 +171,11 @@ void ResultView::copy() const {
     }
     if (!texts.isEmpty()) lines << texts.join(u'\t');
   }
-  QApplication::clipboard()->setText(lines.join(u'\n') + u'\n');
+  QApplication::clipboard()->setText(forPrograms(lines.join(u'\n') + u'\n'));
 }
 
 void ResultView::saveTo(const QString& path) const {
-  writeNewFile(path.toStdString(), asCsv(table()));
+  writeNewFile(path.toStdString(), forPrograms(asText(asCsv(table()))).toStdString());
 }
 
 void ResultView::save() {

@@ -80,7 +80,7 @@ std::vector<AxisScale::Tick> AxisScale::steps(int wanted) const {
   for (double at = std::ceil(least_ / step - 1e-9) * step; at <= most_ + 1e-9 * step; at += step) {
     // near zero, the sum of steps leaves a rounding error, which would be the label
     const double value = std::abs(at) < 1e-9 * step ? 0.0 : at;
-    ticks.push_back({value, QString::number(value)});
+    ticks.push_back({value, QString::number(value).replace(u'-', u'−')});
   }
   return ticks;
 }

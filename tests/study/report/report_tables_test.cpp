@@ -293,7 +293,7 @@ TEST_F(ReportTables, OfForcesHasThePooledAndTheMeanDifference) {
       {"All strokes [N]", "3.00"},
       {"n", "3"},
       {"By participant [N]", "2.50"},
-      {"95 % CI", "[-1.98, 6.98]"}};
+      {"95 % CI", "[−1.98, 6.98]"}};
   EXPECT_EQ(row("Manipulation check"), expected);
   EXPECT_EQ(
       row("Felt against the material"), (Row{{"Alternative", "Interpolation"}, {"[N]", "1.25"}}));
@@ -388,7 +388,8 @@ TEST_F(ReportTables, HaveVancouversNumbersInEveryTable) {
 TEST(Rounding, IsAwayFromZeroWhateverTheLastBits) {
   EXPECT_EQ(study::rounded(3.125, 2), "3.13");
   EXPECT_EQ(study::rounded(0.125, 2), "0.13");
-  EXPECT_EQ(study::rounded(-1.125, 2), "-1.13");
+  EXPECT_EQ(study::rounded(-1.125, 2), "−1.13");
+  EXPECT_EQ(study::rounded(-0.004, 2), "0.00") << "zero has no sign";
   EXPECT_EQ(study::rounded(4.325 - 3.2, 2), "1.13");
   EXPECT_EQ(study::rounded(1.005, 2), "1.01");
   EXPECT_EQ(study::rounded(1.0049999, 2), "1.00");
