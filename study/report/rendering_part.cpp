@@ -198,11 +198,13 @@ class RenderingWriter : HtmlWriter {
     std::vector<std::string_view> names;
     std::vector<std::string> columns{say("Landmark")};
     for (const auto& one : section_.landmarks) {
-      if (std::ranges::find(names, one.landmark) == names.end()) names.push_back(one.landmark);
+      const bool isNew = std::ranges::find(names, one.landmark) == names.end();
+      if (isNew && isShown(one.landmark)) names.push_back(one.landmark);
       if (std::ranges::find(conditions, one.condition) != conditions.end()) continue;
       conditions.push_back(one.condition);
       columns.push_back(condition(one.condition) + " [" + shownUnit(one.condition) + "; N]");
     }
+    if (names.empty()) return;
     table(
         say("Landmarks of all strokes, over all participants: travel; force, M with SD in "
             "brackets"),
@@ -212,7 +214,6 @@ class RenderingWriter : HtmlWriter {
     row(counts);
     bool isAnyRare = false;
     for (const auto name : names) {
-      if (!isShown(name)) continue;
       std::vector<std::string> cells(columns.size());
       cells.front() = say(name);
       for (const auto& one : section_.landmarks) {
