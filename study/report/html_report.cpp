@@ -1,8 +1,11 @@
 #include "study/report/html_report.h"
 
+#include <algorithm>
+
 #include "study/report/html_text.h"
 #include "study/report/numbering.h"
 #include "study/report/study_parts.h"
+#include "study/session/study.h"
 
 namespace study::report {
 namespace {
@@ -62,6 +65,40 @@ std::string asHtml(const ReportSection& section) {
   return html;
 }
 
+std::string daysOf(const ReportSection& section) {
+  if (section.results.runMode == RunMode::Simulated) return {};
+  return section.firstDay == section.lastDay ? section.firstDay
+                                             : section.firstDay + " – " + section.lastDay;
+}
+
+/// Who made the study, when, and with which version: "NTNU · 2026-11-02 – 2026-11-26 · palpate
+/// 0.2".
+std::string bylineOf(const ReportSection& section) {
+  std::string line;
+  for (const auto& part : section.protocol.study.organizations) line += part + " · ";
+  const auto days = daysOf(section);
+  if (!days.empty()) line += days + " · ";
+  line += section.protocol.study.id + " " + section.protocol.study.version + " · palpate " +
+          std::string(appVersion());
+  return "<p class=\"byline\">" + escaped(line) + "</p>\n";
+}
+
+/// What a page that has been torn out must say: that nobody took part, of what it is, and from
+/// when.
+std::string footOf(const std::vector<ReportSection>& sections, const std::string& title) {
+  const auto hasMode = [&](RunMode mode) {
+    return std::ranges::any_of(
+        sections, [&](const auto& section) { return section.results.runMode == mode; });
+  };
+  const auto& first = sections.front();
+  std::string foot;
+  if (hasMode(RunMode::Simulated)) foot += first.words("SIMULATED") + " · ";
+  if (hasMode(RunMode::Pilot)) foot += first.words("PILOT") + " · ";
+  foot += title;
+  const auto days = daysOf(first);
+  return sections.size() == 1 && !days.empty() ? foot + " · " + days : foot;
+}
+
 }  // namespace
 
 std::string asHtml(const std::vector<ReportSection>& sections) {
@@ -74,9 +111,9 @@ std::string asHtml(const std::vector<ReportSection>& sections) {
   for (const auto& section : sections) {
     const std::string element = isOne ? "h1" : "h2";
     body += "<" + element + ">" + escaped(section.protocol.study.title) + "</" + element + ">\n" +
-            numbering.numbered(asHtml(section), section.words);
+            bylineOf(section) + numbering.numbered(asHtml(section), section.words);
   }
-  return htmlPage(title, body, words.language());
+  return htmlPage(title, body, words.language(), footOf(sections, title));
 }
 
 }  // namespace study::report

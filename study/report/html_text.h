@@ -15,7 +15,11 @@ std::string withCurlyQuotes(std::string_view text);
 std::string withSubscripts(std::string html);
 
 /// A complete self-contained page: @p body with the style sheet of all our reports.
+/// @param foot  printed at the foot of every page of the PDF, before the page's number
 std::string htmlPage(
-    std::string_view title, std::string_view body, std::string_view language = "en");
+    std::string_view title,
+    std::string_view body,
+    std::string_view language = "en",
+    std::string_view foot = {});
 
 }  // namespace study::report

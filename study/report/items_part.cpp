@@ -104,6 +104,7 @@ class ItemsWriter : HtmlWriter {
           cohort(cohorts[i].cohort) + (isSame ? ofPeople(*people[i].begin()) : std::string()));
     }
     table(captionOfNumbers(instrument, summaries), columns);
+    const bool areEndsCommon = haveSameEnds(itemsOf(instrument, summaries));
     for (std::size_t q = 0; q < questions.size(); ++q) {
       auto& [item, cells] = questions[q];
       if (std::ranges::all_of(cells, [](const auto& cell) { return cell.empty(); })) {
@@ -114,7 +115,10 @@ class ItemsWriter : HtmlWriter {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!cells[i].empty() && people[i].size() > 1) cells[i] += ofPeople(sizes[q][i]);
       }
-      cells.insert(cells.begin(), questionOf(instrument, item));
+      cells.insert(
+          cells.begin(),
+          questionOf(instrument, item) +
+              (areEndsCommon ? std::string() : endsInBrackets(*instrument.item(item))));
       row(cells);
     }
     endTable();
@@ -151,14 +155,35 @@ class ItemsWriter : HtmlWriter {
     endTable();
   }
 
-  std::string captionOfNumbers(
+  static std::vector<const questionnaires::Item*> itemsOf(
       const questionnaires::Instrument& instrument,
-      const std::vector<const ItemSummary*>& summaries) const {
+      const std::vector<const ItemSummary*>& summaries) {
     std::vector<const questionnaires::Item*> items;
     for (const auto* one : summaries) {
       if (const auto* item = instrument.item(one->item)) items.push_back(item);
     }
-    const auto scale = scaleInWords(items, section_.words);
+    return items;
+  }
+
+  bool haveSameEnds(const std::vector<const questionnaires::Item*>& items) const {
+    const auto& language = section_.words.language();
+    return std::ranges::all_of(items, [&](const auto* item) {
+      return endsOf(*item, language) == endsOf(*items.front(), language);
+    });
+  }
+
+  /// " (Perfect – Failure)"; empty if the scale has no words, or if they are the question.
+  std::string endsInBrackets(const questionnaires::Item& item) const {
+    const auto [low, high] = endsOf(item, section_.words.language());
+    const bool isQuestion = item.text.in(section_.words.language()).empty();
+    return low.empty() || high.empty() || isQuestion ? std::string()
+                                                     : escaped(" (" + low + " – " + high + ")");
+  }
+
+  std::string captionOfNumbers(
+      const questionnaires::Instrument& instrument,
+      const std::vector<const ItemSummary*>& summaries) const {
+    const auto scale = scaleInWords(itemsOf(instrument, summaries), section_.words);
     return titleOf(instrument) + say(": every item by itself, M with SD in brackets") +
            (scale.empty() ? scale : "; " + escaped(scale));
   }
@@ -210,7 +235,7 @@ class ItemsWriter : HtmlWriter {
           isChoice
               ? "“{}”: how often each answer was given, by cohort and alternative."
               : "“{}”, by participants’ means: the box holds the middle half, with the median; the "
-                "diamond is the mean. Dots are single people, where there are fewer than ten.";
+                "diamond is the mean. Dots are single people, where there are at most fifty.";
       captioned(
           one.svg,
           fmt::format(

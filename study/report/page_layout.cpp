@@ -16,11 +16,13 @@
 namespace study::report {
 namespace {
 
-constexpr double kLeastScale = 0.65;  // of a figure: smaller, its words are hard to read
+constexpr double kLeastScale = 0.93;  // of a figure: its letters are then 7 pt high
 constexpr int kFirstRows = 6;         // of a divided table: with the rows of its head
 constexpr int kLastRows = 4;
-constexpr double kPadding = 4.0;  // beside a cell's text, as in print_html.cpp [px]
-constexpr double kSlack = 1.0;    // rounding of the layout [px]
+constexpr double kPadding = 4.0;    // beside a cell's text, as in print_html.cpp [px]
+constexpr double kSlack = 1.0;      // rounding of the layout [px]
+constexpr double kThickRule = 1.3;  // [px]
+constexpr double kThinRule = 0.7;
 
 /// A paragraph or a table of the document, from top to bottom.
 struct Item {
@@ -33,9 +35,10 @@ struct Item {
   std::optional<int> division;  ///< of a table: the row to continue with, see divisionOf()
   bool isHeading = false;
   bool isFigure = false;
+  bool isEndOfList = false;  ///< see isBesideItem()
 
   /// Whether the next item has to be on the same page.
-  bool keepsNext() const { return isHeading || isFigure; }
+  bool keepsNext() const { return isHeading || isFigure || isEndOfList; }
 };
 
 bool holdsFigure(const QTextBlock& block) {
@@ -51,12 +54,25 @@ bool isNote(const QTextBlock& block) {
   return !first.atEnd() && first.fragment().charFormat().foreground().color() == QColor(0x444444);
 }
 
+/// Whether a paragraph has to be on the page of the next one for the sake of a list: none of its
+/// items is alone on a page.
+bool isBesideItem(const QTextBlock& block) {
+  const auto* list = block.textList();
+  if (list == nullptr) {
+    const bool isIntroduction = block.text().endsWith(u':');
+    return isIntroduction && block.next().isValid() && block.next().textList() != nullptr;
+  }
+  const int place = list->itemNumber(block);
+  return list->count() > 1 && (place == 0 || place == list->count() - 2);
+}
+
 Item itemOf(const QTextDocument& document, const QTextBlock& block) {
   const QRectF where = document.documentLayout()->blockBoundingRect(block);
   const auto* lines = block.layout();
   Item item{.block = block, .top = where.top(), .bottom = where.bottom()};
   item.isHeading = block.blockFormat().headingLevel() > 0;
   item.isFigure = holdsFigure(block);
+  item.isEndOfList = isBesideItem(block);
   // Qt moves a figure that does not fit down within its paragraph, which is then higher than the
   // figure.
   if (item.isFigure && lines->lineCount() > 0) item.figureHeight = lines->lineAt(0).height();
@@ -81,9 +97,9 @@ std::optional<int> divisionOf(const QTextDocument& document, const QTextTable& t
   int first = 1;  // of the next page
   while (first < table.rows() && pageOf(first) == pageOf(0)) ++first;
   if (first == table.rows()) return std::nullopt;
-  int group = first;
+  int group = std::min(first, table.rows() - kLastRows);
   while (group > kFirstRows - 2 && !spansColumns(table, group)) --group;
-  if (group >= kFirstRows - 1 && table.rows() - group >= kLastRows - 1) return group;
+  if (group >= kFirstRows - 1) return group;
   const bool hasGroups = spansColumns(table, first - 1) || spansColumns(table, group);
   if (first < kFirstRows || table.rows() - first < kLastRows || hasGroups) return std::nullopt;
   return first;
@@ -366,6 +382,37 @@ void fitColumns(QTextDocument& document) {
     fitColumns(*table, document.pageSize().width(), kPadding * paper->logicalDpiX() / 72.0);
   }
   layOutAgain(document);
+}
+
+void ruleTables(QTextDocument& document) {
+  for (auto* frame : document.rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    auto whole = table->format();
+    whole.setBorderCollapse(true);
+    table->setFormat(whole);
+    const int head = whole.headerRowCount() - 1;  // -1: the table has none
+    const int last = table->rows() - 1;
+    for (int row = 0; row <= last; ++row) {
+      for (int column = 0; column < table->columns(); ++column) {
+        auto cell = table->cellAt(row, column);
+        if (cell.column() != column) continue;
+        auto format = cell.format().toTableCellFormat();
+        if (column == 0) format.setLeftPadding(0.0);
+        if (row == std::max(head, 0)) {
+          format.setTopBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+          format.setTopBorder(kThickRule);
+          format.setTopBorderBrush(Qt::black);
+        }
+        if (row == head || row == last) {
+          format.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+          format.setBottomBorder(row == last ? kThickRule : kThinRule);
+          format.setBottomBorderBrush(Qt::black);
+        }
+        cell.setFormat(format);
+      }
+    }
+  }
 }
 
 void layOutAgain(QTextDocument& document) {

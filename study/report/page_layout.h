@@ -17,6 +17,10 @@ inline constexpr int kFigureScale = QTextFormat::UserProperty + 2;
 /// span columns, such as captions, and therefore wraps names beside empty space.
 void fitColumns(QTextDocument& document);
 
+/// Draws the three rules of every table: above and below its head, and below its last row. The
+/// caption is above the first. The first column begins where the text does.
+void ruleTables(QTextDocument& document);
+
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
 /// table is divided between its groups of rows, or where several rows are on each page; what is on

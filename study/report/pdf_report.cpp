@@ -6,13 +6,11 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QFontDatabase>
 #include <QImage>
 #include <QPageLayout>
 #include <QPainter>
 #include <QPalette>
 #include <QPdfWriter>
-#include <QSvgRenderer>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -21,6 +19,7 @@
 #include <QTextObjectInterface>
 #include <QTextOption>
 
+#include "study/report/figure_drawing.h"
 #include "study/report/page_layout.h"
 #include "study/report/print_html.h"
 #include "study/session/study.h"
@@ -28,8 +27,6 @@
 
 namespace study::report {
 namespace {
-
-constexpr double kPrintedWidth = 480.0;  // width of a figure [pt] within the margins of A4
 
 QByteArray bytesOf(std::string_view text) {
   return {text.data(), static_cast<qsizetype>(text.size())};
@@ -42,16 +39,14 @@ class FigureObjects : public QObject, public QTextObjectInterface {
 
  public:
   explicit FigureObjects(const std::vector<std::string>& figures) {
-    for (const auto& svg : figures) {
-      renderers_.push_back(std::make_unique<QSvgRenderer>(bytesOf(svg)));
-    }
+    for (const auto& svg : figures) drawings_.push_back(std::make_unique<FigureDrawing>(svg));
   }
 
   QSizeF intrinsicSize(QTextDocument* document, int /*at*/, const QTextFormat& format) override {
-    const QSizeF size = renderer(format).viewBoxF().size();
+    const QSizeF size = drawing(format).size();
     const auto* paper = document->documentLayout()->paintDevice();
     const double dpi = paper != nullptr ? paper->logicalDpiX() : 96.0;
-    const double scale = std::min(dpi / 96.0, kPrintedWidth * dpi / 72.0 / size.width());
+    const double scale = std::min(dpi / 96.0, document->pageSize().width() / size.width());
     const double shrunk =
         format.hasProperty(kFigureScale) ? format.doubleProperty(kFigureScale) : 1.0;
     return size * scale * shrunk;
@@ -63,15 +58,15 @@ class FigureObjects : public QObject, public QTextObjectInterface {
       QTextDocument* /*document*/,
       int /*at*/,
       const QTextFormat& format) override {
-    renderer(format).render(painter, where);
+    drawing(format).draw(*painter, where);
   }
 
  private:
-  QSvgRenderer& renderer(const QTextFormat& format) const {
-    return *renderers_.at(static_cast<std::size_t>(format.property(kFigureNumber).toInt()));
+  FigureDrawing& drawing(const QTextFormat& format) const {
+    return *drawings_.at(static_cast<std::size_t>(format.property(kFigureNumber).toInt()));
   }
 
-  std::vector<std::unique_ptr<QSvgRenderer>> renderers_;
+  std::vector<std::unique_ptr<FigureDrawing>> drawings_;
 };
 
 /// Replaces every image that stands for a figure by the figure.
@@ -140,31 +135,46 @@ struct TextFont {
   double scale;  ///< for sizes chosen for DejaVu Sans, whose small letters are large
 };
 
-/// Carlito if it is installed (the package depends on it), otherwise DejaVu Sans.
 TextFont textFont() {
-  const auto carlito = QStringLiteral("Carlito");
-  if (QFontDatabase::families().contains(carlito)) return {QFont(carlito), 1.1};
-  return {QFont(QStringLiteral("DejaVu Sans")), 1.0};
+  return {
+      withoutLigatures(QFont(typeface())), typeface() == QLatin1String("DejaVu Sans") ? 1.0 : 1.1};
 }
 
-/// Gives headings their sizes. Qt sets them relative to the text, whatever the style sheet says (Qt
-/// 6.4).
+/// Gives headings their sizes. Qt sets them relative to the text, whatever the style sheet says,
+/// and ignores a size beside that property (Qt 6.4).
 void setHeadingSizes(QTextDocument& document, double scale) {
-  constexpr std::array kSizes{15.0, 13.0, 11.0, 9.5};  // [pt]
+  constexpr std::array kSizes{17.0, 14.0, 11.5, 9.5};  // [pt]
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
     const int level = block.blockFormat().headingLevel();
     if (level < 1 || level > static_cast<int>(kSizes.size())) continue;
-    QTextCharFormat format;
+    auto format = block.begin().fragment().charFormat();
+    format.clearProperty(QTextFormat::FontSizeAdjustment);
     format.setFontPointSize(scale * kSizes[static_cast<std::size_t>(level) - 1]);
-    format.setProperty(QTextFormat::FontSizeAdjustment, 0);
     QTextCursor cursor(block);
-    cursor.select(QTextCursor::BlockUnderCursor);
-    cursor.mergeCharFormat(format);
+    cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    cursor.setCharFormat(format);
   }
 }
 
-/// Paints all pages with their numbers.
-void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font) {
+/// The blocks with a background. Qt would paint it without a margin around the text.
+std::vector<std::pair<QTextBlock, QBrush>> takeBackgrounds(QTextDocument& document) {
+  std::vector<std::pair<QTextBlock, QBrush>> taken;
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    auto format = block.blockFormat();
+    if (!format.hasProperty(QTextFormat::BackgroundBrush)) continue;
+    taken.emplace_back(block, format.background());
+    format.clearBackground();
+    QTextCursor(block).setBlockFormat(format);
+  }
+  return taken;
+}
+
+/// Paints all pages with their feet.
+/// @param printed  the foot of its pages, beside which are their numbers
+void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const PrintHtml& printed) {
+  const auto backgrounds = takeBackgrounds(document);
+  layOutAgain(document);
+  const auto words = words::wordsIn(printed.language);
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
   QAbstractTextDocumentLayout::PaintContext context;
@@ -173,16 +183,30 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font) {
   painter.setFont(font);
   for (int number = 0; number < document.pageCount(); ++number) {
     if (number > 0) writer.newPage();
+    const QRectF foot(0.0, page.height(), page.width(), writer.height() - page.height());
     painter.drawText(
-        QRectF(0.0, page.height(), page.width(), writer.height() - page.height()),
+        foot,
         Qt::AlignRight | Qt::AlignBottom,
-        QString::number(number + 1));
+        QString::fromStdString(words.say("{} of {}", number + 1, document.pageCount())));
+    painter.drawText(
+        foot.adjusted(0.0, 0.0, -0.12 * foot.width(), 0.0),
+        Qt::AlignLeft | Qt::AlignBottom,
+        painter.fontMetrics().elidedText(
+            QString::fromStdString(printed.foot),
+            Qt::ElideRight,
+            static_cast<int>(0.88 * foot.width())));
     const QRectF seen(QPointF(0.0, number * page.height()), page);
     // lines that only touch the page belong to its neighbour
     context.clip = seen.adjusted(0.0, 1.0, 0.0, -1.0);
     painter.save();
     painter.translate(0.0, -seen.top());
     painter.setClipRect(seen);
+    for (const auto& [block, brush] : backgrounds) {
+      const double padding = 6.0 * writer.logicalDpiY() / 96.0;
+      const auto text = document.documentLayout()->blockBoundingRect(block);
+      painter.fillRect(
+          QRectF(0.0, text.top() - padding, page.width(), text.height() + 2.0 * padding), brush);
+    }
     document.documentLayout()->draw(&painter, context);
     painter.restore();
   }
@@ -191,11 +215,7 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font) {
 }  // namespace
 
 std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
-  auto [font, scale] = textFont();
-  // Letter spacing turns ligatures off. Most ligatures are no characters of their own, so that
-  // their words could not be searched or copied (Qt 6.4).
-  constexpr double kInvisible = 0.02;  // [px]
-  font.setLetterSpacing(QFont::AbsoluteSpacing, kInvisible);
+  const auto [font, scale] = textFont();
   const auto page = forPrint(html, scale);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -209,53 +229,52 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   document.documentLayout()->registerHandler(kFigure, &figures);
   document.documentLayout()->setPaintDevice(&writer);
   document.setDocumentMargin(0.0);
+  document.setIndentWidth(20.0);
   document.setDefaultFont(font);
   QTextOption wrapping = document.defaultTextOption();
   wrapping.setWrapMode(QTextOption::WordWrap);  // otherwise words break inside narrow columns
   document.setDefaultTextOption(wrapping);
+  constexpr double kFooter = 9.0 / 25.4;  // [in]
+  document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
   setHeadingSizes(document, scale);
-  constexpr double kFooter = 12.0 / 25.4;  // [in]
-  document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
+  ruleTables(document);
   fitColumns(document);
   numberContents(document);  // makes room for the numbers
   choosePageBreaks(document, QString::fromStdString(words::wordsIn(page.language)("continued")));
   splitAtPages(document);
   numberContents(document);
-  paintPages(document, writer, font);
+  paintPages(document, writer, font, page);
   return buffer.data().toStdString();
 }
 
 std::string figureAsPdf(std::string_view svg, double scale) {
-  QSvgRenderer renderer(bytesOf(svg));
+  FigureDrawing figure(svg);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
   constexpr double kPointsPerPixel = 72.0 / 96.0;
   writer.setPageSize(QPageSize(
-      renderer.viewBoxF().size() * scale * kPointsPerPixel,
-      QPageSize::Point,
-      QString(),
-      QPageSize::ExactMatch));
+      figure.size() * scale * kPointsPerPixel, QPageSize::Point, QString(), QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF(0, 0, 0, 0));
   QPainter painter(&writer);
-  renderer.render(&painter);
+  figure.draw(painter, QRectF(0.0, 0.0, writer.width(), writer.height()));
   painter.end();
   return buffer.data().toStdString();
 }
 
 std::string figureAsPng(std::string_view svg, double scale) {
-  QSvgRenderer renderer(bytesOf(svg));
+  FigureDrawing figure(svg);
   constexpr double kDotsPerPixel = 300.0 / 96.0;
-  QImage image((renderer.viewBoxF().size() * scale * kDotsPerPixel).toSize(), QImage::Format_RGB32);
+  QImage image((figure.size() * scale * kDotsPerPixel).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   constexpr int kDotsPerMetre = 11811;  // 300 dpi
   image.setDotsPerMeterX(kDotsPerMetre);
   image.setDotsPerMeterY(kDotsPerMetre);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
-  renderer.render(&painter);
+  figure.draw(painter, image.rect());
   painter.end();
   QBuffer buffer;
   image.save(&buffer, "PNG");

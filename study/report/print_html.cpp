@@ -10,16 +10,19 @@ namespace {
 /// Only font sizes are in pt.
 constexpr std::string_view kStyleOnPaper = R"css(
 body { font-size: 9pt; }
-h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size: 11pt; margin-top: 10px; margin-bottom: 3px; } h4 { font-size: 9.5pt; margin-bottom: 3px; }
+h1 { margin-top: 0px; margin-bottom: 2px; } h2 { margin-top: 16px; } h3 { margin-top: 12px; margin-bottom: 3px; } h4 { margin-top: 8px; margin-bottom: 3px; }
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
+p.byline { font-size: 8pt; margin-top: 0px; margin-bottom: 6px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
+p.note { margin-bottom: 10px; }
 p.figcaption { margin-bottom: 12px; }
-p.reference { font-size: 7pt; line-height: 90%; margin-top: 0px; margin-bottom: 0px; }
-p.verdict { font-size: 10pt; font-weight: bold; margin-top: 6px; margin-bottom: 8px; }
-p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
+p.reference { font-size: 7.5pt; margin-top: 0px; margin-bottom: 2px; }
+p.verdict { font-size: 10.5pt; font-weight: bold; margin-top: 8px; margin-bottom: 8px; }
+p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; margin: 10px 8px; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
-td.caption { font-size: 8pt; padding-top: 8px; }
+td.caption { font-size: 8pt; padding-top: 12px; }
+code { font-size: 7pt; }
 dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
 
@@ -122,7 +125,7 @@ void captionsInHead(std::string& html) {
     html.replace(
         span.begin,
         span.end - span.begin,
-        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"2\"><thead><tr><td class=\"caption\" "
+        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"1\"><thead><tr><td class=\"caption\" "
         "colspan=\"" +
             std::to_string(columnsAt(html, span.end)) + "\" align=\"left\">" + words +
             "</td></tr>");
@@ -185,6 +188,15 @@ PrintHtml forPrint(std::string_view html, double scale) {
   if (const auto at = spanOf(text, kLanguage, "\"", 0); at.begin != std::string::npos) {
     const auto begin = at.begin + kLanguage.size();
     page.language = text.substr(begin, text.find('"', begin) - begin);
+  }
+  constexpr std::string_view kFoot = "<meta name=\"foot\" content=\"";
+  if (const auto at = spanOf(text, kFoot, "\">", 0); at.begin != std::string::npos) {
+    const auto begin = at.begin + kFoot.size();
+    page.foot = text.substr(begin, at.end - 2 - begin);
+    for (const auto& [entity, sign] :
+         {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
+      replaceAll(page.foot, entity, sign);
+    }
   }
   extractFigures(page);
   if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {

@@ -10,6 +10,7 @@ namespace study::report {
 struct PrintHtml {
   std::string html;
   std::string language = "en";
+  std::string foot = {};             ///< of every page, see htmlPage(); plain text
   std::vector<std::string> figures;  ///< SVG; the text has <img src="figure:0">, … for them
 };
 

@@ -9,6 +9,7 @@
 
 #include "protocols/load_protocol.h"
 #include "study/export/statistics_row.h"
+#include "study/model/data_table.h"
 #include "study/report/small_samples.h"
 
 namespace study::report {
@@ -179,18 +180,6 @@ words::Words withDevices(const words::Words& words, const protocols::Protocol& p
   return {words.language(), std::move(catalogue)};
 }
 
-/// The words at the ends of an item's scale; empty where it has none, or where the laboratory has
-/// still to fill them in.
-std::pair<std::string, std::string> endsOf(
-    const questionnaires::Item& item, const std::string& language) {
-  const auto& scale = item.scale;
-  const auto either = [&](const auto& one, const auto& other) {
-    const auto& text = one.in(language).empty() ? other.in(language) : one.in(language);
-    return text.find("[[") == std::string::npos ? text : std::string();
-  };
-  return {either(scale.lowLabel, item.leftText), either(scale.highLabel, item.rightText)};
-}
-
 }  // namespace
 
 const std::string& ReportSection::conditionTitle(const std::string& condition) const {
@@ -292,6 +281,17 @@ std::string questionOf(const questionnaires::Item& item, const std::string& lang
   return left.empty() ? item.id : left + " – " + item.rightText.in(language);
 }
 
+std::pair<std::string, std::string> endsOf(
+    const questionnaires::Item& item, const std::string& language) {
+  const auto& scale = item.scale;
+  const auto either = [&](const auto& one, const auto& other) {
+    const auto& text = one.in(language).empty() ? other.in(language) : one.in(language);
+    return text.find("[[") == std::string::npos ? text : std::string();
+  };
+  // The labels at an item's own scale take precedence over those of a form's scale.
+  return {either(item.leftText, scale.lowLabel), either(item.rightText, scale.highLabel)};
+}
+
 std::string scaleInWords(
     const std::vector<const questionnaires::Item*>& items, const words::Words& words) {
   if (items.empty()) return {};
@@ -301,9 +301,10 @@ std::string scaleInWords(
   const auto ends = endsOf(*items.front(), words.language());
   const bool haveSameEnds = std::ranges::all_of(
       items, [&](const auto* item) { return endsOf(*item, words.language()) == ends; });
-  const auto plain = words.say("scale from {:g} to {:g}", scale->lowest, scale->highest);
-  const auto named = words.say(
-      "scale from {:g} ({}) to {:g} ({})", scale->lowest, ends.first, scale->highest, ends.second);
+  const auto low = withMinusSign(exactly(scale->lowest));
+  const auto high = withMinusSign(exactly(scale->highest));
+  const auto plain = words.say("scale from {} to {}", low, high);
+  const auto named = words.say("scale from {} ({}) to {} ({})", low, ends.first, high, ends.second);
   const bool isNamed = haveSameEnds && !ends.first.empty() && !ends.second.empty();
   return isNamed ? named : plain;
 }
@@ -315,7 +316,10 @@ std::string scaleInWords(const ReportSection& section, const protocols::Family& 
   if (!family.score.empty()) {
     const auto scale = protocols::scaleOf(family, *instrument);
     if (!scale) return {};
-    return section.words.say("scale from {:g} to {:g}", scale->lowest, scale->highest);
+    return section.words.say(
+        "scale from {} to {}",
+        withMinusSign(exactly(scale->lowest)),
+        withMinusSign(exactly(scale->highest)));
   }
   std::vector<const questionnaires::Item*> items;
   const auto compared = protocols::comparedItems(family, instrument->items);

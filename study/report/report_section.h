@@ -136,6 +136,11 @@ std::string listed(const std::vector<std::string>& names, const words::Words& wo
 /// The question; for an item with two opposite words both of them.
 std::string questionOf(const questionnaires::Item& item, const std::string& language);
 
+/// The words at the ends of an item's scale; empty where it has none, or where the laboratory has
+/// still to fill them in.
+std::pair<std::string, std::string> endsOf(
+    const questionnaires::Item& item, const std::string& language);
+
 /// "scale from 1 (strongly disagree) to 5 (strongly agree)": the common scale of several items,
 /// without words if they differ in them; empty if they have no common scale.
 std::string scaleInWords(

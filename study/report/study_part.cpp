@@ -22,17 +22,9 @@ class HeadWriter : HtmlWriter {
 
  private:
   void head() {
-    if (section_.results.runMode == RunMode::Simulated) {
-      put("<p class=\"banner\">{}</p>",
-          say("Simulated: nobody took part. These numbers show what the program does; they say "
-              "nothing about any method."));
-    }
-    if (section_.results.runMode == RunMode::Pilot) {
-      put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
-    }
+    banner();
     const auto verdict = verdictOf(section_);
     if (!verdict.empty()) put("<p class=\"verdict\">{}</p>", escaped(verdict));
-    synthetic();
     if (!section_.results.families.empty()) heading("The question");
     for (const auto& family : section_.results.families) declared(family);
   }
@@ -54,7 +46,25 @@ class HeadWriter : HtmlWriter {
         exactly(family.alpha));
   }
 
-  void synthetic() {
+  /// One banner for all that a reader must know before any number.
+  void banner() {
+    std::string text;
+    if (section_.results.runMode == RunMode::Simulated) {
+      text =
+          say("Simulated: nobody took part. These numbers show what the program does; they say "
+              "nothing about any method.");
+    }
+    if (section_.results.runMode == RunMode::Pilot) {
+      text = say("Pilot sessions: not for publication.");
+    }
+    const auto made = synthetic();
+    const bool isOfPilotOnly = section_.results.runMode == RunMode::Pilot && made.empty();
+    if (!made.empty()) text += (text.empty() ? "" : " ") + made;
+    if (text.empty()) return;
+    put("<p class=\"{}\">{}</p>", isOfPilotOnly ? "banner pilot" : "banner", text);
+  }
+
+  std::string synthetic() const {
     std::string made;
     for (const auto& source : section_.sources) {
       if (!source.isSynthetic) continue;
@@ -65,11 +75,11 @@ class HeadWriter : HtmlWriter {
           section_.words.say(
               "{} (from: {})", listed(conditions, section_.words), section_.words(source.title));
     }
-    if (made.empty()) return;
-    put("<p class=\"banner\">{}</p>",
-        say("SYNTHETIC, neither recorded nor measured: {}. See “How this was "
-            "made”.",
-            made));
+    if (made.empty()) return {};
+    return say(
+        "SYNTHETIC, neither recorded nor measured: {}. See “How this was "
+        "made”.",
+        made);
   }
 };
 

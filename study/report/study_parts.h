@@ -144,7 +144,7 @@ inline constexpr std::string_view kParticipantMeansCaption =
     "holds "
     "the middle half, with the median; the diamond is the mean. Dots are single people, where "
     "there "
-    "are fewer than ten.";
+    "are at most fifty.";
 
 inline constexpr std::string_view kDifferencesCaption =
     "Mean differences within people with their intervals at 1 − α, not corrected for the number of "

@@ -102,7 +102,7 @@ class ChartPainter {
       painter_.setPen(grid);
       painter_.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
       painter_.setPen(Qt::black);
-      drawText(painter_, {x - 36, plot_.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text, 12);
+      drawText(painter_, {x - 36, plot_.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text);
     }
     for (const auto& tick : y_.ticks()) {
       const double y = plot_.bottom() - plot_.height() * y_.place(tick.value);
@@ -113,15 +113,13 @@ class ChartPainter {
           painter_,
           {22, y - 9, plot_.left() - 30, 18},
           Qt::AlignRight | Qt::AlignVCenter,
-          tick.text,
-          12);
+          tick.text);
     }
     drawText(
         painter_,
         {plot_.left(), plot_.bottom() + 28, plot_.width(), 20},
         Qt::AlignCenter,
-        QString::fromStdString(chart_.x.title),
-        13);
+        QString::fromStdString(chart_.x.title));
     painter_.save();
     painter_.translate(14, plot_.center().y());
     painter_.rotate(-90);
@@ -129,8 +127,7 @@ class ChartPainter {
         painter_,
         {-plot_.height() / 2 - 20, -10, plot_.height() + 40, 20},
         Qt::AlignCenter,
-        QString::fromStdString(chart_.y.title),
-        13);
+        QString::fromStdString(chart_.y.title));
     painter_.restore();
   }
 
@@ -183,8 +180,7 @@ class ChartPainter {
         painter_,
         {here.x() + 6, here.y() - 17, 120, 14},
         Qt::AlignLeft | Qt::AlignVCenter,
-        QString::fromStdString(point.label),
-        10);
+        QString::fromStdString(point.label));
   }
 
   /// When the colours repeat, squares distinguish the second round from the first.
@@ -221,8 +217,7 @@ class ChartPainter {
           painter_,
           {x + 32, y + 1, width_ - x - 34, 34},
           Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-          QString::fromStdString(series.title),
-          12);
+          QString::fromStdString(series.title));
       y += series.title.size() > 26 ? kEntry : 24.0;
     }
   }

@@ -83,7 +83,7 @@ class FeltPainter {
       const auto p = at(tick.value / shown_->factor, 0.0);
       grid(p, {p.x(), plot_.top()});
       painter_.setPen(Qt::black);
-      drawText(painter_, {p.x() - 30, plot_.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text, 12);
+      drawText(painter_, {p.x() - 30, plot_.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text);
     }
     for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, most).ticks(6)) {
       const auto p = at(0.0, tick.value);
@@ -93,15 +93,13 @@ class FeltPainter {
           painter_,
           {4, p.y() - 9, plot_.left() - 12, 18},
           Qt::AlignRight | Qt::AlignVCenter,
-          tick.text,
-          12);
+          tick.text);
     }
     drawText(
         painter_,
         {plot_.left(), plot_.bottom() + 26, plot_.width(), 20},
         Qt::AlignCenter,
-        QString::fromStdString(section_.words(shown_->axis)),
-        13);
+        QString::fromStdString(section_.words(shown_->axis)));
     painter_.save();
     painter_.translate(14, plot_.center().y());
     painter_.rotate(-90);
@@ -109,8 +107,7 @@ class FeltPainter {
         painter_,
         {-100, -10, 200, 20},
         Qt::AlignCenter,
-        QString::fromStdString(section_.words("force [N]")),
-        13);
+        QString::fromStdString(section_.words("force [N]")));
     painter_.restore();
   }
 
@@ -183,8 +180,7 @@ class FeltPainter {
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(
               section_.conditionTitle(curve->condition) + ", " +
-              section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")),
-          12);
+              section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")));
       y += kFeltEntry;
     }
   }
@@ -203,15 +199,13 @@ class FeltPainter {
           painter_,
           {x + 34, y, width - x - 34, 20},
           Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(section_.conditionTitle(curves_[i]->condition)),
-          12);
+          QString::fromStdString(section_.conditionTitle(curves_[i]->condition)));
       drawText(
           painter_,
           {x + 34, y + 17, width - x - 34, 18},
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(
-              section_.words.count(curves_[i]->strokes, "{} cut or stroke", "{} cuts or strokes")),
-          11);
+              section_.words.count(curves_[i]->strokes, "{} cut or stroke", "{} cuts or strokes")));
       y += 44;
     }
   }

@@ -4,11 +4,11 @@
 
 namespace study::report {
 
-/// The size of figures on paper. Figures are laid out in px with names 13 px high; a narrow one has
-/// names above its rows and legends below its plot, so that letters keep their size.
+/// The size of figures on paper. Figures are laid out in px with letters 13 px high; a narrow one
+/// has names above its rows and legends below its plot, so that letters keep their size.
 struct FigureFormat {
   std::optional<double> width;  ///< [mm]; std::nullopt: 820 px, as in a report
-  double font = kUsualFont;     ///< of names and titles [pt]; numbers at axes have 12/13 of it
+  double font = kUsualFont;     ///< of all letters [pt]
 
   static constexpr double kUsualFont = 9.75;    // 13 px at 96 dpi
   static constexpr double kUsualWidth = 820.0;  // [px]

@@ -41,7 +41,7 @@ void paintLikertFigure(
     const FigureFormat& format);
 
 /// The ratings of every method by the participants' means: interquartile range and median; a
-/// diamond is the mean. Fewer than ten participants have a dot each, equal ones below one another.
+/// diamond is the mean. At most fifty participants have a dot each, equal ones above one another.
 QSizeF participantMeansFigureSize(const FamilyResult& family, const FigureFormat& format);
 void paintParticipantMeansFigure(
     QPainter& painter,

@@ -10,11 +10,11 @@ namespace study::report {
 namespace {
 
 constexpr double kLabels = 210.0;  // width of the names on the left
-constexpr double kRight = 70.0;    // … and of the means on the right
-constexpr double kBar = 26.0;
-constexpr double kGap = 8.0;
-constexpr double kHeading = 26.0;
-constexpr double kLegend = 56.0;
+constexpr double kRight = 112.0;   // … and of the numbers on the right
+constexpr double kBar = 20.0;
+constexpr double kGap = 6.0;
+constexpr double kHeading = 24.0;
+constexpr double kLegend = 42.0;
 constexpr double kNameLine = 18.0;  // above a bar of a narrow figure
 
 double rowHeight(bool isNarrow) {
@@ -74,7 +74,6 @@ class LikertPainter {
           {0, y, width_, kHeading},
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(section_.cohortTitle(cohort.cohort)),
-          14,
           true);
       y += kHeading;
       for (const auto& condition : cohort.conditions) {
@@ -117,7 +116,9 @@ class LikertPainter {
         isNarrow_ ? QRectF(0, nameAt, width_, kNameLine)
                   : QRectF(width_ - kRight + 10, y, kRight - 10, kBar),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-        QString::fromStdString("M = " + rounded(condition.answers.mean(), 1)));
+        QString::fromStdString(
+            "n = " + std::to_string(condition.answers.total()) +
+            ", M = " + rounded(condition.answers.mean(), 2)));
   }
 
   void segment(const QRectF& where, int index, int points, std::uint64_t count) {
@@ -126,10 +127,10 @@ class LikertPainter {
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(colour);
     painter_.drawRect(where);
-    constexpr double kRoomForANumber = 18.0;
-    if (where.width() < kRoomForANumber) return;
+    constexpr double kDigit = 7.5;  // width
+    if (where.width() < kDigit * static_cast<double>(std::to_string(count).size()) + 1.0) return;
     painter_.setPen(colour.lightnessF() < 0.5 ? Qt::white : Qt::black);
-    drawText(painter_, where, Qt::AlignCenter, QString::number(count), 12);
+    drawText(painter_, where, Qt::AlignCenter, QString::number(count));
   }
 
   void legend(double y) {
@@ -147,8 +148,7 @@ class LikertPainter {
           painter_,
           {x, y + 21, box, 16},
           Qt::AlignCenter,
-          QString::number(counts.lowest() + i),
-          11);
+          QString::number(counts.lowest() + i).replace(u'-', u'−'));
       x += box;
     }
     if (instrument == nullptr || !instrument->scale) return;
@@ -157,15 +157,13 @@ class LikertPainter {
         painter_,
         isNarrow_ ? QRectF(0, y + 37, width_ / 2, 20) : QRectF(0, y + 3, kLabels - 12, 20),
         (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
-        QString::fromStdString(instrument->scale->lowLabel.in(section_.words.language())),
-        12);
+        QString::fromStdString(instrument->scale->lowLabel.in(section_.words.language())));
     drawText(
         painter_,
         isNarrow_ ? QRectF(width_ / 2, y + 37, width_ / 2, 20)
                   : QRectF(x + 12, y + 3, width_ - x - 12, 20),
         (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-        QString::fromStdString(instrument->scale->highLabel.in(section_.words.language())),
-        12);
+        QString::fromStdString(instrument->scale->highLabel.in(section_.words.language())));
   }
 
   const questionnaires::Instrument* instrumentOf() const {

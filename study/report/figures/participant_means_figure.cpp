@@ -10,12 +10,11 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 110.0, .height = 50.0};
-constexpr double kTop = 4.0;
-constexpr double kBox = 9.0;
-constexpr double kDot = 3.6;
-constexpr std::size_t kMostDots = 9;  // for more people the box is enough, and identifies no one
-constexpr double kMargin = 0.075;     // beside the scale, as a share of its width
+constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 122.0, .height = 32.0};
+constexpr double kBox = 20.0;
+constexpr double kDot = 2.8;
+constexpr std::size_t kMostDots = 50;  // of more people the box is enough
+constexpr double kMargin = 0.075;      // beside the scale, as a share of its width
 
 std::vector<double> valuesOf(const analysis::AnswerTable& table, std::size_t method) {
   std::vector<double> values;
@@ -84,19 +83,15 @@ class ParticipantMeansPainter {
     canvas_.name(section_.conditionTitle(table.methods[method]), y, kParticipantMeansRows.height);
     const auto values = valuesOf(table, method);
     const std::string number = "n = " + std::to_string(values.size());
-    if (values.empty()) return canvas_.words(number, y, kParticipantMeansRows.height / 2);
-    const std::string mean = "M = " + rounded(meanOf(values), 2);
-    if (canvas_.isNarrow()) {
-      canvas_.words(mean + ", " + number, y, kParticipantMeansRows.height / 2);
-    } else {
-      canvas_.words(number, y, kParticipantMeansRows.height / 2);
-      canvas_.words(
-          mean, y + kParticipantMeansRows.height / 2 - 12, kParticipantMeansRows.height / 2);
-    }
-    y = canvas_.drawingOf(y);
+    canvas_.words(
+        values.empty() ? number : number + ", M = " + rounded(meanOf(values), 2),
+        y,
+        kParticipantMeansRows.height);
+    if (values.empty()) return;
+    const double middle = canvas_.drawingOf(y) + kParticipantMeansRows.height / 2;
     const QColor colour = categoryColour(section_.conditionIndex(table.methods[method]));
-    box(values, y + kTop + 4 + kBox / 2, colour);
-    if (values.size() <= kMostDots) drawStackedDots(values, y + kTop + kBox + 10, colour);
+    box(values, middle, colour);
+    if (values.size() <= kMostDots) dots(values, middle, colour);
   }
 
   void box(const std::vector<double>& values, double middle, const QColor& colour) {
@@ -105,28 +100,28 @@ class ParticipantMeansPainter {
     painter_.setPen(QPen(colour, 1.4));
     painter_.setBrush(Qt::white);
     painter_.drawRect(QRectF(low, middle - kBox / 2, high - low, kBox));
-    const double median = canvas_.x(quantile(values, 0.5));
-    painter_.setPen(QPen(colour, 2.6));
-    painter_.drawLine(QPointF(median, middle - kBox / 2), QPointF(median, middle + kBox / 2));
     const double mean = canvas_.x(meanOf(values));
-    painter_.setPen(QPen(Qt::white, 0.8));
-    painter_.setBrush(Qt::black);
+    painter_.setPen(QPen(Qt::black, 1.2));
     painter_.drawPolygon(QPolygonF(
-        {{mean, middle - 6}, {mean + 5, middle}, {mean, middle + 6}, {mean - 5, middle}}));
+        {{mean, middle - 9}, {mean + 7, middle}, {mean, middle + 9}, {mean - 7, middle}}));
+    const double median = canvas_.x(quantile(values, 0.5));
+    painter_.setPen(QPen(colour, 2.6, Qt::SolidLine, Qt::FlatCap));
+    painter_.drawLine(QPointF(median, middle - kBox / 2), QPointF(median, middle + kBox / 2));
   }
 
-  /// Dots that would overlap are placed below each other, closer together if there are many.
-  void drawStackedDots(const std::vector<double>& values, double top, const QColor& colour) {
+  /// Dots that would overlap are placed above each other around @p middle, closer together if there
+  /// are many.
+  void dots(const std::vector<double>& values, double middle, const QColor& colour) {
     std::map<int, std::vector<double>> columns;
     for (const double value : values) {
       columns[static_cast<int>(std::lround(canvas_.x(value) / (2.0 * kDot)))].push_back(value);
     }
     std::size_t highest = 1;
     for (const auto& [place, column] : columns) highest = std::max(highest, column.size());
-    const double room = kParticipantMeansRows.height - (kTop + kBox + 10) - kDot;
+    const double room = kParticipantMeansRows.height - 2.0 * kDot;
     const double step = std::min(2.0 * kDot, room / static_cast<double>(highest));
     for (const auto& [place, column] : columns) {
-      double y = top;
+      double y = middle - 0.5 * step * static_cast<double>(column.size() - 1);
       for (const double value : column) {
         canvas_.dot(value, y, colour, kDot);
         y += step;

@@ -16,7 +16,6 @@ void RowsCanvas::heading(const std::string& text, double y) {
       {0, y, width_, kHeading},
       Qt::AlignLeft | Qt::AlignVCenter,
       QString::fromStdString(text),
-      14,
       true);
 }
 
@@ -44,16 +43,14 @@ void RowsCanvas::words(const std::string& text, double y, double height) {
         painter_,
         {0, y, width_, kNameLine},
         Qt::AlignRight | Qt::AlignVCenter,
-        QString::fromStdString(text),
-        12);
+        QString::fromStdString(text));
     return;
   }
   drawText(
       painter_,
       {right_ + 14, y, width_ - right_ - 14, height},
       Qt::AlignLeft | Qt::AlignVCenter,
-      QString::fromStdString(text),
-      12);
+      QString::fromStdString(text));
 }
 
 void RowsCanvas::axis(double top, double bottom, const std::string& title, const QString& suffix) {
@@ -62,15 +59,14 @@ void RowsCanvas::axis(double top, double bottom, const std::string& title, const
     painter_.setPen(QPen(QColor(226, 226, 226), 1));
     painter_.drawLine(QPointF(at, top), QPointF(at, bottom));
     painter_.setPen(Qt::black);
-    drawText(painter_, {at - 36, bottom + 3, 72, 18}, Qt::AlignCenter, tick.text + suffix, 12);
+    drawText(painter_, {at - 36, bottom + 3, 72, 18}, Qt::AlignCenter, tick.text + suffix);
   }
   drawText(
       painter_,
       isNarrow_ ? QRectF(0, bottom + 22, width_, 20)
                 : QRectF(left_, bottom + 22, right_ - left_, 20),
       Qt::AlignCenter,
-      QString::fromStdString(title),
-      13);
+      QString::fromStdString(title));
 }
 
 void RowsCanvas::reference(double value, double top, double bottom, Qt::PenStyle style) {

@@ -19,7 +19,7 @@ struct RowMeasures {
 /// in a narrow one names and texts stand above their row. Bars, dots and intervals are drawn on it.
 class RowsCanvas {
  public:
-  static constexpr double kHeading = 26.0;  ///< height of a heading
+  static constexpr double kHeading = 24.0;  ///< height of a heading
   static constexpr double kAxis = 48.0;     ///< height of the axis: ticks and title
 
   static constexpr double kNameLine = 18.0;  ///< height of a name above its row, in a narrow figure

@@ -6,6 +6,8 @@
 #include <QFont>
 #include <QSvgGenerator>
 
+#include "study/report/figure_drawing.h"
+
 namespace study::report {
 
 namespace {
@@ -44,16 +46,11 @@ std::string asSvg(
   return svg;
 }
 
-void drawText(
-    QPainter& painter,
-    const QRectF& where,
-    int flags,
-    const QString& text,
-    double size,
-    bool isBold) {
+void drawText(QPainter& painter, const QRectF& where, int flags, const QString& text, bool isBold) {
   constexpr double kScale = 10.0;
-  QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPixelSize(static_cast<int>(size * kScale));
+  constexpr int kSize = 13;
+  QFont font(typeface());
+  font.setPixelSize(static_cast<int>(kSize * kScale));
   font.setBold(isBold);
   font.setHintingPreference(QFont::PreferNoHinting);
   painter.save();

@@ -18,14 +18,10 @@ std::string asSvg(
     const std::function<void(QPainter&)>& paint,
     const FigureFormat& format = {});
 
-/// Draws text whose position does not depend on the device. Qt rounds font sizes to whole device
-/// pixels, so the text is drawn ten times larger on a canvas that is scaled by a tenth.
+/// Draws text 13 px high, whose position does not depend on the device. Qt rounds font sizes to
+/// whole device pixels, so the text is drawn ten times larger on a canvas that is scaled by a
+/// tenth.
 void drawText(
-    QPainter& painter,
-    const QRectF& where,
-    int flags,
-    const QString& text,
-    double size = 13.0,
-    bool isBold = false);
+    QPainter& painter, const QRectF& where, int flags, const QString& text, bool isBold = false);
 
 }  // namespace study::report

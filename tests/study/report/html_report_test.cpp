@@ -338,7 +338,8 @@ TEST(HtmlReport, MarksSyntheticMaterialsVisibly) {
        .isSynthetic = false,
        .conditions = {"finite-elements"}}};
   const auto page = asHtml({section});
-  EXPECT_TRUE(has(page, "<p class=\"banner\">SYNTHETIC"));
+  EXPECT_TRUE(has(page, " SYNTHETIC, neither recorded"));
+  EXPECT_EQ(page.find("class=\"banner"), page.rfind("class=\"banner")) << "one banner for both";
   EXPECT_TRUE(has(page, "recorded nor measured: Interpolation and KF (from: Specimen &lt;7&gt;)"))
       << page.substr(page.find("SYNTHETIC"), 300);
   EXPECT_TRUE(has(page, "SYNTHETIC: Specimen &lt;7&gt; (material ‘bone.json’), test set static"));

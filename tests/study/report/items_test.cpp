@@ -337,6 +337,20 @@ TEST(ItemSummaries, AreShownInTheReport) {
   EXPECT_EQ(report::quotesAsHtml(section), "");
 }
 
+TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {
+  auto demand = item("mental", ItemType::Slider);
+  demand.scale.lowLabel = demand.scale.highLabel = questionnaires::LocalizedText({{"en", "-"}});
+  demand.leftText = questionnaires::LocalizedText({{"en", "Very low"}});
+  demand.rightText = questionnaires::LocalizedText({{"en", "Very high"}});
+  using Items = std::vector<const questionnaires::Item*>;
+  const words::Words english;
+  EXPECT_EQ(
+      report::scaleInWords(Items{&demand}, english), "scale from 0 (Very low) to 100 (Very high)");
+  auto performance = demand;
+  performance.rightText = questionnaires::LocalizedText({{"en", "Failure"}});
+  EXPECT_EQ(report::scaleInWords(Items{&demand, &performance}, english), "scale from 0 to 100");
+}
+
 TEST(ItemSummaries, OfOnePersonAreNotShownInTheReport) {
   auto section = tests::madeUpSection();
   section.instruments.push_back(mine());

@@ -89,8 +89,8 @@ TEST(Figures, SayHowOftenEachPointWasChosen) {
         "Orthopaedic surgeons",
         "17",
         "13",
-        "M = 4.1",
-        "M = 2.6",
+        "n = 36, M = 4.06",
+        "n = 36, M = 2.64",
         "strongly disagree",
         "strongly agree"}) {
     EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
@@ -101,7 +101,7 @@ TEST(Figures, NameTheirAxesAndUnits) {
   const auto texts = textsIn(painted().figures.felt.front());
   EXPECT_NE(texts.find("force [N]"), std::string::npos);
   EXPECT_NE(texts.find("travel [travel units]"), std::string::npos);
-  EXPECT_NE(texts.find("4 trials"), std::string::npos);
+  EXPECT_NE(texts.find("13 cuts or strokes"), std::string::npos) << "as the caption counts";
 }
 
 TEST(Figures, ShowEffectsWithTheirNumbers) {

@@ -10,10 +10,14 @@
 
 #include <QRegularExpression>
 #include <QString>
+#include <QTextDocument>
+#include <QTextTable>
 
 #include "study/cohort/simulated_participant.h"
 #include "study/report/figures/figures.h"
 #include "study/report/html_report.h"
+#include "study/report/page_layout.h"
+#include "study/report/print_html.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 #include "tests/support/child_process.h"
@@ -75,6 +79,18 @@ TEST(PdfReport, HasEveryLineOnceAlsoAtPageBreaks) {
     const auto word = "w" + std::to_string(10000 + i);
     EXPECT_EQ(timesIn(*said, word), 1U) << word;
   }
+}
+
+TEST(PdfReport, HasTheWordsOfFiguresAsText) {
+  auto section = tests::madeUpSection();
+  paintFigures(section);
+  const auto said = textOf(asPdf(asHtml({section}), "A study"));
+  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+  for (const auto* drawn : {"force [N]", "Interpolation − FEM", "n = 36, M = 4.06"}) {
+    EXPECT_GE(timesIn(*said, drawn), 1U) << drawn;
+  }
+  const auto alone = textOf(figureAsPdf(section.figures.felt.front()));
+  EXPECT_NE(alone.value_or("").find("force [N]"), std::string::npos);
 }
 
 /// The pages of a PDF as text; std::nullopt if no tool can read it.
@@ -160,6 +176,11 @@ TEST(PdfReport, AnswersOnAtMostThreePagesAndOnOneOfASingleParticipant) {
     if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
     const auto answering = pageOfAppendix(*pages);
     ASSERT_LT(answering, pages->size()) << protocol;
+    for (std::size_t i = 0; i + 1 < pages->size(); ++i) {  // the last one is what follows the end
+      const auto number = std::to_string(i + 1) + " of " + std::to_string(pages->size() - 1);
+      EXPECT_NE((*pages)[i].find(number), std::string::npos) << protocol << ", " << number;
+      EXPECT_NE((*pages)[i].find("SIMULATED · "), std::string::npos) << protocol << ", " << number;
+    }
     EXPECT_LE(answering, most) << protocol << ", " << participants;
     EXPECT_LE(pageWith(*pages, "Figure 1."), figure) << protocol << ", " << participants;
   }
@@ -177,7 +198,7 @@ TEST(PdfReport, DividesATableOnlyWithRowsOnEachSideAndKeepsItWithItsHeading) {
     EXPECT_EQ(pageWith(*pages, "Caption of it"), first) << paragraphs;
     EXPECT_EQ(pageWith(*pages, "Heading of it"), first) << paragraphs;
     for (std::size_t i = 0; i + 1 < pages->size(); ++i) {
-      EXPECT_NE((*pages)[i].find_first_not_of(" \n0123456789"), std::string::npos)
+      EXPECT_NE((*pages)[i].find_first_not_of(" \nof0123456789"), std::string::npos)
           << "empty page " << i << " after " << paragraphs;
     }
     rowsAtFirst.insert(rows);
@@ -265,7 +286,7 @@ TEST(PdfReport, LeavesNoPageEmptyAndCutsNothingWhereverATableEnds) {
     int moved = 0;  // pages that "follows" moves to
     for (std::size_t i = 0; i < pages->size(); ++i) {
       const auto& words = (*pages)[i];
-      ASSERT_GE(words.size(), 2U) << "page " << i + 1 << " is empty before " << follows;
+      ASSERT_GE(words.size(), 5U) << "page " << i + 1 << " is empty before " << follows;
       if (words.front().text != "begin") ++moved;
       for (const auto& word : words) {
         constexpr double kTop = 18.0 / 25.4 * 72.0;
@@ -278,6 +299,39 @@ TEST(PdfReport, LeavesNoPageEmptyAndCutsNothingWhereverATableEnds) {
     EXPECT_GT(moved, 3) << "or this test sees nothing that moves to the next page: " << follows;
     EXPECT_LE(moved, kPages);
   }
+}
+
+TEST(PdfReport, HasHeadingsWhoseSizeSaysTheirLevel) {
+  const auto pages = wordsOnPages(asPdf(
+      "<html><head><style></style></head><body><h1>first</h1><h2>second</h2><h3>third</h3>"
+      "<h4>fourth</h4><p>text</p></body></html>",
+      "A study"));
+  if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+  const auto& words = pages->front();
+  for (std::size_t i = 0; i + 2 < 5; ++i) {
+    EXPECT_GT(words[i].bottom - words[i].top, 1.1 * (words[i + 1].bottom - words[i + 1].top))
+        << words[i].text;
+  }
+}
+
+TEST(PdfReport, HasThreeRulesInATable) {
+  QTextDocument document;
+  document.setHtml(QString::fromStdString(
+      forPrint("<html><head><style></style></head><body><table><caption>Caption</caption><thead>"
+               "<tr><th>Column</th></tr></thead><tbody><tr><td>row</td></tr><tr><td>row</td></tr>"
+               "</tbody></table></body></html>")
+          .html));
+  ruleTables(document);
+  const auto* table = qobject_cast<QTextTable*>(document.rootFrame()->childFrames().front());
+  ASSERT_NE(table, nullptr);
+  std::string rules;  // above and below each row, of which the first is the caption
+  for (int row = 0; row < table->rows(); ++row) {
+    const auto format = table->cellAt(row, 0).format().toTableCellFormat();
+    rules += format.topBorder() > 0.0 ? "^" : "";
+    rules += format.bottomBorder() > 0.0 ? "_" : "";
+    rules += " ";
+  }
+  EXPECT_EQ(rules, " ^_  _ ");
 }
 
 TEST(PdfReport, HasNoLigaturesThatCannotBeSearched) {
