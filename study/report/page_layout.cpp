@@ -385,6 +385,8 @@ void fitColumns(QTextDocument& document) {
 }
 
 void ruleTables(QTextDocument& document) {
+  QTextCursor edit(&document);
+  edit.beginEditBlock();  // otherwise each cell lays the document out
   for (auto* frame : document.rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
@@ -413,6 +415,7 @@ void ruleTables(QTextDocument& document) {
       }
     }
   }
+  edit.endEditBlock();
 }
 
 void layOutAgain(QTextDocument& document) {

@@ -46,7 +46,8 @@ class FigureObjects : public QObject, public QTextObjectInterface {
     const QSizeF size = drawing(format).size();
     const auto* paper = document->documentLayout()->paintDevice();
     const double dpi = paper != nullptr ? paper->logicalDpiX() : 96.0;
-    const double scale = std::min(dpi / 96.0, document->pageSize().width() / size.width());
+    const double width = document->pageSize().width();  // not positive before it is set
+    const double scale = width > 0.0 ? std::min(dpi / 96.0, width / size.width()) : dpi / 96.0;
     const double shrunk =
         format.hasProperty(kFigureScale) ? format.doubleProperty(kFigureScale) : 1.0;
     return size * scale * shrunk;
@@ -234,12 +235,12 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   QTextOption wrapping = document.defaultTextOption();
   wrapping.setWrapMode(QTextOption::WordWrap);  // otherwise words break inside narrow columns
   document.setDefaultTextOption(wrapping);
-  constexpr double kFooter = 9.0 / 25.4;  // [in]
-  document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
   setHeadingSizes(document, scale);
   ruleTables(document);
+  constexpr double kFooter = 9.0 / 25.4;  // [in]
+  document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);
   numberContents(document);  // makes room for the numbers
   choosePageBreaks(document, QString::fromStdString(words::wordsIn(page.language)("continued")));
