@@ -86,7 +86,7 @@ protocols::LoadedProtocol libraryProtocol(const std::string& name) {
 protocols::LoadedProtocol filledIn(const protocols::LoadedProtocol& protocol) {
   const std::map<std::string, std::string> words{
       {"institution", "the Example University Hospital"},
-      {"contact", "Dr Anna Berg, anna.berg@example.org, +47 55 55 01 23"},
+      {"contact", "Dr Anna Berg, anna.berg@example.org"},
       {"duration", "20"},
       {"ethics", "Regional Ethics Committee, reference 2026/123"},
       {"delete_until", "31 March 2027"},

@@ -1,5 +1,8 @@
 #include "study/gui/participant/item_widget.h"
 
+#include <memory>
+
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "study/gui/participant/blank_text.h"
@@ -30,6 +33,15 @@ void ItemWidget::showStatement(const QString& words) {
 void ItemWidget::remarkOn(const QString& remark) {
   const auto words = item_.text.isEmpty() ? QString() : text(item_.text) + QLatin1Char(' ');
   showStatement(words + remark);
+}
+
+void ItemWidget::putBesideField(QWidget& widget) {
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  const std::unique_ptr<QLayoutItem> field(rows->takeAt(rows->count() - 1));
+  auto* row = new QHBoxLayout;
+  row->addWidget(field->widget(), 1);
+  row->addWidget(&widget);
+  rows->addLayout(row);
 }
 
 QString ItemWidget::text(const questionnaires::LocalizedText& text) const {

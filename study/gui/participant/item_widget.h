@@ -30,6 +30,8 @@ class ItemWidget : public QWidget {
 
   /// Writes @p remark, such as "(optional)", after the statement.
   void remarkOn(const QString& remark);
+  /// Puts @p widget beside the field in which the answer is written.
+  void putBesideField(QWidget& widget);
 
   /// The response; std::nullopt while the item is unanswered.
   virtual std::optional<questionnaires::Response> response() const = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QDate>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QScrollBar>
 #include <QStyle>
@@ -157,21 +156,15 @@ void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   mark->hide();
   auto* widget = makeItemWidget(item, content.choices, content.language, card);
   card->layout()->addWidget(mark);
-  auto* layout = static_cast<QVBoxLayout*>(card->layout());
-  // The name that signs a consent, and the date beside it.
-  if (isSignature(items_, index) && !items_[index - 1].consentOption.empty()) {
-    const auto today = QLocale(content.language).toString(QDate::currentDate(), tr("d MMMM yyyy"));
-    auto* date = quietLabel(tr("Date: %1").arg(today), card);
-    date->setWordWrap(false);
-    auto* row = new QHBoxLayout;
-    row->addWidget(widget, 1);
-    row->addWidget(date, 0, Qt::AlignBottom);
-    layout->addLayout(row);
-  } else {
-    layout->addWidget(widget);
-  }
+  card->layout()->addWidget(widget);
   // A name in place of a signature says itself when it is wanted.
   if (!item.isRequired && !isSignature(items_, index)) widget->remarkOn(tr("(optional)"));
+  if (isSignature(items_, index) && !items_[index - 1].consentOption.empty()) {
+    const auto today = QLocale(content.language).toString(QDate::currentDate(), tr("d MMMM yyyy"));
+    auto* date = quietLabel(tr("Date: %1").arg(today), widget);
+    date->setWordWrap(false);
+    widget->putBesideField(*date);
+  }
   entries_.push_back(
       {.widget = widget,
        .card = card,
