@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/model/words_of_names.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
