@@ -143,6 +143,17 @@ std::span<const Work> works() noexcept {
   return kWorks;
 }
 
+std::string sourcesWithDois(std::span<const base::Message> sources) {
+  std::string text;
+  for (const auto& source : sources) {
+    const auto key = base::describe(source);
+    const auto work = std::ranges::find(works(), key, &Work::key);
+    const bool hasDoi = work != works().end() && !work->doi.empty();
+    text += (text.empty() ? "" : "; ") + key + (hasDoi ? ", " + std::string(work->doi) : "");
+  }
+  return text;
+}
+
 std::string authorsAndYear(std::string_view key) {
   const auto year = yearOf(workNamed(key));
   return fmt::format("{}, {}", key.substr(0, key.size() - year.size() - 1), year);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -27,6 +28,9 @@ inline constexpr std::string_view kPunchCode = "Bjelland 2022";
 inline constexpr std::string_view kReamingPaper = "Pelliccia et al. 2020";
 
 std::span<const Work> works() noexcept;
+
+/// The sources, separated by "; ", works with their DOI: "Hurlbert 1984, 10.2307/1942661".
+std::string sourcesWithDois(std::span<const base::Message> sources);
 
 /// "Mann & Whitney, 1947"
 std::string authorsAndYear(std::string_view key);

@@ -5,6 +5,10 @@
 
 namespace study {
 
+const std::string_view kCopyNotNoted =
+    "The study cannot be written, so that this copy is not in its list of copies: an erasure will "
+    "not name it. Write down where it is.";
+
 bool noteCopy(Study& study, const storage::Event& event) {
   try {
     if (study.isWritable()) {

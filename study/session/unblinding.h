@@ -26,9 +26,7 @@ void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::str
 bool noteCopy(Study& study, const storage::Event& event);
 
 /// What is said of a copy that could not be noted.
-inline constexpr std::string_view kCopyNotNoted =
-    "The study cannot be written, so that this copy is not in its list of copies: an erasure will "
-    "not name it. Write down where it is.";
+extern const std::string_view kCopyNotNoted;
 
 /// Notes in the audit trail where a report or its figures will be written. They contain answers and
 /// texts of participants, so knownCopies() lists them for an erasure. Nothing is noted for

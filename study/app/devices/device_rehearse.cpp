@@ -29,13 +29,13 @@ std::vector<EmulatedDevice> emulatedDevicesFor(
     const protocols::Protocol& protocol, const RehearseArguments& arguments) {
   std::vector<EmulatedDevice> emulated;
   for (const auto& need : protocol.devices) {
+    const bool isSerial = need.kind->wire == haptics::devices::Wire::Serial;
+    // Firmware has no hand whose movements a seed could choose.
     std::vector<std::string> options{"--seed", std::to_string(arguments.seed)};
-    if (need.kind->wire == haptics::devices::Wire::Serial) {
+    if (isSerial && !arguments.firmware.empty()) options = {"--firmware", arguments.firmware};
+    if (isSerial) {
       const auto port = fs::absolute(arguments.out) / (need.id + "-port");
       options.insert(options.end(), {"--link", port.string()});
-      if (!arguments.firmware.empty()) {
-        options.insert(options.end(), {"--firmware", arguments.firmware});
-      }
     }
     emulated.push_back(emulatedDevice(*need.kind, need.id, options));
     fmt::print("Emulating '{}': {}\n", need.id, emulated.back().emulator->ready());

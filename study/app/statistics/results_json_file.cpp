@@ -4,6 +4,7 @@
 
 #include "study/app/json_file.h"
 #include "study/export/statistics_row.h"
+#include "study/report/references.h"
 #include "study/results/apa_text.h"
 #include "study/results/felt_curves.h"
 #include "study/results/vote_tables.h"
@@ -13,8 +14,7 @@ namespace {
 
 using ResultJson = nlohmann::ordered_json;
 
-/// null for missing values, and for infinite ones, which JSON does not have; the row has the
-/// reason.
+/// null for missing and infinite values, which JSON does not have; the row has the reason.
 ResultJson nullable(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ResultJson(*value) : ResultJson(nullptr);
 }
@@ -386,7 +386,7 @@ ResultJson cohortAsJson(const CohortResult& cohort) {
          {"what", flag.inEnglish()},
          {"why", base::describe(flag.why)},
          {"remedy", base::describe(flag.remedy)},
-         {"source", base::describe(flag.source)}});
+         {"source", report::sourcesWithDois(flag.source)}});
   }
   return json;
 }

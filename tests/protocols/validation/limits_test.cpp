@@ -6,6 +6,7 @@
 #include "protocols/load_protocol.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
 
 namespace protocols {
 namespace limits_test {
@@ -55,13 +56,11 @@ TEST(Limits, BeyondTheKindOfDeviceAreErrorsWithTheSourceOfTheBound) {
 
 TEST(Limits, OfTheTorqueOfAReamerAreThoseOfTheDevice) {
   const auto verdictOf = [](const std::string& torque, const std::string& rate) {
-    auto text = tests::usualProtocol();
-    text = tests::with(text, R"("kind": "punch")", R"("kind": "reamer")");
-    text = tests::with(
-        text,
-        "\"max_force_n\": 8",
+    const auto text = tests::with(
+        tests::contentOf(tests::repository() / "protocols/library/reaming-hardness.json"),
+        "\"max_force_n\": ",
         "\"max_torque_nm\": " + torque + ", \"max_torque_rate_nm_per_s\": " + rate +
-            ", \"max_force_n\": 8");
+            ", \"max_force_n\": ");
     const tests::ScratchFolder folder;
     questionnaires::Problems problems;
     loadProtocolFile(folder.write("protocol.json", text), problems);

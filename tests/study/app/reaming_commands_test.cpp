@@ -141,7 +141,7 @@ TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
   output({"report", study, "--run-mode", "simulated", "--out", report});
   const auto page = tests::contentOf(report);
   expectIn(page, "Felt against the material");
-  expectIn(page, " SYNTHETIC, made from");
+  expectIn(page, " SYNTHETIC, neither recorded");
   expectIn(page, "bone.json");
   expectIn(page, "bone.packing");
 }

@@ -96,6 +96,7 @@ TEST(StatisticsTables, AreOfTextsWhereACohortHasNoAnswersYet) {
   }
   const auto table = statisticsTables(section, Profile::Declared).front();
   const auto words = column(table, "In words");
+  ASSERT_FALSE(words.empty());
   EXPECT_EQ(words.front(), "No answers yet.");
   for (const auto& row : table.rows) {
     EXPECT_EQ(row.size(), table.columns.size());
@@ -124,7 +125,9 @@ TEST(StatisticsTables, CallNoDeclaredTestExploratoryThatCouldNotBeMade) {
   test.effect = {"rank_biserial", 1.0};
   test.reason = base::Message::verbatim("one pair only");
   const auto table = statisticsTables(section, Profile::Declared).front();
-  EXPECT_EQ(column(table, "In words").front(), "Not tested: one pair only.");
+  const auto words = column(table, "In words");
+  ASSERT_FALSE(words.empty());
+  EXPECT_EQ(words.front(), "Not tested: one pair only.");
 }
 
 TEST(StatisticsTables, HaveTheDifferenceBesideADeclaredTestOfRanks) {
