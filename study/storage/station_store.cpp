@@ -186,16 +186,18 @@ void StationStore::append(const std::string& list, const std::string& line) cons
   if (file < 0) fail(path);
   flock(file, LOCK_EX);  // until the file is closed; some file systems cannot
   const off_t before = lseek(file, 0, SEEK_END);
-  char last = '\n';  // unless a power failure left a part of a line
-  if (before > 0) static_cast<void>(pread(file, &last, 1, before - 1));
-  const std::string bytes = (last == '\n' ? "" : "\n") + line + "\n";
+  char last = '\n';
+  // A power failure may have left a part of a line.
+  const bool isCutOff = before > 0 && pread(file, &last, 1, before - 1) == 1 && last != '\n';
+  const std::string bytes = (isCutOff ? "\n" : "") + line + "\n";
   // A single call of write(), so that lines of several programs do not mix.
   errno = 0;
   const auto written = write(file, bytes.data(), bytes.size());
   const bool isWhole = written == static_cast<ssize_t>(bytes.size());
   const bool isOnDisk = isWhole && fsync(file) == 0;
   const int reason = errno != 0 ? errno : ENOSPC;  // a short write sets none
-  if (written > 0 && !isWhole) static_cast<void>(ftruncate(file, before));
+  // If the rest cannot be cut off either, the next call begins a line of its own.
+  [[maybe_unused]] const int left = written > 0 && !isWhole ? ftruncate(file, before) : 0;
   close(file);
   if (!isOnDisk) fail(path, std::generic_category().message(reason));
 }
