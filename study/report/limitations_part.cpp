@@ -104,10 +104,11 @@ class LimitationsWriter : HtmlWriter {
     if (shown < points.size()) items += "<li>" + more + "</li>";
     if (!items.empty()) put("<ul>{}</ul>", items);
     const bool hasFlags = !limitations().empty();
-    const auto none = say(
-        "None of {} checks of the answers and trials found anything; “Limitations” in the appendix "
-        "says what they look for.",
-        kBySeverity.size());
+    const auto none =
+        say("None of {} checks of the trials and of the compared answers found anything; "
+            "“Limitations” in "
+            "the appendix says what they look for.",
+            kBySeverity.size());
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
     put("<p class=\"note\">{}</p>", hasFlags ? explained : none);
     return std::move(html_);
@@ -258,15 +259,19 @@ class LimitationsWriter : HtmlWriter {
     return tested * cohorts.size() > 1 ? sentence : std::string();
   }
 
-  /// What was looked for and not found.
+  /// What was looked for and not found. Of one participant most was not looked for.
   void notFound(const std::vector<Limitation>& found) {
+    if (section_.results.completed() == 1) return;
     std::string titles;
     for (const auto id : kBySeverity) {
       const auto isSame = [&](const auto& other) { return other.flag->id == id; };
       if (std::ranges::any_of(found, isSame)) continue;
       titles += (titles.empty() ? "" : "; ") + inWords(analysis::Flag{.id = id}.title());
     }
-    if (!titles.empty()) put("<p>{} {}.</p>", say("Looked for and not found:"), titles);
+    if (!titles.empty())
+      put("<p>{} {}.</p>",
+          say("Looked for in the answers that are compared, and not found:"),
+          titles);
   }
 
   /// All limitations of the families, each kind once. Flags on pooled tests are left out if the

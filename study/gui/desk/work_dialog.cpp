@@ -6,6 +6,7 @@
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QResizeEvent>
 #include <QScreen>
 #include <QTimer>
 

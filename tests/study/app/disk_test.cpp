@@ -189,7 +189,8 @@ class NoSpaceForAnEventTest : public NoSpaceTest {
       auto session = Session::enrol(*study_, {.cohort = "surgeons"});
       tests::walkToTheEnd(session);
     }
-    DiskTest::SetUp();  // closes the study
+    // Closes the study, and simulates nobody.
+    DiskTest::SetUp();  // NOLINT(bugprone-parent-virtual-call)
   }
 
   struct Unblinding {

@@ -148,7 +148,8 @@ TEST(Claims, SaysWhatWasLookedForAndNotFound) {
   auto section = tests::madeUpSection();
   section.warnings.clear();
   for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
-  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 13 checks of the answers and trials found"));
+  EXPECT_TRUE(has(
+      weaknessesAsHtml(section), "None of 13 checks of the trials and of the compared answers"));
   const auto all = limitationsAsHtml(section);
   for (const auto& kind : analysis::kFlagMessages) {
     if (!kind.key.ends_with(".title")) continue;

@@ -69,13 +69,15 @@ TEST_F(KeyDialogTest, TakesItOnAnotherComputer) {
   }
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   KeyDialog dialog(summary());
-  EXPECT_TRUE(
-      the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("has not the key")));
+  EXPECT_TRUE(the<QTextBrowser>(dialog, "more")
+                  .toPlainText()
+                  .contains(QStringLiteral("does not have the key")));
   EXPECT_EQ(the<QComboBox>(dialog, "wanted").currentIndex(), 1) << "this is what is wanted here";
   setPaths(dialog, file_);
   the<QPushButton>(dialog, "go").click();
-  EXPECT_FALSE(
-      the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("has not the key")));
+  EXPECT_FALSE(the<QTextBrowser>(dialog, "more")
+                   .toPlainText()
+                   .contains(QStringLiteral("does not have the key")));
   study_.reopen();
   EXPECT_TRUE(study_->hasKey());
 }

@@ -46,16 +46,16 @@ namespace study_dialogs_test {
 class StudyDialogsTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    made_ = new tests::ScratchFolder;
+    made = new tests::ScratchFolder;
     questionnaires::Problems problems;
     const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
     SimulatedClock clock;
-    auto study = Study::create(*made_ / "study", protocol, clock, 7, tests::knownSecret());
+    auto study = Study::create(*made / "study", protocol, clock, 7, tests::knownSecret());
     simulateCohorts(study, clock, 8, 7, [](const auto&) {});
   }
-  static void TearDownTestSuite() { delete made_; }
+  static void TearDownTestSuite() { delete made; }
 
-  std::string study() const { return *made_ / "study"; }
+  std::string study() const { return *made / "study"; }
   StudySummary summary() const { return summaryOf(study()); }
 
   /// Enters the target, presses the button and waits for the end.
@@ -72,7 +72,7 @@ class StudyDialogsTest : public testing::Test {
     return dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
   }
 
-  static inline tests::ScratchFolder* made_ = nullptr;
+  static inline tests::ScratchFolder* made = nullptr;
   tests::ScratchFolder out_;
 };
 
