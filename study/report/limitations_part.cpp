@@ -268,10 +268,10 @@ class LimitationsWriter : HtmlWriter {
       if (std::ranges::any_of(found, isSame)) continue;
       titles += (titles.empty() ? "" : "; ") + inWords(analysis::Flag{.id = id}.title());
     }
-    if (!titles.empty())
-      put("<p>{} {}.</p>",
-          say("Looked for in the answers that are compared, and not found:"),
-          titles);
+    if (titles.empty()) return;
+    put("<p>{} {}.</p>",
+        say("Looked for in the answers that are compared, and not found:"),
+        titles);
   }
 
   /// All limitations of the families, each kind once. Flags on pooled tests are left out if the
