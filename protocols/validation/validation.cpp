@@ -208,6 +208,25 @@ constexpr double kPainlessForce = 140.0;
 
 constexpr double kTick = 0.001;  // period of the force loop [s]
 
+/// Refuses a change within one tick, at which the device is sent the largest value at once.
+/// @param what  "force" or "torque", @param rate  [@p unit], @param largest  of the value
+void validateRate(
+    const std::string& path,
+    const std::string& what,
+    double rate,
+    const std::string& unit,
+    double largest,
+    const std::string& usual,
+    questionnaires::Problems& problems) {
+  const double steepest = largest / kTick;
+  if (rate <= steepest) return;
+  problems.add(
+      path,
+      "a device is sent a " + what + " every 1 ms, and at " + shown(rate) + " " + unit +
+          " the largest one comes at once, as a blow",
+      "write less than " + shown(steepest) + "; " + usual);
+}
+
 void validateTorque(
     const DeviceRequirement& device, const std::string& path, questionnaires::Problems& problems) {
   const double most = device.kind->simulatedMaxTorque;
@@ -220,14 +239,14 @@ void validateTorque(
             " N·m: what is asked for beyond is not felt",
         "write " + shown(most) + " or less");
   }
-  const double steepest = device.maxTorque / kTick;
-  if (device.maxTorqueRate > steepest) {
-    problems.add(
-        path + "max_torque_rate_nm_per_s",
-        "a device is sent a torque every 1 ms, and at " + shown(device.maxTorqueRate) +
-            " N·m/s the largest one comes at once, as a blow",
-        "write less than " + shown(steepest) + "; 50 is usual for 5 N·m");
-  }
+  validateRate(
+      path + "max_torque_rate_nm_per_s",
+      "torque",
+      device.maxTorqueRate,
+      "N·m/s",
+      device.maxTorque,
+      "50 is usual for 5 N·m",
+      problems);
 }
 
 }  // namespace
@@ -244,14 +263,14 @@ void validateLimits(const Protocol& protocol, questionnaires::Problems& problems
               shown(device.maxForce) + " N",
           "write " + shown(kPainlessForce) + " or less, and scale the scenes by 'force_scale'");
     }
-    const double steepest = device.maxForce / kTick;
-    if (device.maxForceRate > steepest) {
-      problems.add(
-          path + "max_force_rate_n_per_s",
-          "a device is sent a force every 1 ms, and at " + shown(device.maxForceRate) +
-              " N/s the largest one comes at once, as a blow",
-          "write less than " + shown(steepest) + "; shipped protocols have 500 for 8 N");
-    }
+    validateRate(
+        path + "max_force_rate_n_per_s",
+        "force",
+        device.maxForceRate,
+        "N/s",
+        device.maxForce,
+        "shipped protocols have 500 for 8 N",
+        problems);
     if (device.maxForce > device.kind->simulatedMaxForce) {
       problems.add(
           path + "max_force_n",
