@@ -55,15 +55,7 @@ class AnswerWriter : HtmlWriter {
 
   /// Writes the main weakness of pooled tests next to their p values.
   void pooledAnswers() {
-    const bool isRepeated = std::ranges::any_of(section_.results.families, [](const auto& family) {
-      const bool isTested = std::ranges::any_of(
-          family.cohorts, [&](const auto& part) { return isAnyDefined(family, part); });
-      if (!isTested || !isPooled(Profile::Declared, family.family)) return false;
-      return std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
-        return raised.flag->id == "pseudo_replication";
-      });
-    });
-    if (!isRepeated) return;
+    if (!areAnswersPooled(section_)) return;
     paragraph(
         "As the protocol declares, these tests take all answers of a person as independent: their "
         "p may be far too small. “Within people” in the appendix compares people.");
@@ -342,6 +334,17 @@ class AnswerWriter : HtmlWriter {
 };
 
 }  // namespace
+
+bool areAnswersPooled(const ReportSection& section) {
+  return std::ranges::any_of(section.results.families, [](const auto& family) {
+    const bool isTested = std::ranges::any_of(
+        family.cohorts, [&](const auto& part) { return isAnyDefined(family, part); });
+    if (!isTested || !isPooled(Profile::Declared, family.family)) return false;
+    return std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
+      return raised.flag->id == "pseudo_replication";
+    });
+  });
+}
 
 bool hasAnswers(const CohortResult& cohort) {
   return std::ranges::any_of(

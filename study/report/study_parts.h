@@ -22,6 +22,10 @@ std::string participantsAsHtml(const ReportSection& section);
 /// What was found, in one or two plain sentences without statistics; empty without answers.
 std::string verdictOf(const ReportSection& section);
 
+/// Whether a declared test that was made takes several answers of one person as those of several
+/// people.
+bool areAnswersPooled(const ReportSection& section);
+
 /// The condition that was named most often or, where votes do not say, rated highest; empty without
 /// answers.
 std::string bestAlternativeOf(const ReportSection& section);

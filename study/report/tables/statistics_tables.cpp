@@ -437,16 +437,6 @@ class TablesWriter {
   std::vector<DataTable> tables_;
 };
 
-/// Whether tests as declared count several answers of a person as those of several people.
-bool areAnswersPooled(const ReportSection& section) {
-  return std::ranges::any_of(section.results.families, [](const auto& family) {
-    return isPooled(Profile::Declared, family.family) &&
-           std::ranges::any_of(flagsByKind(family, true), [](const auto& raised) {
-             return raised.flag->id == "pseudo_replication";
-           });
-  });
-}
-
 }  // namespace
 
 std::string answerInWords(const ReportSection& section) {
