@@ -21,7 +21,7 @@ enum class SessionState {
   Withdrawn,        ///< the participant stopped
   Rejected,         ///< the operator stopped, with a reason
   AbortedHardware,  ///< a device could not be brought back
-  Erased,           ///< answers were erased, whatever the state was before
+  Erased,           ///< answers were erased, in any state
 };
 
 /// What can happen to a session. kSessionTransitions lists the states before and after.

@@ -141,7 +141,7 @@ TextFont textFont() {
       withoutLigatures(QFont(typeface())), typeface() == QLatin1String("DejaVu Sans") ? 1.0 : 1.1};
 }
 
-/// Gives headings their sizes. Qt sets them relative to the text, whatever the style sheet says,
+/// Gives headings their sizes. Qt sets them relative to the text, not as the style sheet says,
 /// and ignores a size beside that property (Qt 6.4).
 void setHeadingSizes(QTextDocument& document, double scale) {
   constexpr std::array kSizes{17.0, 14.0, 11.5, 9.5};  // [pt]

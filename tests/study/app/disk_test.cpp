@@ -189,7 +189,7 @@ class NoSpaceForAnEventTest : public NoSpaceTest {
       auto session = Session::enrol(*study_, {.cohort = "surgeons"});
       tests::walkToTheEnd(session);
     }
-    // Closes the study, and simulates nobody.
+    // Closes the study, without a simulated session.
     DiskTest::SetUp();  // NOLINT(bugprone-parent-virtual-call)
   }
 

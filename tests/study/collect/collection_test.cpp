@@ -220,8 +220,8 @@ TEST_F(Collection, PushesThatAreKilledLoseAndDoubleNothing) {
   const int kills = tests::inLongForm(200, 25);
   addStation("oslo");
   simulate("oslo", 2);
-  // A line that stands still after so many bytes: how far a push gets does not depend on the
-  // computer's speed.
+  // A line that carries nothing more after so many bytes: how far a push gets does not depend on
+  // the computer's speed.
   tests::Line line(fmt::format("{}/.s.PGSQL.{}", postgres().folder().string(), postgres().port()));
   int cutShort = 0;
   for (int i = 0; i < kills; ++i) {

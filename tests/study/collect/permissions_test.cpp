@@ -55,7 +55,7 @@ TEST_F(Permissions, AStationMayCallIngestAndNothingElse) {
   for (int i = 0; i < relations.count(); ++i) {
     const auto name = "palpate." + relations.text(i, 0);
     EXPECT_EQ(kindOf(station, "SELECT * FROM " + name), kDenied);
-    if (relations.text(i, 1) == "t") continue;  // nobody can write to a view
+    if (relations.text(i, 1) == "t") continue;  // no role can write to a view
     EXPECT_EQ(kindOf(station, "DELETE FROM " + name), kDenied);
     EXPECT_EQ(kindOf(station, "INSERT INTO " + name + " DEFAULT VALUES"), kDenied);
     EXPECT_EQ(

@@ -25,7 +25,7 @@ analysis::TestRow& pairedT(
   throw std::logic_error("no such pair");
 }
 
-/// What stands in the list of weaknesses.
+/// The entries in the list of weaknesses.
 std::vector<std::string> weaknessesOf(const ReportSection& section) {
   std::vector<std::string> points;
   const auto list = weaknessesAsHtml(section);
