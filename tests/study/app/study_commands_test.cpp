@@ -1,0 +1,111 @@
+// The commands for a study: create, simulate, amend, status, backup, export, report.
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "study/session/session.h"
+#include "tests/study/app/palpate_command.h"
+#include "tests/study/made_study.h"
+#include "tests/support/test_data.h"
+
+namespace study_commands_test {
+
+using nlohmann::json;
+using tests::expectRefused;
+using tests::kTheWorldSaidNo;
+using tests::palpate;
+using tests::Words;
+
+class StudyCommands : public tests::StudyOfCommands {};
+
+TEST_F(StudyCommands, ExportsOnlyTheRequestedRunMode) {
+  const auto study = made("punch-face-validity", 2);
+  const std::string out = folder_ / "data";
+  expectRefused(
+      {"export", study, "--out", out},
+      kTheWorldSaidNo,
+      {"No participant has taken part", "2 simulated sessions", "--run-mode simulated"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+
+  const auto simulated = palpate({"export", study, "--run-mode", "simulated", "--out", out});
+  EXPECT_EQ(simulated.status, 0) << simulated.error;
+  EXPECT_NE(simulated.out.find("2 simulated sessions, with codes"), std::string::npos);
+  const auto readme = tests::contentOf(out + "/README.md");
+  EXPECT_NE(readme.find("2 simulated sessions, and no others. Nobody took part"), std::string::npos)
+      << readme;
+  EXPECT_NE(readme.find("SYNTHETIC"), std::string::npos) << readme;
+  EXPECT_EQ(json::parse(tests::contentOf(out + "/codebook.json"))["run_mode"], "simulated");
+
+  const std::string none = folder_ / "none";
+  const auto empty = palpate({"export", study, "--run-mode", "pilot", "--out", none});
+  EXPECT_NE(empty.out.find("no pilot sessions"), std::string::npos) << empty.out;
+  EXPECT_NE(
+      tests::contentOf(none + "/README.md").find("No pilot session is in this folder"),
+      std::string::npos);
+}
+
+TEST_F(StudyCommands, ReportsEarlierSimulatedParticipants) {
+  const auto study = made("punch-face-validity", 2);
+  const Words fewer{"study", "simulate", study, "--participants", "1"};
+  EXPECT_NE(
+      palpate(fewer).out.find("2 simulated participants have finished, all of them begun before"),
+      std::string::npos);
+  const Words more{"study", "simulate", study, "--participants", "11"};
+  const auto finished = palpate(more);
+  EXPECT_NE(
+      finished.out.find("11 simulated participants have finished, 2 of them"), std::string::npos);
+  EXPECT_NE(finished.error.find("10 of 11 simulated participants"), std::string::npos);
+}
+
+TEST_F(StudyCommands, ReportsAnAmendmentWithoutChanges) {
+  const auto study = made("punch-face-validity");
+  const auto same = palpate({"study", "amend", study, "--protocol", "punch-face-validity"});
+  EXPECT_EQ(same.status, 0) << same.error;
+  EXPECT_NE(same.out.find("nothing has changed"), std::string::npos) << same.out;
+  const auto other = palpate({"study", "amend", study, "--protocol", "punch-counterbalanced"});
+  EXPECT_NE(other.error.find("not another version"), std::string::npos) << other.error;
+}
+
+TEST_F(StudyCommands, KeepsTheColumnsOfStatusApartWhereACodeIsLong) {
+  tests::MadeStudy study;
+  const std::string code = "a-code-that-is-longer-than-its-column";
+  study::Session::enrol(*study, {.cohort = "surgeons", .code = code});
+  study.close();
+  const auto said = palpate({"study", "status", study.folder()}).out;
+  const auto row = said.find(code);
+  const auto head = said.find("participant ");
+  ASSERT_NE(row, said.npos) << said;
+  const auto columnOf = [&](std::size_t from, const std::string& word) {
+    return said.find(word, from) - from;
+  };
+  EXPECT_EQ(columnOf(head, "cohort"), columnOf(row, "surgeons")) << said;
+}
+
+TEST_F(StudyCommands, BacksUpAStudyThatVerifiesAfterwards) {
+  const auto study = made("punch-face-validity", 2);
+  const std::string copy = folder_ / "copy";
+  const auto finished = palpate({"study", "backup", study, "--out", copy});
+  EXPECT_EQ(finished.status, 0) << finished.error;
+  EXPECT_NE(finished.out.find("everything is what was written"), std::string::npos);
+  EXPECT_EQ(palpate({"study", "verify", copy}).status, 0);
+  EXPECT_EQ(
+      palpate({"study", "status", copy, "--json"}).out,
+      palpate({"study", "status", study, "--json"}).out);
+  expectRefused({"study", "backup", study, "--out", copy}, kTheWorldSaidNo, {"is there already"});
+}
+
+TEST_F(StudyCommands, WritesASelfContainedReport) {
+  const auto study = made("punch-face-validity", 3);
+  const std::string page = folder_ / "page.html";
+  const auto finished = palpate({"report", study, "--run-mode", "simulated", "--out", page});
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto html = tests::contentOf(page);
+  for (const auto* loads : {"src=\"http", "href=\"http", "<script", "@import", "url("}) {
+    EXPECT_EQ(html.find(loads), std::string::npos) << loads;
+  }
+  EXPECT_NE(html.find("Simulated"), std::string::npos);
+}
+
+}  // namespace study_commands_test
