@@ -6,7 +6,6 @@
 #include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/export_parts.h"
-#include "study/export/export_scripts.h"
 #include "study/export/public_history.h"
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "base/embedded_file.h"
 #include "study/export/column.h"
 #include "study/export/export.h"
 
@@ -72,5 +74,8 @@ std::vector<std::string> writeScripts(
 /// @throws storage::StorageError  if a trace cannot be read or a file cannot be written.
 std::size_t writeTraces(
     Study& study, const std::filesystem::path& folder, const ExportOptions& options);
+
+/// The R and Python scripts of study/library, which are exported unchanged.
+std::span<const base::EmbeddedFile> exportScripts();
 
 }  // namespace study
