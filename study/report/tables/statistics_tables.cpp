@@ -142,11 +142,7 @@ class TablesWriter {
             cellsOf(family, section_.cohortTitle(part.cohort), groups, people, test, test));
       };
       if (!hasAnswers(part)) {
-        Cells cells(table.columns.size(), std::string());
-        cells.front() = section_.cohortTitle(part.cohort);
-        const auto inWords = std::ranges::find(table.columns, say("In words"), &Heading::name);
-        cells[static_cast<std::size_t>(inWords - table.columns.begin())] = say("No answers yet.");
-        table.rows.push_back(std::move(cells));
+        table.rows.push_back(cellsWithoutAnswers(section_.cohortTitle(part.cohort), isOfAnswers));
         continue;
       }
       switch (profile_) {
@@ -210,6 +206,15 @@ class TablesWriter {
          say(shortNameOf(test.id)),
          statisticOf(test),
          effectOf(difference)});
+    return cells;
+  }
+
+  /// The row of a cohort without answers, in the columns of headingsOf().
+  Cells cellsWithoutAnswers(const std::string& who, bool isOfAnswers) const {
+    Cells cells{who, std::string(), std::string()};
+    if (isOfAnswers) cells.emplace_back(std::string());
+    const std::string none;
+    cells.insert(cells.end(), {none, none, none, none, say("No answers yet."), none, none, none});
     return cells;
   }
 
