@@ -242,8 +242,8 @@ storage::Findings orders(Study& study) {
     study.secretFor(RunMode::Live);
   } else {
     findings.remarks.push_back(
-        "those of live and pilot sessions are sealed, and this account has not the key: that they "
-        "are what was written is checked, and not what they say");
+        "those of live and pilot sessions are sealed, and this account does not have the key: it "
+        "is checked that they are unchanged, but not what they say");
   }
   for (const auto& row : study.sessions().all()) {
     if (study.isSealed() && row.runMode != RunMode::Simulated) {

@@ -28,7 +28,7 @@ std::vector<std::byte> sealed(
 
 std::string opened(
     const SealingKey* key, const std::vector<std::byte>& bytes, const std::string& place) {
-  if (key == nullptr) throw StorageError(adviceOnMissingKey("DIR", false));
+  if (key == nullptr) throw StorageError(adviceOnMissingKey("FOLDER", false));
   const auto padded = key->open(bytes, place);
   if (!padded) {
     throw StorageError(
@@ -62,7 +62,7 @@ std::string openMeasurements(
 }
 
 std::string adviceOnMissingKey(const std::string& study, bool hasPassphrase) {
-  return "This account has not the key of the study " + study +
+  return "This account does not have the key of the study " + study +
          ". Without it no session can go on, and nobody can say which condition an alternative "
          "was. On the account that has it: palpate study key export " +
          study + " --out key.txt --reason \"…\". Here: palpate study key import " + study +

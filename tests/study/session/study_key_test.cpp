@@ -92,7 +92,7 @@ TEST_F(SealedStudy, TellsNothingOnAnotherStationAndSaysWhatToDo) {
   for (const auto& check : verification.checks) {
     for (const auto& remark : check.remarks) remarks += remark;
   }
-  EXPECT_NE(remarks.find("has not the key"), std::string::npos);
+  EXPECT_NE(remarks.find("does not have the key"), std::string::npos);
   EXPECT_TRUE(backUp(study_.folder(), study_.scratch() / "copy").verification.isSound());
 }
 
