@@ -15,6 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 using questionnaires::Problems;
 
+constexpr std::string_view kProtocolEnding = ".json";
+constexpr std::string_view kSchemaEnding = ".schema.json";
+
 /// Adds @p found to @p problems; without its warnings if it has errors.
 void append(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
@@ -46,6 +49,22 @@ std::optional<LoadedProtocol> load(
 }
 
 }  // namespace
+
+std::vector<std::string> libraryProtocols() {
+  std::vector<std::string> names;
+  for (const auto& file : libraryFiles()) {
+    if (file.name.ends_with(kSchemaEnding) || !file.name.ends_with(kProtocolEnding)) continue;
+    names.emplace_back(file.name.substr(0, file.name.size() - kProtocolEnding.size()));
+  }
+  return names;
+}
+
+std::optional<std::string_view> libraryProtocol(std::string_view name) {
+  for (const auto& file : libraryFiles()) {
+    if (file.name == std::string(name) + std::string(kProtocolEnding)) return file.content;
+  }
+  return std::nullopt;
+}
 
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
@@ -84,12 +103,11 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
   std::error_code ignored;
   // a folder, such as that of a study, may have the name of a protocol in the library
   const bool isFile = fs::is_regular_file(path, ignored);
-  for (const auto& file : libraryFiles()) {
-    const std::string name(file.name);
-    if (!isFile && (path == name || path + ".json" == name)) {
-      return loadProtocol(
-          file.content, [](const std::string&) { return std::nullopt; }, problems);
-    }
+  const bool hasEnding = path.ends_with(kProtocolEnding);
+  const auto name = hasEnding ? path.substr(0, path.size() - kProtocolEnding.size()) : path;
+  if (const auto text = isFile ? std::nullopt : libraryProtocol(name)) {
+    return loadProtocol(
+        *text, [](const std::string&) { return std::nullopt; }, problems);
   }
   const auto folder = fs::path(path).parent_path();
   const auto beside = [&](const std::string& name) -> std::optional<std::string> {

@@ -16,6 +16,12 @@ namespace protocols {
 /// The protocols and other files of protocols/library, embedded in the program.
 std::span<const base::EmbeddedFile> libraryFiles();
 
+/// The names of the protocols in the library, such as "punch-face-validity".
+std::vector<std::string> libraryProtocols();
+
+/// The text of the protocol with this name in the library; std::nullopt if there is none.
+std::optional<std::string_view> libraryProtocol(std::string_view name);
+
 /// Reads a protocol and all files that it refers to, and checks their consistency. std::nullopt if
 /// there are errors; warnings do not prevent its use.
 std::optional<LoadedProtocol> loadProtocol(

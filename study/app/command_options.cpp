@@ -17,11 +17,12 @@ CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help)
 }
 
 void addStudyFolder(CLI::App& command, std::string& folder) {
-  command.add_option("DIR", folder, "The study's folder")->required();
+  command.add_option("FOLDER", folder, "Folder of the study")->required();
 }
 
 void addProtocolFile(CLI::App& command, std::string& file, const char* name) {
-  command.add_option(name, file, "A protocol file, or one of the library by name")->required();
+  command.add_option(name, file, "Protocol file (.json), or a name from 'palpate protocol list'")
+      ->required();
 }
 
 protocols::LoadedProtocol loadValidProtocol(const std::string& file) {
@@ -53,7 +54,7 @@ void addRunModeOfSession(CLI::App& command, std::string& name) {
           ->check(CLI::IsMember({"live", "pilot"}));
   command
       .add_flag_callback(
-          "--pilot", [&name] { name = "pilot"; }, "The same as --run-mode pilot")
+          "--pilot", [&name] { name = "pilot"; }, "Short form of --run-mode pilot")
       ->excludes(mode);
 }
 
@@ -61,12 +62,13 @@ void addReasonOption(CLI::App& command, std::string& reason) {
   command.add_option(
       "--reason",
       reason,
-      "Reason for naming conditions of live or pilot sessions (unblinding); goes into the audit "
-      "trail");
+      "Reason for naming the conditions of live or pilot sessions (unblinding); recorded in the "
+      "audit trail");
 }
 
 CLI::Option* addAuditedReason(CLI::App& command, std::string& reason) {
-  return command.add_option("--reason", reason, "Reason; goes into the audit trail");
+  return command.add_option(
+      "--reason", reason, "Reason for doing so; it is recorded in the audit trail");
 }
 
 void addReasonOfAmendment(CLI::App& command, std::string& reason) {

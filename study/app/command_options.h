@@ -43,7 +43,7 @@ auto addCommand(
 /// Adds a command without an action, for subcommands.
 CLI::App& addCommandGroup(CLI::App& program, const char* name, const char* help);
 
-/// Adds the argument DIR, the folder of a study.
+/// Adds the argument FOLDER, the folder of a study.
 void addStudyFolder(CLI::App& command, std::string& folder);
 
 /// Adds the argument FILE, or @p name: a protocol file, or the id of a protocol in the library.

@@ -244,7 +244,25 @@ class HelpFormatter final : public CLI::Formatter {
     return text + namesOf("Excludes", option->get_excludes());
   }
 
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrapped(option->get_description());
+  }
+
  private:
+  /// @p text in lines of at most kMostPerLine bytes, broken at blanks.
+  static std::string wrapped(const std::string& text) {
+    constexpr std::size_t kMostPerLine = 96;
+    std::string lines;
+    std::size_t length = 0;
+    for (const auto& word : split(text, ' ')) {
+      const bool isBroken = length + 1 + word.size() > kMostPerLine;
+      if (!lines.empty()) lines += isBroken ? '\n' : ' ';
+      length = (isBroken ? 0 : length + 1) + word.size();
+      lines += word;
+    }
+    return lines;
+  }
+
   static std::string namesOf(const char* label, const std::set<CLI::Option*>& options) {
     if (options.empty()) return "";
     std::vector<std::string> names;

@@ -11,7 +11,7 @@ namespace study::app {
 
 /// An option or a positional argument of a command, as help pages describe it.
 struct OptionDescription {
-  std::vector<std::string> names{};    ///< "--out", "-o"; a positional argument has one: "DIR"
+  std::vector<std::string> names{};    ///< "--out", "-o"; a positional argument has one: "FOLDER"
   std::string value{};                 ///< placeholder of the value: "FILE"; empty for a flag
   std::string text{};                  ///< description
   std::string range{};                 ///< accepted values, in words: "1 to 100"

@@ -26,17 +26,10 @@ struct DemoArguments {
   std::string recording;
 };
 
-std::string libraryProtocol(const std::string& name) {
-  for (const auto& file : protocols::libraryFiles()) {
-    if (file.name == name + ".json") return std::string(file.content);
-  }
-  throw std::logic_error("no protocol " + name);
-}
-
 /// The protocol of the punch paper's study, with the cut of a real recording if one is given.
 std::string punchProtocol(const DemoArguments& options, const fs::path& folder) {
   const std::string path = (folder / "punch-face-validity.json").string();
-  std::string text = libraryProtocol("punch-face-validity");
+  std::string text(protocols::libraryProtocol("punch-face-validity").value());
   if (!options.recording.empty()) {
     const auto recording = haptics::recordings::readRecordingFile(options.recording);
     const auto imported = importPublishedCut(recording);
@@ -83,7 +76,7 @@ int demo(const DemoArguments& options) {
   std::vector<report::ReportSection> sections;
   sections.push_back(runStudy(punchProtocol(options, folder), folder, "punch-study", options.seed));
   const std::string reaming = (folder / "reaming-hardness.json").string();
-  writeNewFile(reaming, libraryProtocol("reaming-hardness"));
+  writeNewFile(reaming, std::string(protocols::libraryProtocol("reaming-hardness").value()));
   sections.push_back(runStudy(reaming, folder, "reaming-study", options.seed));
   const auto page = (folder / "report.html").string();
   writeNewFile(page, reportFileContent(page, sections));
@@ -102,18 +95,19 @@ void addDemoCommand(CLI::App& program, Action& action) {
       program,
       action,
       "demo",
-      "Run both published studies with simulated participants, and write report and export",
+      "Run the two published studies with simulated participants; write a report and exports",
       app::demo);
-  command->add_option("--out", options.out, "New folder")
+  command
+      ->add_option("--out", options.out, "New folder for the studies, the report and the exports")
       ->type_name("FOLDER")
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Random seed; the same seed gives the same bytes")
+  command->add_option("--seed", options.seed, "Random seed; the same seed gives identical files")
       ->capture_default_str();
   command
       ->add_option(
           "--recording",
           options.recording,
-          "Recording (text) of a real punch; its cut replaces the shipped synthetic one")
+          "Recording (text) of a real punch; its cut replaces the built-in synthetic one")
       ->type_name("FILE");
 }
 

@@ -119,7 +119,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       options.unblind,
       "Name the condition of each alternative (recorded in the audit trail)");
   auto* reason = command->add_option(
-      "--reason", options.reason, "Reason for unblinding; goes into the audit trail");
+      "--reason", options.reason, "Reason for unblinding; recorded in the audit trail");
   unblind->needs(reason);
   auto* codes =
       command

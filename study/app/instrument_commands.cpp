@@ -215,7 +215,8 @@ int wording(const InstrumentArguments& options) {
 }
 
 void addName(CLI::App& verb, std::string& name) {
-  verb.add_option("NAME", name, "An instrument's file, or one of the library by name")->required();
+  verb.add_option("NAME", name, "Instrument file (.json), or a name from 'palpate instrument list'")
+      ->required();
 }
 
 void addLanguage(CLI::App& verb, std::string& language) {
@@ -247,13 +248,17 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       ->add_option(
           "--folder",
           checking.folder,
-          "Folder in which the folder 'wording' is (default: that of NAME; for the library: this "
-          "one)")
+          "Folder that contains the folder 'wording' (default: where the instrument file is; for "
+          "an instrument of the library, the current folder)")
       ->type_name("FOLDER");
   addLanguage(*check, checking.language);
 
-  auto [keys, scoring] =
-      addCommand(noun, action, "keys", "Print the scoring key of an instrument", app::keys);
+  auto [keys, scoring] = addCommand(
+      noun,
+      action,
+      "keys",
+      "Print how an instrument is scored: its reversed items and its formulas",
+      app::keys);
   addName(*keys, scoring.name);
 
   auto [wording, writing] = addCommand(

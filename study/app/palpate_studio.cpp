@@ -54,7 +54,7 @@ void describe(QCommandLineParser& parser) {
     const auto name = QString::fromStdString(study::app::nameOf(option));
     const auto text = QString::fromStdString(option.text);
     if (option.isPositional) {
-      parser.addPositionalArgument(name, text);
+      parser.addPositionalArgument(name, text, '[' + name + ']');
     } else if (name != QLatin1String("help") && name != QLatin1String("version")) {
       parser.addOption(
           {name,

@@ -46,6 +46,25 @@ int check(const CheckOptions& options) {
   return 0;
 }
 
+struct ListOptions {};
+
+int list(const ListOptions& /*options*/) {
+  for (const auto& name : protocols::libraryProtocols()) {
+    questionnaires::Problems problems;
+    const auto loaded = protocols::loadProtocol(
+        protocols::libraryProtocol(name).value(),
+        [](const std::string&) { return std::nullopt; },
+        problems);
+    const auto& protocol = loaded.value().protocol;
+    fmt::print(
+        "{:<22} {:<13} {}\n",
+        name,
+        counted(protocol.conditions.size(), "condition"),
+        protocol.study.title);
+  }
+  return 0;
+}
+
 struct OrdersOptions {
   std::string file;
   std::size_t participants = 0;
@@ -153,8 +172,12 @@ int orders(const OrdersOptions& options) {
 }  // namespace
 
 void addProtocolCommands(CLI::App& program, Action& action) {
-  auto& noun =
-      addCommandGroup(program, "protocol", "Check a protocol; list its orders; fill in its texts");
+  auto& noun = addCommandGroup(
+      program,
+      "protocol",
+      "List the protocols of the library; check a protocol, list its orders, fill in its texts");
+
+  addCommand(noun, action, "list", "List the protocols of the library", list);
 
   auto [check, checking] = addCommand(
       noun,
@@ -169,16 +192,23 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       noun,
       action,
       "orders",
-      "List the planned orders of conditions, and how balanced they are",
+      "List the orders in which participants feel the conditions, and how balanced they are",
       app::orders);
   addProtocolFile(*orders, ordering.file);
-  orders->add_option("--participants", ordering.participants, "Participants of each cohort")
+  orders
+      ->add_option("--participants", ordering.participants, "Number of participants in each cohort")
       ->required()
       ->check(CLI::Range(1, 100'000));
   orders->add_option(
-      "--seed", ordering.seed, "Seed of a study: lists the orders of its simulated sessions");
+      "--seed",
+      ordering.seed,
+      "Seed that draws the orders, as in simulated sessions of a study with this seed (default: "
+      "the protocol's seed, or 1). Live sessions have other orders, unless the protocol has a "
+      "seed");
   orders->add_flag(
-      "--csv", ordering.csv, "Write the trials of all participants as CSV, without the balance");
+      "--csv",
+      ordering.csv,
+      "Print the trials of all participants as CSV, and leave out how balanced the orders are");
 
   addProtocolTextsCommand(noun, action);
 }

@@ -97,7 +97,7 @@ void addReportCommand(CLI::App& program, Action& action) {
       "report",
       "Write a results section as one HTML page or PDF: tables, figures, rendered forces",
       app::report);
-  command->add_option("DIR", options.folders, "Folders of one or more studies")->required();
+  command->add_option("FOLDER", options.folders, "Folders of one or more studies")->required();
   command->add_option("--out", options.out, "New file, .html or .pdf")
       ->required()
       ->check(fileEndingIn({".html", ".pdf"}));
@@ -111,10 +111,10 @@ void addReportCommand(CLI::App& program, Action& action) {
       ->add_option(
           "--figure-width",
           options.figureWidth,
-          "With --figures: their width [mm], as the journal asks: 85 for one column, 180 for two")
+          "Width of the figures [mm], as the journal asks: 85 for one column, 180 for two")
       ->check(finiteRange(60.0, 400.0))
       ->needs(figures);
-  command->add_option("--figure-font", options.figureFont, "With --figures: their font size [pt]")
+  command->add_option("--figure-font", options.figureFont, "Font size in the figures [pt]")
       ->check(finiteRange(5.0, 14.0))
       ->needs(figures)
       ->capture_default_str();

@@ -381,8 +381,8 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option(
           "--condition",
           options.conditions,
-          "Ids of conditions to draw together; one with a Kalman filter is drawn with its two "
-          "input forces")
+          "Ids of the conditions to draw together; a single one with a Kalman filter is drawn with "
+          "its two input forces")
       ->required();
   play->add_option(
           "--profile",
@@ -391,37 +391,41 @@ void addPlay(CLI::App& noun, Action& action) {
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
       ->capture_default_str();
   play->add_option(
-          "--from", options.from, "Where the tool begins [device's unit] (default: the device's)")
+          "--from",
+          options.from,
+          "Travel at which the tool begins [punch: travel units, paddle: degrees, reamer: m] "
+          "(default: the device's smallest)")
       ->check(finiteRange(-1e6, 1e6));
   play->add_option(
           "--to",
           options.to,
-          "Where the tool turns or ends [device's unit] (default: where the scene's data end)")
+          "Travel at which the tool turns or ends, in the unit of --from (default: where the "
+          "scene's data end)")
       ->check(finiteRange(-1e6, 1e6));
   play->add_option(
           "--speed",
           options.speed,
-          "Speed [device's unit/s] (default: punch 57, paddle 150; reamer 0.005 or 0.9 of its feed "
-          "limit)")
+          "Speed, in the unit of --from per second (default: punch 57, paddle 150, reamer 0.005, "
+          "but at most 90 % of the feed that its bone allows)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options.rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
   play->add_option(
           "--encoder",
           options.quantum,
-          "Resolution of the encoder [device's unit] (default: 0, exact)")
+          "Resolution of the encoder, in the unit of --from (default: 0, exact)")
       ->check(finiteRange(0.0, 1.0));
   play->add_option(
           "--interpolation-noise",
           options.interpolationNoise,
-          "Variances R of the interpolated force [N²]; one filter curve for each (punch paper, "
-          "Fig. 11)")
+          "Variances R of the interpolated force in a Kalman filter [N²]; one curve for each "
+          "(punch paper, Fig. 11)")
       ->check(finiteRange(0.0, 1e9));
   play->add_option(
           "--smoothing",
           options.smoothing,
-          "Smoothing of the filtered force: none, mean of two steps, published code (default: "
-          "protocol's)")
+          "Smoothing of the filtered force: none, two-point (mean of two steps), authors-firmware "
+          "(as in the published code) (default: the protocol's)")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
   play->add_option("--over", options.over, "Horizontal axis of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
@@ -435,8 +439,8 @@ void addPlay(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto& noun =
-      addCommandGroup(program, "scene", "Explain the scene of a condition, or plot its force");
+  auto& noun = addCommandGroup(
+      program, "scene", "Explain how the force of a condition is computed (its scene), or plot it");
   addPlay(noun, action);
   auto [explain, options] = addCommand(
       noun,

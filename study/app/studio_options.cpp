@@ -5,12 +5,12 @@ namespace study::app {
 CommandDescription describeStudio() {
   return {
       .name = "palpate-studio",
-      .text = "The windows of a study: for the operator, and for the participant.",
+      .text = "The windows of Palpate: for the operator of a study, and for its participants.",
       .options = {
           {.names = {"PATH"},
-           .text =
-               "A study's folder or its study.db, or a protocol (.json) to look at; left out: all "
-               "studies of this computer.",
+           .text = "Folder of a study, its study.db, or a protocol (.json) to look at (default: "
+                   "the list "
+                   "of all studies on this computer).",
            .isPositional = true},
           {.names = {"-h", "--help"}, .text = "Print the options and end."},
           {.names = {"-v", "--version"}, .text = "Print the version and end."},
@@ -19,8 +19,8 @@ CommandDescription describeStudio() {
            .text = "The laboratory's device file (default: devices.json in the study's folder)."},
           {.names = {"--write-knee"},
            .value = "FILE",
-           .text = "Write the built-in knee as an OBJ file, a template for your own anatomy, and "
-                   "exit."}}};
+           .text = "Only write the built-in knee to a new OBJ file, a template for your own "
+                   "anatomy."}}};
 }
 
 std::string nameOf(const OptionDescription& option) {

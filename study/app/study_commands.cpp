@@ -240,7 +240,8 @@ int status(const StudyArguments& options) {
 }  // namespace
 
 void addStudyCommands(CLI::App& program, Action& action) {
-  auto& noun = addCommandGroup(program, "study", "Create, run and manage a study");
+  auto& noun = addCommandGroup(
+      program, "study", "Create, run and manage a study: sessions, keys, backups, checks, erasure");
   const auto add = [&](const char* name, const char* help, int (*perform)(const StudyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);
@@ -250,7 +251,9 @@ void addStudyCommands(CLI::App& program, Action& action) {
   auto [create, creating] = add("create", "Create a study from a protocol", app::create);
   create
       ->add_option(
-          "--protocol", creating.protocol, "A protocol file, or one of the library by name")
+          "--protocol",
+          creating.protocol,
+          "Protocol file (.json), or a name from 'palpate protocol list'")
       ->type_name("FILE")
       ->required();
   create->add_option(
@@ -277,13 +280,14 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option(
          "--devices",
          running.devices,
-         "The laboratory's device file (default: devices.json in DIR; without it, simulated "
-         "devices)")
+         "The laboratory's device file (default: devices.json in the study's folder; without it, "
+         "simulated devices)")
       ->type_name("FILE");
   run->add_option(
       "--take-over",
       running.takeOver,
-      "Reason for taking over a session of a lost or renamed computer; goes into the audit trail");
+      "Reason for taking over a session of a lost or renamed computer; recorded in the audit "
+      "trail");
 
   auto [simulate, simulating] =
       add("simulate", "Simulate participants, through the same steps as a session", app::simulate);
@@ -296,8 +300,8 @@ void addStudyCommands(CLI::App& program, Action& action) {
   simulate->add_option(
       "--seed",
       simulating.seed,
-      "Seed of the simulated hands and answers (default: the study's; at a station derived from "
-      "it)");
+      "Seed of the simulated hands and answers (default: the study's seed; at a station of a study "
+      "at several sites, a seed that is derived from it)");
   simulate
       ->add_option(
           "--devices",
@@ -307,12 +311,13 @@ void addStudyCommands(CLI::App& program, Action& action) {
       ->type_name("FILE");
   simulate->add_flag("--verbose", simulating.verbose, "Print each answer as soon as it is saved");
 
-  auto [amend, amending] = add("amend", "Amend the protocol of a study", app::amend);
+  auto [amend, amending] =
+      add("amend", "Replace the protocol of a study by a changed one (an amendment)", app::amend);
   amend
       ->add_option(
           "--protocol",
           amending.protocol,
-          "The changed protocol: a file, or one of the library by name")
+          "Changed protocol: a file (.json), or a name from 'palpate protocol list'")
       ->type_name("FILE")
       ->required();
   addReasonOfAmendment(*amend, amending.reason);

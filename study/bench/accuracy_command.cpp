@@ -368,13 +368,20 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       program,
       action,
       "accuracy",
-      "Measure errors and run times of the models, and those of other libraries",
+      "Measure errors and run times of Palpate's models, and of the same methods in other software",
       accuracy);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
+          "tables)")
       ->type_name("FOLDER");
   command
       ->add_option(
-          "--processes", options.processes, "Number of processes that measure, one after the other")
+          "--processes",
+          options.processes,
+          "Number of times that all is measured, each time in a new process")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   std::vector<std::string> names;

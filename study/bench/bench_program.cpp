@@ -10,8 +10,8 @@ namespace study::bench {
 std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action) {
   auto program = std::make_unique<CLI::App>(
       "Benchmarks of Palpate: how exact, stable, fast and punctual it is on this computer.\nErrors "
-      "and counts have bounds, and the exit status is 1 where one is exceeded; times have none.\n"
-      "docs/benchmarks.md explains what each measures.",
+      "and counts have limits. If one is exceeded, the program reports failure (exit status 1). "
+      "Times have no limit.\ndocs/benchmarks.md explains what each measures.",
       "palpate-bench");
   program->set_version_flag("--version", "palpate-bench " + std::string(appVersion()));
   program->require_subcommand(1);

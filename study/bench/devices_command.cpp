@@ -277,7 +277,12 @@ void addDevicesCommand(CLI::App& program, Action& action) {
       "Measure round trips, lost cycles and stalls of the emulated punch and arm on their "
       "interfaces",
       benchDevices);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
+          "tables)")
       ->type_name("FOLDER");
   command->add_option("--seconds", options.bench.seconds, "Duration with both devices at once [s]")
       ->check(app::finiteRange(0.5, 36'000.0))

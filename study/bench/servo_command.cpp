@@ -200,17 +200,27 @@ void addServoCommand(CLI::App& program, Action& action) {
       "servo",
       "Measure the timing of the force loop on this computer, and the cost of recording",
       servo);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
+          "tables)")
       ->type_name("FOLDER");
   command
       ->add_option(
           "--disk", options.disk, "Folder on the disk to measure, where studies are stored")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  command->add_option("--rates", options.rates, "Rates of the loop [Hz]")
+  command->add_option("--rates", options.rates, "Rates of the force loop to measure [Hz]")
       ->check(app::finiteRange(1.0, 10'000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options.seconds, "Duration for each rate and mode [s]")
+  command
+      ->add_option(
+          "--seconds",
+          options.seconds,
+          "Duration at each rate in each of three modes: normal, real-time, real-time with "
+          "spinning [s]")
       ->check(app::finiteRange(0.1, 3600.0))
       ->capture_default_str();
   command->add_option("--recording", options.recording, "Duration of the run that is recorded [s]")

@@ -227,7 +227,12 @@ void addStabilityCommand(CLI::App& program, Action& action) {
       "stability",
       "Check the stability of stiff and extreme cases, each against a bound",
       stability);
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
+          "tables)")
       ->type_name("FOLDER");
   command
       ->add_option(

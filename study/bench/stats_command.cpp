@@ -137,9 +137,13 @@ void addStatsCommand(CLI::App& program, Action& action) {
       program,
       action,
       "stats",
-      "Measure time and memory from a database of answers to the table of comparisons",
+      "Measure time and memory of computing the table of comparisons from a database of answers",
       stats);
-  command->add_option("--out", options.out, "A folder for tables (CSV) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV) and an HTML page (default: only print the tables)")
       ->type_name("FOLDER");
   command->add_option("--answers", options.answers, "Number of answers in the synthetic study")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))

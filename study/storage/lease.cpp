@@ -127,7 +127,7 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc, From
                      : fmt::format(
                            " Something was stored there last on {}. If that computer is gone, or "
                            "has another name now, take the session over with a reason: in the "
-                           "table of sessions, or by palpate study run DIR --take-over \"why\".",
+                           "table of sessions, or by palpate study run FOLDER --take-over \"why\".",
                            lastStored(database, session));
     throw StorageError(
         "This session is open already, on " + held->station + " (process " +

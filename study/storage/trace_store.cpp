@@ -56,7 +56,7 @@ std::optional<std::string> opened(
     const std::vector<std::byte>& sealed,
     const VisitKey& visit,
     std::int64_t number) {
-  if (database.key() == nullptr) throw StorageError(adviceOnMissingKey("DIR", false));
+  if (database.key() == nullptr) throw StorageError(adviceOnMissingKey("FOLDER", false));
   return database.key()->open(sealed, placeOf(visit, number));
 }
 

@@ -102,7 +102,8 @@ CLI::Option* addEmulateOptions(CLI::App& verb, EmulateArguments& options) {
   verb.add_flag(
       "--until-input-ends",
       options.endsWithInput,
-      "Also stop when standard input is closed (default: keep running)");
+      "For scripts: also stop when the program's input ends, such as a closed pipe or Ctrl-D "
+      "(default: keep running)");
   return seed;
 }
 
@@ -115,10 +116,16 @@ void addEmulate(CLI::App& noun, Action& action) {
     if (kind->wire != haptics::devices::Wire::Serial) continue;
     const std::string name(kind->name);
     auto [verb, options] = addCommand(
-        emulate, action, name, "Emulate the " + name + " on a pseudo-terminal", emulateSerial);
+        emulate,
+        action,
+        name,
+        "Emulate the " + name + " on a virtual serial port (pseudo-terminal)",
+        emulateSerial);
     options.kind = kind;
     verb->add_option(
-            "--link", options.link, "Symbolic link to create, which points to the emulator's port")
+            "--link",
+            options.link,
+            "File name (a symbolic link) under which the emulator's port can be opened")
         ->type_name("FILE");
     auto* drift =
         verb->add_option("--clock-drift", options.clockDrift, "Drift of the device's clock [ppm]");
@@ -128,14 +135,19 @@ void addEmulate(CLI::App& noun, Action& action) {
     verb->add_option(
             "--firmware",
             options.firmware,
-            "Firmware of the device's board to run under QEMU, in place of the built-in emulation")
+            "Firmware file of the device's board, run in the emulator QEMU in place of the "
+            "built-in emulation")
         ->type_name("FILE")
         ->excludes(rate)
         ->excludes(drift)
         ->excludes(addEmulateOptions(*verb, options));
   }
-  auto [iiwa, options] =
-      addCommand(emulate, action, "iiwa", "Emulate the arm and its controller on UDP", emulateIiwa);
+  auto [iiwa, options] = addCommand(
+      emulate,
+      action,
+      "iiwa",
+      "Emulate an LBR iiwa arm and its controller, reached by UDP (FRI)",
+      emulateIiwa);
   iiwa->add_option(
           "--client",
           options.client,
@@ -170,12 +182,13 @@ void addListen(CLI::App& noun, Action& action) {
       noun,
       action,
       "listen",
-      "Record the output of a punch that runs the published sketch",
+      "Record the output of a punch whose Arduino runs the published program (sketch)",
       app::listen);
   verb->add_option("PORT", options.port, "Serial port of the punch")->required();
   verb->add_option("--out", options.out, "New CSV file (default: print to the terminal)")
       ->type_name("FILE");
-  verb->add_option("--baud", options.baud, "Baud rate of the line")->capture_default_str();
+  verb->add_option("--baud", options.baud, "Speed of the serial port [baud]")
+      ->capture_default_str();
   verb->add_option(
           "--seconds", options.seconds, "Duration [s] (default: until the program is stopped)")
       ->check(CLI::PositiveNumber);
@@ -195,14 +208,18 @@ void addRehearse(CLI::App& noun, Action& action) {
       ->add_option(
           "--protocol",
           options.protocol,
-          "A protocol file to rehearse, or one of the library by name")
+          "Protocol file to rehearse (.json), or a name from 'palpate protocol list'")
       ->type_name("FILE")
       ->capture_default_str();
   rehearse->add_option("--participants", options.participants, "Number of simulated participants")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   rehearse->add_option("--seed", options.seed, "Seed of all random choices")->capture_default_str();
-  rehearse->add_option("--firmware", options.firmware, "Firmware of the punch, run under QEMU")
+  rehearse
+      ->add_option(
+          "--firmware",
+          options.firmware,
+          "Firmware file of the punch, run in the emulator QEMU (default: the built-in emulation)")
       ->type_name("FILE");
 }
 
@@ -231,7 +248,8 @@ void addDeviceCommands(CLI::App& program, Action& action) {
       ->add_option(
           "--protocol",
           checking.protocol,
-          "Also check that the devices give what this protocol (file or library name) needs")
+          "Also check that the devices give what this protocol needs: a file, or a name from "
+          "'palpate protocol list'")
       ->type_name("FILE");
   check->add_option("--seconds", checking.seconds, "Time for each device [s]")
       ->check(CLI::Range(0.5, 600.0))

@@ -108,8 +108,8 @@ void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
           "--write-witness",
           options.newWitness,
-          "New file for --witness: signed states of the audit trail; keep it from the study's "
-          "operators")
+          "New file for signed states of the audit trail: 'study verify --witness' proves with it "
+          "that nothing was changed later. Keep it where the study's operators cannot change it")
       ->type_name("FILE");
 }
 
@@ -118,25 +118,28 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
       noun,
       action,
       "timestamp",
-      "Have an authority time-stamp the audit trail (RFC 3161): --authority, or --request then "
-      "--reply",
+      "Have a time-stamping authority (RFC 3161) stamp the audit trail, online or by files",
       timestamp);
   addStudyFolder(*verb, options.folder);
   verb->add_option(
-          "--authority", options.authority, "URL of the authority, which receives only a hash")
+          "--authority",
+          options.authority,
+          "Online: URL of the authority, which receives only a hash")
       ->type_name("URL");
   verb->add_option(
           "--request",
           options.request,
-          "Write the request to a new file, to be sent from another computer")
+          "By files: write the request to a new file, to be sent from another computer")
       ->type_name("FILE");
   verb->add_option(
-          "--reply", options.reply, "File with the authority's reply to a request, to be stored")
+          "--reply",
+          options.reply,
+          "By files: store the authority's reply to a request, from this file")
       ->check(CLI::ExistingFile);
   verb->add_option(
           "--authority-certificate",
           options.certificate,
-          "Root certificate (PEM) of the authority, to check its replies; not needed with "
+          "Root certificate (PEM) of the authority, to check its time stamps; not needed with "
           "--request")
       ->type_name("FILE");
 }
@@ -151,7 +154,9 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       "Back up a study, also during sessions, and verify the copy",
       app::backup);
   addStudyFolder(*backup, copying.folder);
-  backup->add_option("--out", copying.out, "New folder")->type_name("FOLDER")->required();
+  backup->add_option("--out", copying.out, "New folder for the copy")
+      ->type_name("FOLDER")
+      ->required();
   addNewWitness(*backup, copying);
 
   auto [verify, verifying] = addCommand(
@@ -165,7 +170,8 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_option(
       "--expect",
       verifying.expectedHead,
-      "Head (hash of the audit trail's last event) noted earlier: fails if it is not in the trail");
+      "Head of the audit trail (hash of its last event) that an earlier 'study verify' printed: "
+      "fails if the trail lacks it");
   verify
       ->add_option(
           "--witness",
@@ -177,13 +183,13 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       ->add_option(
           "--authority-certificate",
           verifying.certificate,
-          "Root certificate (PEM) of an authority: checks its time stamps")
+          "Root certificate (PEM) of a time-stamping authority, to check its time stamps")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   verify->add_flag(
       "--older-copy",
       verifying.isOlderCopy,
-      "DIR is an older backup: what this computer signed later may be missing");
+      "The folder is an older backup: events that this computer signed later may be missing");
 
   addTimeStampCommand(noun, action);
 
@@ -195,7 +201,10 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       "it",
       app::restored);
   addStudyFolder(*restored, noting.folder);
-  restored->add_option("--reason", noting.reason, "Reason; goes into the audit trail")->required();
+  restored
+      ->add_option(
+          "--reason", noting.reason, "Reason for doing so; it is recorded in the audit trail")
+      ->required();
 }
 
 }  // namespace study::app

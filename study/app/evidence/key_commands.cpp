@@ -64,16 +64,19 @@ int drop(const KeyArguments& options) {
 
 void addKeyCommands(CLI::App& study, Action& action) {
   auto& noun = addCommandGroup(
-      study, "key", "Manage the key that encrypts which alternative is which condition");
+      study,
+      "key",
+      "Manage the study's key (blinding key), which encrypts which alternative is which condition");
   const auto add = [&](const char* name, const char* help, int (*perform)(const KeyArguments&)) {
     auto added = addCommand(noun, action, name, help, perform);
     addStudyFolder(*added.command, added.options.folder);
     return added;
   };
   auto [out, exporting] = add("export", "Write the key to a file, to hand it over", exportTo);
-  out->add_option("--out", exporting.file, "New file")->type_name("FILE")->required();
+  out->add_option("--out", exporting.file, "New file for the key")->type_name("FILE")->required();
   addAuditedReason(*out, exporting.reason)->required();
-  auto [in, importing] = add("import", "Store in this account a key that was handed over", import);
+  auto [in, importing] =
+      add("import", "Store a key that was handed over in your account on this computer", import);
   in->add_option(
       "FILE",
       importing.file,
@@ -82,7 +85,8 @@ void addKeyCommands(CLI::App& study, Action& action) {
   addAuditedReason(*words, setting.reason)->required();
   auto [gone, dropping] =
       add("drop",
-          "Remove the key from this account, once it has been exported or has a passphrase",
+          "Remove the key from your account on this computer, once it has been exported or has a "
+          "passphrase",
           drop);
   addAuditedReason(*gone, dropping.reason)->required();
 }

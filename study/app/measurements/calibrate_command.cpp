@@ -160,7 +160,8 @@ void addCalibrateCommand(CLI::App& noun, Action& action) {
   verb->add_flag(
       "--through-zero",
       command.throughZero,
-      "No constant term: a reading of 0 is 0 N, as in eq. (1) of the punch paper");
+      "Fit without a constant term, so that a reading of 0 is 0 N, as in eq. (1) of the punch "
+      "paper");
   verb->add_option(
       "--reading",
       command.columns.reading,
@@ -179,7 +180,7 @@ void addCalibrateCommand(CLI::App& noun, Action& action) {
   verb->add_option(
           "--report",
           command.report,
-          "Folder for figures (curve and residuals) and a page; no file is overwritten")
+          "Folder for figures (curve and residuals) and an HTML page; no file is overwritten")
       ->type_name("FOLDER");
   verb->add_option("--name", command.name, "Name of the calibration")->capture_default_str();
 }

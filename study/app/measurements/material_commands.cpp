@@ -158,13 +158,17 @@ int fit(FitCommand& command) {
 
 void addFit(CLI::App& noun, Action& action) {
   auto [verb, command] = addCommand(
-      noun, action, "fit", "Fit a material file to measured series of reaming", app::fit);
+      noun,
+      action,
+      "fit",
+      "Fit a material to measured series of force and torque, and write it as a file",
+      app::fit);
   command.inputs.addTo(*verb);
   verb->add_option("--out", command.out, "New file for the material")->type_name("FILE");
   verb->add_option(
           "--report",
           command.report,
-          "Folder for tables, figures and a page; no file is overwritten")
+          "Folder for tables, figures and an HTML page; no file is overwritten")
       ->type_name("FOLDER");
   verb->add_option("--name", command.name, "Name of the material")->capture_default_str();
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
@@ -230,12 +234,15 @@ void addCompare(CLI::App& noun, Action& action) {
   verb->get_option("--nodes-of")
       ->description("Kind of spline for which nodes are chosen (default: cubic-natural)");
   verb->get_option("--axis")->description(
-      "Horizontal axis: depth, share of the set's depth or the series' own");
+      "Horizontal axis: depth, or displacement as a share of the largest of the test set "
+      "(normalised) or of each series (normalised-series)");
   verb->remove_option(verb->get_option("--spline"));  // two kinds are compared, both fixed
   verb->add_option("--curve", command.curve, "Curve to compare: TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
   verb->add_option(
-          "--report", command.report, "Folder for the figure and a page; no file is overwritten")
+          "--report",
+          command.report,
+          "Folder for the figure and an HTML page; no file is overwritten")
       ->type_name("FOLDER");
 }
 
@@ -281,8 +288,7 @@ void addMaterialCommands(CLI::App& program, Action& action) {
   auto& noun = addCommandGroup(
       program,
       "material",
-      "Fit reaming materials to measured series; docs/reaming.md explains tests, rules and "
-      "splines");
+      "Fit reaming materials to measured series of force and torque (docs/reaming.md)");
   addFit(noun, action);
   addCompare(noun, action);
   addSynthesise(noun, action);

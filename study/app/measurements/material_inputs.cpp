@@ -76,19 +76,30 @@ std::optional<std::size_t> numberIn(const std::string& nodes) {
 
 void MaterialInputs::addTo(CLI::App& verb) {
   command = &verb;
-  verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)")->type_name("FILE");
-  verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests")->type_name("FILE");
-  verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests")->type_name("FILE");
+  verb.add_option("--static", files[0], "Series of static tests, without reaming (CSV or TSV)")
+      ->type_name("FILE");
+  verb.add_option(
+          "--dynamic-1",
+          files[1],
+          "Series of the first dynamic tests: reaming with the next larger reamer")
+      ->type_name("FILE");
+  verb.add_option(
+          "--dynamic-2",
+          files[2],
+          "Series of the second dynamic tests: reaming again with a reamer that is 2 mm larger")
+      ->type_name("FILE");
   verb.add_option(
       "--column",
       columns,
-      "QUANTITY=HEADING of its column, if the heading does not name the quantity: force=Channel2");
-  verb.add_option("--unit", units, "QUANTITY=UNIT, if the column's heading has no unit: force=kN");
+      "Heading of a quantity's column where it does not name the quantity (time, displacement, "
+      "force, torque): force=Channel2");
+  verb.add_option(
+      "--unit", units, "Unit of a quantity where the column's heading has none: force=kN");
   verb.add_option(
           "--axis",
           axis,
-          "Horizontal axis: depth (the only one to render), share of the set's depth or the "
-          "series' own")
+          "Horizontal axis: depth (needed for rendering), or displacement as a share of the "
+          "largest of the test set (normalised) or of each series (normalised-series)")
       ->check(oneOf(kAxes))
       ->capture_default_str();
   verb.add_option(
@@ -98,8 +109,9 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--cutoff-rule",
           cutoffRule,
-          "Rule for the low-pass filter's cut-off: at twice the noise floor, or of the plain "
-          "spectrum")
+          "Spectrum in which the low-pass filter's cut-off is found, at twice the noise floor: "
+          "detrended with a Hann window, or plain (as in the reaming paper; lets more noise "
+          "through)")
       ->check(oneOf(kCutoffRules))
       ->capture_default_str();
   verb.add_option(

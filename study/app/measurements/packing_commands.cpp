@@ -133,12 +133,13 @@ void addBuildPacking(CLI::App& noun, Action& action) {
       noun,
       action,
       "build",
-      "Fill a closed mesh, or the built-in cup, with spheres",
+      "Fill a closed mesh, or the built-in acetabulum, with spheres",
       app::buildPacking);
   verb->add_option(
       "MESH",
       command.mesh,
-      "Closed mesh (STL, OBJ, PLY) whose +z axis points into the cup (default: the built-in cup)");
+      "Closed mesh (STL, OBJ, PLY) whose +z axis points into the acetabulum (default: the built-in "
+      "acetabulum)");
   verb->add_option("--out", command.out, "New file that ends in .packing")
       ->type_name("FILE")
       ->required();
@@ -325,7 +326,7 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option(
           "--report",
           command.report,
-          "Folder for tables, figures and a page; no file is overwritten")
+          "Folder for tables, figures and an HTML page; no file is overwritten")
       ->type_name("FOLDER");
   verb->add_option(
           "--depths", command.options.depths, "Number of depths at which the curve is fitted")
@@ -334,7 +335,8 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option(
           "--friction",
           command.options.friction,
-          "Friction between reamer and bone, if known (default: fitted to the torque)")
+          "Coefficient of friction between reamer and bone, if known (default: fitted to the "
+          "torque)")
       ->check(finiteRange(0.0, 2.0));
   verb->add_option("--method", command.method, "Method: exact, or swarm (as in the reaming paper)")
       ->check(CLI::IsMember({"exact", "swarm"}))

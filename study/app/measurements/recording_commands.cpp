@@ -239,7 +239,8 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--max-slope",
           command.options.maxSlope,
-          "Largest slope of the curve; steeper parts are made gentler [N per travel unit]")
+          "Largest slope of the curve; steeper parts are made gentler [N per unit of the "
+          "recording's travel]")
       ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
   import
@@ -253,7 +254,8 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--report",
           command.report,
-          "Folder for figures (spectrum, closures, the cut) and a page; no file is overwritten")
+          "Folder for figures (spectrum, closures, the cut) and an HTML page; no file is "
+          "overwritten")
       ->type_name("FOLDER");
   import->add_option("--name", command.options.name, "Name of the cut (default: the file's name)");
   import->add_flag("--json", command.json, "Print JSON with full precision");
@@ -278,8 +280,8 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command.leastStep,
-          "Leave out rows whose travel changes by less than this [travel units]; 0: only unchanged "
-          "ones")
+          "Leave out rows whose travel changes by less than this [unit of the recording's travel]; "
+          "0: only unchanged rows")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   noise->add_flag(
@@ -292,7 +294,7 @@ void addRecordingCommands(CLI::App& program, Action& action) {
   auto& noun = addCommandGroup(
       program,
       "recording",
-      "Import measured cuts for rendering; calibrate the sensor that measured them");
+      "Import measured cuts for rendering; calibrate the force sensor that measured them");
   addImport(noun, action);
   addNoise(noun, action);
   addCalibrateCommand(noun, action);

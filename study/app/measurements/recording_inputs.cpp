@@ -29,29 +29,37 @@ recordings::ForceCalibration calibrationNamed(const std::string& name) {
 }  // namespace
 
 void RecordingInputs::addTo(CLI::App& verb) {
-  verb.add_option("FILE", file, "Recording (text): five columns, or those that --columns describes")
+  verb.add_option(
+          "FILE",
+          file,
+          "Recording (text) with five columns: force sensor [counts], grams (not used), "
+          "potentiometer [counts], travel, time [ms]; for other columns see --columns")
       ->required();
   verb.add_option(
           "--columns",
           columns,
-          "Columns file (JSON) that describes the columns of FILE: docs/protocol-format.md, "
-          "Recordings")
+          "Columns file (JSON) that describes other columns of FILE (docs/protocol-format.md, "
+          "Recordings)")
       ->type_name("FILE");
   verb.add_option(
       "--calibration",
       calibration,
-      "Calibration to newtons: paper-eq1, recorder-2021 or a file (default: the recording's own)");
+      "Calibration to newtons: paper-eq1 (eq. 1 of the punch paper), recorder-2021 (the recorder's "
+      "own formula, for comparison), or a file from 'recording calibrate --out' (default: "
+      "paper-eq1 for five columns, else as in the columns file)");
   verb.add_option(
           "--filter",
           filter,
-          "Low-pass filter of the travel; authors-fir-333 is designed for 333 Hz, the others for "
-          "FILE")
+          "Low-pass filter of the travel: of the punch paper's authors, designed for the rate of "
+          "FILE (authors-fir) or always for 333 Hz (authors-fir-333, as published); Butterworth; "
+          "or none")
       ->check(CLI::IsMember(recordings::travelFilterNames()))
       ->capture_default_str();
   verb.add_option(
           "--cutoff",
           cutoff,
-          "Cut-off of butterworth-zero-phase, where the amplitude is halved [Hz] (default: 5)")
+          "Cut-off frequency of butterworth-zero-phase, where the amplitude is halved [Hz] "
+          "(default: 5)")
       ->check(finiteRange(1e-3, 1e5));
 }
 

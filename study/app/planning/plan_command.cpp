@@ -60,7 +60,8 @@ void addSites(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--site-sd",
           options.siteDeviation,
-          "Standard deviation of the effect between sites [d_z] (default: Klein et al. 2018)")
+          "Standard deviation of the effect between sites [d_z]; the default is from Klein et al. "
+          "2018")
       ->check(finiteRange(0.0, 10.0))
       ->capture_default_str()
       ->needs(sites);

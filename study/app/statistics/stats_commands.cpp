@@ -88,8 +88,8 @@ void addStatsCommands(CLI::App& program, Action& action) {
   run->add_option(
          "--profile",
          running.profile,
-         "Analysis: declared (in the protocol), as-published (answers pooled), recommended (within "
-         "people)")
+         "Analysis: declared (in the protocol), as-published (all answers pooled), recommended "
+         "(within participants)")
       ->check(CLI::IsMember({"declared", "as-published", "recommended"}))
       ->capture_default_str();
   addWordingOption(*run, running.wording);

@@ -169,7 +169,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
   };
   column("group", "Column that names the group; columns that are not named are taken in order")
       ->expected(1);
-  column("value", "Column of numbers (tests of votes: of names)")->expected(1);
+  column("value", "Column of the numbers (in tests of votes: of the names that were voted for)")
+      ->expected(1);
   column("first", "Column of the first of two measurements or names")->expected(1);
   column("second", "Column of the second of two measurements or names")->expected(1);
   column("columns", "Columns of numbers, one row per participant (default: all columns)");
@@ -185,7 +186,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
   command->add_option(
       "--from",
       options.settings.from,
-      "For answer_probability: gives the probability of this answer or a higher one");
+      "For the test answer_probability: an answer; the test gives the probability of it or a "
+      "higher one");
   command->add_option("--level", options.settings.level, "Level of the confidence interval")
       ->check(finiteRange(0.0001, 0.9999))
       ->capture_default_str();

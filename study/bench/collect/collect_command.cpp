@@ -242,7 +242,12 @@ void addCollectCommand(CLI::App& program, Action& action) {
       "Measure how fast a PostgreSQL server takes in, counts and returns the data of many sites",
       benchCollect);
   options.size.folder = std::filesystem::temp_directory_path();
-  command->add_option("--out", options.out, "A folder for tables (CSV), figures (SVG) and a page")
+  command
+      ->add_option(
+          "--out",
+          options.out,
+          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
+          "tables)")
       ->type_name("FOLDER");
   auto& size = options.size;
   command->add_option("--answers", size.answers, "Number of answers of all sites together")

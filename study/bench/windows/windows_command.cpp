@@ -201,7 +201,11 @@ void addWindowsCommand(CLI::App& program, Action& action) {
           options.part,
           "Part to measure: simulations, or desk (plots, pages, list of studies) (default: both)")
       ->check(CLI::IsMember({kSimulations, kDesk}));
-  command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page")
+  command
+      ->add_option(
+          "--out",
+          simulation.folder,
+          "Folder for pictures, tables (CSV) and an HTML page (default: only print the tables)")
       ->type_name("FOLDER");
   command
       ->add_option(
@@ -214,7 +218,7 @@ void addWindowsCommand(CLI::App& program, Action& action) {
       ->delimiter('x')
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Range(320, 7680));
-  command->add_option("--spheres", simulation.spheres, "Number of spheres in the cup")
+  command->add_option("--spheres", simulation.spheres, "Number of spheres in the acetabulum")
       ->check(CLI::Range(std::size_t{1000}, std::size_t{10'000'000}))
       ->capture_default_str();
   command->add_option("--colours", options.colours, "Colours of the spheres")

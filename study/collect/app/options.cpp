@@ -16,7 +16,8 @@ CLI::Option* addServerOption(CLI::App& command, std::string& server) {
       .add_option(
           "--server",
           server,
-          "PostgreSQL server: \"service=NAME\" or \"host=… dbname=…\" (default: PGHOST, …)")
+          "PostgreSQL server: \"service=NAME\" or \"host=… dbname=…\" (default: the variables "
+          "PGHOST, PGDATABASE, …)")
       ->type_name("WHERE")
       ->envname("PALPATE_SERVER");
 }

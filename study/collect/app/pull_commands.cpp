@@ -138,7 +138,7 @@ void addPullCommands(CLI::App& program, Action& action) {
       program,
       action,
       "pull",
-      "Make one study folder on this computer from all data on the server",
+      "Create one study folder on this computer from all data on the server",
       pullStudy);
   addSource(*out, pulling);
   out->add_option("--out", pulling.folder, "New folder of the study")
@@ -147,7 +147,8 @@ void addPullCommands(CLI::App& program, Action& action) {
   out->add_option(
          "--reason",
          pulling.reason,
-         "Reason for a copy that can name conditions; its audit trail and the server keep it")
+         "Reason for making a copy that can name conditions; kept in the copy's audit trail and on "
+         "the server")
       ->required();
 
   auto [stats, asking] = app::addCommand(

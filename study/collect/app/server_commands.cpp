@@ -163,8 +163,7 @@ void addServerCommands(CLI::App& program, Action& action) {
       program,
       action,
       "init",
-      "Update the database schema; create a study (--study, --protocol) or enrol a station "
-      "(--station)",
+      "Prepare or update the server's database, create a study there, or enrol a station",
       init);
   addServerOption(*make, given.server);
   make->add_option(
@@ -174,7 +173,8 @@ void addServerCommands(CLI::App& program, Action& action) {
   make->add_option(
           "--protocol",
           given.protocol,
-          "A protocol file, or one of the library by name; for an existing study its new version")
+          "Protocol file (.json), or a name from 'palpate protocol list'; for an existing study, "
+          "its new version")
       ->type_name("FILE");
   make->add_option(
       "--seed",
@@ -219,17 +219,19 @@ void addServerCommands(CLI::App& program, Action& action) {
       "Revoke a station's access: the server takes no more data from it",
       revoke);
   addStudyAndStation(*out, revoking);
-  out->add_option("--reason", revoking.reason, "Reason; the station shows it at its next push")
+  out->add_option(
+         "--reason", revoking.reason, "Reason for revoking; the station shows it at its next push")
       ->required();
 
   auto [aside, setting] = app::addCommand(
       program,
       action,
       "set-aside",
-      "Let a station send everything again; what the server has of it stays under another name",
+      "Let a station send all its data again; the server keeps its earlier copy under another name",
       setAside);
   addStudyAndStation(*aside, setting);
-  aside->add_option("--reason", setting.reason, "Reason; it is kept on the server")->required();
+  aside->add_option("--reason", setting.reason, "Reason for doing so; it is kept on the server")
+      ->required();
 }
 
 }  // namespace study::collect

@@ -244,7 +244,7 @@ void addStationCommands(CLI::App& program, Action& action) {
       program,
       action,
       "join",
-      "Make the study's folder on this computer from an enrolment file",
+      "Create the study's folder on this computer from an enrolment file",
       joinStudy);
   join->add_option("ENROLMENT", joining.enrolment, "File from 'palpate collect init --station'")
       ->required();
@@ -252,7 +252,7 @@ void addStationCommands(CLI::App& program, Action& action) {
   join->add_option(
       "--mark",
       joining.mark,
-      "Mark (fingerprint) of the study, as its administrator reads it out; joining fails if it "
+      "Fingerprint (mark) of the study, as its administrator tells it to you; joining fails if it "
       "differs");
 
   auto [push, pushing] = app::addCommand(
@@ -261,7 +261,7 @@ void addStationCommands(CLI::App& program, Action& action) {
       "push",
       "Send the sessions and events that the server does not have yet",
       pushStudy);
-  push->add_option("FOLDER", pushing.folder, "The study's folder")->required();
+  push->add_option("FOLDER", pushing.folder, "Folder of the study")->required();
   addServerOption(*push, pushing.server)
       ->description("PostgreSQL server, as for init (default: the one in the enrolment)");
 
@@ -271,8 +271,8 @@ void addStationCommands(CLI::App& program, Action& action) {
       "bundle",
       "Without a network: write what the server lacks to a file for 'palpate collect ingest'",
       bundleStudy);
-  bundle->add_option("FOLDER", bundling.folder, "The study's folder")->required();
-  bundle->add_option("--out", bundling.out, "New file")->type_name("FILE")->required();
+  bundle->add_option("FOLDER", bundling.folder, "Folder of the study")->required();
+  bundle->add_option("--out", bundling.out, "New file for the data")->type_name("FILE")->required();
   bundle->add_option(
       "--after",
       bundling.afterEvent,
@@ -289,8 +289,8 @@ void addStationCommands(CLI::App& program, Action& action) {
       "--study", asking.study, "Without FOLDER: name of the study on the server (default: all)");
   addServerOption(*status, asking.server)
       ->description(
-          "PostgreSQL server, as for init (default: with FOLDER that of the enrolment, else "
-          "PGHOST, …)");
+          "PostgreSQL server, as for init (default: with FOLDER that of the enrolment, else the "
+          "variables PGHOST, PGDATABASE, …)");
 }
 
 }  // namespace study::collect

@@ -17,9 +17,6 @@ namespace {
 
 using questionnaires::Severity;
 
-constexpr std::string_view kProtocolEnding = ".json";
-constexpr std::string_view kSchemaEnding = ".schema.json";
-
 int countOf(const std::vector<questionnaires::Problem>& problems, Severity severity) {
   return static_cast<int>(
       std::count_if(problems.begin(), problems.end(), [severity](const auto& problem) {
@@ -28,9 +25,7 @@ int countOf(const std::vector<questionnaires::Problem>& problems, Severity sever
 }
 
 std::string textOf(const std::string& source) {
-  for (const auto& file : protocols::libraryFiles()) {
-    if (file.name == source + std::string(kProtocolEnding)) return std::string(file.content);
-  }
+  if (const auto shipped = protocols::libraryProtocol(source)) return std::string(*shipped);
   return questionnaires::readTextFile(source);
 }
 
@@ -162,15 +157,6 @@ CheckedProtocol checked(
          .fix = base::Message::verbatim(said("Fill in the texts…"))});
   }
   return {std::move(source), std::move(text), std::move(loaded), std::move(problems)};
-}
-
-std::vector<std::string> shippedProtocols() {
-  std::vector<std::string> names;
-  for (const auto& file : protocols::libraryFiles()) {
-    if (file.name.ends_with(kSchemaEnding) || !file.name.ends_with(kProtocolEnding)) continue;
-    names.emplace_back(file.name.substr(0, file.name.size() - kProtocolEnding.size()));
-  }
-  return names;
 }
 
 }  // namespace study::gui

@@ -42,7 +42,4 @@ CheckedProtocol checked(
     std::optional<protocols::LoadedProtocol> loaded,
     std::vector<questionnaires::Problem> problems);
 
-/// The names of the built-in protocols.
-std::vector<std::string> shippedProtocols();
-
 }  // namespace study::gui

@@ -170,7 +170,7 @@ void ProtocolWindow::prepareProblems() {
 }
 
 bool ProtocolWindow::isShipped() const {
-  const auto shipped = shippedProtocols();
+  const auto shipped = protocols::libraryProtocols();
   return std::find(shipped.begin(), shipped.end(), checked_.source) != shipped.end();
 }
 

@@ -494,7 +494,7 @@ void HomeWindow::chooseFolder() {
 
 void HomeWindow::askForProtocol() {
   QStringList names{tr("A file of my own…")};
-  const auto shipped = shippedProtocols();
+  const auto shipped = protocols::libraryProtocols();
   for (const auto& name : shipped) {
     names << tr("%1 (ships with the program)").arg(QString::fromStdString(name));
   }

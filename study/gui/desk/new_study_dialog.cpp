@@ -36,7 +36,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       copy_(new QPushButton(tr("Save as…"), this)) {
   protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
-  for (const auto& name : shippedProtocols()) {
+  for (const auto& name : protocols::libraryProtocols()) {
     const QString words = QString::fromStdString(name);
     protocol_->addItem(tr("%1 (ships with the program)").arg(words), words);
   }

@@ -90,7 +90,7 @@ TEST(CommandLine, ReportsMistakesInACall) {
   expectRefused({"frobnicate"}, kTheCallIsWrong, {"'frobnicate'", "There are: demo, protocol"});
   expectRefused({"study", "frob"}, kTheCallIsWrong, {"'frob'", "create, run, simulate"});
   expectRefused({"study", "status", "--jso"}, kTheCallIsWrong, {"'--jso'"});
-  expectRefused({"study", "create"}, kTheCallIsWrong, {"DIR is required"});
+  expectRefused({"study", "create"}, kTheCallIsWrong, {"FOLDER is required"});
   expectRefused(
       {"protocol", "orders", "punch-face-validity", "--participants", "0"},
       kTheCallIsWrong,

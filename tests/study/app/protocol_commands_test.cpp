@@ -14,6 +14,19 @@ using tests::palpate;
 
 class ProtocolCommands : public tests::StudyOfCommands {};
 
+TEST_F(ProtocolCommands, ListsProtocolsThatOtherCommandsTakeByName) {
+  const auto listed = palpate({"protocol", "list"});
+  EXPECT_EQ(listed.status, 0) << listed.error;
+  const auto lines = linesOf(listed.out);
+  ASSERT_EQ(lines.size(), 5U) << listed.out;
+  for (const auto& line : lines) {
+    const auto name = line.substr(0, line.find(' '));
+    const auto checked = palpate({"protocol", "check", name}).out;
+    const auto title = line.substr(line.find("conditions") + std::string("conditions  ").size());
+    EXPECT_NE(checked.find(name + " is valid: \"" + title + "\""), std::string::npos) << checked;
+  }
+}
+
 TEST_F(ProtocolCommands, ReportsAllProblemsOfAProtocolWithTheirPlaces) {
   const auto file = folder_.write("bad.json", R"({"$schema": "protocol-1.schema.json",
       "study": {"id": "a b", "title": "", "versoin": "1"}})");
