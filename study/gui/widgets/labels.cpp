@@ -162,6 +162,18 @@ QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) 
   return QString::fromStdString(cohort == nullptr ? id : cohort->title.in(deskLanguage()));
 }
 
+QString signOf(Mark mark) {
+  static constexpr const char* kSigns[]{"✓", "!", "✕", ""};
+  return QString::fromUtf8(kSigns[static_cast<std::size_t>(mark)]);
+}
+
+void showMarked(QLabel& label, Mark mark, const QString& words) {
+  static constexpr const char* kRoles[]{"good", "warn", "bad", "resting"};
+  setRole(label, kRoles[static_cast<std::size_t>(mark)]);
+  const auto sign = signOf(mark);
+  label.setText(sign.isEmpty() ? words : sign + QStringLiteral("  ") + words);
+}
+
 void setRole(QWidget& widget, const char* role) {
   const QString wanted = QString::fromLatin1(role);
   if (widget.property("role").toString() == wanted) return;

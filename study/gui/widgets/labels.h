@@ -44,6 +44,13 @@ QLabel* hugeLabel(const QString& text, QWidget* parent);
 /// Text in double square brackets, a blank of the study, is marked.
 QLabel* textLabel(const QString& markdown, QWidget* parent);
 
+/// How good something is. Each has a sign as well as a colour.
+enum class Mark { Good, Warning, Bad, None };
+/// "✓", "!", "✕"; empty for none.
+QString signOf(Mark mark);
+/// Shows a state on a pale ground, with its sign before the words.
+void showMarked(QLabel& label, Mark mark, const QString& words);
+
 /// Changes the style of a label ("good", "warn", "resting", "bad", "quiet", "heading") or a button
 /// ("main", "tool"; "": as other buttons).
 void setRole(QWidget& widget, const char* role);

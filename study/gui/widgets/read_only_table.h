@@ -1,11 +1,15 @@
 #pragma once
 
+#include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
 
+#include "study/gui/widgets/theme.h"
+
 namespace study::gui {
 
-/// Gives cells the height that their wrapped text needs; Qt does not count the padding.
+/// Draws a line below each cell, and gives cells the height that their wrapped text needs; Qt does
+/// not count the padding.
 class WrappingDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -16,13 +20,22 @@ class WrappingDelegate final : public QStyledItemDelegate {
     narrower.rect.adjust(kPadding, 0, -kPadding, 0);
     return QStyledItemDelegate::sizeHint(narrower, index);
   }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index)
+      const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    if (option.widget == nullptr) return;
+    painter->setPen(themeOf(*option.widget).line);
+    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+  }
 };
 
-/// Makes a table read-only, and lets Tab move to the next control. In Qt's own tables Tab goes from
-/// cell to cell and never leaves (WCAG 2.1.2, no keyboard trap).
+/// Makes a table read-only with lines between its rows, and lets Tab move to the next control. In
+/// Qt's own tables Tab goes from cell to cell and never leaves (WCAG 2.1.2, no keyboard trap).
 inline void makeReadOnly(QTableWidget& table) {
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setTabKeyNavigation(false);
+  table.setShowGrid(false);
   table.setItemDelegate(new WrappingDelegate(&table));
 }
 

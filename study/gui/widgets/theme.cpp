@@ -36,28 +36,35 @@ QLabel[role="quiet"] { color: @quiet; }
 QLabel[role="anchor"] { color: @quiet; font-size: 17px; }
 QLabel[role="count"] { font-size: 28px; font-weight: 600; }
 QWidget[role="column"] { max-width: 640px; }
-QLabel[role="good"] { color: @good.text; background: @good; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
-QLabel[role="resting"] { color: @header.text; background: @header; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
-QLabel[role="warn"] { color: @warn.text; background: @warn; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
-QLabel[role="bad"] { color: @bad.text; background: @bad; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
+QLabel[role="good"] { color: @paleGood.text; background: @paleGood; border-left: 5px solid @good; padding: 8px 12px; font-weight: 600; }
+QLabel[role="resting"] { color: @header.text; background: @header; border-left: 5px solid @border; padding: 8px 12px; font-weight: 600; }
+QLabel[role="warn"] { color: @paleWarn.text; background: @paleWarn; border-left: 5px solid @warn; padding: 8px 12px; font-weight: 600; }
+QLabel[role="bad"] { color: @paleBad.text; background: @paleBad; border-left: 5px solid @bad; padding: 8px 12px; font-weight: 600; }
+QLabel[role="mark-good"], QLabel[role="mark-warn"], QLabel[role="mark-bad"] {
+  border-radius: 9px; min-width: 18px; max-width: 18px; min-height: 18px; max-height: 18px; font-size: 12px; font-weight: 700; }
+QLabel[role="mark-good"], QFrame[role="card"] QLabel[role="mark-good"] { color: @good.text; background: @good; }
+QLabel[role="mark-warn"], QFrame[role="card"] QLabel[role="mark-warn"] { color: @warn.text; background: @warn; }
+QLabel[role="mark-bad"], QFrame[role="card"] QLabel[role="mark-bad"] { color: @bad.text; background: @bad; }
+QLabel[role="finding"] { font-size: 18px; font-weight: 600; }
+QLabel[role="section"] { font-weight: 600; }
 QPushButton { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
-              padding: 8px 18px; min-height: 34px; }
+              padding: 6px 16px; min-height: 24px; }
 QPushButton, QCheckBox, QRadioButton { outline: none; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border: 3px solid @focus; }
 QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton:checked { color: @accent.text; background: @accent; border-color: @accent; }
-QPushButton:checked:focus { border: 6px double @accent.text; padding: 4px 14px; }
+QPushButton:checked:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="next"] { color: @accent.text; background: @accent; border-color: @accent; font-size: 20px;
                            font-weight: 600; min-height: 48px; min-width: 180px; }
 QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
+QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 4px 14px; }
+QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="danger"] { color: @bad.text; background: @bad; border-color: @bad; font-weight: 600; }
 QPushButton[role="danger"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
-QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 4px 14px; }
+QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 2px 12px; }
 QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
 QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 34px; padding: 4px 4px 22px 4px; }
 QPushButton[role="point"]:checked:focus { padding: 0px 0px 18px 0px; }
@@ -74,11 +81,11 @@ QLineEdit[role="answer"], QPlainTextEdit[role="answer"] { font-size: 18px; }
 QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; }
 QPlainTextEdit[role="answer"] { min-height: 110px; }
 QSlider[role="answer"] { min-height: 56px; }
-QPushButton[role="tool"] { min-height: 22px; padding: 5px 10px; }
+QPushButton[role="tool"] { min-height: 21px; padding: 5px 10px; }
 QPushButton[role="tool"]:checked:focus { padding: 1px 6px; }
 QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
                            font-weight: 700; min-height: 64px; }
-QPushButton[role="stop"]:focus { border: 6px double @stop.text; padding: 4px 14px; }
+QPushButton[role="stop"]:focus { border: 6px double @stop.text; padding: 2px 12px; }
 QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QLineEdit, QPlainTextEdit, QComboBox {
   background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
@@ -113,9 +120,9 @@ QFrame[role="card"][isOpen="true"] { border: 2px solid @focus; }
 QFrame[role="card"] QLabel { background: transparent; }
 QFrame[role="card"] QScrollArea, QFrame[role="card"] QWidget[role="plain"],
 QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
-QFrame[role="card"] QLabel[role="good"] { color: @good.text; background: @good; }
-QFrame[role="card"] QLabel[role="warn"] { color: @warn.text; background: @warn; }
-QFrame[role="card"] QLabel[role="bad"] { color: @bad.text; background: @bad; }
+QFrame[role="card"] QLabel[role="good"] { color: @paleGood.text; background: @paleGood; }
+QFrame[role="card"] QLabel[role="warn"] { color: @paleWarn.text; background: @paleWarn; }
+QFrame[role="card"] QLabel[role="bad"] { color: @paleBad.text; background: @paleBad; }
 QFrame[role="clause"] { background: @field; border: none; border-left: 4px solid @accent; }
 QFrame[role="clause"] QLabel { background: transparent; }
 QLabel[role="done"] { color: @good.text; background: @good; border-radius: 35px; font-size: 40px; font-weight: 600;
@@ -140,13 +147,12 @@ QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border:
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
 QListView::item { padding: 5px 6px; }
-QTableView::item { border: none; padding: 2px 6px; }
-QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
+QTableView::item { border: none; padding: 4px 5px; }
+QHeaderView::section { color: @header.text; background: @header; border: none; padding: 6px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }
-QTabBar::tab:selected { color: @accent.text; background: @accent; }
-QTabBar::tab:focus { border: 2px solid @focus; }
-QTabBar::tab:selected:focus { border: 4px double @accent.text; padding: 5px 13px; }
+QTabBar::tab:selected { background: @field; border-bottom: 4px solid @accent; padding: 8px 16px 5px 16px; }
+QTabBar::tab:focus { border: 2px solid @focus; padding: 7px 15px; }
 QTabWidget::pane { border: 1px solid @line; }
 QMenuBar { color: @window.text; background: @window; }
 QMenuBar::item { padding: 6px 12px; background: transparent; }
@@ -268,7 +274,7 @@ int scaled(const QWidget& widget, int length) noexcept {
 }
 
 QString styleSheetOf(const Theme& theme, double scale) {
-  const std::array<std::pair<const char*, Fill>, 10> fills{
+  const std::array<std::pair<const char*, Fill>, 13> fills{
       {{"window", theme.window},
        {"field", theme.field},
        {"header", theme.header},
@@ -278,7 +284,10 @@ QString styleSheetOf(const Theme& theme, double scale) {
        {"stop", theme.stop},
        {"good", theme.good},
        {"warn", theme.warn},
-       {"bad", theme.bad}}};
+       {"bad", theme.bad},
+       {"paleGood", theme.paleGood},
+       {"paleWarn", theme.paleWarn},
+       {"paleBad", theme.paleBad}}};
   const std::array<std::pair<const char*, QColor>, 5> colours{
       {{"quiet", theme.quiet},
        {"link", theme.link},
