@@ -19,7 +19,14 @@ std::string headAsHtml(const ReportSection& section);
 /// The number of participants, by cohort.
 std::string participantsAsHtml(const ReportSection& section);
 
-/// What was found, in one or two plain sentences without statistics; empty without answers.
+/// What was found, in plain sentences without statistics; empty without answers.
+struct Conclusion {
+  std::string finding;      ///< what was named most often or rated highest: one sentence
+  std::string comparisons;  ///< how it compares with the others; may be empty
+};
+Conclusion conclusionOf(const ReportSection& section);
+
+/// The same as a paragraph.
 std::string verdictOf(const ReportSection& section);
 
 /// Whether a declared test that was made takes several answers of one person as those of several

@@ -58,16 +58,19 @@ class VerdictWriter {
  public:
   explicit VerdictWriter(const ReportSection& section) : section_(section), words_(section.words) {}
 
-  std::string all() {
+  Conclusion all() {
     const auto alone = words_("One participant so far: nothing can be compared.");
-    if (section_.results.completed() == 1) return alone;
+    if (section_.results.completed() == 1) return {.finding = alone, .comparisons = {}};
     const auto named = mostNamedIn(section_.results);
-    auto text = named ? votes(*named) : std::string();
+    Conclusion conclusion;
+    if (named) conclusion.finding = votes(*named);
     const auto* family = mainFamily(section_);
-    if (family == nullptr) return text;
+    if (family == nullptr) return conclusion;
     best_ = bestAlternativeOf(section_);
-    if (!named) text = ratings();
-    return text + comparisons(*family);
+    if (!named) conclusion.finding = ratings();
+    const auto text = comparisons(*family);  // each sentence begins with a space
+    if (!text.empty()) conclusion.comparisons = text.substr(1);
+    return conclusion;
   }
 
  private:
@@ -253,8 +256,13 @@ std::string bestAlternativeOf(const ReportSection& section) {
   return family == nullptr ? std::string() : highestRatedIn(*family);
 }
 
-std::string verdictOf(const ReportSection& section) {
+Conclusion conclusionOf(const ReportSection& section) {
   return VerdictWriter(section).all();
+}
+
+std::string verdictOf(const ReportSection& section) {
+  const auto verdict = conclusionOf(section);
+  return verdict.finding + (verdict.comparisons.empty() ? "" : " ") + verdict.comparisons;
 }
 
 }  // namespace study::report

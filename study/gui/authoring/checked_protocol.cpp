@@ -79,6 +79,27 @@ std::string CheckedProtocol::verdict() const {
   return said("Valid, {}: {}", counted(countOf(warnings()), "{} warning", "{} warnings"), what);
 }
 
+std::string CheckedProtocol::shortVerdict() const {
+  if (!loaded) return verdict();
+  if (warnings() == 0) return said("Valid");
+  const auto count = static_cast<std::size_t>(warnings());
+  return said("Valid, {}", counted(count, "{} warning", "{} warnings"));
+}
+
+std::vector<Note> CheckedProtocol::notes() const {
+  std::vector<Note> all;
+  for (const auto& problem : problems) {
+    const auto place = placeInWords(problem.path);
+    const auto what = inWords(problem.what);
+    const auto fix = inWords(problem.fix);
+    all.push_back(
+        {.text = capitalised(place.isEmpty() ? what : place + QStringLiteral(": ") + what),
+         .mark = problem.severity == Severity::Error ? Mark::Bad : Mark::Warning,
+         .details = fix.isEmpty() ? QStringList() : QStringList{capitalised(fix)}});
+  }
+  return all;
+}
+
 QString CheckedProtocol::problemsInWords() const {
   QStringList lines;
   for (const auto& problem : problems) {
@@ -144,6 +165,9 @@ CheckedProtocol checked(
     std::string text,
     std::optional<protocols::LoadedProtocol> loaded,
     std::vector<questionnaires::Problem> problems) {
+  std::ranges::stable_sort(problems, {}, [](const auto& problem) {
+    return problem.severity != Severity::Error;  // errors first
+  });
   const auto isBlank = [](const auto& problem) { return problem.what.key() == "blank_left"; };
   if (loaded && std::erase_if(problems, isBlank) > 0) {
     const auto blanks = protocols::blanksOf(*loaded);

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "protocols/model/loaded_protocol.h"
+#include "study/gui/widgets/note_list.h"
 
 namespace study::gui {
 
@@ -22,7 +23,11 @@ struct CheckedProtocol {
   int warnings() const noexcept;
   /// The protocol is valid, with so many warnings, or cannot be used yet.
   std::string verdict() const;
-  /// All problems, a line each: "! Consent › introduction: … → what to do".
+  /// The verdict without what the protocol is: "Valid, 9 warnings".
+  std::string shortVerdict() const;
+  /// All problems: "Consent › introduction: …", with what to do below each.
+  std::vector<Note> notes() const;
+  /// The same as lines: "! Consent › introduction: … → what to do".
   QString problemsInWords() const;
   /// A text of a problem, with titles in place of the ids of conditions, cohorts, blocks,
   /// instruments and items.

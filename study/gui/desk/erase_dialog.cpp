@@ -190,7 +190,7 @@ void EraseDialog::work() {
     showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), said);
   } else {
     rememberDocument(QString::fromStdString(folder_), path);
-    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), said);
+    showWrittenFile(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), {{said}});
   }
   fillIn();
   emit erased();

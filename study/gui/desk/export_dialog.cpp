@@ -20,6 +20,52 @@ Audience audienceOf(const QComboBox& choice) {
   return static_cast<Audience>(choice.currentData().toInt());
 }
 
+/// How many people a reader could recognise.
+std::vector<Note> notesOf(const ClassSizes& classes) {
+  if (classes.people == 0) return {};
+  if (classes.peopleInSmallClasses == 0) {
+    return {{ExportDialog::tr("Nobody is alone with their cohort and background."), Mark::Good}};
+  }
+  return {
+      {ExportDialog::tr("Alone with their cohort and background: %1 of %2 people")
+           .arg(classes.peopleInSmallClasses)
+           .arg(classes.people),
+       Mark::Warning,
+       {ExportDialog::tr("A reader who knows these finds the other answers. To publish data, make "
+                         "an export for the public instead.")}}};
+}
+
+/// Whether names of participants are in what is exported.
+Note noteOf(const NameSearchResult& named) {
+  const auto advice = ExportDialog::tr("Read free texts before you give them away.");
+  if (named.areLocked) {
+    return {
+        ExportDialog::tr(
+            "Names are behind a passphrase that was not given: none was searched for."),
+        Mark::Warning,
+        {advice}};
+  }
+  if (named.names == 0) {
+    return {ExportDialog::tr("The study keeps no names to search for."), Mark::None, {advice}};
+  }
+  QStringList where;
+  for (const auto& [table, count] : named.cells) {
+    where << QStringLiteral("%1: %2").arg(asText(table)).arg(count);
+  }
+  if (!where.isEmpty()) {
+    return {
+        ExportDialog::tr("This folder names people: do not give it away as it is."),
+        Mark::Bad,
+        {ExportDialog::tr("Cells with a word of a name that the study keeps apart: %1")
+             .arg(where.join(QStringLiteral(", ")))}};
+  }
+  return {
+      ExportDialog::tr("No name that the study keeps apart is in these data."),
+      Mark::Good,
+      {ExportDialog::tr("Names of other people were not searched for.") + QLatin1Char(' ') +
+       advice}};
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
@@ -64,16 +110,17 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("data")));
   earlier_->startIn(folderBeside(folder_));
-  form().addRow(tr("Format"), format_);
-  form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("For whom"), audience_);
   form().addRow(tr("Smallest group of people"), smallest_);
   form().addRow(tr("Reason for unblinding"), reason_);
+  form().addRow(tr("Sessions"), mode_);
+  form().addRow(tr("Format"), format_);
   form().addRow(tr("Also export"), exact_);
   form().addRow(QString(), texts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Use the codes of (optional)"), earlier_);
+  form().addRow(tr("Earlier export (optional)"), earlier_);
+  aboutEarlier_ = addHint(tr("Conditions get the same codes as there."));
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -108,6 +155,7 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(earlier_, hasCodes);
+  form().setRowVisible(aboutEarlier_, hasCodes);
   clear();
   showIdentifiability();
   updateButton();
@@ -128,9 +176,15 @@ void ExportDialog::showIdentifiability() {
   try {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto how = options();
-    showDetails(QString::fromStdString(
-        how.publicClass ? study::describe(publicRelease(study, how))
-                        : identifiabilityInWords(study, how)));
+    if (how.publicClass) {
+      showDetails({{QString::fromStdString(study::describe(publicRelease(study, how))).trimmed()}});
+    } else if (how.runMode == RunMode::Simulated) {
+      showDetails({{tr("Nothing in this folder names a person."), Mark::Good}});
+    } else {
+      auto notes = notesOf(classSizesAsReleased(study, how));
+      notes.push_back(noteOf(searchForNames(study, exportTables(study, how))));
+      showDetails(notes);
+    }
   } catch (const std::exception& error) {
     showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
     isPossible_ = false;

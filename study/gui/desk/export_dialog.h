@@ -44,6 +44,7 @@ class ExportDialog final : public WorkDialog {
   QCheckBox* traces_;
   PathField* target_;
   PathField* earlier_;  ///< an earlier export whose codes the new one reuses
+  QLabel* aboutEarlier_ = nullptr;
 };
 
 }  // namespace study::gui

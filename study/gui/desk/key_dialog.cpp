@@ -50,7 +50,6 @@ KeyDialog::KeyDialog(const StudySummary& study, QWidget* parent)
   connect(source_, &PathField::pathChanged, this, &KeyDialog::updateChoices);
   source_->startIn(folderBeside(folder_));
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
-  findChild<QTextBrowser*>(QStringLiteral("more"))->setAccessibleName(tr("Where the key is"));
   showState();
   updateChoices();
 }
@@ -63,10 +62,11 @@ void KeyDialog::showState() {
   attempt(this, MessageTopic::KeyNotRead, [&] {
     auto study = Study::open(folder_, storage::Database::Access::ReadOnly);
     const auto words = keyStatusText(study);
-    state_ = words.empty() ? tr("Nothing is sealed.")
-                           : tr("Conditions: %1.").arg(QString::fromStdString(words));
-    showDetails(state_);
     const bool needsKey = study.isSealed() && !study.hasKey();
+    showNotice(
+        needsKey || hasOnlyCopyOfKey(study) ? Mark::Warning : Mark::None,
+        words.empty() ? tr("Nothing is sealed.")
+                      : tr("Conditions: %1.").arg(QString::fromStdString(words)));
     task_->setCurrentIndex(
         task_->findData(static_cast<int>(needsKey ? KeyTask::Take : KeyTask::Save)));
   });
@@ -100,7 +100,7 @@ void KeyDialog::work() {
   });
   if (!isTaken) return clear();
   showState();
-  showOutcome(Outcome::Good, tr("This account has the key now."), state_);
+  showOutcome(Outcome::Good, tr("This account has the key now."));
 }
 
 void KeyDialog::saveKey() {
@@ -113,9 +113,7 @@ void KeyDialog::saveKey() {
   showState();
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("key"), QStringLiteral(".txt")));
   showWrittenFile(
-      target,
-      tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target),
-      state_);
+      target, tr("Key saved: %1. Keep it apart from the study and its backups.").arg(target));
 }
 
 void KeyDialog::sealNames() {
@@ -130,8 +128,7 @@ void KeyDialog::sealNames() {
   showState();
   showOutcome(
       Outcome::Good,
-      tr("Names are behind the passphrase now. Sessions ask for it; it cannot be recovered."),
-      state_);
+      tr("Names are behind the passphrase now. Sessions ask for it; it cannot be recovered."));
 }
 
 }  // namespace study::gui

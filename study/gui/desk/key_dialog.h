@@ -34,7 +34,6 @@ class KeyDialog final : public WorkDialog {
   void sealNames();
 
   std::string folder_;
-  QString state_;  ///< where the key is, in words
   QComboBox* task_;
   QLineEdit* reason_;
   PathField* target_;

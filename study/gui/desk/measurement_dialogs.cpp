@@ -1,7 +1,6 @@
 #include "study/gui/desk/measurement_dialogs.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include <QDir>
@@ -21,18 +20,18 @@ namespace {
 constexpr int kMostSpheres = 2'000'000;
 constexpr int kUsualSpheres = 201'532;  // as in the published model
 
-/// Runs the work behind a progress dialog.
-/// @return the description of its result; std::nullopt if it failed or was cancelled.
-std::optional<QString> runWithProgress(
-    QWidget* parent,
-    const QString& title,
-    const std::function<std::string(const Progress&)>& work) {
-  std::string said;
+/// Runs the work behind a progress dialog. Returns its result; std::nullopt if it failed or was
+/// cancelled.
+template <typename Work>
+auto runWithProgress(QWidget* parent, const QString& title, const Work& work)
+    -> std::optional<decltype(work(Progress()))> {
+  decltype(work(Progress())) result;
   const bool isDone = BackgroundTask::run(
       parent, title, MessageTopic::DocumentNotMade, [&](const Progress& progress) {
-        said = work(progress);
+        result = work(progress);
       });
-  return isDone ? std::optional(QString::fromStdString(said)) : std::nullopt;
+  if (!isDone) return std::nullopt;
+  return result;
 }
 
 QString newFile(const char* name, const char* extension) {
@@ -187,9 +186,8 @@ void ImportCutDialog::work() {
         report = importCutTo(recording, columns, how, target, progress);
       });
   if (!isDone) return clear();
-  QStringList changes{tr("Why this cut: %1").arg(deskText(report.reason))};
-  for (const auto& change : report.changes) changes << capitalised(deskText(change));
-  const auto more = changes.join(QLatin1Char('\n'));
+  std::vector<Note> more{{tr("Why this cut: %1").arg(deskText(report.reason))}};
+  for (const auto& change : report.changes) more.push_back({capitalised(deskText(change))});
   if (!report.isAltered()) {
     return showWrittenFile(target_->path(), tr("Cut saved: %1").arg(target_->path()), more);
   }
@@ -211,7 +209,8 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
       series_(new PathField(PathField::Kind::ExistingFolder, tr("Folder of series"), {}, this)),
       title_(new QLineEdit(tr("A reaming material"), this)),
       target_(
-          new PathField(PathField::Kind::NewFile, tr("New file"), tr("Materials (*.json)"), this)) {
+          new PathField(PathField::Kind::NewFile, tr("New file"), tr("Materials (*.json)"), this)),
+      result_(new ResultView(this)) {
   title_->setAccessibleName(tr("Title"));
   series_->setObjectName(QStringLiteral("series"));
   target_->setObjectName(QStringLiteral("target"));
@@ -226,6 +225,8 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
         : target_->path().isEmpty()          ? tr("Choose a new file.")
                                              : QString());
   };
+  addResult(result_);
+  result_->hide();
   connect(series_, &PathField::pathChanged, this, updateButton);
   connect(title_, &QLineEdit::textChanged, this, updateButton);
   connect(target_, &PathField::pathChanged, this, updateButton);
@@ -237,12 +238,51 @@ void FitMaterialDialog::work() {
   const auto series = series_->path().toStdString();
   const auto title = title_->text().toStdString();
   const auto target = target_->path().toStdString();
-  const auto said =
+  const auto fitted =
       runWithProgress(this, tr("Fitting the material"), [&](const Progress& progress) {
         return fitMaterialTo(series, title, target, progress);
       });
-  if (!said) return clear();
-  showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), *said);
+  result_->setVisible(fitted.has_value());
+  if (!fitted) return clear();
+  showResult(*fitted);
+  std::vector<Note> notes;
+  if (fitted->isSynthetic) {
+    notes.push_back({tr("Synthetic: nobody measured these series."), Mark::Warning});
+  }
+  for (const auto& series : fitted->leftOut) {
+    notes.push_back({tr("Left out: %1").arg(asText(series)), Mark::Warning});
+  }
+  showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
+}
+
+void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
+  const auto words = [](const QString& text) { return Heading::ofWords(text.toStdString()); };
+  const auto number = [](const QString& text) { return Heading{text.toStdString()}; };
+  const auto cell = [](double value, int decimals) {
+    return QString::number(value, 'f', decimals).toStdString();
+  };
+  DataTable table{
+      .name = "material-errors",
+      .description = tr("Largest error of the smallest, the mean and the largest force curve [N]")
+                         .toStdString(),
+      .columns =
+          {words(tr("Test set")),
+           number(tr("Series")),
+           number(tr("Depth [mm]")),
+           number(tr("Smallest")),
+           number(tr("Mean")),
+           number(tr("Largest"))},
+      .rows = {}};
+  for (const auto& test : fitted.tests) {
+    table.rows.push_back(
+        {test.name,
+         std::to_string(test.series),
+         cell(1000.0 * test.depth, 2),
+         cell(test.minimum, 1),
+         cell(test.average, 1),
+         cell(test.maximum, 1)});
+  }
+  result_->show({}, {table});
 }
 
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
@@ -265,11 +305,10 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-bone", ".packing"));
   form().addRow(tr("Spheres"), spheres_);
-  form().addRow(quietLabel(
-      tr("%1 are those of the published model. More of them are smaller, and take longer.")
-          .arg(spheres_->locale().toString(kUsualSpheres)),
-      this));
-  form().addRow(tr("Seed (the same number builds the same bone)"), seed_);
+  addHint(tr("%1 are those of the published model. More of them are smaller, and take longer.")
+              .arg(spheres_->locale().toString(kUsualSpheres)));
+  form().addRow(tr("Seed"), seed_);
+  addHint(tr("The same number builds the same bone."));
   form().addRow(tr("To a new file"), target_);
   connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
     setObstacle(path.isEmpty() ? tr("Choose a new file.") : QString());
@@ -281,11 +320,26 @@ void BuildBoneDialog::work() {
   const auto spheres = static_cast<std::size_t>(spheres_->value());
   const auto seed = static_cast<std::uint64_t>(seed_->value());
   const auto target = target_->path().toStdString();
-  const auto said = runWithProgress(this, tr("Placing spheres"), [&](const Progress& progress) {
+  const auto bone = runWithProgress(this, tr("Placing spheres"), [&](const Progress& progress) {
     return buildBoneTo(spheres, seed, target, progress);
   });
-  if (!said) return clear();
-  showWrittenFile(target_->path(), tr("Bone saved: %1").arg(target_->path()), *said);
+  if (!bone) return clear();
+  const auto number = [](double value, int decimals) {
+    return QString::number(value, 'f', decimals);
+  };
+  showWrittenFile(
+      target_->path(),
+      tr("Bone saved: %1").arg(target_->path()),
+      {{tr("%1 spheres of %2 to %3 mm cover %4 % of %5 cm³.")
+            .arg(
+                QString::number(bone->spheres),
+                number(1e3 * bone->smallest, 3),
+                number(1e3 * bone->largest, 3),
+                number(100.0 * bone->coverage, 1),
+                number(1e6 * bone->volume, 1))},
+       {tr("Synthetic: nobody measured this bone."), Mark::Warning},
+       {tr("It has no densities yet: the help says how to give it those of a material (On the "
+           "command line).")}});
 }
 
 }  // namespace study::gui

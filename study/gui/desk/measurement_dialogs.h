@@ -11,6 +11,8 @@
 
 namespace study::gui {
 
+struct FittedMaterial;
+
 /// Imports a cut for use in a protocol: from a recording of the punch, or from a table whose
 /// columns are chosen in a form or described in a columns file.
 class ImportCutDialog final : public WorkDialog {
@@ -55,9 +57,12 @@ class FitMaterialDialog final : public WorkDialog {
   void work() override;
 
  private:
+  void showResult(const FittedMaterial& fitted);
+
   PathField* series_;
   QLineEdit* title_;
   PathField* target_;
+  ResultView* result_;
 };
 
 /// Fills the built-in cup with spheres.

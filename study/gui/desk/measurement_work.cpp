@@ -76,24 +76,22 @@ bool onProgress(const Progress& progress, const reaming::PackingProgress& now, s
   }
 }
 
-std::string describe(const reaming::MaterialFit& fit) {
-  std::string words;
+FittedMaterial resultOf(const reaming::MaterialFit& fit, bool isSynthetic) {
+  FittedMaterial result{.tests = {}, .leftOut = {}, .isSynthetic = isSynthetic};
   for (const auto& set : fit.sets) {
-    words += fmt::format(
-        "{}: {} series to {:.2f} mm; largest error {:.2g} / {:.2g} / {:.2g} N (minimum, average, "
-        "maximum)\n",
-        reaming::kTestSets[static_cast<std::size_t>(set.set)],
-        set.used,
-        1000.0 * set.scale,
-        set.force.minimum.error.largest,
-        set.force.average.error.largest,
-        set.force.maximum.error.largest);
+    result.tests.push_back(
+        {.name = std::string(nameOf(set.set)),
+         .series = set.used,
+         .depth = set.scale,
+         .minimum = set.force.minimum.error.largest,
+         .average = set.force.average.error.largest,
+         .maximum = set.force.maximum.error.largest});
   }
   for (const auto& series : fit.series) {
     if (!series.exclusion.isExcluded()) continue;
-    words += "left out: " + series.name + ": " + series.exclusion.words + "\n";
+    result.leftOut.push_back(series.name + ": " + series.exclusion.words);
   }
-  return words;
+  return result;
 }
 
 }  // namespace
@@ -114,7 +112,7 @@ haptics::recordings::ImportReport importCutTo(
   return std::move(imported.report);
 }
 
-std::string fitMaterialTo(
+FittedMaterial fitMaterialTo(
     const std::string& folder,
     const std::string& title,
     const std::string& out,
@@ -146,10 +144,10 @@ std::string fitMaterialTo(
   tell(progress, 1.0, "writing it");
   const auto name = fs::path(out).stem().string();
   writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
-  return describe(fit) + (isSynthetic ? "SYNTHETIC: nobody measured these series.\n" : "");
+  return resultOf(fit, isSynthetic);
 }
 
-std::string buildBoneTo(
+BuiltBone buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress) {
   requireNewFileEndingIn(out, protocols::kPackingExtension);
   const reaming::Acetabulum body;
@@ -168,15 +166,12 @@ std::string buildBoneTo(
   tell(progress, 1.0, "writing it");
   writeNewFile(
       out, protocols::packingAsText(bone, {.mesh = "parametric acetabulum", .seed = seed}));
-  return fmt::format(
-      "{} spheres of {:.3f} to {:.3f} mm cover {:.1f} % of {:.1f} cm³. SYNTHETIC: nobody measured "
-      "this bone.\nIt has no densities yet: the help says how to give it those of a material (On "
-      "the command line).\n",
-      bone.packing.spheres.size(),
-      1e3 * bone.packing.spheres.back().radius,
-      1e3 * bone.packing.spheres.front().radius,
-      100.0 * bone.packing.coverage(),
-      1e6 * bone.packing.volume);
+  return {
+      .spheres = bone.packing.spheres.size(),
+      .smallest = bone.packing.spheres.back().radius,
+      .largest = bone.packing.spheres.front().radius,
+      .coverage = bone.packing.coverage(),
+      .volume = bone.packing.volume};
 }
 
 }  // namespace study::gui

@@ -25,21 +25,15 @@ constexpr int kCountRole = Qt::UserRole + 1;  ///< number of sessions of a mode
 
 }  // namespace
 
-QString describe(const Verification& verification) {
-  QString words;
+std::vector<Note> notesOf(const Verification& verification) {
+  std::vector<Note> notes;
   for (const auto& check : verification.checks) {
-    const bool holds = check.problems.empty();
-    words += (holds ? QStringLiteral("✓  ")
-                    : QStringLiteral("✕  ") + deskText("FAIL") + QStringLiteral(": ")) +
-             deskText(check.what) + QLatin1Char('\n');
-    for (const auto& problem : check.problems) {
-      words += QStringLiteral("      ") + QString::fromStdString(problem) + QLatin1Char('\n');
-    }
-    for (const auto& remark : check.remarks) {
-      words += QStringLiteral("      ") + QString::fromStdString(remark) + QLatin1Char('\n');
-    }
+    auto& note = notes.emplace_back(
+        Note{capitalised(deskText(check.what)), check.problems.empty() ? Mark::Good : Mark::Bad});
+    for (const auto& problem : check.problems) note.details << QString::fromStdString(problem);
+    for (const auto& remark : check.remarks) note.details << QString::fromStdString(remark);
   }
-  return words;
+  return notes;
 }
 
 QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent) {
@@ -110,8 +104,8 @@ void BackupDialog::work() {
       });
   if (!isDone) return clear();
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
-  QString checks = describe(backup.verification);
-  if (!backup.isNoted) checks += QLatin1Char('\n') + deskText(kCopyNotNoted);
+  auto checks = notesOf(backup.verification);
+  if (!backup.isNoted) checks.push_back({deskText(kCopyNotNoted), Mark::Warning});
   if (backup.verification.isSound()) {
     const QString path = target_->path();
     showWrittenFile(
@@ -161,7 +155,7 @@ void VerifyDialog::work() {
       });
   if (!isDone) return clear();
   form().setRowVisible(restored_, missing > 0);
-  const QString checks = describe(verification);
+  const auto checks = notesOf(verification);
   if (verification.isSound()) {
     showOutcome(Outcome::Good, tr("All data are unchanged."), checks);
   } else {
@@ -299,7 +293,7 @@ void ReportDialog::work() {
       path,
       figures.isEmpty() ? tr("Report saved: %1").arg(path)
                         : tr("Report saved: %1; figures: %2").arg(path, figures),
-      isNoted ? QString() : deskText(kCopyNotNoted));
+      isNoted ? std::vector<Note>() : std::vector<Note>{{deskText(kCopyNotNoted), Mark::Warning}});
   const auto extension = QLatin1Char('.') + QFileInfo(path).suffix();
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("report"), extension));
 }

@@ -80,9 +80,8 @@ class ReportDialog final : public WorkDialog {
   WrittenFile* writtenFigures_;
 };
 
-/// All checks, one line each, such as "✓ the audit trail is unbroken", with the errors below a
-/// failed check.
-QString describe(const Verification& verification);
+/// All checks, with what was found below each: "✓ The audit trail is unbroken".
+std::vector<Note> notesOf(const Verification& verification);
 
 /// A list of run modes to choose from, each with its number of sessions.
 QComboBox* makeRunModeBox(const StudySummary& study, QWidget* parent);

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include <QScreen>
-
 #include "study/cohort/simulated_participant.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/field_row.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/report/tables/plan_tables.h"
 #include "study/report/tables/statistics_tables.h"
@@ -22,16 +21,12 @@ using Access = storage::Database::Access;
 
 constexpr int kMostSimulated = 100'000;
 constexpr int kMostPlanned = 1000;
+constexpr int kPlanWidth = 900;  // [px]
+constexpr int kStatisticsWidth = 1240;
 
 int countOf(const StudySummary& study, RunMode mode) {
   const auto found = study.sessions.find(mode);
   return found == study.sessions.end() ? 0 : found->second;
-}
-
-/// Makes a dialog wide enough for tables, as far as the screen has room.
-void widen(QDialog& dialog) {
-  constexpr int kWidth = 1240;  // [px]
-  dialog.resize(std::min(kWidth, dialog.screen()->availableSize().width()), dialog.height());
 }
 
 }  // namespace
@@ -72,7 +67,7 @@ void AmendDialog::check() {
         : checked_.warnings() > 0 ? Outcome::Warning
                                   : Outcome::Good,
         QString::fromStdString(checked_.verdict()),
-        checked_.problemsInWords());
+        checked_.notes());
   }
   updateButton();
 }
@@ -177,11 +172,18 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   power_->setRange(0.5, 0.99);
   power_->setSingleStep(0.05);
   power_->setValue(StudyPlanOptions().power);
-  form().addRow(tr("Participants of each cohort"), participants_);
-  form().addRow(tr("Effect to find (Cohen's d_z)"), effect_);
-  form().addRow(tr("Power to reach"), power_);
+  auto* question = new FieldRow(this);
+  question->add(tr("Participants of each cohort"), participants_);
+  question->add(tr("Effect to find (Cohen's d_z)"), effect_);
+  question->add(tr("Power to reach"), power_);
+  connect(participants_, &QSpinBox::valueChanged, this, [this] { setMain(true); });
+  for (auto* number : {effect_, power_}) {
+    connect(number, &QDoubleSpinBox::valueChanged, this, [this] { setMain(true); });
+  }
+  form().addRow(question);
   addResult(result_);
   result_->hide();
+  widen(kPlanWidth);
   fit();
 }
 
@@ -197,12 +199,11 @@ void PlanDialog::work() {
         auto study = Study::open(folder_, Access::ReadOnly);
         plan = planOf(study.protocol(), question);
       });
+  setMain(!isDone);
   result_->setVisible(isDone);
   if (isDone) {
     const auto words = words::wordsIn(deskLanguage());
-    result_->show(
-        QString::fromStdString(report::planInWords(plan, words)), report::planTables(plan, words));
-    widen(*this);
+    result_->show(report::planInWords(plan, words), report::planTables(plan, words));
   }
   fit();
 }
@@ -228,11 +229,13 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   add(tr("As published: answers pooled"), Profile::AsPublished);
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
-  form().addRow(tr("Sessions"), mode_);
-  form().addRow(tr("Tests"), profile_);
+  auto* question = new FieldRow(this);
+  question->add(tr("Sessions"), mode_);
+  question->add(tr("Tests"), profile_);
+  form().addRow(question);
   form().addRow(tr("Reason for unblinding"), reason_);
   addResult(result_);
-  widen(*this);
+  widen(kStatisticsWidth);
   const auto forget = [this] {
     section_.reset();
     updateChoices();
@@ -254,13 +257,13 @@ void StatisticsDialog::updateChoices() {
 }
 
 void StatisticsDialog::showResults() {
+  setMain(!section_);
   result_->setVisible(section_.has_value());
   if (section_) {
     const auto profile = static_cast<Profile>(profile_->currentData().toInt());
-    result_->show(
-        QString::fromStdString(report::answerInWords(*section_)),
-        report::statisticsTables(*section_, profile));
+    result_->show(report::answerInWords(*section_), report::statisticsTables(*section_, profile));
   }
+  showNotice(Mark::Warning, section_ ? asText(report::originInWords(*section_)) : QString());
   fit();
 }
 

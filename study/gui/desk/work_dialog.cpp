@@ -1,7 +1,6 @@
 #include "study/gui/desk/work_dialog.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <QAbstractSpinBox>
@@ -10,13 +9,15 @@
 #include <QScreen>
 #include <QTimer>
 
+#include "study/gui/widgets/field_row.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/written_file.h"
 
 namespace study::gui {
 namespace {
 
-constexpr int kUsualWidth = 760;  // [px]
+constexpr int kUsualWidth = 760;        // [px]
+constexpr double kShareOfScreen = 0.9;  // the rest is for the desktop's bars
 
 /// The widgets of a layout that Tab stops at, in the order in which they are seen.
 void collectStops(const QLayout& layout, std::vector<QWidget*>& stops) {
@@ -40,9 +41,10 @@ WorkDialog::WorkDialog(
     : QDialog(parent),
       scroll_(new QScrollArea(this)),
       form_(new FieldForm),
+      notice_(bodyLabel({}, this)),
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
-      details_(new QTextBrowser(this)),
+      details_(new NoteList(this)),
       obstacle_(quietLabel({}, this)),
       runButton_(new QPushButton(verb, this)) {
   setWindowTitle(title);
@@ -51,6 +53,8 @@ WorkDialog::WorkDialog(
   runButton_->setProperty("role", QStringLiteral("main"));
   runButton_->setObjectName(QStringLiteral("go"));
   runButton_->setDefault(true);
+  notice_->setObjectName(QStringLiteral("notice"));
+  notice_->setVisible(false);
   line_->setObjectName(QStringLiteral("outcome"));
   details_->setObjectName(QStringLiteral("more"));
   details_->setAccessibleName(tr("Details"));
@@ -63,11 +67,12 @@ WorkDialog::WorkDialog(
   page->setSpacing(14);
   page->addWidget(heading);
   page->addWidget(quietLabel(what, this));
+  page->addWidget(notice_);
   page->addLayout(form_);
   page->addWidget(line_);
   page->addWidget(written_);
-  page->addWidget(details_, 1);
-  page->addStretch(0);
+  page->addWidget(details_);
+  page->addStretch(1);
   scroll_->setWidgetResizable(true);
   scroll_->setWidget(inside);
   scroll_->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the focus
@@ -92,9 +97,12 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
   page->insertLayout(place, body_);
 }
 
-void WorkDialog::addResult(QWidget* result) {
+void WorkDialog::addResult(ResultView* result) {
   auto* page = qobject_cast<QVBoxLayout*>(scroll_->widget()->layout());
-  page->insertWidget(page->indexOf(details_), result, 1);
+  page->insertWidget(page->indexOf(details_), result);
+  result_ = result;
+  connect(
+      result, &ResultView::tableChanged, this, [this] { fitTable(scroll_->viewport()->height()); });
 }
 
 QHBoxLayout* WorkDialog::makeButtons() {
@@ -118,41 +126,49 @@ void WorkDialog::setObstacle(const QString& obstacle) {
   obstacle_->setText(obstacle);
 }
 
+QLabel* WorkDialog::addHint(const QString& words) {
+  auto* hint = quietLabel(words, this);
+  hint->setSizePolicy(QSizePolicy::Expanding, hint->sizePolicy().verticalPolicy());
+  form_->addRow(QString(), hint);
+  return hint;
+}
+
+void WorkDialog::showNotice(Mark mark, const QString& line) {
+  showMarked(*notice_, mark, line);
+  notice_->setVisible(!line.isEmpty());
+}
+
 void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString& more) {
-  static constexpr const char* kRoles[]{"good", "warn", "bad"};
-  static constexpr const char* kSigns[]{"✓  ", "!  ", "✕  "};
-  const auto place = static_cast<std::size_t>(outcome);
-  setRole(*line_, kRoles[place]);
-  line_->setText(QString::fromUtf8(kSigns[place]) + line);
+  showOutcome(outcome, line, more.isEmpty() ? std::vector<Note>() : std::vector<Note>{{more}});
+}
+
+void WorkDialog::showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more) {
+  showMarked(*line_, outcome, line);
   line_->setVisible(true);
   written_->show(QString());
+  if (outcome == Outcome::Good) setMain(false);
   showDetails(more);
 }
 
 void WorkDialog::showWrittenFile(
-    const QString& path, const QString& line, const QString& more, Outcome outcome) {
+    const QString& path, const QString& line, const std::vector<Note>& more, Outcome outcome) {
   showOutcome(outcome, line, more);
   written_->show(path);
   fit();
   scroll_->ensureWidgetVisible(line_);  // otherwise the form above it may fill the screen
 }
 
-void WorkDialog::showDetails(const QString& more) {
-  details_->setPlainText(more);
-  details_->setVisible(!more.isEmpty());
+void WorkDialog::showDetails(const std::vector<Note>& more) {
+  details_->show(more);
+  details_->setVisible(!more.empty());
   fit();
+  QTimer::singleShot(0, this, &WorkDialog::fit);  // new labels get the theme only afterwards
 }
 
-/// Makes the details as high as their text; of a long one some lines are seen, and all where the
-/// dialog has room.
-void WorkDialog::fitDetails() {
-  constexpr int kLeast = 200;  // [px] of a long text
-  const int frame = 2 * details_->frameWidth();
-  const auto margins = scroll_->widget()->layout()->contentsMargins();
-  details_->document()->setTextWidth(width() - margins.left() - margins.right() - frame);
-  const int own = static_cast<int>(std::ceil(details_->document()->size().height())) + frame;
-  details_->setMinimumHeight(std::min(own, kLeast));
-  details_->setMaximumHeight(own);
+void WorkDialog::setMain(bool isMain) {
+  // What erases stays marked.
+  const bool isDanger = runButton_->property("role").toString() == QStringLiteral("danger");
+  if (!isDanger) setRole(*runButton_, isMain ? "main" : "");
 }
 
 /// Tab goes through the fields in the order of the rows and ends at the buttons. The first field
@@ -169,25 +185,55 @@ void WorkDialog::orderStops() {
   (first == fields.end() ? runButton_ : *first)->setFocus();
 }
 
-void WorkDialog::fit() {
-  constexpr int kFrame = 80;  // [px]: of the window and of the desktop's bars
+/// What the page needs without scrolling. A scrolled widget is never lower than its minimum size
+/// hint, for which labels wrap into more lines.
+int WorkDialog::heightOfPage() const {
   auto* inside = scroll_->widget();
   inside->layout()->activate();
-  fitDetails();
+  return std::max(
+      inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
+}
+
+/// Gives the table what the rest of the page leaves of @p room [px].
+void WorkDialog::fitTable(int room) {
+  if (result_ == nullptr || result_->isHidden()) return;
+  result_->giveTableRoom(room - (heightOfPage() - result_->tableHeight()));
+}
+
+/// The height for which nothing is scrolled, as far as the screen has room.
+int WorkDialog::wantedHeight() {
+  constexpr int kFocusFrame = 6;  // [px] that a button grows by while it has the focus
   const auto* buttons = layout()->itemAt(1);
-  // A scrolled widget is never lower than its minimum size hint, for which labels wrap into more
-  // lines.
-  const int own =
-      std::max(inside->layout()->totalHeightForWidth(width()), inside->minimumSizeHint().height());
-  const int needed = own + layout()->spacing() + buttons->sizeHint().height();
-  const int most = screen()->availableSize().height() - kFrame;
-  if (!isVisible() || details_->isHidden() || height() < needed) {
-    // Beside a scroll bar labels wrap into more lines and then need the bar, so that it would stay
-    // for good.
-    scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    resize(width(), std::min(needed, most));
-    scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  }
+  const int below = layout()->spacing() + buttons->sizeHint().height() + kFocusFrame;
+  const int most = static_cast<int>(kShareOfScreen * screen()->availableSize().height());
+  fitTable(most - below);
+  return std::min(heightOfPage() + below, most);
+}
+
+void WorkDialog::fit() {
+  const bool isOwn = !isVisible() || height() == fitted_;
+  const int wanted = wantedHeight();
+  fitTo(isOwn ? wanted : std::max(wanted, height()));
+}
+
+/// Another table does not make the dialog lower, or it would jump.
+void WorkDialog::enlarge() {
+  if (isVisible()) fitTo(std::max(wantedHeight(), height()));
+}
+
+void WorkDialog::fitTo(int height) {
+  fitted_ = height;
+  // Beside a scroll bar labels wrap into more lines and then need the bar, so that it would stay
+  // for good.
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  resize(width(), height);
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  fitTable(scroll_->viewport()->height());
+}
+
+void WorkDialog::widen(int width) {
+  const auto most = static_cast<int>(kShareOfScreen * screen()->availableSize().width());
+  resize(std::max(this->width(), std::min(width, most)), height());
 }
 
 void WorkDialog::resizeEvent(QResizeEvent* event) {
@@ -198,7 +244,7 @@ void WorkDialog::resizeEvent(QResizeEvent* event) {
     pictures_->setDirection(isWide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   }
   QDialog::resizeEvent(event);
-  fitDetails();
+  fitTable(scroll_->viewport()->height());
 }
 
 void WorkDialog::showEvent(QShowEvent* event) {
@@ -208,7 +254,10 @@ void WorkDialog::showEvent(QShowEvent* event) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  const auto numbers = findChildren<QAbstractSpinBox*>();
+  auto numbers = findChildren<QAbstractSpinBox*>();
+  numbers.removeIf([](const QAbstractSpinBox* number) {  // those beside each other share the width
+    return qobject_cast<FieldRow*>(number->parentWidget()) != nullptr;
+  });
   int widest = 0;
   for (const auto* number : numbers) widest = std::max(widest, number->sizeHint().width());
   for (auto* number : numbers) number->setMinimumWidth(widest);
@@ -221,7 +270,8 @@ void WorkDialog::clear() {
   line_->clear();
   line_->setVisible(false);
   written_->show(QString());
-  showDetails(QString());
+  setMain(true);
+  showDetails({});
 }
 
 }  // namespace study::gui

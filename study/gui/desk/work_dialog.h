@@ -1,25 +1,30 @@
 #pragma once
 
+#include <vector>
+
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/field_form.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/note_list.h"
+#include "study/gui/widgets/result_view.h"
 
 namespace study::gui {
 
-/// A dialog with a form, a button that does the work, and the result. On a low screen the form and
-/// the result are scrolled; the buttons stay in sight.
+/// A dialog with a form, a button that does the work, and the result. It is as high as what it
+/// shows, as far as the screen has room; what does not fit is scrolled, and the buttons stay in
+/// sight.
 class WorkDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// The kind of result. Each has a symbol as well as a colour.
-  enum class Outcome { Good, Warning, Bad };
+  /// The kind of result.
+  using Outcome = Mark;
 
  protected:
   WorkDialog(const QString& title, const QString& what, const QString& verb, QWidget* parent);
@@ -31,23 +36,34 @@ class WorkDialog : public QDialog {
   /// @param obstacle  "Give a reason."; empty: none
   void setObstacle(const QString& obstacle);
 
-  /// Shows the result in one line, and details below.
+  /// Adds a row with a hint on the field above it.
+  QLabel* addHint(const QString& words);
+  /// Says above the form what has to be known before.
+  void showNotice(Mark mark, const QString& line);
+  /// Shows the result in one line, and details below. After a good one the button is no longer the
+  /// main one.
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
-  /// The same for something that was written, which can be opened from here. The button that wrote
-  /// it is no longer the main one.
+  void showOutcome(Outcome outcome, const QString& line, const std::vector<Note>& more);
+  /// The same for something that was written, which can be opened from here.
   void showWrittenFile(
       const QString& path,
       const QString& line,
-      const QString& more = {},
+      const std::vector<Note>& more = {},
       Outcome outcome = Outcome::Good);
   /// Places pictures beside the form; below it where the dialog is narrow.
   void addBeside(QBoxLayout* pictures);
-  /// Places a widget of the dialog's own where details are.
-  void addResult(QWidget* result);
+  /// Places tables below the result. They get what room the screen has.
+  void addResult(ResultView* result);
   /// Shows details without a result.
-  void showDetails(const QString& more);
+  void showDetails(const std::vector<Note>& more);
   void clear();
-  /// Resizes the dialog to its contents, as far as the screen has room.
+  /// Marks the button as the main one, which it is until its work is done.
+  void setMain(bool isMain);
+  /// Makes the dialog wide enough for tables, as far as the screen has room.
+  /// @param width  [px]
+  void widen(int width);
+  /// Resizes the dialog to its contents, as far as the screen has room. One that the user has
+  /// resized is only enlarged.
   void fit();
 
   /// Called when the button is pressed.
@@ -58,18 +74,25 @@ class WorkDialog : public QDialog {
 
  private:
   QHBoxLayout* makeButtons();
-  void fitDetails();
   void orderStops();
+  int heightOfPage() const;
+  void fitTable(int room);
+  int wantedHeight();
+  void enlarge();
+  void fitTo(int height);
 
   QScrollArea* scroll_;
   FieldForm* form_;
   QBoxLayout* body_ = nullptr;      ///< the form, with pictures beside it
   QBoxLayout* pictures_ = nullptr;  ///< nullptr: there are none
+  QLabel* notice_;
   QLabel* line_;
   class WrittenFile* written_;
-  QTextBrowser* details_;
+  NoteList* details_;
+  ResultView* result_ = nullptr;  ///< nullptr: the dialog has no tables
   QLabel* obstacle_;
   QPushButton* runButton_;
+  int fitted_ = 0;  ///< the height that fit() gave the dialog [px]
 };
 
 }  // namespace study::gui

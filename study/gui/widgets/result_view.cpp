@@ -1,7 +1,6 @@
 #include "study/gui/widgets/result_view.h"
 
 #include <algorithm>
-#include <functional>
 
 #include <QApplication>
 #include <QClipboard>
@@ -9,16 +8,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/path_field.h"
-#include "study/gui/widgets/read_only_table.h"
+#include "study/gui/widgets/result_table.h"
 #include "study/gui/widgets/written_file.h"
 #include "study/model/new_file.h"
 
@@ -30,78 +26,34 @@ QString forPrograms(QString text) {
   return text.replace(u'−', u'-');
 }
 
-/// A table whose columns are as wide as their words, up to a limit. Those with more words share the
-/// room that is left.
-class FittedTable final : public QTableWidget {
- public:
-  FittedTable(QWidget* parent, std::function<void()> copy)
-      : QTableWidget(parent), copy_(std::move(copy)) {}
-
-  void fit() {
-    constexpr int kAround = 16;  // [px] of a cell
-    constexpr int kWidest = 190;
-    int left = width() - 2 * frameWidth() - verticalScrollBar()->sizeHint().width();
-    std::vector<int> wideColumns;
-    for (int column = 0; column < columnCount(); ++column) {
-      const int cells = sizeHintForColumn(column) + kAround;
-      if (cells > kWidest) wideColumns.push_back(column);
-      const int heading = horizontalHeader()->sectionSizeHint(column);
-      setColumnWidth(column, std::max(heading, std::min(kWidest, cells)));
-      left -= columnWidth(column);
-    }
-    for (const int column : wideColumns) {
-      const int more = left / static_cast<int>(wideColumns.size());
-      if (more > 0) setColumnWidth(column, columnWidth(column) + more);
-    }
-    resizeRowsToContents();
-  }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QTableWidget::resizeEvent(event);
-    fit();
-  }
-  void keyPressEvent(QKeyEvent* event) override {
-    if (event->matches(QKeySequence::Copy)) return copy_();  // Qt copies one cell
-    QTableWidget::keyPressEvent(event);
-  }
-
- private:
-  std::function<void()> copy_;
-};
-
-QString textOf(const Cell& cell) {
-  const auto* text = std::get_if<std::string>(&cell);
-  return text == nullptr ? QString() : asText(*text);
-}
-
 }  // namespace
 
 ResultView::ResultView(QWidget* parent)
     : QWidget(parent),
-      answer_(bodyLabel({}, this)),
+      finding_(bodyLabel({}, this)),
+      more_(quietLabel({}, this)),
       results_(new QWidget(this)),
+      title_(bodyLabel({}, this)),
       choice_(new QComboBox(this)),
-      cells_(new FittedTable(this, [this] { copy(); })) {
-  constexpr int kLeastHeight = 200;  // [px]
-  constexpr int kUsualHeight = 320;
-  answer_->setObjectName(QStringLiteral("answer"));
-  answer_->setProperty("role", QStringLiteral("text"));
-  answer_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+      cells_(new ResultTable(this)),
+      caveatsHeading_(bodyLabel(tr("What to keep in mind"), this)),
+      caveats_(new NoteList(this)) {
+  finding_->setObjectName(QStringLiteral("finding"));
+  finding_->setProperty("role", QStringLiteral("finding"));
+  more_->setObjectName(QStringLiteral("more-of-answer"));
+  for (auto* words : {finding_, more_}) words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  caveatsHeading_->setProperty("role", QStringLiteral("section"));
+  caveats_->setObjectName(QStringLiteral("caveats"));
   choice_->setAccessibleName(tr("Table"));
   choice_->setObjectName(QStringLiteral("table"));
-  makeReadOnly(*cells_);
   cells_->setObjectName(QStringLiteral("results"));
-  cells_->setWordWrap(true);
-  cells_->setTextElideMode(Qt::ElideNone);
-  cells_->setMinimumHeight(kLeastHeight);
-  cells_->verticalHeader()->hide();
-  cells_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   auto* copy = new QPushButton(tr("Copy"), this);
   auto* save = new QPushButton(tr("Save as CSV…"), this);
   copy->setObjectName(QStringLiteral("copy"));
   save->setObjectName(QStringLiteral("save"));
   auto* buttons = new QHBoxLayout;
+  title_->setProperty("role", QStringLiteral("section"));
+  buttons->addWidget(title_, 1);
   buttons->addWidget(choice_, 1);
   for (auto* button : {copy, save}) {
     button->setAutoDefault(false);
@@ -111,66 +63,69 @@ ResultView::ResultView(QWidget* parent)
   auto* inside = new QVBoxLayout(results_);
   inside->setContentsMargins(0, 0, 0, 0);
   inside->addLayout(buttons);
-  inside->addWidget(cells_, 1);
-  results_->setMinimumHeight(kUsualHeight);
+  inside->addWidget(cells_);
+  results_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(answer_);
-  layout->addWidget(results_, 1);
+  layout->setSpacing(10);
+  layout->addWidget(finding_);
+  layout->addWidget(more_);
+  layout->addWidget(results_);
+  layout->addWidget(caveatsHeading_);
+  layout->addWidget(caveats_);
+  layout->addStretch(1);
   connect(choice_, &QComboBox::currentIndexChanged, this, &ResultView::fill);
   connect(copy, &QPushButton::clicked, this, &ResultView::copy);
   connect(save, &QPushButton::clicked, this, &ResultView::save);
+  connect(cells_, &ResultTable::copyAsked, this, &ResultView::copy);
+  connect(cells_, &ResultTable::fitted, this, &ResultView::tableChanged);
 }
 
-void ResultView::show(const QString& answer, std::vector<DataTable> tables) {
+void ResultView::show(const report::Answer& answer, std::vector<DataTable> tables) {
   tables_ = std::move(tables);
-  answer_->setText(answer);
+  finding_->setText(asText(answer.finding));
+  finding_->setVisible(!answer.finding.empty());
+  more_->setText(asText(answer.more));
+  more_->setVisible(!answer.more.empty());
+  std::vector<Note> caveats;
+  for (const auto& caveat : answer.caveats) caveats.push_back({asText(caveat)});
+  caveats_->show(caveats);
+  caveats_->setVisible(!caveats.empty());
+  caveatsHeading_->setVisible(!caveats.empty());
   results_->setVisible(!tables_.empty());
   const QSignalBlocker quiet(choice_);
   choice_->clear();
   for (const auto& table : tables_) choice_->addItem(asText(table.description));
+  const bool isAlone = tables_.size() == 1;
+  title_->setText(isAlone ? choice_->itemText(0) : QString());
+  title_->setVisible(isAlone);
+  choice_->setVisible(!isAlone);
   fill();
 }
 
 void ResultView::fill() {
-  cells_->clear();
-  cells_->setRowCount(0);
-  cells_->setColumnCount(0);
-  if (tables_.empty()) return;
-  const auto& shown = table();
-  QStringList headings;
-  for (const auto& column : shown.columns) headings << asText(column.name);
-  cells_->setAccessibleName(asText(shown.description));
-  cells_->setColumnCount(static_cast<int>(headings.size()));
-  cells_->setHorizontalHeaderLabels(headings);
-  cells_->setRowCount(static_cast<int>(shown.rows.size()));
-  for (int row = 0; row < cells_->rowCount(); ++row) {
-    const auto& texts = shown.rows[static_cast<std::size_t>(row)];
-    for (int column = 0; column < cells_->columnCount(); ++column) {
-      auto* cell = new QTableWidgetItem(textOf(texts[static_cast<std::size_t>(column)]));
-      cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
-      cells_->setItem(row, column, cell);
-    }
-  }
-  static_cast<FittedTable*>(cells_)->fit();
+  if (!tables_.empty()) cells_->show(table());
+}
+
+int ResultView::tableHeight() const {
+  return tables_.empty() ? 0 : cells_->height();
+}
+
+void ResultView::giveTableRoom(int room) {
+  constexpr int kSomeRows = 240;  // [px]
+  const int whole = cells_->wholeHeight();
+  cells_->setFixedHeight(room < std::min(whole, kSomeRows) ? whole : std::min(whole, room));
 }
 
 void ResultView::copy() const {
   const bool isAll = cells_->selectedItems().size() < 2;  // one cell is always the current one
   QStringList lines;
-  QStringList headings;
-  for (int column = 0; column < cells_->columnCount(); ++column) {
-    headings << cells_->horizontalHeaderItem(column)->text();
+  if (isAll) {
+    QStringList headings;
+    for (const auto& column : table().columns) headings << asText(column.name);
+    lines << headings.join(u'\t');
   }
-  if (isAll) lines << headings.join(u'\t');
-  for (int row = 0; row < cells_->rowCount(); ++row) {
-    QStringList texts;
-    for (int column = 0; column < cells_->columnCount(); ++column) {
-      const auto* cell = cells_->item(row, column);
-      if (isAll || cell->isSelected()) texts << cell->text();
-    }
-    if (!texts.isEmpty()) lines << texts.join(u'\t');
-  }
+  lines << cells_->lines(isAll);
   QApplication::clipboard()->setText(forPrograms(lines.join(u'\n') + u'\n'));
 }
 

@@ -4,15 +4,18 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QTableWidget>
 #include <QWidget>
 
+#include "study/gui/widgets/note_list.h"
 #include "study/model/data_table.h"
+#include "study/report/tables/answer.h"
 
 namespace study::gui {
 
-/// What was computed: the answer in words, and below it tables, one at a time, that can be copied
-/// or saved.
+class ResultTable;
+
+/// What was computed: the answer in words; below it tables, one at a time, that can be copied or
+/// saved; and what to keep in mind.
 class ResultView final : public QWidget {
   Q_OBJECT
 
@@ -20,7 +23,7 @@ class ResultView final : public QWidget {
   explicit ResultView(QWidget* parent = nullptr);
 
   /// @param tables  of texts; chosen by their descriptions
-  void show(const QString& answer, std::vector<DataTable> tables);
+  void show(const report::Answer& answer, std::vector<DataTable> tables);
   using QWidget::show;
 
   /// The table in sight. Must not be called where there is none.
@@ -30,6 +33,16 @@ class ResultView final : public QWidget {
   /// Saves the table in sight as CSV. Throws if there is such a file or it cannot be written.
   void saveTo(const QString& path) const;
 
+  /// The height that the table has now [px].
+  int tableHeight() const;
+  /// Gives the table @p room [px]. If that is too little for some rows, the table is as high as all
+  /// of its rows, so that only the page around it is scrolled.
+  void giveTableRoom(int room);
+
+ signals:
+  /// The table needs another height.
+  void tableChanged();
+
  private:
   void fill();
   /// Copies the selected cells; all with their headings if none are selected.
@@ -37,10 +50,14 @@ class ResultView final : public QWidget {
   void save();
 
   std::vector<DataTable> tables_;
-  QLabel* answer_;
-  QWidget* results_;  ///< the tables; hidden where there are none
-  QComboBox* choice_;
-  QTableWidget* cells_;
+  QLabel* finding_;
+  QLabel* more_;
+  QWidget* results_;   ///< the tables; hidden where there are none
+  QLabel* title_;      ///< of the only table
+  QComboBox* choice_;  ///< of several
+  ResultTable* cells_;
+  QLabel* caveatsHeading_;
+  NoteList* caveats_;
 };
 
 }  // namespace study::gui

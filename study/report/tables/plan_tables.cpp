@@ -1,5 +1,6 @@
 #include "study/report/tables/plan_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -26,17 +27,28 @@ class PlanWriter {
  public:
   PlanWriter(const StudyPlan& plan, const words::Words& words) : plan_(plan), words_(words) {}
 
-  std::string sentences() const {
+  Answer answer() const {
     if (plan_.families.empty()) {
-      return words_("The protocol declares no comparisons, so there is no power to compute.");
+      return {words_("The protocol declares no comparisons, so there is no power to compute.")};
     }
-    std::string text;
+    Answer answer;
+    std::set<std::string> caveats;
+    const auto caveat = [&](std::string sentence) {
+      if (caveats.insert(sentence).second) answer.caveats.push_back(std::move(sentence));
+    };
     for (const auto& family : plan_.families) {
-      if (!text.empty()) text += "\n";
-      if (plan_.families.size() > 1) text += words_.say("“{}”", family.title) + ": ";
-      text += needed(family) + " " + found(family) + test(family);
+      const auto title =
+          plan_.families.size() > 1 ? words_.say("“{}”", family.title) + ": " : std::string();
+      answer.finding += (answer.finding.empty() ? "" : "\n") + title + needed(family);
+      answer.more += (answer.more.empty() ? "" : "\n") + title + found(family);
+      if (isAnyCohortTooSmall(family)) {
+        caveat(words_.say(
+            "With fewer than {} participants, no exact paired test can be significant.",
+            family.fewestForSignificance));
+      }
+      caveat(test(family));
     }
-    return text;
+    return answer;
   }
 
   std::vector<DataTable> tables() {
@@ -57,29 +69,26 @@ class PlanWriter {
   std::string found(const FamilyPlan& family) const {
     std::set<std::uint64_t> seen;
     std::string text;
-    bool isAnyTooSmall = false;
     for (const auto& cohort : family.detectabilities) {
       if (!cohort.power || !seen.insert(cohort.participants).second) continue;
-      text += words_.say(
-          "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
-          "probability of {}.",
-          cohort.participants,
-          plan_.question.dz,
-          percent(*cohort.power));
-      text += " ";
-      isAnyTooSmall = isAnyTooSmall || !cohort.canPairsBeSignificant;
-    }
-    if (isAnyTooSmall) {
-      text += words_.say(
-          "With fewer than {} participants, no exact paired test can be significant.",
-          family.fewestForSignificance);
-      text += " ";
+      text += (text.empty() ? "" : " ") +
+              words_.say(
+                  "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
+                  "probability of {}.",
+                  cohort.participants,
+                  plan_.question.dz,
+                  percent(*cohort.power));
     }
     return text.empty() ? words_(
                               "The protocol does not say how many participants will come: enter "
-                              "a number.") +
-                              " "
+                              "a number.")
                         : text;
+  }
+
+  static bool isAnyCohortTooSmall(const FamilyPlan& family) {
+    return std::ranges::any_of(family.detectabilities, [](const auto& cohort) {
+      return cohort.power && !cohort.canPairsBeSignificant;
+    });
   }
 
   std::string needed(const FamilyPlan& family) const {
@@ -260,8 +269,8 @@ class PlanWriter {
 
 }  // namespace
 
-std::string planInWords(const StudyPlan& plan, const words::Words& words) {
-  return PlanWriter(plan, words).sentences();
+Answer planInWords(const StudyPlan& plan, const words::Words& words) {
+  return PlanWriter(plan, words).answer();
 }
 
 std::vector<DataTable> planTables(const StudyPlan& plan, const words::Words& words) {

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "study/model/data_table.h"
+#include "study/report/tables/answer.h"
 #include "study/results/study_plan.h"
 #include "study/words/words.h"
 
 namespace study::report {
 
-/// What a study of this plan can find and how many participants it needs, in a few sentences.
-std::string planInWords(const StudyPlan& plan, const words::Words& words = {});
+/// How many participants a study of this plan needs and what it can find.
+Answer planInWords(const StudyPlan& plan, const words::Words& words = {});
 
 /// A plan as tables in words: power by number of participants and effect, what each cohort can
 /// show, the orders, the length of a session, the preferences, and the paragraph for an ethics

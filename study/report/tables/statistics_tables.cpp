@@ -113,21 +113,22 @@ class TablesWriter {
 
   // --- Comparisons ---
 
-  /// What a reader looks for first is seen first: the difference, its interval and p.
+  /// What is often the same in all rows comes first, because a window says it once; then what a
+  /// reader looks for: the difference, its interval and p.
   std::vector<Heading> headingsOf(const FamilyResult& family, bool isOfAnswers) const {
     std::vector<Heading> headings{
         words("Cohort"), words("Comparison"), isOfAnswers ? number("Answers") : Heading{"n"}};
     if (isOfAnswers) headings.push_back(number("People"));
     headings.insert(
         headings.end(),
-        {number("Difference"),
+        {words("Test"),
+         number("Difference"),
          Heading{say("{:g} % CI", 100.0 * (1.0 - family.family.alpha))},
          Heading{"p"},
          number("adjusted p"),
          words("In words"),
-         number("Test"),
-         number("Statistic"),
-         number("Effect size")});
+         words("Statistic"),
+         words("Effect size")});
     return headings;
   }
 
@@ -198,12 +199,12 @@ class TablesWriter {
     if (people) cells.emplace_back(std::to_string(*people));
     cells.insert(
         cells.end(),
-        {isOfPoints ? orNothing(estimate.value) : std::string(),
+        {say(shortNameOf(test.id)),
+         isOfPoints ? orNothing(estimate.value) : std::string(),
          isOfPoints ? orNothing(difference.interval) : std::string(),
          test.p ? formatP(test.p) : std::string(),
          test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
          inWords(family, test, estimate.value),
-         say(shortNameOf(test.id)),
          statisticOf(test),
          effectOf(difference)});
     return cells;
@@ -444,30 +445,34 @@ class TablesWriter {
 
 }  // namespace
 
-std::string answerInWords(const ReportSection& section) {
+Answer answerInWords(const ReportSection& section) {
   const auto& words = section.words;
-  auto text = verdictOf(section);
-  if (!text.empty() && areAnswersPooled(section)) {
-    text += "\n" + words(
-                       "As the protocol declares, these tests take all answers of a person as "
-                       "independent: their p may be far too small. The tests within participants "
-                       "compare people.");
+  const auto verdict = conclusionOf(section);
+  Answer answer{.finding = verdict.finding, .more = verdict.comparisons};
+  if (answer.finding.empty()) {
+    answer.finding =
+        words("Nothing can be compared yet: no completed session has answers to compare.");
+  } else if (areAnswersPooled(section)) {
+    answer.caveats.push_back(
+        words("As the protocol declares, these tests take all answers of a person as "
+              "independent: their p may be far too small. The tests within participants "
+              "compare people."));
   }
-  if (text.empty()) {
-    text = words("Nothing can be compared yet: no completed session has answers to compare.");
-  }
+  return answer;
+}
+
+std::string originInWords(const ReportSection& section) {
   switch (section.results.runMode) {
     case RunMode::Live:
-      return text;
+      return {};
     case RunMode::Pilot:
-      return words("Pilot sessions: not for publication.") + " " + text;
+      return section.words("Pilot sessions: not for publication.");
     case RunMode::Simulated:
-      return words(
-                 "Simulated: nobody took part. These numbers show what the program does; they say "
-                 "nothing about any method.") +
-             " " + text;
+      return section.words(
+          "Simulated: nobody took part. These numbers show what the program does; they say "
+          "nothing about any method.");
   }
-  return text;
+  return {};
 }
 
 std::vector<DataTable> statisticsTables(const ReportSection& section, Profile profile) {

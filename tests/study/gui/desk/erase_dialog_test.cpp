@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
-#include <QTextBrowser>
 
 #include "tests/study/everything_instrument.h"
 #include "tests/study/gui/pictures.h"
@@ -83,7 +82,7 @@ TEST_F(EraseDialogTest, ErasesOnlyAfterTheCodeWasTyped) {
   QTest::mouseClick(&button(dialog), Qt::LeftButton);
   const auto outcome = the<QLabel>(dialog, "outcome").text();
   EXPECT_TRUE(outcome.startsWith(QStringLiteral("✓"))) << outcome.toStdString();
-  EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("P001")));
+  EXPECT_TRUE(the<NoteList>(dialog, "more").text().contains(QStringLiteral("P001")));
   EXPECT_EQ(tests::contentOf(file).substr(0, 5), "%PDF-");
   EXPECT_EQ(the<QComboBox>(dialog, "participant").count(), 1);
   EXPECT_TRUE(code.text().isEmpty());
@@ -114,7 +113,7 @@ TEST_F(EraseDialogTest, SaysWhatWasErasedAlsoIfTheCertificateWasNotSaved) {
   QTest::mouseClick(&button(dialog), Qt::LeftButton);
   const auto outcome = the<QLabel>(dialog, "outcome").text();
   EXPECT_EQ(outcome, QStringLiteral("!  P001 is erased, but the certificate was not saved."));
-  const auto more = the<QTextBrowser>(dialog, "more").toPlainText();
+  const auto more = the<NoteList>(dialog, "more").text();
   EXPECT_TRUE(more.contains(QStringLiteral("Could not write"))) << more.toStdString();
   EXPECT_TRUE(more.contains(QStringLiteral("P001"))) << "the certificate's text";
   EXPECT_EQ(the<QComboBox>(dialog, "participant").count(), 1);

@@ -9,7 +9,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QTest>
-#include <QTextBrowser>
 #include <QTimer>
 
 #include "protocols/load_protocol.h"
@@ -193,7 +192,7 @@ TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
   auto* go = dialog->findChild<QPushButton*>(QStringLiteral("go"));
   EXPECT_FALSE(go->isEnabled());
   EXPECT_EQ(
-      dialog->findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText(),
+      dialog->findChild<NoteList*>(QStringLiteral("more"))->text(),
       checkProtocol(file).problemsInWords());
   EXPECT_EQ(
       dialog->findChild<QLabel*>(QStringLiteral("obstacle"))->text(),

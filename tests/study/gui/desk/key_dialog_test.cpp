@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
-#include <QTextBrowser>
 
 #include "study/gui/desk/study_panel.h"
 #include "study/gui/widgets/written_file.h"
@@ -46,7 +45,7 @@ TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
   EXPECT_FALSE(remark->parentWidget()->isHidden())
       << "what is lost without a copy, and how to make one";
   KeyDialog dialog(summary());
-  EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("only key")));
+  EXPECT_TRUE(the<QLabel>(dialog, "notice").text().contains(QStringLiteral("only key")));
   auto& go = the<QPushButton>(dialog, "go");
   EXPECT_FALSE(go.isEnabled()) << "without a reason";
   the<QLineEdit>(dialog, "reason").setText(QStringLiteral("a copy"));
@@ -69,15 +68,13 @@ TEST_F(KeyDialogTest, TakesItOnAnotherComputer) {
   }
   const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
   KeyDialog dialog(summary());
-  EXPECT_TRUE(the<QTextBrowser>(dialog, "more")
-                  .toPlainText()
-                  .contains(QStringLiteral("does not have the key")));
+  EXPECT_TRUE(
+      the<QLabel>(dialog, "notice").text().contains(QStringLiteral("does not have the key")));
   EXPECT_EQ(the<QComboBox>(dialog, "wanted").currentIndex(), 1) << "this is what is wanted here";
   setPaths(dialog, file_);
   the<QPushButton>(dialog, "go").click();
-  EXPECT_FALSE(the<QTextBrowser>(dialog, "more")
-                   .toPlainText()
-                   .contains(QStringLiteral("does not have the key")));
+  EXPECT_FALSE(
+      the<QLabel>(dialog, "notice").text().contains(QStringLiteral("does not have the key")));
   study_.reopen();
   EXPECT_TRUE(study_->hasKey());
 }

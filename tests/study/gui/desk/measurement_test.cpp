@@ -9,7 +9,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
-#include <QTextBrowser>
 
 #include "haptics/reaming/material/series.h"
 #include "haptics/reaming/material/synthetic_series.h"
@@ -123,7 +122,7 @@ TEST_F(MeasurementTest, WarnsBeforeAndAfterSavingACutThatLosesItsPeak) {
   EXPECT_TRUE(line.starts_with("!")) << line;
   EXPECT_NE(line.find("its largest force was 4.96 N and is 4.41 N"), std::string::npos) << line;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "cut.json"));
-  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  const auto more = dialog.findChild<NoteList*>(QStringLiteral("more"))->text();
   EXPECT_TRUE(more.contains(QStringLiteral("to 1.00 N per travel unit"))) << more.toStdString();
   tests::photographInAllThemes(dialog, QStringLiteral("import-altered"));
 }
@@ -182,7 +181,7 @@ TEST_F(MeasurementTest, SaysThatARecordingIsTooLargeToBeRead) {
   ImportCutDialog dialog;
   ASSERT_NO_THROW(set(dialog, "recording", file));
   EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'));
-  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  const auto more = dialog.findChild<NoteList*>(QStringLiteral("more"))->text();
   EXPECT_TRUE(more.contains(QStringLiteral("larger than 200 MB"))) << more.toStdString();
 }
 
@@ -234,9 +233,11 @@ TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   set(dialog, "series", folder_ / "series");
   set(dialog, "target", folder_ / "bone.json");
   EXPECT_TRUE(press(dialog).starts_with("✓"));
-  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
-  EXPECT_TRUE(more.contains(QStringLiteral("dynamic-1"))) << more.toStdString();
-  EXPECT_TRUE(more.contains(QStringLiteral("SYNTHETIC"))) << more.toStdString();
+  const auto more = dialog.findChild<NoteList*>(QStringLiteral("more"))->text();
+  EXPECT_TRUE(more.startsWith(QStringLiteral("!  Synthetic"))) << more.toStdString();
+  const auto& errors = dialog.findChild<ResultView*>()->table();
+  ASSERT_EQ(errors.rows.size(), 3U) << "one of each test";
+  EXPECT_EQ(errors.rows[1][0], Cell(std::string("dynamic-1")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bone.json"));
   tests::photographInAllThemes(dialog, QStringLiteral("fit-material-done"));
 }
@@ -256,7 +257,7 @@ TEST_F(MeasurementTest, FillsACupWithTheRequestedNumberOfSpheres) {
   dialog.findChild<QSpinBox*>(QStringLiteral("spheres"))->setValue(400);
   set(dialog, "target", folder_ / "cup.packing");
   EXPECT_TRUE(press(dialog).starts_with("✓"));
-  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  const auto more = dialog.findChild<NoteList*>(QStringLiteral("more"))->text();
   EXPECT_TRUE(more.startsWith(QStringLiteral("400 spheres"))) << more.toStdString();
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace study::report {
+
+/// What tables say, in the order in which a reader needs it.
+struct Answer {
+  std::string finding;                 ///< one sentence
+  std::string more{};                  ///< a sentence or two; may be empty
+  std::vector<std::string> caveats{};  ///< what weakens it, and what it does not say
+};
+
+}  // namespace study::report
