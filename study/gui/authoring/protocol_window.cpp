@@ -54,6 +54,7 @@ using questionnaires::Severity;
 ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
     : QMainWindow(parent),
       source_(source),
+      name_(bodyLabel({}, this)),
       verdict_(bodyLabel({}, this)),
       readAt_(quietLabel({}, this)),
       preview_(new QPushButton(tr("Preview as participant…"), this)),
@@ -62,59 +63,71 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       showSource_(new QPushButton(tr("Show source"), this)),
       summary_(bodyLabel({}, this)),
       text_(new QPlainTextEdit(this)),
+      aboutProblems_(quietLabel({}, this)),
       problems_(new QTableWidget(0, 4, this)),
       pages_(new QTabWidget(this)),
       timeline_(new TimelinePage(this)),
       orders_(new OrdersPage(this)) {
-  verdict_->setObjectName(QStringLiteral("verdict"));
   pages_->addTab(makeSummary(), tr("Summary"));
   pages_->addTab(timeline_, tr("Timeline"));
   pages_->addTab(orders_, tr("Orders"));
+  pages_->addTab(makeProblems(), tr("Problems"));
   auto* sides = new QSplitter(Qt::Horizontal, this);
   sides->addWidget(pages_);
   sides->addWidget(text_);
   sides->setSizes({600, 600});
-  auto* all = new QSplitter(Qt::Vertical, this);
-  all->addWidget(sides);
-  all->addWidget(problems_);
-  all->setSizes({460, 190});
   prepareText();
-  prepareProblems();
   auto* inside = new QWidget(this);
   auto* layout = new QVBoxLayout(inside);
-  layout->setContentsMargins(20, 16, 20, 16);
-  auto* head = new QHBoxLayout;
-  head->addWidget(verdict_, 1);
-  head->addWidget(preview_);
-  head->addWidget(fill_);
-  auto* origin = new QHBoxLayout;  // beside the others it has no room on a small screen
-  origin->addWidget(readAt_, 1);
-  origin->addWidget(showSource_);
-  origin->addWidget(copy_);
-  layout->addLayout(head);
-  layout->addLayout(origin);
-  layout->addWidget(all, 1);
+  layout->setContentsMargins(24, 20, 24, 20);
+  layout->setSpacing(12);
+  layout->addLayout(makeHead());
+  layout->addWidget(verdict_);
+  layout->addWidget(sides, 1);
+  layout->addLayout(makeButtons());
   constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
-  constexpr int kLeastOfPart = 90;   // each has a scroll bar of its own
   inside->setMinimumHeight(kLeastHeight);
-  for (QWidget* part : {static_cast<QWidget*>(text_), static_cast<QWidget*>(problems_)}) {
-    part->setMinimumHeight(kLeastOfPart);
-  }
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(inside);
   setCentralWidget(scroll);
   resize(1240, 820);
-  preview_->setObjectName(QStringLiteral("preview"));
-  fill_->setObjectName(QStringLiteral("texts"));
-  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
-  copy_->setObjectName(QStringLiteral("save-as"));
-  copy_->setProperty("role", QStringLiteral("tool"));
-  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
+  connectAll();
+  showSource(source);
+}
+
+QHBoxLayout* ProtocolWindow::makeHead() {
+  name_->setProperty("role", QStringLiteral("heading"));
+  verdict_->setObjectName(QStringLiteral("verdict"));
   showSource_->setObjectName(QStringLiteral("show-source"));
   showSource_->setProperty("role", QStringLiteral("tool"));
   showSource_->setCheckable(true);
+  auto* titles = new QVBoxLayout;
+  titles->addWidget(name_);
+  titles->addWidget(readAt_);
+  auto* head = new QHBoxLayout;
+  head->addLayout(titles, 1);
+  head->addWidget(showSource_, 0, Qt::AlignTop);
+  return head;
+}
+
+QHBoxLayout* ProtocolWindow::makeButtons() {
+  preview_->setObjectName(QStringLiteral("preview"));
+  preview_->setProperty("role", QStringLiteral("main"));
+  fill_->setObjectName(QStringLiteral("texts"));
+  copy_->setObjectName(QStringLiteral("save-as"));
+  copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(copy_);
+  buttons->addStretch(1);
+  buttons->addWidget(fill_);
+  buttons->addWidget(preview_);
+  return buttons;
+}
+
+void ProtocolWindow::connectAll() {
+  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(showSource_, &QPushButton::toggled, text_, &QWidget::setVisible);
   connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
@@ -126,7 +139,6 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
     const auto path = "$.phases[" + std::to_string(phase) + "]";
     mark(questionnaires::lineOf(checked_.text, path));
   });
-  showSource(source);
 }
 
 QWidget* ProtocolWindow::makeSummary() {
@@ -149,8 +161,18 @@ void ProtocolWindow::prepareText() {
   text_->setAccessibleName(tr("Text of the protocol"));
 }
 
+QWidget* ProtocolWindow::makeProblems() {
+  prepareProblems();
+  aboutProblems_->setObjectName(QStringLiteral("about-problems"));
+  auto* page = new QWidget(this);
+  auto* layout = new QVBoxLayout(page);
+  layout->addWidget(aboutProblems_);
+  layout->addWidget(problems_, 1);
+  return page;
+}
+
 void ProtocolWindow::prepareProblems() {
-  problems_->setHorizontalHeaderLabels({tr("What"), tr("Where"), tr("Problem"), tr("Fix")});
+  problems_->setHorizontalHeaderLabels({QString(), tr("Where"), tr("Problem"), tr("What to do")});
   problems_->setAccessibleName(tr("Problems"));
   makeReadOnly(*problems_);
   problems_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -162,7 +184,7 @@ void ProtocolWindow::prepareProblems() {
   heads->setSectionResizeMode(1, QHeaderView::Interactive);
   heads->setSectionResizeMode(2, QHeaderView::Stretch);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
-  problems_->setColumnWidth(1, 220);
+  problems_->setColumnWidth(1, 230);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, problems_, &QTableWidget::resizeRowsToContents);
   heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -191,7 +213,7 @@ void ProtocolWindow::reload() {
   const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
   readAt_->setText(
       filesToWatch().isEmpty()
-          ? tr("%1 ships with the program").arg(source_)
+          ? tr("Ships with the program")
           : tr("%1, read at %2; read again whenever it changes").arg(shownPath(source_), now));
   showVerdict();
   showText();
@@ -213,7 +235,9 @@ void ProtocolWindow::reload() {
 
 void ProtocolWindow::showSource(const QString& source) {
   source_ = source;
-  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
+  const auto name = QFileInfo(source_).fileName();
+  setWindowTitle(tr("Protocol — %1").arg(name));
+  name_->setText(name);
   reload();
 }
 
@@ -253,16 +277,25 @@ bool ProtocolWindow::hasWeaknesses() const {
 void ProtocolWindow::showVerdict() {
   const bool isUsable = checked_.loaded.has_value();
   const bool isSound = isUsable && checked_.warnings() == 0;
-  const char* const role = isSound ? "good" : isUsable ? "warn" : "bad";
-  const char* const sign = isSound ? "✓  " : isUsable ? "!  " : "✕  ";
-  setRole(*verdict_, role);
-  QString words = QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict());
-  if (isUsable && isShipped() && hasWeaknesses()) {
-    words += QLatin1Char(' ') +
-             tr("The design is kept as published, with its weaknesses. For a study of your own "
-                "begin with punch-counterbalanced.");
-  }
-  verdict_->setText(words);
+  showMarked(
+      *verdict_,
+      isSound    ? Mark::Good
+      : isUsable ? Mark::Warning
+                 : Mark::Bad,
+      QString::fromStdString(checked_.shortVerdict()));
+  aboutProblems_->setText(
+      checked_.problems.empty() ? tr("Nothing was found.")
+      : isUsable && isShipped() && hasWeaknesses()
+          ? tr("The design is kept as published, with its weaknesses. For a study of your own "
+               "begin with punch-counterbalanced.")
+          : QString());
+  aboutProblems_->setVisible(!aboutProblems_->text().isEmpty());
+  const int place = pages_->count() - 1;
+  pages_->setTabText(
+      place,
+      checked_.problems.empty() ? tr("Problems")
+                                : tr("Problems (%1)").arg(checked_.problems.size()));
+  if (!isUsable) pages_->setCurrentIndex(place);
 }
 
 void ProtocolWindow::showText() {
@@ -282,10 +315,10 @@ void ProtocolWindow::showProblems() {
     const auto& problem = checked_.problems[static_cast<std::size_t>(row)];
     const bool isError = problem.severity == Severity::Error;
     const QString cells[]{
-        isError ? tr("✕ error") : tr("! warning"),
-        checked_.placeInWords(problem.path),
-        checked_.inWords(problem.what),
-        checked_.inWords(problem.fix)};
+        signOf(isError ? Mark::Bad : Mark::Warning),
+        capitalised(checked_.placeInWords(problem.path)),
+        capitalised(checked_.inWords(problem.what)),
+        capitalised(checked_.inWords(problem.fix))};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -294,6 +327,10 @@ void ProtocolWindow::showProblems() {
         const auto& fill = isError ? colours.paleBad : colours.paleWarn;
         cell->setBackground(fill.background);
         cell->setForeground(fill.text);
+        cell->setTextAlignment(Qt::AlignTop | Qt::AlignHCenter);
+        const auto kind = isError ? tr("error") : tr("warning");
+        cell->setToolTip(kind);
+        cell->setData(Qt::AccessibleTextRole, kind);
       }
       problems_->setItem(row, column, cell);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPlainTextEdit>
@@ -42,7 +43,11 @@ class ProtocolWindow final : public QMainWindow {
  private:
   void prepareText();
   QWidget* makeSummary();
+  QWidget* makeProblems();
   void prepareProblems();
+  QHBoxLayout* makeHead();
+  QHBoxLayout* makeButtons();
+  void connectAll();
   bool hasWeaknesses() const;
   void showVerdict();
   void showProblems();
@@ -61,6 +66,7 @@ class ProtocolWindow final : public QMainWindow {
   QString source_;
   CheckedProtocol checked_;
   FileWatch watch_;
+  QLabel* name_;
   QLabel* verdict_;
   QLabel* readAt_;
   QPushButton* preview_;
@@ -69,6 +75,7 @@ class ProtocolWindow final : public QMainWindow {
   QPushButton* showSource_;
   QLabel* summary_;
   QPlainTextEdit* text_;  ///< hidden until it is asked for
+  QLabel* aboutProblems_;
   QTableWidget* problems_;
   QTabWidget* pages_;
   TimelinePage* timeline_;

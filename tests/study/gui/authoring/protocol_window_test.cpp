@@ -123,6 +123,7 @@ TEST_F(ProtocolWindowTest, GoesToTheLineOfAClickedProblem) {
   EXPECT_FALSE(window.checked().loaded);
   auto* problems = problemsOf(window);
   ASSERT_GE(problems->rowCount(), 1);
+  EXPECT_TRUE(problems->isVisible()) << "an error is seen first";
   problems->setCurrentCell(0, 2);
   ASSERT_GE(window.markedLine(), 0);
   const auto* text = window.findChild<QPlainTextEdit*>();
@@ -147,13 +148,13 @@ TEST_F(ProtocolWindowTest, ShowsASummaryFirstAndTheSourceOnRequest) {
 }
 
 TEST_F(ProtocolWindowTest, SaysThatThePublishedDesignKeepsItsWeaknesses) {
-  const auto verdictOn = [](const char* name) {
+  const auto saidOf = [](const char* name) {
     ProtocolWindow window(QString::fromUtf8(name));
-    return window.findChild<QLabel*>(QStringLiteral("verdict"))->text();
+    return window.findChild<QLabel*>(QStringLiteral("about-problems"))->text();
   };
   const auto known = QStringLiteral("kept as published");
-  EXPECT_TRUE(verdictOn("punch-face-validity").contains(known));
-  EXPECT_FALSE(verdictOn("punch-counterbalanced").contains(known)) << "only blanks are left";
+  EXPECT_TRUE(saidOf("punch-face-validity").contains(known));
+  EXPECT_FALSE(saidOf("punch-counterbalanced").contains(known)) << "only blanks are left";
 }
 
 TEST_F(ProtocolWindowTest, NamesPlacesWithoutSignsOfTheFileFormat) {
