@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QAbstractTextDocumentLayout>
@@ -23,6 +25,7 @@ constexpr double kPadding = 4.0;    // beside a cell's text, as in print_html.cp
 constexpr double kSlack = 1.0;      // rounding of the layout [px]
 constexpr double kThickRule = 1.3;  // [px]
 constexpr double kThinRule = 0.7;
+constexpr double kRuleMargin = 1.5;  // between a table's text and its outer rules [px]
 
 /// A paragraph or a table of the document, from top to bottom.
 struct Item {
@@ -55,7 +58,7 @@ bool isNote(const QTextBlock& block) {
 }
 
 /// Whether a paragraph has to be on the page of the next one for the sake of a list: none of its
-/// items is alone on a page.
+/// items is alone on a page, and a note below it stays with it.
 bool isBesideItem(const QTextBlock& block) {
   const auto* list = block.textList();
   if (list == nullptr) {
@@ -63,7 +66,8 @@ bool isBesideItem(const QTextBlock& block) {
     return isIntroduction && block.next().isValid() && block.next().textList() != nullptr;
   }
   const int place = list->itemNumber(block);
-  return list->count() > 1 && (place == 0 || place == list->count() - 2);
+  if (place == list->count() - 1) return block.next().isValid() && isNote(block.next());
+  return place == 0 || place == list->count() - 2;
 }
 
 Item itemOf(const QTextDocument& document, const QTextBlock& block) {
@@ -211,6 +215,28 @@ void fitColumns(QTextTable& table, double page, double padding) {
       QTextLength(QTextLength::PercentageLength, 100.0 * (sum + room * table.columns()) / page));
   format.setColumnWidthConstraints(shares);
   table.setFormat(format);
+}
+
+/// The upper and the lower end of the text in a row.
+std::pair<double, double> textOf(const QTextTable& table, int row) {
+  const auto* layout = table.document()->documentLayout();
+  std::pair ends(std::numeric_limits<double>::max(), 0.0);
+  for (int column = 0; column < table.columns(); ++column) {
+    const auto cell = table.cellAt(row, column);
+    const auto first = layout->blockBoundingRect(cell.firstCursorPosition().block());
+    const auto last = layout->blockBoundingRect(cell.lastCursorPosition().block());
+    ends = {std::min(ends.first, first.top()), std::max(ends.second, last.bottom())};
+  }
+  return ends;
+}
+
+/// Where the rule above a row is: between its text and that of the row before.
+double edgeAbove(const QTextTable& table, int row) {
+  const double margin =
+      kRuleMargin * table.document()->documentLayout()->paintDevice()->logicalDpiY() / 96.0;
+  if (row == 0) return textOf(table, 0).first - margin;
+  const double above = textOf(table, row - 1).second;
+  return row == table.rows() ? above + margin : 0.5 * (above + textOf(table, row).first);
 }
 
 std::vector<Item> itemsOf(const QTextDocument& document) {
@@ -384,38 +410,23 @@ void fitColumns(QTextDocument& document) {
   layOutAgain(document);
 }
 
-void ruleTables(QTextDocument& document) {
-  QTextCursor edit(&document);
-  edit.beginEditBlock();  // otherwise each cell lays the document out
+std::vector<TableRule> rulesOf(const QTextDocument& document) {
+  const double px = document.documentLayout()->paintDevice()->logicalDpiY() / 96.0;
+  std::vector<TableRule> rules;
   for (auto* frame : document.rootFrame()->childFrames()) {
-    auto* table = qobject_cast<QTextTable*>(frame);
+    const auto* table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
-    auto whole = table->format();
-    whole.setBorderCollapse(true);
-    table->setFormat(whole);
-    const int head = whole.headerRowCount() - 1;  // -1: the table has none
-    const int last = table->rows() - 1;
-    for (int row = 0; row <= last; ++row) {
-      for (int column = 0; column < table->columns(); ++column) {
-        auto cell = table->cellAt(row, column);
-        if (cell.column() != column) continue;
-        auto format = cell.format().toTableCellFormat();
-        if (column == 0) format.setLeftPadding(0.0);
-        if (row == std::max(head, 0)) {
-          format.setTopBorderStyle(QTextFrameFormat::BorderStyle_Solid);
-          format.setTopBorder(kThickRule);
-          format.setTopBorderBrush(Qt::black);
-        }
-        if (row == head || row == last) {
-          format.setBottomBorderStyle(QTextFrameFormat::BorderStyle_Solid);
-          format.setBottomBorder(row == last ? kThickRule : kThinRule);
-          format.setBottomBorderBrush(Qt::black);
-        }
-        cell.setFormat(format);
-      }
-    }
+    const QRectF where = document.documentLayout()->frameBoundingRect(frame);
+    const auto add = [&](double y, double thickness) {
+      rules.push_back({{where.left(), y, where.right(), y}, thickness * px});
+    };
+    const int heads = table->format().headerRowCount();
+    const bool hasCaption = heads > 1;  // see captionsInHead() in print_html.cpp
+    add(edgeAbove(*table, hasCaption ? 1 : 0), kThickRule);
+    if (heads > 0 && heads < table->rows()) add(edgeAbove(*table, heads), kThinRule);
+    add(edgeAbove(*table, table->rows()), kThickRule);
   }
-  edit.endEditBlock();
+  return rules;
 }
 
 void layOutAgain(QTextDocument& document) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include <QLineF>
 #include <QTextDocument>
 #include <QTextFormat>
 
@@ -17,9 +20,16 @@ inline constexpr int kFigureScale = QTextFormat::UserProperty + 2;
 /// span columns, such as captions, and therefore wraps names beside empty space.
 void fitColumns(QTextDocument& document);
 
-/// Draws the three rules of every table: above and below its head, and below its last row. The
-/// caption is above the first. The first column begins where the text does.
-void ruleTables(QTextDocument& document);
+/// A line across a table.
+struct TableRule {
+  QLineF line;
+  double thickness = 0.0;  ///< [px of the paper]
+};
+
+/// The three rules of every table, in the document's coordinates: above and below its head, and
+/// below its last row. The caption is above the first. They are no borders of cells: Qt repeats
+/// those above a table that begins a page (Qt 6.4).
+std::vector<TableRule> rulesOf(const QTextDocument& document);
 
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A

@@ -175,6 +175,7 @@ std::vector<std::pair<QTextBlock, QBrush>> takeBackgrounds(QTextDocument& docume
 void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const PrintHtml& printed) {
   const auto backgrounds = takeBackgrounds(document);
   layOutAgain(document);
+  const auto rules = rulesOf(document);
   const auto words = words::wordsIn(printed.language);
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
@@ -209,6 +210,10 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const P
           QRectF(0.0, text.top() - padding, page.width(), text.height() + 2.0 * padding), brush);
     }
     document.documentLayout()->draw(&painter, context);
+    for (const auto& [line, thickness] : rules) {
+      painter.setPen(QPen(Qt::black, thickness, Qt::SolidLine, Qt::FlatCap));
+      if (seen.contains(line.center())) painter.drawLine(line);
+    }
     painter.restore();
   }
 }
@@ -238,7 +243,6 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
   setHeadingSizes(document, scale);
-  ruleTables(document);
   constexpr double kFooter = 9.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);

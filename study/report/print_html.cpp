@@ -1,8 +1,10 @@
 #include "study/report/print_html.h"
 
+#include <array>
 #include <regex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace study::report {
 namespace {
@@ -21,10 +23,21 @@ p.verdict { font-size: 10.5pt; font-weight: bold; margin-top: 8px; margin-bottom
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; margin: 10px 8px; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
-td.caption { font-size: 8pt; padding-top: 12px; }
+td.caption { font-size: 8pt; padding-left: 0px; padding-top: 12px; }
 code { font-size: 7pt; }
-dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
+
+/// Elements, and what stands for them on paper: a heading is kept with what follows it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kOnPaper{
+    {{"<dl class=\"flags\">", ""},
+     {"</dl>", ""},
+     {"<dt>", "<h4>"},
+     {"</dt>", "</h4>"},
+     {"<dd>", ""},
+     {"</dd>", ""},
+     {"<figure>", "<p>"},
+     {"<figcaption>", "</p><p class=\"figcaption\">"},
+     {"</figcaption></figure>", "</p>"}}};
 
 std::string styleOnPaper(double scale) {
   static const std::regex kSize("([0-9.]+)pt");
@@ -132,15 +145,20 @@ void captionsInHead(std::string& html) {
   }
 }
 
+/// Aligns cells: the first of a row begins where the text does.
 void cells(std::string& html) {
+  constexpr std::string_view kFirst = " align=\"left\" style=\"padding-left: 0px\">";
   for (const std::string_view cell : {"td", "th"}) {
     const auto open = "<" + std::string(cell) + ">";
-    const auto first = "<" + std::string(cell) + " align=\"left\">";
+    const auto first = "<" + std::string(cell) + std::string(kFirst);
     replaceAll(html, "<tr>" + open, "<tr>" + first);
     replaceAll(html, "<tr>\n" + open, "<tr>\n" + first);
     replaceAll(html, "<tr class=\"yes\">" + open, "<tr style=\"font-weight: bold\">" + first);
     replaceAll(html, open, "<" + std::string(cell) + " align=\"right\">");
   }
+  const auto words = "<td" + std::string(kFirst);
+  replaceAll(html, "<tr><td class=\"words\">", "<tr>" + words);
+  replaceAll(html, "<tr><td class=\"words\" ", "<tr>" + words.substr(0, words.size() - 1) + " ");
   replaceAll(html, "<th class=\"words\">", "<th align=\"left\">");
 }
 
@@ -206,9 +224,7 @@ PrintHtml forPrint(std::string_view html, double scale) {
   unlinkAndUnfold(text);
   captionsInHead(text);
   cells(text);
-  replaceAll(text, "<figure>", "<p>");
-  replaceAll(text, "<figcaption>", "</p><p class=\"figcaption\">");
-  replaceAll(text, "</figcaption></figure>", "</p>");
+  for (const auto& [screen, paper] : kOnPaper) replaceAll(text, screen, paper);
   preventLineBreaks(text);
   return page;
 }
