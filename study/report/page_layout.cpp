@@ -21,6 +21,7 @@ namespace {
 constexpr double kLeastScale = 0.93;  // of a figure: its letters are then 7 pt high
 constexpr int kFirstRows = 6;         // of a divided table: with the rows of its head
 constexpr int kLastRows = 4;
+constexpr int kWholeRows = 12;      // of a table that is never divided: with the rows of its head
 constexpr double kPadding = 4.0;    // beside a cell's text, as in print_html.cpp [px]
 constexpr double kSlack = 1.0;      // rounding of the layout [px]
 constexpr double kThickRule = 1.3;  // [px]
@@ -98,6 +99,7 @@ std::optional<int> divisionOf(const QTextDocument& document, const QTextTable& t
     const double middle = document.documentLayout()->blockBoundingRect(block).center().y();
     return static_cast<int>(middle / document.pageSize().height());
   };
+  if (table.rows() <= kWholeRows) return std::nullopt;
   int first = 1;  // of the next page
   while (first < table.rows() && pageOf(first) == pageOf(0)) ++first;
   if (first == table.rows()) return std::nullopt;
@@ -437,15 +439,18 @@ void layOutAgain(QTextDocument& document) {
 
 void choosePageBreaks(QTextDocument& document, const QString& continued) {
   const double page = document.pageSize().height();
+  auto items = itemsOf(document);
+  const auto layOut = [&] {
+    layOutAgain(document);
+    items = itemsOf(document);
+  };
   // A change does not move the items before it, so each item is changed at most three times.
-  for (std::size_t begin = 0, looked = 0;;) {
-    const auto items = itemsOf(document);
-    if (begin >= items.size()) return;
+  for (std::size_t begin = 0, looked = 0; begin < items.size();) {
     // Removes a break that leaves too much of a page empty. Breaks set by this loop are not
     // checked.
     if (begin > looked && leavesRoom(items, begin, page)) {
       setPageBreak(items[begin], QTextFormat::PageBreak_Auto);
-      layOutAgain(document);
+      layOut();
       looked = begin;
       continue;
     }
@@ -453,20 +458,20 @@ void choosePageBreaks(QTextDocument& document, const QString& continued) {
     std::size_t end = begin;
     while (end + 1 < items.size() && items[end].keepsNext()) ++end;
     if (keepTogether(items, begin, end, page)) {
-      layOutAgain(document);
+      layOut();
       continue;
     }
     if (items[begin].division) {
       const double bottom = (std::floor((items[begin].top + kSlack) / page) + 1.0) * page;
       if (shrinkFor(items, begin, bottom)) {
-        layOutAgain(document);
+        layOut();
         continue;
       }
       divide(*items[begin].table, *items[begin].division, continued);
-      layOutAgain(document);
+      layOut();
     }
-    if (keepNote(itemsOf(document), begin, page, continued)) layOutAgain(document);
-    if (beginPageAfterTable(itemsOf(document), begin, page)) layOutAgain(document);
+    if (keepNote(items, begin, page, continued)) layOut();
+    if (beginPageAfterTable(items, begin, page)) layOut();
     ++begin;  // the rest of a chain is checked again: its heading may have filled a page
   }
 }

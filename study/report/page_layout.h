@@ -33,8 +33,8 @@ std::vector<TableRule> rulesOf(const QTextDocument& document);
 
 /// Chooses where the pages of a document begin: a heading stays with what follows, a figure with
 /// its caption. A figure that does not fit on the page is shrunk a little if that is enough. A
-/// table is divided between its groups of rows, or where several rows are on each page; what is on
-/// the next page has the same head and is marked as @p continued, in brackets.
+/// long table is divided between its groups of rows, or where several rows are on each page; what
+/// is on the next page has the same head and is marked as @p continued, in brackets.
 void choosePageBreaks(QTextDocument& document, const QString& continued);
 
 /// Gives the entries of each list of contents, which follows a heading of the second level that
