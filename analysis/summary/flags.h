@@ -70,7 +70,7 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"n_below_minimum_for_alpha.remedy",
      "More participants (palpate plan says how many), fewer comparisons, or an overall test "
      "(Friedman) first."},
-    {"n_below_minimum_for_alpha.title", "Too few participants for a significant result"},
+    {"n_below_minimum_for_alpha.title", "Too few participants for a significant exact test"},
     {"n_below_minimum_for_alpha.why",
      "Such a test cannot be significant, whatever the answers are."},
     {"order_not_counterbalanced", "How often a method came at a position goes from {} to {}."},

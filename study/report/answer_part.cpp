@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
@@ -9,6 +10,11 @@ namespace {
 
 bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
   return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
+}
+
+/// Whether the declared test does not find a difference.
+bool isInDoubt(const FamilyResult& family, const Declared& row) {
+  return family.isDeclared && !row.test->isSignificant.value_or(true);
 }
 
 /// Writes the answer of a study.
@@ -22,16 +28,17 @@ class AnswerWriter : HtmlWriter {
     if (family == nullptr) {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
-      references(*family);
-      sentences();
+      sentences(*family);
       pooledAnswers();
       html_ += caveatsOfRenderingAsHtml(section_);
     }
-    if (family != nullptr) {
-      mainFigure(*family);
-      tableOfAnswers();
+    if (family != nullptr) mainFigure(*family);
+    if (family != nullptr && !isAnyTested()) means();
+    html_ += weaknessesAsHtml(section_);
+    if (family != nullptr && isAnyTested()) {
+      comparisons();
     }
-    return std::move(html_) + weaknessesAsHtml(section_);
+    return std::move(html_);
   }
 
  private:
@@ -46,11 +53,19 @@ class AnswerWriter : HtmlWriter {
 
   // --- Sentences ---
 
-  void sentences() {
+  /// @param main  the family of the figure
+  void sentences(const FamilyResult& main) {
+    std::vector<std::string> all;
     forEachAnswered([&](const auto& family, const auto& part) {
       const auto text = sentenceOf(family, part);
-      put("<p>{}: {}</p>", cohortLabelOf(family, part), text);
+      all.push_back(cohortLabelOf(family, part) + ": " + text);
     });
+    const auto see = mainSvg(main).empty()
+                         ? withReferences("See {}.", {"answer"})
+                         : withReferences("See {} and {}.", {"answer-figure", "answer"});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      put("<p>{}{}</p>", all[i], i + 1 == all.size() ? " " + see : std::string());
+    }
   }
 
   /// Writes the main weakness of pooled tests next to their p values.
@@ -58,7 +73,9 @@ class AnswerWriter : HtmlWriter {
     if (!areAnswersPooled(section_)) return;
     paragraph(
         "As the protocol declares, these tests take all answers of a person as independent: their "
-        "p may be far too small. “Within people” in the appendix compares people.");
+        "p may be far too small. What is said within people is by the {}, which was not declared "
+        "and is exploratory; “Within people” in the appendix has more.",
+        testInWords(protocols::TestType::PairedT, section_.words));
   }
 
   /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
@@ -74,18 +91,28 @@ class AnswerWriter : HtmlWriter {
   }
 
   std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {
-    auto rows = declaredIn(family, part);
+    const auto all = declaredIn(family, part);
     if (!isAnyDefined(family, part)) {
-      return rows.empty() ? std::string() : notTested(rows.front());
+      return all.empty() ? std::string() : notTested(all.front());
     }
-    const auto best = comparedIn(family);
+    const auto best = comparedWithOthers(section_, family);
+    const auto untested = std::ranges::find_if(all, [&](const auto& row) { return row.has(best); });
+    auto rows = all;
+    std::erase_if(rows, [&](const auto& row) {
+      return !row.isDefined() || (!best.empty() && !row.has(best));
+    });
+    const auto isInDoubt = [&](const auto& row) { return report::isInDoubt(family, row); };
+    const bool areAllInDoubt = rows.size() > 1 && std::ranges::all_of(rows, isInDoubt);
     std::string text;
+    std::string subject;  // of the clause before
     for (const auto& row : rows) {
-      if (!best.empty() && !row.has(best)) continue;
-      if (row.isDefined()) text += (text.empty() ? "" : "; ") + inWords(family, row);
+      text += (text.empty() ? "" : "; ") +
+              inWords(family, row, subject, !areAllInDoubt && isInDoubt(row));
+      subject = higherIn(row);
     }
-    const auto other = std::ranges::find_if(rows, [&](const auto& row) { return row.has(best); });
-    if (text.empty() && other != rows.end()) return notTested(*other);
+    const auto none = say("no difference is significant.");
+    if (areAllInDoubt) text = none + " " + text;
+    if (text.empty() && untested != all.end()) return notTested(*untested);
     return text + ".";
   }
 
@@ -93,30 +120,24 @@ class AnswerWriter : HtmlWriter {
     return say("nothing can be tested: {}.", section_.words(row.test->reason));
   }
 
-  /// The alternative whose comparisons the sentences are about; empty if there is none: they are
-  /// then about all.
-  std::string comparedIn(const FamilyResult& family) const {
-    const auto isCompared = [&](const std::string& id) {
-      return std::ranges::any_of(family.cohorts, [&](const auto& part) {
-        return std::ranges::any_of(declaredIn(family, part), [&](const auto& row) {
-          return row.isDefined() && row.has(id);
-        });
-      });
-    };
-    for (const auto& id : {bestAlternativeOf(section_), highestRatedIn(family)}) {
-      if (isCompared(id)) return id;
-    }
-    return {};
+  static bool isTurned(const Declared& row) { return *row.difference->estimate.value < 0.0; }
+  static const std::string& higherIn(const Declared& row) {
+    return isTurned(row) ? row.group2 : row.group1;
   }
 
-  /// The sentence on one comparison. It names the method with the higher rating first.
-  std::string inWords(const FamilyResult& family, const Declared& row) const {
-    const bool isTurned = *row.difference->estimate.value < 0.0;
-    const double sign = isTurned ? -1.0 : 1.0;
-    const auto& higher = section_.conditionTitle(isTurned ? row.group2 : row.group1);
-    const auto& lower = section_.conditionTitle(isTurned ? row.group1 : row.group2);
+  /// The clause on one comparison. It names the method with the higher rating first, unless that is
+  /// the subject of the clause before.
+  /// @param saysDoubt  whether it says that the difference is not significant
+  std::string inWords(
+      const FamilyResult& family,
+      const Declared& row,
+      const std::string& subject,
+      bool saysDoubt) const {
+    const double sign = isTurned(row) ? -1.0 : 1.0;
+    const auto& higher = section_.conditionTitle(higherIn(row));
+    const auto& lower = section_.conditionTitle(isTurned(row) ? row.group1 : row.group2);
     auto interval = row.difference->interval;
-    if (interval && isTurned) interval = analysis::Interval{-interval->high, -interval->low};
+    if (interval && isTurned(row)) interval = analysis::Interval{-interval->high, -interval->low};
     std::string numbers;
     if (interval) {
       numbers = section_.words.say(
@@ -130,14 +151,21 @@ class AnswerWriter : HtmlWriter {
     }
     numbers += formatP(family, *row.test);
     if (family.isNamed("welch")) numbers += "; " + withinPeople(family, *row.withinPeople, sign);
-    const bool isInDoubt = family.isDeclared && !row.test->isSignificant.value_or(true);
-    return withSubscripts(
-        say(isInDoubt ? "{} was rated {} points higher than {}, which is not significant ({})"
-                      : "{} was rated {} points higher than {} ({})",
+    const auto points = rounded(sign * *row.difference->estimate.value, 2);
+    const auto clear =
+        say("{} was rated {} points higher than {} ({})", higher, points, lower, numbers);
+    const auto unclear =
+        say("{} was rated {} points higher than {} (not significant: {})",
             higher,
-            rounded(sign * *row.difference->estimate.value, 2),
+            points,
             lower,
-            numbers));
+            numbers);
+    const auto alsoClear = say("{} points higher than {} ({})", points, lower, numbers);
+    const auto alsoUnclear =
+        say("{} points higher than {} (not significant: {})", points, lower, numbers);
+    const bool isSameSubject = higherIn(row) == subject;
+    if (isSameSubject) return withSubscripts(saysDoubt ? alsoUnclear : alsoClear);
+    return withSubscripts(saysDoubt ? unclear : clear);
   }
 
   /// The same difference by the paired t-test, beside that of pooled answers.
@@ -163,31 +191,12 @@ class AnswerWriter : HtmlWriter {
 
   // --- Figure and table ---
 
-  /// Which comparisons the sentences are about, and where all of them are.
-  void references(const FamilyResult& family) {
-    const auto best = comparedIn(family);
-    const auto title = best.empty() ? best : section_.conditionTitle(best);
-    const auto rated =
-        say("{} was rated highest: the sentences compare it with the others.", title);
-    const auto named =
-        say("{} was named most often: the sentences compare it with the others.", title);
-    const auto several =
-        say("The sentences compare what was named most often, or rated highest, with the others.");
-    const auto about = section_.results.families.size() > 1 ? several
-                       : best == highestRatedIn(family)     ? rated
-                                                            : named;
-    put("<p>{} {}</p>",
-        best.empty() || !isAnyTested() ? std::string() : about,
-        mainSvg(family).empty() ? withReferences("See {}.", {"answer"})
-                                : withReferences("See {} and {}.", {"answer-figure", "answer"}));
-  }
-
   std::string mainSvg(const FamilyResult& family) const {
     const auto place = static_cast<std::size_t>(&family - section_.results.families.data());
     const auto& all = section_.figures.families;
     const auto figures = place < all.size() ? all[place] : FamilyFigures{};
     const auto kind = *mainFigureOf(section_, family);
-    return kind == MainFigure::Differences ? figures.effects
+    return kind == MainFigure::Differences ? figures.mainEffects
            : kind == MainFigure::Answers   ? figures.answers
                                            : figures.participantMeans;
   }
@@ -197,7 +206,23 @@ class AnswerWriter : HtmlWriter {
     const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
                          : kind == MainFigure::Answers   ? kAnswersCaption
                                                          : kParticipantMeansCaption;
-    figure(mainSvg(family), caption, "answer-figure");
+    const auto svg = mainSvg(family);
+    const bool isOfSome = kind == MainFigure::Differences && showsSomeOnly(family);
+    const auto others = withReferences("{} has all.", {"answer"});
+    if (svg.empty()) {
+      figure(svg, caption, "answer-figure");
+    } else {
+      captioned(svg, say(caption) + (isOfSome ? " " + others : std::string()), "answer-figure");
+    }
+  }
+
+  /// Whether the figure beside the answer leaves out comparisons.
+  bool showsSomeOnly(const FamilyResult& family) const {
+    const auto best = comparedWithOthers(section_, family);
+    return !best.empty() && std::ranges::any_of(family.cohorts, [&](const auto& part) {
+      return std::ranges::any_of(
+          declaredIn(family, part), [&](const auto& row) { return !row.has(best); });
+    });
   }
 
   bool isAnyTested() const {
@@ -205,14 +230,6 @@ class AnswerWriter : HtmlWriter {
     forEachAnswered(
         [&](const auto& family, const auto& part) { isAny = isAny || isAnyDefined(family, part); });
     return isAny;
-  }
-
-  void tableOfAnswers() {
-    if (isAnyTested()) {
-      comparisons();
-    } else {
-      means();
-    }
   }
 
   /// The heading of the intervals' column, with their confidence level if it is the same for all
@@ -236,15 +253,38 @@ class AnswerWriter : HtmlWriter {
     return isCommon ? withScale(caption, all.front().family) : caption;
   }
 
+  /// With the test, if it is the same for all families.
+  std::string captionOfComparisons() const {
+    const auto& all = section_.results.families;
+    const auto declared = declaredInWords(all.front().family, section_.words);
+    const bool isSame = std::ranges::all_of(all, [&](const auto& other) {
+      return declaredInWords(other.family, section_.words) == declared;
+    });
+    const auto mixed = say("The declared comparisons: means, and p after correction");
+    const auto named = say("Declared: {}", declared);
+    return isSame ? named : mixed;
+  }
+
+  /// The name of the effect size, if all comparisons have the same; empty otherwise.
+  std::string commonEffect() const {
+    std::set<std::string> names;
+    forEachAnswered([&](const auto& family, const auto& part) {
+      for (const auto& row : declaredIn(family, part)) {
+        const auto& effect = row.difference->effect;
+        if (row.isDefined() && effect.value) names.emplace(effect.name);
+      }
+    });
+    return names.size() == 1 ? *names.begin() : std::string();
+  }
+
   void comparisons() {
+    const auto effect = commonEffect();
     table(
-        withCommonScale(
-            say("The declared comparisons, with the mean of each method, and p after the declared "
-                "correction")),
+        withCommonScale(captionOfComparisons()),
         {say("Comparison"),
          say("Difference"),
          headingOfIntervals(),
-         say("Effect size"),
+         effect.empty() ? say("Effect size") : withSubscripts(effect),
          section_.wording == Wording::Vancouver ? "<i>P</i>" : kP},
         "answer");
     forEachAnswered([&](const auto& family, const auto& part) {
@@ -254,24 +294,24 @@ class AnswerWriter : HtmlWriter {
       }
       rowOver(cohortLabelOf(family, part));
       for (const auto& comparison : declaredIn(family, part)) {
-        if (comparison.isDefined()) comparisonRow(family, part, comparison);
+        if (comparison.isDefined()) comparisonRow(family, part, comparison, effect.empty());
       }
     });
     endTable();
     const bool isCorrected = std::ranges::any_of(section_.results.families, [](const auto& family) {
       return !nameOf(family.family.correction).empty();
     });
+    const auto order = say("The method with the higher mean over all cohorts comes first.");
     const auto uncorrected =
-        say("Intervals are of each comparison by itself and not corrected for their number, p is: "
-            "an interval without 0 may come with a p above α.");
-    const auto order =
-        say("In each pair the method with the higher mean over all cohorts comes first; exports "
-            "keep the protocol’s order.");
+        say("p is corrected, intervals are not: one without 0 may come with a p above α.");
     put("<p class=\"note\">{}{}</p>", order, isCorrected ? " " + uncorrected : std::string());
   }
 
   void comparisonRow(
-      const FamilyResult& family, const CohortResult& part, const Declared& comparison) {
+      const FamilyResult& family,
+      const CohortResult& part,
+      const Declared& comparison,
+      bool namesEffect) {
     const auto& [group1, group2, difference, test, withinPeople] = comparison;
     const auto& effect = difference->effect;
     const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
@@ -281,9 +321,10 @@ class AnswerWriter : HtmlWriter {
         {withMeans(family, part, group1, group2),
          rounded(difference->estimate.value, 2),
          cellOf(difference->interval),
-         effect.value
+         !effect.value ? std::string()
+         : namesEffect
              ? withSubscripts(fmt::format("{} = {}", effect.name, rounded(effect.value, 2)))
-             : std::string(),
+             : rounded(effect.value, 2),
          isBold ? "<strong>" + p + "</strong>" : p});
   }
 
@@ -399,6 +440,20 @@ std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult&
     all.push_back({row.group1, row.group2, &paired, &row.test(idOf(family.family.test)), &paired});
   }
   return all;
+}
+
+std::string comparedWithOthers(const ReportSection& section, const FamilyResult& family) {
+  const auto isCompared = [&](const std::string& id) {
+    return std::ranges::any_of(family.cohorts, [&](const auto& part) {
+      return std::ranges::any_of(declaredIn(family, part), [&](const auto& row) {
+        return row.isDefined() && row.has(id);
+      });
+    });
+  };
+  for (const auto& id : {bestAlternativeOf(section), highestRatedIn(family)}) {
+    if (isCompared(id)) return id;
+  }
+  return {};
 }
 
 std::string answerAsHtml(const ReportSection& section) {

@@ -22,6 +22,7 @@ class FamilyWriter : HtmlWriter {
       paragraph("Nobody has answered yet.");
       return std::move(html_);
     }
+    if (section_.results.completed() == 1) return {};  // the answer has all
     means();
     if (isShownByPoint(result_)) {
       figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
@@ -33,7 +34,7 @@ class FamilyWriter : HtmlWriter {
     html_ += sitesAsHtml(section_, result_, figures_.sites);
     checks();
     const auto leftOut = leftOutInWords(result_, section_.words);
-    if (!leftOut.empty()) put("<p>{}</p>", escaped(leftOut));
+    if (!leftOut.empty()) put("<p>{}</p>", escaped(withCurlyQuotes(leftOut)));
     return std::move(html_);
   }
 
@@ -165,6 +166,9 @@ class FamilyWriter : HtmlWriter {
   static bool isChecked(const analysis::MethodChecks& method) {
     return method.alpha.value || method.omega.value || method.normality.w;
   }
+  static bool isReliabilityKnown(const analysis::MethodChecks& method) {
+    return method.alpha.value || method.omega.value;
+  }
   static bool hasChecks(const CohortResult& part) {
     return std::ranges::any_of(part.checks.methods, isChecked);
   }
@@ -193,8 +197,13 @@ class FamilyWriter : HtmlWriter {
   }
 
   void scale() {
+    const bool hasReliability = std::ranges::any_of(result_.cohorts, [](const auto& part) {
+      return std::ranges::any_of(part.checks.methods, isReliabilityKnown);
+    });
+    const auto both = say("Reliability of the statements and distribution of participants’ means");
+    const auto distribution = say("Distribution of participants’ means");
     table(
-        say("Reliability of the statements and distribution of participants’ means"),
+        hasReliability ? both : distribution,
         {say("Method"),
          say("Statements"),
          say("Cronbach’s α"),
@@ -216,7 +225,7 @@ class FamilyWriter : HtmlWriter {
         if (!isChecked(method)) continue;
         row(
             {condition(method.method),
-             std::to_string(method.alpha.items),
+             isReliabilityKnown(method) ? std::to_string(method.alpha.items) : std::string(),
              cellOf(method.alpha.value, 2),
              cellOf(method.alpha.interval),
              cellOf(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
@@ -225,13 +234,16 @@ class FamilyWriter : HtmlWriter {
       }
     }
     endTable();
-    note(
-        "α and ω: whether the statements about a method agree; † marks an ω whose factor explains "
-        "a "
-        "statement completely. W: whether participants’ means are normal, and Brown and Forsythe’s "
-        "F whether methods vary alike. No test is chosen by them. Paired t-tests and the linear "
-        "models "
-        "assume that differences of these means are normal, which W does not examine.");
+    const auto reliability =
+        say("α and ω: whether the statements about a method agree; † marks an ω whose factor "
+            "explains a statement completely.");
+    const auto normality =
+        say("W: whether participants’ means are normal, and Brown and Forsythe’s F whether methods "
+            "vary alike. No test is chosen by them. Paired t-tests and the linear models assume "
+            "that differences of these means are normal, which W does not examine.");
+    put("<p class=\"note\">{}{}</p>",
+        hasReliability ? reliability + " " : std::string(),
+        normality);
   }
 
   const FamilyResult& result_;

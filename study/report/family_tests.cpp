@@ -123,10 +123,11 @@ class TestsWriter : HtmlWriter {
       for (const auto& comparison : part.within.rows) difference(comparison, areShown);
     }
     endTable();
+    const auto bayes = say("BF: Bayes factor of a difference against none.");
+    const auto odds = say("Odds ratio: of higher answers, by the ordinal mixed model.");
     put("<p class=\"note\">{}{}</p>",
         areShown ? withReferences("The differences are in {}.", {"answer"}) + " " : std::string(),
-        say("BF: Bayes factor of a difference against none. Odds ratio: of higher answers, by the "
-            "ordinal mixed model."));
+        bayes + (hasOdds_ ? " " + odds : std::string()));
   }
 
   void tests() {
@@ -165,8 +166,8 @@ class TestsWriter : HtmlWriter {
     if (result_.isNamed("welch")) return;
     note(
         !result_.isDeclared ? "* the test that the protocol names; exploratory"
-        : hasBold_          ? "* the declared test; bold: adjusted p ≤ α."
-                            : "* the declared test; no adjusted p is ≤ α.");
+        : hasBold_          ? "* the declared test; bold: its adjusted p ≤ α."
+                            : "* the declared test; none of its adjusted p is ≤ α.");
   }
 
   void difference(const analysis::WithinComparison& c, bool areShown) {
@@ -174,6 +175,7 @@ class TestsWriter : HtmlWriter {
     if (!test.p) return row({pairOf(c)}, notDefined(test.reason));
     const auto* ordinal = analysis::findTest(c.tests, "ordinal_model");
     const bool hasOdds = ordinal != nullptr && ordinal->p;
+    hasOdds_ = hasOdds_ || hasOdds;
     row(
         {pairOf(c),
          areShown ? std::string() : rounded(test.estimate.value, 2),
@@ -246,6 +248,7 @@ class TestsWriter : HtmlWriter {
 
   const FamilyResult& result_;
   bool hasBold_ = false;  ///< whether a confirmatory test is significant
+  bool hasOdds_ = false;  ///< whether any odds ratio is shown
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "questionnaires/scoring/scoring.h"
 #include "study/model/data_table.h"
@@ -15,18 +16,7 @@ class InstrumentWriter : HtmlWriter {
 
   std::string all() {
     if (section_.results.instruments.empty()) return {};
-    table(
-        say("Scores of participants"),
-        {say("Score"),
-         textHeading(say("Cohort")),
-         textHeading(say("About")),
-         kN,
-         kM,
-         kSd,
-         say("95 % CI"),
-         say("No score")});
-    forEach([&](const auto&... of) { scores(of...); });
-    endTable();
+    scores();
     if (isBeyond_) {
       note(
           "Where an interval passes an end of the scale, in brackets after the score, it ends "
@@ -70,38 +60,104 @@ class InstrumentWriter : HtmlWriter {
             summary.forms));
   }
 
-  void scores(
-      const questionnaires::Instrument& instrument,
-      const std::string& title,
-      const InstrumentSummary& summary) {
-    group(title);
-    for (const auto& score : summary.scores) {
-      if (score.values.empty() && score.missing == 0) continue;
-      const auto& about = score.condition;
-      const auto& occasion = score.occasion;
-      const auto& kind = *instrument.score(score.score);
-      const auto range = questionnaires::rangeOf(instrument, kind);
-      const auto ends = range.low < range.high ? fmt::format(
-                                                     " ({}–{})",
-                                                     withMinusSign(exactly(range.low)),
-                                                     withMinusSign(exactly(range.high)))
-                                               : std::string();
-      const auto& interval = score.interval;
-      isBeyond_ =
-          isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
-      hasConditionScore_ = hasConditionScore_ || !about.empty();
-      row(
-          {escaped(kind.title.in(section_.words.language())) + ends,
-           cohort(score.cohort),
-           !about.empty()     ? condition(about)
-           : occasion.empty() ? occasion
-                              : say(occasion),
-           std::to_string(score.values.size()),
-           cellOf(score.mean, 2),
-           cellOf(score.standardDeviation, 2),
-           cellOf(score.interval),
-           score.missing > 0 ? std::to_string(score.missing) : ""});
+  /// A score of all participants, or of what they felt: a row of the table.
+  struct ScoreRow {
+    const questionnaires::Instrument* instrument;
+    std::string score;
+    std::string about;                           ///< condition or occasion
+    std::vector<const ScoreSummary*> summaries;  ///< by cohort
+  };
+
+  std::vector<ScoreRow> scoreRows() const {
+    const auto& cohorts = section_.results.flow;
+    std::vector<ScoreRow> rows;
+    forEach([&](const auto& instrument, const auto&, const auto& summary) {
+      for (const auto& score : summary.scores) {
+        if (score.values.empty() && score.missing == 0) continue;
+        const auto& about = score.condition.empty() ? score.occasion : score.condition;
+        auto same = std::ranges::find_if(rows, [&](const auto& row) {
+          return row.instrument == &instrument && row.score == score.score && row.about == about;
+        });
+        if (same == rows.end()) {
+          same = rows.insert(
+              rows.end(),
+              {&instrument,
+               score.score,
+               about,
+               std::vector<const ScoreSummary*>(cohorts.size(), nullptr)});
+        }
+        const auto place =
+            std::ranges::find(cohorts, score.cohort, &CohortFlow::cohort) - cohorts.begin();
+        same->summaries[static_cast<std::size_t>(place)] = &score;
+      }
+    });
+    return rows;
+  }
+
+  void scores() {
+    const auto rows = scoreRows();
+    const auto ofPeople = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
+    std::vector<std::string> columns{say("Score"), textHeading(say("About"))};
+    std::vector<bool> isNInHeading;  // by cohort
+    for (std::size_t i = 0; i < section_.results.flow.size(); ++i) {
+      std::set<std::size_t> people;
+      for (const auto& one : rows) {
+        if (one.summaries[i] != nullptr) people.insert(one.summaries[i]->values.size());
+      }
+      isNInHeading.push_back(people.size() == 1);
+      columns.push_back(
+          cohort(section_.results.flow[i].cohort) +
+          (people.size() == 1 ? ofPeople(*people.begin()) : std::string()));
     }
+    table(say("Scores of participants: M with SD in brackets, and 95 % CI"), columns);
+    const questionnaires::Instrument* last = nullptr;
+    for (const auto& [instrument, id, about, summaries] : rows) {
+      const auto& score = *instrument->score(id);
+      const auto range = questionnaires::rangeOf(*instrument, score);
+      if (instrument != last) group(escaped(instrument->title.in(section_.words.language())));
+      last = instrument;
+      std::vector<std::string> cells{
+          escaped(score.title.in(section_.words.language())) + endsOf(range),
+          aboutInWords(summaries)};
+      for (std::size_t i = 0; i < summaries.size(); ++i) {
+        const auto* one = summaries[i];
+        cells.push_back(one == nullptr ? std::string() : scoreCell(*one, range));
+        if (one != nullptr && !isNInHeading[i]) cells.back() += ofPeople(one->values.size());
+      }
+      row(cells);
+    }
+    endTable();
+  }
+
+  /// " (1–5)"; empty for a score without a range.
+  static std::string endsOf(const questionnaires::Range& range) {
+    return range.low < range.high ? fmt::format(
+                                        " ({}–{})",
+                                        withMinusSign(exactly(range.low)),
+                                        withMinusSign(exactly(range.high)))
+                                  : std::string();
+  }
+
+  /// The condition or the occasion that the scores of a row are about.
+  std::string aboutInWords(const std::vector<const ScoreSummary*>& summaries) const {
+    const auto* any =
+        *std::ranges::find_if(summaries, [](const auto* one) { return one != nullptr; });
+    if (!any->condition.empty()) return condition(any->condition);
+    return any->occasion.empty() ? any->occasion : say(any->occasion);
+  }
+
+  /// "3.41 (1.09) [2.71, 4.10]", and how many have no score.
+  std::string scoreCell(const ScoreSummary& score, const questionnaires::Range& range) {
+    const auto& interval = score.interval;
+    isBeyond_ =
+        isBeyond_ || (interval && (interval->low < range.low || interval->high > range.high));
+    hasConditionScore_ = hasConditionScore_ || !score.condition.empty();
+    const auto without = say("{} without a score", score.missing);
+    const char* before = section_.wording == Wording::Vancouver ? ", " : " ";
+    std::string text = withDeviation(score.mean, score.standardDeviation);
+    if (interval) text += before + cellOf(interval);
+    if (score.missing > 0) text += (text.empty() ? "" : ", ") + without;
+    return text;
   }
 
   void acceptability(

@@ -19,33 +19,49 @@ class ItemsWriter : HtmlWriter {
 
   std::string all() {
     for (const auto& instrument : section_.instruments) {
-      numbers(instrument);
       numbersByAlternative(instrument);
       choices(instrument);
       figures(instrument);
     }
+    numbers();
+    const auto notes = notesInWords();
+    if (hasTable_) put("<p class=\"note\">{}</p>", notes);
+    return std::move(html_);
+  }
+
+  /// What the tables show, and what they leave out.
+  std::string notesInWords() const {
+    const auto given =
+        say("Answers as they were given, not reversed. Numbers are of participants’ means; choices "
+            "are counted by form. Choices between alternatives are among the preferences.");
+    const auto reversed =
+        say("(R): a high answer is bad; scores and comparisons take it reversed.");
+    const auto missing =
+        say("Where n is smaller than the cohort, the others left the question open; a cohort "
+            "without a row has no answers that can be shown.");
+    const auto hidden =
+        say("To protect anonymity, these tables have no mean of one person alone, and options that "
+            "one person chose are counted together as “other answers”, with the next rarest where "
+            "a difference would give them away. Other tables and figures, of ratings, scores and "
+            "votes, show single people too.");
     const auto leftOut = count(
         leftOut_,
-        "{} row is left out, because its numbers would be of one person alone.",
-        "{} rows are left out, because their numbers would be of one person alone.");
-    if (html_.empty() && leftOut_ == 0) return {};
-    if (leftOut_ > 0) put("<p class=\"note\">{}</p>", leftOut);
-    if (leftOut_ > 0 && !hasTable_) return std::move(html_);
-    note(
-        "Answers as they were given, not reversed. Numbers are of participants’ means; choices are "
-        "counted by form. Choices between alternatives are among the preferences.");
-    if (isAnythingHidden_) {
-      note(
-          "To protect anonymity, these tables have no mean of one person alone, and options that "
-          "one person chose are counted together as “other answers”. What all of a cohort answered "
-          "alike is the answer of each. Other tables and figures, of ratings, scores and votes, "
-          "show single people too.");
-    }
-    return std::move(html_);
+        "{} row is left out, because it would show one person alone, or nothing.",
+        "{} rows are left out, because they would show one person alone, or nothing.");
+    std::string text = given;
+    if (isAnythingReversed_) text += " " + reversed;
+    if (isAnythingMissing_) text += " " + missing;
+    if (isAnythingHidden_) text += " " + hidden;
+    if (leftOut_ > 0) text += " " + leftOut;
+    return text;
   }
 
   std::string quotes() {
     if (!section_.hasQuotes) return {};
+    const auto& all = section_.results.answers.quotes;
+    const auto alike =
+        say("All {} texts are “{}”.", all.size(), all.empty() ? std::string() : all.front().text);
+    if (areAlike(all)) return "<p>" + alike + "</p>\n";
     for (const auto& instrument : section_.instruments) quotesOf(instrument, false);
     const auto own = std::exchange(html_, {});
     for (const auto& instrument : section_.instruments) quotesOf(instrument, true);
@@ -72,53 +88,93 @@ class ItemsWriter : HtmlWriter {
   std::string questionOf(
       const questionnaires::Instrument& instrument, const std::string& id) const {
     const auto* item = instrument.item(id);
-    return escaped(item == nullptr ? id : report::questionOf(*item, section_.words.language()));
+    if (item == nullptr) return escaped(id);
+    return escaped(withCurlyQuotes(report::questionOf(*item, section_.words.language())));
   }
 
-  /// Numbers that are not about an alternative: a row for each question, a column for each cohort.
-  void numbers(const questionnaires::Instrument& instrument) {
-    const auto summaries =
-        summariesOf(instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
+  /// The question of a number, marked if a high answer to it is bad.
+  std::string markedQuestionOf(
+      const questionnaires::Instrument& instrument, const std::string& id) {
+    const auto* item = instrument.item(id);
+    const bool isReversed = item != nullptr && item->key < 0;
+    isAnythingReversed_ = isAnythingReversed_ || isReversed;
+    return questionOf(instrument, id) + (isReversed ? " (R)" : "");
+  }
+
+  /// The numbers of one question that is not about an alternative.
+  struct Question {
+    const questionnaires::Instrument* instrument;
+    std::string item;
+    std::vector<std::string> cells;  ///< by cohort
+    std::vector<std::size_t> sizes;  ///< number of participants of each cell
+  };
+
+  std::vector<Question> questionsAskedOnce() {
     const auto& cohorts = section_.results.flow;
-    // The different numbers of participants whose means a cohort's column has.
-    std::vector<std::set<std::size_t>> people(cohorts.size());
-    std::vector<std::pair<std::string, std::vector<std::string>>> questions;  // cell by cohort
-    std::vector<std::vector<std::size_t>> sizes;                              // n of each cell
-    for (const auto* one : summaries) {
-      if (questions.empty() || questions.back().first != one->item) {
-        questions.emplace_back(one->item, std::vector<std::string>(cohorts.size()));
-        sizes.emplace_back(cohorts.size());
+    std::vector<Question> questions;
+    for (const auto& instrument : section_.instruments) {
+      const auto summaries = numbersOf(instrument);
+      for (const auto* one : summaries) {
+        const bool isNew = questions.empty() || questions.back().instrument != &instrument ||
+                           questions.back().item != one->item;
+        if (isNew) {
+          questions.push_back(
+              {&instrument,
+               one->item,
+               std::vector<std::string>(cohorts.size()),
+               std::vector<std::size_t>(cohorts.size())});
+        }
+        const auto place = static_cast<std::size_t>(
+            std::ranges::find(cohorts, one->cohort, &CohortFlow::cohort) - cohorts.begin());
+        questions.back().cells[place] = meanOf(*one);
+        questions.back().sizes[place] = one->values.size();
       }
-      const auto place = static_cast<std::size_t>(
-          std::ranges::find(cohorts, one->cohort, &CohortFlow::cohort) - cohorts.begin());
-      const auto mean = meanOf(*one);
-      questions.back().second[place] = mean;
-      sizes.back()[place] = one->values.size();
-      if (!mean.empty()) people[place].insert(one->values.size());
     }
+    const auto isLeftOut = [](const auto& question) {
+      return std::ranges::all_of(question.cells, [](const auto& cell) { return cell.empty(); });
+    };
+    leftOut_ += static_cast<std::size_t>(std::ranges::count_if(questions, isLeftOut));
+    std::erase_if(questions, isLeftOut);
+    return questions;
+  }
+
+  std::vector<const ItemSummary*> numbersOf(const questionnaires::Instrument& instrument) const {
+    return summariesOf(
+        instrument, [](const auto& one) { return one.mean && one.condition.empty(); });
+  }
+
+  /// All numbers that are not about an alternative: a row for each question, a column for each
+  /// cohort.
+  void numbers() {
+    auto questions = questionsAskedOnce();
+    if (questions.empty()) return;
+    hasTable_ = true;
     const auto ofPeople = [](std::size_t n) { return fmt::format(", {} = {}", kN, n); };
     std::vector<std::string> columns{say("Question")};
-    for (std::size_t i = 0; i < cohorts.size(); ++i) {
-      const bool isSame = people[i].size() == 1;
+    for (std::size_t i = 0; i < section_.results.flow.size(); ++i) {
+      std::set<std::size_t> people;  // the different numbers of participants in the column
+      for (const auto& one : questions) {
+        if (!one.cells[i].empty()) people.insert(one.sizes[i]);
+      }
+      const bool isSame = people.size() == 1;
       columns.push_back(
-          cohort(cohorts[i].cohort) + (isSame ? ofPeople(*people[i].begin()) : std::string()));
+          cohort(section_.results.flow[i].cohort) +
+          (isSame ? ofPeople(*people.begin()) : std::string()));
+      for (auto& one : questions) {
+        if (!one.cells[i].empty() && !isSame) one.cells[i] += ofPeople(one.sizes[i]);
+      }
     }
-    table(captionOfNumbers(instrument, summaries), columns);
-    const bool areEndsCommon = haveSameEnds(itemsOf(instrument, summaries));
-    for (std::size_t q = 0; q < questions.size(); ++q) {
-      auto& [item, cells] = questions[q];
-      if (std::ranges::all_of(cells, [](const auto& cell) { return cell.empty(); })) {
-        ++leftOut_;
-        continue;
-      }
-      hasTable_ = true;
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (!cells[i].empty() && people[i].size() > 1) cells[i] += ofPeople(sizes[q][i]);
-      }
+    table(say("Questions that were asked once, M with SD in brackets"), columns);
+    const questionnaires::Instrument* last = nullptr;
+    for (auto& [instrument, item, cells, sizes] : questions) {
+      const auto summaries = numbersOf(*instrument);
+      if (instrument != last) group(titleOf(*instrument) + scaleOf(*instrument, summaries));
+      last = instrument;
+      const bool areEndsCommon = haveSameEnds(itemsOf(*instrument, summaries));
       cells.insert(
           cells.begin(),
-          questionOf(instrument, item) +
-              (areEndsCommon ? std::string() : endsInBrackets(*instrument.item(item))));
+          markedQuestionOf(*instrument, item) +
+              (areEndsCommon ? std::string() : endsInBrackets(*instrument->item(item))));
       row(cells);
     }
     endTable();
@@ -134,7 +190,7 @@ class ItemsWriter : HtmlWriter {
     const std::string* item = nullptr;
     for (auto at = rows.begin(); at != rows.end();) {
       const auto& first = **at;
-      if (item == nullptr || *item != first.item) group(questionOf(instrument, first.item));
+      if (item == nullptr || *item != first.item) group(markedQuestionOf(instrument, first.item));
       item = &first.item;
       std::size_t people = 0;
       std::vector<std::string> cells(columns.size());
@@ -183,9 +239,16 @@ class ItemsWriter : HtmlWriter {
   std::string captionOfNumbers(
       const questionnaires::Instrument& instrument,
       const std::vector<const ItemSummary*>& summaries) const {
-    const auto scale = scaleInWords(itemsOf(instrument, summaries), section_.words);
     return titleOf(instrument) + say(": every item by itself, M with SD in brackets") +
-           (scale.empty() ? scale : "; " + escaped(scale));
+           scaleOf(instrument, summaries);
+  }
+
+  /// "; scale from 0 to 100"; empty if the items have no common scale.
+  std::string scaleOf(
+      const questionnaires::Instrument& instrument,
+      const std::vector<const ItemSummary*>& summaries) const {
+    const auto scale = scaleInWords(itemsOf(instrument, summaries), section_.words);
+    return scale.empty() ? scale : "; " + escaped(scale);
   }
 
   /// The mean of several people with its deviation; empty for one person.
@@ -209,6 +272,7 @@ class ItemsWriter : HtmlWriter {
         ++leftOut_;
         continue;
       }
+      isAnythingMissing_ = isAnythingMissing_ || isMissing(*one);
       hasTable_ = true;
       row(
           {cohort(one->cohort),
@@ -248,8 +312,17 @@ class ItemsWriter : HtmlWriter {
     return "item-" + figure.instrument + "-" + figure.item;
   }
 
-  /// "left (3), right (12)", without options that were not chosen; empty if one person answered. In
-  /// answers about the participants themselves, rare options are hidden as in a public release.
+  /// Whether people of a cohort left a question about themselves open.
+  bool isMissing(const ItemSummary& summary) const {
+    const auto& cohorts = section_.results.flow;
+    const auto flow = std::ranges::find(cohorts, summary.cohort, &CohortFlow::cohort);
+    return summary.condition.empty() && flow != cohorts.end() &&
+           summary.answers < static_cast<std::size_t>(flow->completed);
+  }
+
+  /// "left (3), right (12)", without options that were not chosen; empty if one person answered, or
+  /// if all options are hidden. In answers about the participants themselves, rare options are
+  /// hidden as in a public release.
   std::string chosenIn(const questionnaires::Instrument& instrument, const ItemSummary& summary) {
     const auto* item = instrument.item(summary.item);
     Values chosen;
@@ -266,7 +339,7 @@ class ItemsWriter : HtmlWriter {
     }
     const auto others = std::ranges::count(chosen, "");
     isAnythingHidden_ = isAnythingHidden_ || others > 0;
-    if (text.empty() && others < static_cast<std::ptrdiff_t>(kFewestPeople)) return text;
+    if (text.empty()) return text;
     add(section_.words("other answers"), others);
     return escaped(text);
   }
@@ -297,9 +370,18 @@ class ItemsWriter : HtmlWriter {
     }
   }
 
+  /// Whether all texts are the same several times, as simulated ones are.
+  static bool areAlike(const std::vector<Quote>& quotes) {
+    return quotes.size() > 1 && std::ranges::all_of(quotes, [&](const auto& quote) {
+             return quote.text == quotes.front().text;
+           });
+  }
+
   bool isAnythingHidden_ = false;
+  bool isAnythingReversed_ = false;
+  bool isAnythingMissing_ = false;
   bool hasTable_ = false;    ///< whether any row is written
-  std::size_t leftOut_ = 0;  ///< rows whose numbers would be of one person
+  std::size_t leftOut_ = 0;  ///< rows that would show one person, or hidden options alone
 };
 
 }  // namespace

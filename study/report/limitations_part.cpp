@@ -108,9 +108,11 @@ class LimitationsWriter : HtmlWriter {
         say("None of {} checks of the trials and of the compared answers found anything; "
             "“Limitations” in "
             "the appendix says what they look for.",
-            kBySeverity.size());
+            std::ranges::count_if(kBySeverity, [&](auto id) { return isLookedFor(id); }));
+    const auto ofOne = say("The checks of the compared answers need more participants.");
     const auto explained = say("All of it is explained in the appendix, under “Limitations”.");
-    put("<p class=\"note\">{}</p>", hasFlags ? explained : none);
+    const bool isOfOne = section_.results.completed() == 1;
+    put("<p class=\"note\">{}</p>", hasFlags ? explained : isOfOne ? ofOne : none);
     return std::move(html_);
   }
 
@@ -132,6 +134,9 @@ class LimitationsWriter : HtmlWriter {
               inWords(flag.why),
               sourcesOf(flag)));
     }
+    if (const auto unconfirmed = notConfirmed(); !unconfirmed.empty()) {
+      explain(say("Significant by the declared test only"), unconfirmed + ".");
+    }
     if (!families().empty()) {
       explain(say("Corrections within each family and cohort"), families() + ".");
     }
@@ -141,6 +146,13 @@ class LimitationsWriter : HtmlWriter {
     for (const auto& warning : warnings()) items += "<li>" + warning + ".</li>";
     if (!items.empty()) put("<p>{}</p><ul>{}</ul>", say("The design:"), items);
     return std::move(html_);
+  }
+
+  /// What all() explains, with its sources.
+  std::vector<const analysis::Flag*> explainedFlags() const {
+    std::vector<const analysis::Flag*> flags;
+    for (const auto& limitation : limitations()) flags.push_back(limitation.flag);
+    return flags;
   }
 
  private:
@@ -179,6 +191,7 @@ class LimitationsWriter : HtmlWriter {
       if (!isOfAll) points.back() += " (" + escaped(titlesOf(cohortsIn(limitation))) + ")";
     }
     if (!isSaid) points.push_back(apart);
+    if (const auto found = notConfirmed(); !found.empty()) points.push_back(found);
     if (const auto found = families(); !found.empty()) points.push_back(found);
     const auto warned = warnings();
     const auto remarks =
@@ -219,13 +232,44 @@ class LimitationsWriter : HtmlWriter {
     const auto alone = aloneInWords();
     const auto ofOne =
         say("The numbers are those of one person: nothing can be compared, and they show "
-            "what this person answered.");
+            "what this person answered. Answers to single items are left out.");
     if (!alone.empty()) explain(alone, ofOne);
     const auto fewer = fewerInWords();
     const auto early =
         say("Differences are known less well than planned; where the results decided when to stop, "
             "p values lose their meaning.");
-    if (!fewer.empty()) explain(say("Fewer participants than planned"), fewer + ". " + early);
+    const bool isOfOne = section_.results.completed() == 1;
+    if (!fewer.empty()) {
+      explain(
+          say("Fewer participants than planned"),
+          fewer + "." + (isOfOne ? std::string() : " " + early));
+    }
+  }
+
+  /// How many significant results of declared paired t-tests no exact test finds, too; empty if
+  /// none.
+  std::string notConfirmed() const {
+    int significant = 0;
+    int alone = 0;
+    for (const auto& family : section_.results.families) {
+      if (!family.isDeclared || !family.isNamed("paired_t")) continue;
+      for (const auto& part : family.cohorts) {
+        for (const auto& row : part.within.rows) {
+          if (!row.test("paired_t").isSignificant.value_or(false)) continue;
+          ++significant;
+          const auto isFound = [&](const char* id) {
+            return row.test(id).isSignificant.value_or(false);
+          };
+          if (!isFound("sign_flip") && !isFound("signed_rank")) ++alone;
+        }
+      }
+    }
+    const auto sentence = count(
+        alone,
+        "{} of {} significant differences is not significant by either exact test (exploratory)",
+        "{} of {} significant differences are not significant by either exact test (exploratory)",
+        significant);
+    return alone > 0 ? sentence : std::string();
   }
 
   /// The chance of a false finding in any cohort and family; empty if there is one of each.
@@ -259,19 +303,31 @@ class LimitationsWriter : HtmlWriter {
     return tested * cohorts.size() > 1 ? sentence : std::string();
   }
 
-  /// What was looked for and not found. Of one participant most was not looked for.
+  /// Whether a weakness could be found: in virtual time no loop is late, and of one participant
+  /// there are neither tests nor distributions.
+  bool isLookedFor(std::string_view id) const {
+    if (id == "late_ticks") return section_.quality.worstLateness.has_value();
+    return section_.results.completed() != 1 || !isIn(kOfSeveralPeople, id);
+  }
+
+  /// What was looked for and not found, and what could not be looked for. Of one participant most
+  /// was not looked for.
   void notFound(const std::vector<Limitation>& found) {
     if (section_.results.completed() == 1) return;
-    std::string titles;
+    std::string absent;
+    std::string unknown;
     for (const auto id : kBySeverity) {
       const auto isSame = [&](const auto& other) { return other.flag->id == id; };
       if (std::ranges::any_of(found, isSame)) continue;
+      auto& titles = isLookedFor(id) ? absent : unknown;
       titles += (titles.empty() ? "" : "; ") + inWords(analysis::Flag{.id = id}.title());
     }
-    if (titles.empty()) return;
-    put("<p>{} {}.</p>",
-        say("Looked for in the answers that are compared, and not found:"),
-        titles);
+    std::string text;
+    const auto lookedFor = say("Looked for in the answers that are compared, and not found:");
+    const auto couldNot = say("Could not be looked for:");
+    if (!absent.empty()) text = lookedFor + " " + absent + ".";
+    if (!unknown.empty()) text += (text.empty() ? "" : " ") + couldNot + " " + unknown + ".";
+    if (!text.empty()) put("<p>{}</p>", text);
   }
 
   /// All limitations of the families, each kind once. Flags on pooled tests are left out if the
@@ -385,6 +441,10 @@ std::string caveatsOfRenderingAsHtml(const ReportSection& section) {
 
 std::string weaknessesAsHtml(const ReportSection& section) {
   return LimitationsWriter(section).briefly();
+}
+
+std::vector<const analysis::Flag*> explainedFlags(const ReportSection& section) {
+  return LimitationsWriter(section).explainedFlags();
 }
 
 std::string limitationsAsHtml(const ReportSection& section) {

@@ -13,9 +13,6 @@ namespace {
 
 using protocols::PhaseType;
 
-// the kind of sources that are shown on the screen; all other kinds are felt
-constexpr std::string_view kShownSourceKind = "anatomy";
-
 /// A force model in words, with the works that it comes from.
 struct ModelText {
   std::string_view english;
@@ -55,11 +52,9 @@ class MethodsWriter : HtmlWriter {
     auditTrail();
     sources();
     instruments();
-    for (const auto& family : section_.results.families) {
-      for (const auto& raised : flagsByKind(family, isPooled(Profile::Declared, family.family))) {
-        for (const auto& source : raised.flag->source) {
-          if (source.key().empty()) citations_.cite(base::describe(source));
-        }
+    for (const auto* flag : explainedFlags(section_)) {
+      for (const auto& source : flag->source) {
+        if (source.key().empty()) citations_.cite(base::describe(source));
       }
     }
     put("<h4>{}</h4>", say("References"));
@@ -359,13 +354,7 @@ class MethodsWriter : HtmlWriter {
     }
     const auto computed = say("parameters of the protocol; nothing was recorded or measured");
     std::vector<std::string> others;
-    for (const auto& one : section_.protocol.conditions) {
-      const bool hasSource = std::ranges::any_of(section_.sources, [&](const auto& source) {
-        return source.kind != kShownSourceKind &&
-               std::ranges::find(source.conditions, one.id) != source.conditions.end();
-      });
-      if (!hasSource) others.push_back(section_.conditionTitle(one.id));
-    }
+    for (const auto& id : withoutSource(section_)) others.push_back(section_.conditionTitle(id));
     if (!isOfShown && !others.empty()) {
       lines += fmt::format("<li>{}: {}</li>", computed, escaped(listed(others, section_.words)));
     }

@@ -144,7 +144,7 @@ TextFont textFont() {
 /// Gives headings their sizes. Qt sets them relative to the text, not as the style sheet says,
 /// and ignores a size beside that property (Qt 6.4).
 void setHeadingSizes(QTextDocument& document, double scale) {
-  constexpr std::array kSizes{17.0, 14.0, 11.5, 9.5};  // [pt]
+  constexpr std::array kSizes{15.5, 13.5, 11.5, 9.5};  // [pt]
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
     const int level = block.blockFormat().headingLevel();
     if (level < 1 || level > static_cast<int>(kSizes.size())) continue;

@@ -26,6 +26,7 @@ class PreferenceWriter : HtmlWriter {
           "Sums count a participant once a round. Votes of one person are not independent, so sums "
           "are not tested.");
     }
+    if (!hasIntervals()) return std::move(html_);
     figure(
         section_.figures.votes,
         "Preferences by cohort and round, with Wilson’s 95 % intervals; dashed: equal shares.");
@@ -33,6 +34,10 @@ class PreferenceWriter : HtmlWriter {
   }
 
  private:
+  /// Whether an interval would be of a single person's choice.
+  static bool isOfOneVote(const VoteResult& vote) { return vote.votes.total() < 2; }
+  bool hasIntervals() const { return !std::ranges::all_of(section_.results.votes, isOfOneVote); }
+
   static bool hasSums(const VoteTable& votes) {
     return std::ranges::any_of(
         votes.cohorts, [](const auto& cohort) { return cohort.rounds.size() > 1; });
@@ -43,7 +48,10 @@ class PreferenceWriter : HtmlWriter {
     std::vector<std::string> columns{say("Cohort"), textHeading(say("After"))};
     for (const auto& option : votes.options) columns.push_back(condition(option));
     columns.push_back(say("exact p"));
-    table(say("How many participants named each method, with Wilson’s 95 % interval"), columns);
+    const auto plain = say("How many participants named each method");
+    const auto withIntervals =
+        say("How many participants named each method, with Wilson’s 95 % interval");
+    table(hasIntervals() ? withIntervals : plain, columns);
     for (const auto& one : votes.cohorts) {
       if (one.sum.total() == 0) continue;
       for (const auto* vote : one.rounds) rowOf(*vote);
@@ -66,7 +74,7 @@ class PreferenceWriter : HtmlWriter {
     const auto shares = vote.votes.shares();
     for (std::size_t i = 0; i < shares.size(); ++i) {
       std::string cell = std::to_string(shares[i].votes);
-      if (i < vote.intervals.size() && vote.intervals[i]) {
+      if (i < vote.intervals.size() && vote.intervals[i] && !isOfOneVote(vote)) {
         cell += fmt::format(
             " [{} %, {} %]",
             rounded(100.0 * vote.intervals[i]->low, 0),

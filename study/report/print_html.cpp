@@ -19,8 +19,8 @@ p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.note { margin-bottom: 10px; }
 p.figcaption { margin-bottom: 12px; }
 p.reference { font-size: 7.5pt; margin-top: 0px; margin-bottom: 2px; }
-p.verdict { font-size: 10.5pt; font-weight: bold; margin-top: 8px; margin-bottom: 8px; }
-p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; margin: 10px 8px; }
+p.verdict { font-size: 10pt; font-weight: bold; margin-top: 12px; margin-bottom: 6px; }
+p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; margin-top: 10px; margin-bottom: 12px; margin-left: 8px; margin-right: 8px; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }
 td.caption { font-size: 8pt; padding-left: 0px; padding-top: 12px; }
@@ -138,7 +138,7 @@ void captionsInHead(std::string& html) {
     html.replace(
         span.begin,
         span.end - span.begin,
-        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"1\"><thead><tr><td class=\"caption\" "
+        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"0\"><thead><tr><td class=\"caption\" "
         "colspan=\"" +
             std::to_string(columnsAt(html, span.end)) + "\" align=\"left\">" + words +
             "</td></tr>");

@@ -115,12 +115,16 @@ std::string withStop(std::string text) {
 
 /// "Mann, H. B., & Whitney, D. R. (1947). Title. Journal, 18(1), 50–60."
 std::string apaEntry(const Work& work) {
-  const auto title = withStop(std::string(work.title));
+  const auto title = escaped(withStop(std::string(work.title)));
   const auto year = fmt::format("({}).", yearOf(work));
-  auto text = work.authors.empty() ? title + " " + year
-                                   : withStop(authorsAsApa(work)) + " " + year + " " + title;
-  if (work.journal.empty()) return escaped(text);
-  text = escaped(text) + " <em>" + escaped(work.journal) + "</em>";
+  if (work.authors.empty()) return title + " " + year;
+  auto text = escaped(withStop(authorsAsApa(work))) + " " + year + " ";
+  // of books, which have no volume, the title is in italics, of articles the journal
+  if (work.volume.empty()) {
+    text += "<em>" + title + "</em>";
+    return withStop(text + (work.journal.empty() ? "" : " " + escaped(work.journal)));
+  }
+  text += title + " <em>" + escaped(work.journal) + "</em>";
   for (const auto part : {work.volume, work.pages}) {
     if (!part.empty()) text += ", " + std::string(part);
   }

@@ -71,13 +71,18 @@ class RenderingWriter : HtmlWriter {
            rounded(d.pooled, 2),
            std::to_string(d.participants),
            cellOf(d.mean, 2),
-           cellOf(d.interval)});
+           hasWidth(d.interval) ? cellOf(d.interval) : std::string()});
     }
     endTable();
     note(
         "Both columns are over the same travel: what everyone who felt both alternatives passed "
         "with both. A mean square is never below zero: also two alternatives that are alike differ "
         "by what hands do differently from one stroke to the next.");
+  }
+
+  /// Whether the ends of an interval are printed differently: simulated hands all move alike.
+  static bool hasWidth(const std::optional<analysis::Interval>& interval) {
+    return interval && interval->high - interval->low >= kAlike;
   }
 
   bool isOfBone() const {
@@ -234,14 +239,15 @@ class RenderingWriter : HtmlWriter {
 
   void againstMaterial() {
     if (!isOfBone()) return;
-    table(
-        say("Felt against the material: root mean square difference of the median force"),
-        {say("Alternative"), "[N]"});
+    std::string all;
     for (const auto& curve : section_.curves) {
       const auto difference = rmsFromIntended(curve);
-      if (difference) row({condition(curve.condition), rounded(difference, 2)});
+      if (!difference) continue;
+      all += (all.empty() ? "" : ", ") + section_.conditionTitle(curve.condition) + " " +
+             rounded(difference, 2) + " N";
     }
-    endTable();
+    paragraph(
+        "Felt against the material, root mean square difference of the median force: {}.", all);
   }
 
   std::string counts() const {

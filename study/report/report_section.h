@@ -21,6 +21,7 @@ struct FamilyFigures {
   std::string answers;           ///< how often each point was chosen
   std::string participantMeans;  ///< the rating of every participant
   std::string effects;           ///< differences between methods
+  std::string mainEffects;       ///< of these, what is beside the answer; empty for other families
   std::string sites;             ///< differences by site, pooled; empty if there are not several
 };
 

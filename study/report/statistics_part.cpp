@@ -205,6 +205,8 @@ class StatisticsWriter : HtmlWriter {
   /// How p values are adjusted, each way once.
   void corrections() {
     std::set<protocols::CorrectionType> all;
+    const bool isAnyTested = !pooled_.empty() || !pairs_.empty();
+    if (!isAnyTested) return;
     for (const auto& family : section_.results.families) all.insert(family.family.correction);
     std::string list;
     for (const auto correction : all) {
@@ -216,7 +218,7 @@ class StatisticsWriter : HtmlWriter {
     }
     const auto sentence =
         section_.words.say("p values are adjusted before they are rounded: {}.", list);
-    add(!list.empty() && !(pooled_.empty() && pairs_.empty()), sentence);
+    add(!list.empty(), sentence);
   }
 
   Citations& citations_;

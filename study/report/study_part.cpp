@@ -35,7 +35,8 @@ class HeadWriter : HtmlWriter {
     for (const auto& id : conditionsOf(section_.protocol, family)) {
       compared.push_back(section_.conditionTitle(id));
     }
-    paragraph(
+    const auto judged = whatIsCompared(family);
+    const auto plan = say(
         result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
                             "α = {}."
                           : "“{}”: {} are compared. Not declared before the first participant, and "
@@ -44,6 +45,42 @@ class HeadWriter : HtmlWriter {
         listed(compared, section_.words),
         declaredInWords(family, section_.words),
         exactly(family.alpha));
+    put("<p>{}{}</p>", plan, judged.empty() ? judged : " " + judged);
+  }
+
+  /// "Compared are the answers to 6 questions (3 reversed) in round 1 and round 2."; without the
+  /// round if there is only one; empty for a score.
+  std::string whatIsCompared(const protocols::Family& family) const {
+    const auto instrument =
+        std::ranges::find(section_.instruments, family.instrument, &questionnaires::Instrument::id);
+    if (instrument == section_.instruments.end() || !family.score.empty()) return {};
+    const auto items = protocols::comparedItems(family, instrument->items);
+    const auto reversed =
+        std::ranges::count_if(items, [](const auto& item) { return item.key < 0; });
+    std::vector<std::string> blocks;
+    for (const auto& phase : section_.protocol.phases) {
+      const bool isAsked =
+          std::ranges::find(
+              phase.trials.questionnaires,
+              family.instrument,
+              &protocols::ConditionQuestionnaire::instrument) != phase.trials.questionnaires.end();
+      const bool isUsed = family.blocks.empty() ||
+                          std::ranges::find(family.blocks, phase.id) != family.blocks.end();
+      if (isAsked && isUsed) blocks.push_back(section_.blockTitle(phase.id));
+    }
+    if (items.empty() || blocks.empty()) return {};
+    const auto ofOneRound = count(
+        items.size(),
+        "Compared are the answers to {} question ({} reversed).",
+        "Compared are the answers to {} questions ({} reversed).",
+        reversed);
+    const auto ofRounds = count(
+        items.size(),
+        "Compared are the answers to {} question ({} reversed) in {}.",
+        "Compared are the answers to {} questions ({} reversed) in {}.",
+        reversed,
+        listed(blocks, section_.words));
+    return blocks.size() > 1 ? ofRounds : ofOneRound;
   }
 
   /// One banner for all that a reader must know before any number.
@@ -66,16 +103,18 @@ class HeadWriter : HtmlWriter {
 
   std::string synthetic() const {
     std::string made;
-    for (const auto& source : section_.sources) {
-      if (!source.isSynthetic) continue;
+    const auto add = [&](const std::vector<std::string>& ids, const std::string& source) {
       std::vector<std::string> conditions;
-      for (const auto& id : source.conditions) conditions.push_back(section_.conditionTitle(id));
-      made +=
-          (made.empty() ? "" : "; ") +
-          section_.words.say(
-              "{} (from: {})", listed(conditions, section_.words), section_.words(source.title));
+      for (const auto& id : ids) conditions.push_back(section_.conditionTitle(id));
+      made += (made.empty() ? "" : "; ") +
+              section_.words.say("{} (from: {})", listed(conditions, section_.words), source);
+    };
+    for (const auto& source : section_.sources) {
+      if (source.isSynthetic) add(source.conditions, section_.words(source.title));
     }
+    const auto parameters = section_.words("parameters of the protocol");
     if (made.empty()) return {};
+    if (const auto others = withoutSource(section_); !others.empty()) add(others, parameters);
     return say(
         "SYNTHETIC, neither recorded nor measured: {}. See “How this was "
         "made”.",
@@ -183,6 +222,18 @@ class ParticipantWriter : HtmlWriter {
 
 }  // namespace
 
+std::vector<std::string> withoutSource(const ReportSection& section) {
+  std::vector<std::string> ids;
+  for (const auto& one : section.protocol.conditions) {
+    const bool hasSource = std::ranges::any_of(section.sources, [&](const auto& source) {
+      return source.kind != kShownSourceKind &&
+             std::ranges::find(source.conditions, one.id) != source.conditions.end();
+    });
+    if (!hasSource) ids.push_back(one.id);
+  }
+  return ids;
+}
+
 std::string headAsHtml(const ReportSection& section) {
   return HeadWriter(section).all();
 }
@@ -209,9 +260,8 @@ std::vector<AppendixPart> appendixOf(const ReportSection& section) {
   const auto& figures = section.figures.families;
   for (std::size_t i = 0; i < section.results.families.size(); ++i) {
     const auto& family = section.results.families[i];
-    parts.push_back(
-        {family.family.title,
-         familyAsHtml(section, family, i < figures.size() ? figures[i] : FamilyFigures{})});
+    auto html = familyAsHtml(section, family, i < figures.size() ? figures[i] : FamilyFigures{});
+    if (!html.empty()) parts.push_back({family.family.title, std::move(html)});
   }
   for (const auto& part : commonParts()) {
     if (auto html = part.html(section); !html.empty()) {

@@ -21,8 +21,8 @@ std::string participantsAsHtml(const ReportSection& section);
 
 /// What was found, in plain sentences without statistics; empty without answers.
 struct Conclusion {
-  std::string finding;      ///< what was named most often or rated highest: one sentence
-  std::string comparisons;  ///< how it compares with the others; may be empty
+  std::string finding;  ///< of the declared test, or what was named most often: a sentence
+  std::string more;     ///< the other sentences; may be empty
 };
 Conclusion conclusionOf(const ReportSection& section);
 
@@ -61,6 +61,10 @@ struct Declared {
   }
 };
 std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort);
+
+/// The alternative whose comparisons the sentences on a family, and the figure beside them, are
+/// about; empty if there is none: they are then about all.
+std::string comparedWithOthers(const ReportSection& section, const FamilyResult& family);
 
 /// Whether any participant of the cohort answered.
 bool hasAnswers(const CohortResult& cohort);
@@ -109,6 +113,9 @@ std::string weaknessesAsHtml(const ReportSection& section);
 /// validation of the protocol; and what was looked for and not found. Empty without participants.
 std::string limitationsAsHtml(const ReportSection& section);
 
+/// The flags that limitationsAsHtml() explains, with their sources.
+std::vector<const analysis::Flag*> explainedFlags(const ReportSection& section);
+
 /// By what a reader of the protocol could tell conditions apart in spite of their labels: "the
 /// number of an alternative and its position"; empty if by nothing.
 std::string disclosuresInWords(const ReportSection& section);
@@ -118,6 +125,12 @@ inline constexpr std::string_view kOwnWording = "Palpate's own wording.";
 
 /// What the study adds to the validity of the simulator, by source of evidence.
 std::string validityAsHtml(const ReportSection& section);
+
+/// The kind of sources that are shown on the screen; all other kinds are felt.
+inline constexpr std::string_view kShownSourceKind = "anatomy";
+
+/// The conditions that come from parameters of the protocol alone.
+std::vector<std::string> withoutSource(const ReportSection& section);
 
 /// The methods: apparatus, procedure, analysis, sources and software, with the works that they
 /// cite.

@@ -1,8 +1,14 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "study/report/html_text.h"
 #include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
 #include "study/results/vote_tables.h"
 
 namespace study::report {
@@ -42,6 +48,36 @@ std::optional<MostNamed> mostNamedIn(const Results& results) {
   return std::nullopt;
 }
 
+/// A sentence on what the declared test found; the first one in a text names that test.
+struct Finding {
+  std::string_view first;
+  std::string_view next;
+};
+
+constexpr Finding kHigher{
+    "By the declared test ({}), {} was rated significantly higher than {}{}.",
+    "It was rated significantly higher than {}{}."};
+constexpr Finding kLower{
+    "By the declared test ({}), {} was rated significantly lower than {}{}.",
+    "It was rated significantly lower than {}{}."};
+constexpr Finding kPooledHigher{
+    "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
+    "higher than {}{}.",
+    "It was rated significantly higher than {}{}."};
+constexpr Finding kPooledLower{
+    "By the declared test ({}), which takes all answers as independent, {} was rated significantly "
+    "lower than {}{}.",
+    "It was rated significantly lower than {}{}."};
+constexpr Finding kMixed{
+    "By the declared test ({}), the rating of {} differs from that of {} by {}.",
+    "Its rating differs from that of {} by {}."};
+constexpr Finding kMixedHigher{
+    "By the declared test ({}), {} was rated higher than {} by {}.",
+    "It was rated higher than {} by {}."};
+constexpr Finding kAlike{
+    "By the declared test ({}), {} was rated neither significantly higher nor lower than {}{}.",
+    "It was rated neither significantly higher nor lower than {}{}."};
+
 /// The best alternative against another one, over the cohorts in which both were tested.
 struct Outcome {
   std::string condition;
@@ -50,6 +86,7 @@ struct Outcome {
   std::size_t below = 0;
   std::size_t testedWithin = 0;       ///< cohorts with a paired test of participants' means
   std::size_t significantWithin = 0;  ///< of these, the tests that agree with the declared one
+  bool isHigherInEach = true;         ///< the best alternative, in each cohort
   Names differences;                  ///< of each cohort, in words
 };
 
@@ -60,16 +97,24 @@ class VerdictWriter {
 
   Conclusion all() {
     const auto alone = words_("One participant so far: nothing can be compared.");
-    if (section_.results.completed() == 1) return {.finding = alone, .comparisons = {}};
+    if (section_.results.completed() == 1) return {.finding = alone, .more = {}};
     const auto named = mostNamedIn(section_.results);
-    Conclusion conclusion;
-    if (named) conclusion.finding = votes(*named);
     const auto* family = mainFamily(section_);
-    if (family == nullptr) return conclusion;
-    best_ = bestAlternativeOf(section_);
-    if (!named) conclusion.finding = ratings();
-    const auto text = comparisons(*family);  // each sentence begins with a space
-    if (!text.empty()) conclusion.comparisons = text.substr(1);
+    Names sentences;
+    if (family != nullptr) {
+      best_ = bestAlternativeOf(section_);
+      if (!named) sentences.push_back(ratings());
+      std::ranges::move(comparisons(*family), std::back_inserter(sentences));
+    }
+    if (named) {
+      const bool isTested = family != nullptr && family->isDeclared;
+      sentences.insert(isTested ? sentences.end() : sentences.begin(), votes(*named));
+    }
+    Conclusion conclusion;
+    if (sentences.empty()) return conclusion;
+    conclusion.finding = withCurlyQuotes(sentences.front());
+    sentences.erase(sentences.begin());
+    conclusion.more = withCurlyQuotes(fmt::format("{}", fmt::join(sentences, " ")));
     return conclusion;
   }
 
@@ -83,24 +128,22 @@ class VerdictWriter {
                             : words_.say("{} people × {} rounds", people, most.rounds);
     const auto asked = questionIn(most.phase);
     const auto title = section_.introducedTitle(most.condition);
-    const auto resembled = words_.say(
-        "{} got {} of {} votes of {} participants for resembling the real tool most ({}).",
+    const auto chosen = words_.say(
+        "{} participants named {} most often: {} of {} votes ({}; exploratory).",
+        people,
         title,
         most.votes,
         most.total,
-        people,
         origin);
     const auto answered = words_.say(
-        "Asked “{}”, {} participants named {} most often: {} of {} votes ({}).",
+        "Asked “{}”, {} participants named {} most often: {} of {} votes ({}; exploratory).",
         asked == nullptr ? std::string() : questionOf(*asked, words_.language()),
         people,
         title,
         most.votes,
         most.total,
         origin);
-    const bool isOfRealTool =
-        asked != nullptr && asked->refersTo == questionnaires::Referent::Benchmark;
-    return isOfRealTool ? resembled : answered;
+    return asked == nullptr ? chosen : answered;
   }
 
   /// The question of a preference; nullptr if its instrument has none about alternatives.
@@ -125,12 +168,12 @@ class VerdictWriter {
   }
 
   /// Whether the ratings of the best alternative differ from those of the others.
-  std::string comparisons(const FamilyResult& family) const {
-    if (!family.isDeclared) return " " + words_("All comparisons are exploratory.");
+  Names comparisons(const FamilyResult& family) {
+    if (!family.isDeclared) return {words_("All comparisons are exploratory.")};
     std::vector<Outcome> higher;
     std::vector<Outcome> lower;
     std::vector<Outcome> alike;
-    std::string mixed;
+    std::vector<Outcome> mixed;
     const auto untested = words_("Whether cohorts differ in this was not tested.");
     for (const auto& condition : section_.protocol.conditions) {
       const auto one = outcomeOf(family, condition.id);
@@ -142,37 +185,54 @@ class VerdictWriter {
       } else if (one.above + one.below == 0) {
         alike.push_back(one);
       } else {
-        mixed += " " + words_.say(
-                           "Its rating differs from that of {} by {}.",
-                           section_.introducedTitle(condition.id),
-                           listed(one.differences, words_));
+        mixed.push_back(one);
       }
     }
     const bool isPooled = family.isNamed("welch");
-    return significant(
-               isPooled ? "By the declared test, which takes all answers as independent, it was "
-                          "rated significantly higher than {}{}."
-                        : "It was rated significantly higher than {}{}.",
-               higher,
-               isPooled) +
-           significant(
-               isPooled ? "By the declared test, which takes all answers as independent, it was "
-                          "rated significantly lower than {}{}."
-                        : "It was rated significantly lower than {}{}.",
-               lower,
-               isPooled) +
-           (mixed.empty() ? mixed : mixed + " " + untested) +
-           significant("Its rating does not differ significantly from that of {}{}.", alike, false);
+    test_ = testInWords(family.family.test, words_);
+    const auto inEach = " " + words_("in each cohort");
+    const auto inAny = " " + words_("in any cohort");
+    Names sentences;
+    if (!higher.empty()) {
+      sentences.push_back(of(isPooled ? kPooledHigher : kHigher, higher, inEach, isPooled));
+    }
+    if (!lower.empty()) {
+      sentences.push_back(of(isPooled ? kPooledLower : kLower, lower, inEach, isPooled));
+    }
+    for (const auto& one : mixed) {
+      sentences.push_back(
+          say(one.isHigherInEach ? kMixedHigher : kMixed,
+              section_.introducedTitle(one.condition),
+              listed(one.differences, words_)));
+    }
+    if (!mixed.empty()) sentences.push_back(untested);
+    if (!alike.empty()) sentences.push_back(of(kAlike, alike, inAny, false));
+    return sentences;
   }
 
+  /// @param where  said if there are several cohorts
   /// @param isPooled  whether to say what comparing within people finds
-  std::string significant(
-      std::string_view english, const std::vector<Outcome>& outcomes, bool isPooled) const {
+  std::string of(
+      const Finding& finding,
+      const std::vector<Outcome>& outcomes,
+      const std::string& where,
+      bool isPooled) {
     Names titles;
     for (const auto& one : outcomes) titles.push_back(section_.introducedTitle(one.condition));
-    const auto sentence = words_.say(
-        english, listed(titles, words_), isPooled ? withinPeople(outcomes) : std::string());
-    return outcomes.empty() ? std::string() : " " + sentence;
+    const bool isOfSeveral =
+        std::ranges::all_of(outcomes, [](const auto& one) { return one.tested > 1; });
+    return say(
+        finding,
+        listed(titles, words_),
+        (isOfSeveral ? where : std::string()) +
+            (isPooled ? withinPeople(outcomes) : std::string()));
+  }
+
+  template <typename... Args>
+  std::string say(const Finding& finding, const Args&... args) {
+    const auto first = words_.say(finding.first, test_, section_.introducedTitle(best_), args...);
+    const auto next = words_.say(finding.next, args...);
+    return std::exchange(isTestNamed_, true) ? next : first;
   }
 
   /// What the tests within people find of differences that the pooled test found.
@@ -199,7 +259,10 @@ class VerdictWriter {
     add(listed(some, words_), some);
     add(words_.say("not significant for {}", listed(none, words_)), none);
     add(words_.say("not testable for {}", listed(untested, words_)), untested);
-    return words_.say("; compared within people, this is {}", text);
+    return words_.say(
+        "; compared within people ({}, exploratory), this is {}",
+        testInWords(protocols::TestType::PairedT, words_),
+        text);
   }
 
   Outcome outcomeOf(const FamilyResult& family, const std::string& other) const {
@@ -214,12 +277,13 @@ class VerdictWriter {
         const bool agrees = within.p && within.isSignificant.value_or(false) &&
                             sign * within.estimate.value.value_or(0.0) * difference > 0.0;
         ++outcome.tested;
+        if (difference < 0.0) outcome.isHigherInEach = false;
         if (isSignificant) ++(difference > 0.0 ? outcome.above : outcome.below);
         if (within.p) ++outcome.testedWithin;
         if (agrees) ++outcome.significantWithin;
         const auto points = rounded(difference, 2);
         const auto& who = section_.cohortTitle(part.cohort);
-        const auto plain = words_.say("{} points ({})", points, who);
+        const auto plain = words_.say("{} points ({}, not significant)", points, who);
         const auto clear = words_.say("{} points ({}, significant)", points, who);
         const auto pooled =
             words_.say("{} points ({}, significant of pooled answers only)", points, who);
@@ -235,6 +299,8 @@ class VerdictWriter {
   const ReportSection& section_;
   const words::Words& words_;
   std::string best_;  ///< condition
+  std::string test_;  ///< that is declared, in words
+  bool isTestNamed_ = false;
 };
 
 }  // namespace
@@ -262,7 +328,7 @@ Conclusion conclusionOf(const ReportSection& section) {
 
 std::string verdictOf(const ReportSection& section) {
   const auto verdict = conclusionOf(section);
-  return verdict.finding + (verdict.comparisons.empty() ? "" : " ") + verdict.comparisons;
+  return verdict.finding + (verdict.more.empty() ? "" : " ") + verdict.more;
 }
 
 }  // namespace study::report

@@ -254,16 +254,20 @@ std::string_view nameOf(protocols::CorrectionType correction) noexcept {
   return kNames[static_cast<std::size_t>(correction)];
 }
 
-std::string declaredInWords(const protocols::Family& family, const words::Words& words) {
+std::string testInWords(protocols::TestType test, const words::Words& words) {
   constexpr std::array<std::string_view, 4> kTests{
       "Welch's t-test of all answers, pooled",
       "paired t-test of participants' means",
       "exact sign-flip test of participants' means",
       "exact signed rank test of participants' means"};
+  return words(kTests[static_cast<std::size_t>(test)]);
+}
+
+std::string declaredInWords(const protocols::Family& family, const words::Words& words) {
   const auto correction = nameOf(family.correction);
   return fmt::format(
       "{}, {}",
-      words(kTests[static_cast<std::size_t>(family.test)]),
+      testInWords(family.test, words),
       correction.empty() ? words("no correction") : words.say("{} correction", correction));
 }
 

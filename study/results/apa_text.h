@@ -51,6 +51,9 @@ std::string formatInterval(
 /// The subscript of p for a correction: "Holm", "Bonferroni"; empty for no correction.
 std::string_view nameOf(protocols::CorrectionType correction) noexcept;
 
+/// A test that a protocol may declare: "paired t-test of participants' means".
+std::string testInWords(protocols::TestType test, const words::Words& words = {});
+
 /// A family's declared test and correction: "paired t-test of participants' means, Holm
 /// correction".
 std::string declaredInWords(const protocols::Family& family, const words::Words& words = {});

@@ -12,7 +12,7 @@
 namespace study::report {
 namespace {
 
-constexpr double kFeltHeight = 340.0;
+constexpr double kFeltHeight = 290.0;
 constexpr double kFeltAxis = 52.0;   // below the plot
 constexpr double kFeltEntry = 24.0;  // of a legend below the plot
 constexpr std::size_t kMarks = 8;    // along a line
@@ -23,7 +23,7 @@ QRectF feltPlotOf(const FigureFormat& format) {
   constexpr double kLeft = 64.0;
   constexpr double kTop = 14.0;
   constexpr double kUsual = 540.0;
-  constexpr double kUsualHeight = 270.0;
+  constexpr double kUsualHeight = 220.0;
   constexpr double kLegend = FigureFormat::kUsualWidth - kLeft - kUsual;
   if (!format.isNarrow())
     return {kLeft, kTop, format.layoutWidth() - kLeft - kLegend, kUsualHeight};

@@ -15,6 +15,24 @@ FamilyResult withAnswers(const FamilyResult& family) {
   return answered.cohorts.empty() ? family : answered;
 }
 
+std::string effectsOf(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
+  return asSvg(
+      effectFigureSize(family, format),
+      [&](QPainter& painter) { paintEffectFigure(painter, section, family, format); },
+      format);
+}
+
+/// The family without the comparisons that its sentences leave out.
+FamilyResult withMainComparisons(FamilyResult family, const std::string& compared) {
+  for (auto& cohort : family.cohorts) {
+    std::erase_if(cohort.within.rows, [&](const auto& row) {
+      return !compared.empty() && row.group1 != compared && row.group2 != compared;
+    });
+  }
+  return family;
+}
+
 FamilyFigures figuresOf(
     const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   FamilyFigures figures;
@@ -28,10 +46,7 @@ FamilyFigures figuresOf(
       participantMeansFigureSize(family, format),
       [&](QPainter& painter) { paintParticipantMeansFigure(painter, section, family, format); },
       format);
-  figures.effects = asSvg(
-      effectFigureSize(family, format),
-      [&](QPainter& painter) { paintEffectFigure(painter, section, family, format); },
-      format);
+  figures.effects = effectsOf(section, family, format);
   if (const auto size = siteFigureSize(family, format); !size.isEmpty()) {
     figures.sites = asSvg(
         size,
@@ -101,7 +116,11 @@ std::string itemFigure(
 void paintFigures(ReportSection& section, const FigureFormat& format) {
   section.figures = {};
   for (const auto& family : section.results.families) {
-    section.figures.families.push_back(figuresOf(section, withAnswers(family), format));
+    const auto answered = withAnswers(family);
+    auto& figures = section.figures.families.emplace_back(figuresOf(section, answered, format));
+    if (mainFigureOf(section, family) != MainFigure::Differences) continue;
+    const auto compared = comparedWithOthers(section, family);
+    figures.mainEffects = effectsOf(section, withMainComparisons(answered, compared), format);
   }
   for (const auto& instrument : section.instruments) {
     for (const auto& item : instrument.items) {

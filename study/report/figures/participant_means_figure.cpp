@@ -10,8 +10,8 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 122.0, .height = 32.0};
-constexpr double kBox = 20.0;
+constexpr RowMeasures kParticipantMeansRows{.names = 190.0, .texts = 122.0, .height = 24.0};
+constexpr double kBox = 16.0;
 constexpr double kDot = 2.8;
 constexpr std::size_t kMostDots = 50;  // of more people the box is enough
 constexpr double kMargin = 0.075;      // beside the scale, as a share of its width
@@ -103,7 +103,7 @@ class ParticipantMeansPainter {
     const double mean = canvas_.x(meanOf(values));
     painter_.setPen(QPen(Qt::black, 1.2));
     painter_.drawPolygon(QPolygonF(
-        {{mean, middle - 9}, {mean + 7, middle}, {mean, middle + 9}, {mean - 7, middle}}));
+        {{mean, middle - 7}, {mean + 6, middle}, {mean, middle + 7}, {mean - 6, middle}}));
     const double median = canvas_.x(quantile(values, 0.5));
     painter_.setPen(QPen(colour, 2.6, Qt::SolidLine, Qt::FlatCap));
     painter_.drawLine(QPointF(median, middle - kBox / 2), QPointF(median, middle + kBox / 2));

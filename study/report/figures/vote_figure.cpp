@@ -7,9 +7,9 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 20.0};
-constexpr double kVoteBar = 14.0;
-constexpr double kVoteGap = 10.0;
+constexpr RowMeasures kVoteRows{.names = 210.0, .texts = 90.0, .height = 17.0};
+constexpr double kVoteBar = 12.0;
+constexpr double kVoteGap = 6.0;
 
 /// One bar.
 struct Share {

@@ -448,7 +448,7 @@ class TablesWriter {
 Answer answerInWords(const ReportSection& section) {
   const auto& words = section.words;
   const auto verdict = conclusionOf(section);
-  Answer answer{.finding = verdict.finding, .more = verdict.comparisons};
+  Answer answer{.finding = verdict.finding, .more = verdict.more};
   if (answer.finding.empty()) {
     answer.finding =
         words("Nothing can be compared yet: no completed session has answers to compare.");

@@ -42,10 +42,66 @@ TEST(Claims, CallsNoPooledResultSignificantWithoutTheResultWithinPeople) {
   pairedT(family, 0, "interpolation", "kalman").isSignificant = false;
   const auto answer = verdictOf(section);
   EXPECT_TRUE(has(
-      answer, "; compared within people, this is not significant for KF, not testable for FEM."))
+      answer,
+      "; compared within people (paired t-test of participants’ means, exploratory), this is not "
+      "significant for KF, not testable for FEM."))
       << answer;
   family.family.test = protocols::TestType::PairedT;
   EXPECT_FALSE(has(verdictOf(section), "independent"));
+  EXPECT_TRUE(
+      has(verdictOf(section), "By the declared test (paired t-test of participants’ means), "));
+}
+
+TEST(Claims, CallsNoAbsenceOfSignificanceAlikeness) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  for (const auto* other : {"finite-elements", "kalman"}) {
+    for (const std::size_t cohort : {0U, 1U}) {
+      auto& row = pairedT(family, cohort, "interpolation", other);
+      row.estimate = {"difference", 0.5};
+      row.p = 0.3;
+      row.isSignificant = false;
+    }
+  }
+  EXPECT_TRUE(
+      has(verdictOf(section),
+          "Interpolation was rated neither significantly higher nor lower than FEM (finite "
+          "elements) and KF (Kalman filter) in any cohort."))
+      << verdictOf(section);
+}
+
+TEST(Claims, NamesSignificantResultsThatNoExactTestFinds) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  family.isDeclared = true;
+  for (auto& cohort : family.cohorts) {
+    for (auto& row : cohort.within.rows) {
+      for (auto& test : row.tests) test.isSignificant = test.id == "sign_flip";
+    }
+  }
+  pairedT(family, 0, "interpolation", "kalman").isSignificant = true;
+  EXPECT_FALSE(has(limitationsAsHtml(section), "either exact test")) << "one of them finds it";
+  for (auto& row : family.cohorts[0].within.rows) {
+    for (auto& test : row.tests) test.isSignificant = test.id == "paired_t";
+  }
+  EXPECT_TRUE(
+      has(limitationsAsHtml(section),
+          "3 of 3 significant differences are not significant by either exact test (exploratory)."))
+      << limitationsAsHtml(section);
+}
+
+TEST(Claims, SaysWhichChecksCouldNotBeMade) {
+  auto section = tests::madeUpSection();
+  section.warnings.clear();
+  for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
+  section.quality.worstLateness.reset();
+  EXPECT_TRUE(has(limitationsAsHtml(section), "Could not be looked for: A late force loop."))
+      << limitationsAsHtml(section);
+  EXPECT_TRUE(has(weaknessesAsHtml(section), "None of 12 checks"));
+  section.quality.worstLateness = 12.0;
+  EXPECT_FALSE(has(limitationsAsHtml(section), "Could not be looked for"));
 }
 
 TEST(Claims, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
@@ -63,10 +119,11 @@ TEST(Claims, DrawsNoDifferenceOfCohortsFromDifferencesOfSignificance) {
   const auto answer = verdictOf(section);
   EXPECT_FALSE(has(answer, "only by")) << answer;
   EXPECT_TRUE(has(answer, ". Whether cohorts differ in this was not tested.")) << answer;
-  EXPECT_TRUE(has(
-      answer,
-      "Its rating differs from that of FEM (finite elements) by 1.04 points (Orthopaedic surgeons, "
-      "significant) and 0.48 points (Adults without surgical experience)."))
+  EXPECT_TRUE(
+      has(answer,
+          "Interpolation was rated higher than FEM (finite elements) by 1.04 points (Orthopaedic "
+          "surgeons, significant) and 0.48 points (Adults without surgical experience, not "
+          "significant)."))
       << answer;
 }
 
@@ -106,7 +163,7 @@ TEST(Claims, NamesTheHeaviestWeaknessesFirstAndCountsTheOthers) {
   auto section = tests::madeUpSection();
   const auto points = weaknessesOf(section);
   ASSERT_EQ(points.size(), 5U);
-  EXPECT_EQ(points[0], "Too few participants for a significant result");
+  EXPECT_EQ(points[0], "Too few participants for a significant exact test");
   EXPECT_EQ(
       points[1], "Several answers of one person counted as independent (Orthopaedic surgeons)");
   EXPECT_EQ(
@@ -148,6 +205,7 @@ TEST(Claims, SaysWhatWasLookedForAndNotFound) {
   auto section = tests::madeUpSection();
   section.warnings.clear();
   for (auto& cohort : section.results.families.front().cohorts) cohort.flags.clear();
+  section.quality.worstLateness = 12.0;
   EXPECT_TRUE(has(
       weaknessesAsHtml(section), "None of 13 checks of the trials and of the compared answers"));
   const auto all = limitationsAsHtml(section);

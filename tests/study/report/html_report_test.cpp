@@ -118,6 +118,8 @@ std::string mainPart(const std::string& page) {
 TEST(HtmlReport, AnswersBeforeItsAppendix) {
   const auto main = mainPart(asHtml({tests::madeUpSection()}));
   EXPECT_TRUE(has(main, "“Realism of the three methods”: Interpolation, FEM and KF are compared."));
+  EXPECT_TRUE(has(main, "Compared are the answers to 9 questions ("));
+  EXPECT_LT(main.find("What weakens the answer"), main.find("Declared: "));
   EXPECT_TRUE(has(main, "<td>Orthopaedic surgeons</td><td>7</td><td>6</td><td>1</td>"));
   EXPECT_FALSE(has(main, "<th>Rejected</th>")) << "nobody was";
   // study_golden.txt: 1.42 [0.76, 2.07], p < .001; 0.86 [0.23, 1.50], adjusted .026; KF 0.56 more
@@ -139,11 +141,15 @@ TEST(HtmlReport, BeginsWithAPlainSentence) {
   EXPECT_LT(verdict, main.find("The question"));
   EXPECT_TRUE(has(
       main,
-      "Interpolation got 11 of 21 votes of 11 participants for resembling the real tool most "
-      "(in 2 rounds). By the declared test, which takes all answers as independent, it was rated "
-      "significantly higher than FEM (finite elements) and KF (Kalman filter); compared within "
-      "people, this is significant for FEM and KF.</p>"))
+      ">By the declared test (Welch’s t-test of all answers, pooled), which takes all answers as "
+      "independent, Interpolation was rated significantly higher than FEM (finite elements) and KF "
+      "(Kalman filter); compared within people (paired t-test of participants’ "
+      "means, exploratory), this is significant for FEM and KF. Asked “"))
       << main.substr(verdict, 600);
+  EXPECT_TRUE(
+      has(main,
+          "”, 11 participants named Interpolation most often: 11 of 21 votes (in 2 rounds; "
+          "exploratory).</p>"));
   EXPECT_FALSE(has(main, "preferred"));
   section.results.votes.clear();
   EXPECT_TRUE(has(asHtml({section}), "11 participants rated Interpolation highest. "));
@@ -161,13 +167,12 @@ TEST(HtmlReport, CountsVotesAsPeopleTimesRoundsAndNamesNoneOfSeveral) {
       {.cohort = "professional", .phase = "preference-2", .block = "round-2", .votes = votes}};
   EXPECT_TRUE(
       has(asHtml({section}),
-          "12 of 22 votes of 11 participants for resembling the real tool most (11 people × 2 "
-          "rounds)."));
+          "11 participants named Interpolation most often: 12 of 22 votes (11 people × 2 rounds; "
+          "exploratory)."));
   section.results.votes.pop_back();
-  EXPECT_TRUE(has(asHtml({section}), "6 of 11 votes of 11 participants "));
-  EXPECT_TRUE(has(asHtml({section}), "(one vote each)."));
+  EXPECT_TRUE(has(asHtml({section}), "6 of 11 votes (one vote each; exploratory)."));
   section.results.votes.front().votes.add("finite-elements", 1);
-  EXPECT_FALSE(has(asHtml({section}), " votes of ")) << "two were named equally often";
+  EXPECT_FALSE(has(asHtml({section}), " votes (")) << "two were named equally often";
 }
 
 TEST(HtmlReport, HasPooledTestsAndTheirFlagsOnlyWhereTheyAreDeclared) {
@@ -344,8 +349,12 @@ TEST(HtmlReport, MarksSyntheticMaterialsVisibly) {
   EXPECT_EQ(page.find("class=\"banner"), page.rfind("class=\"banner")) << "one banner for both";
   EXPECT_TRUE(has(page, "recorded nor measured: Interpolation and KF (from: Specimen &lt;7&gt;)"))
       << page.substr(page.find("SYNTHETIC"), 300);
+  EXPECT_FALSE(has(page, "(from: parameters of the protocol)")) << "all have a source";
   EXPECT_TRUE(has(page, "SYNTHETIC: Specimen &lt;7&gt; (material ‘bone.json’), test set static"));
   EXPECT_TRUE(has(page, "<li>A recorded cut (cut "));
+  section.sources[1].conditions.clear();
+  EXPECT_TRUE(
+      has(asHtml({section}), "Specimen &lt;7&gt;); FEM (from: parameters of the protocol)."));
   section.sources[0].isSynthetic = false;
   EXPECT_FALSE(has(asHtml({section}), "SYNTHETIC"));
 }
@@ -480,7 +489,7 @@ TEST(HtmlReport, ComparesRenderedBoneWithItsMaterial) {
   EXPECT_NEAR(*rmsFromIntended(curve), 3.0, 1e-12);
   const auto page = asHtml({section});
   EXPECT_TRUE(has(page, "Felt against the material"));
-  EXPECT_TRUE(has(page, "<td>3.00</td>"));
+  EXPECT_TRUE(has(page, "force: Interpolation 3.00 N."));
 }
 
 }  // namespace html_report_test

@@ -337,6 +337,25 @@ TEST(ItemSummaries, AreShownInTheReport) {
   EXPECT_EQ(report::quotesAsHtml(section), "");
 }
 
+TEST(ItemSummaries, MarkReversedQuestionsAndSayTextsThatAreAlikeOnce) {
+  auto section = tests::madeUpSection();
+  section.instruments.push_back(mine());
+  auto& reversed = section.instruments.back().items;
+  std::ranges::find(reversed, "vas", &questionnaires::Item::id)->key = -1;
+  section.results.answers.items = {
+      {.instrument = "mine",
+       .item = "vas",
+       .cohort = "professional",
+       .values = {3.0, 4.0},
+       .mean = 3.5}};
+  const auto page = report::itemsAsHtml(section);
+  EXPECT_NE(page.find("Question &lt;vas&gt; (R)</td>"), std::string::npos) << page;
+  EXPECT_NE(page.find("(R): a high answer is bad"), std::string::npos) << page;
+  section.results.answers.quotes = {
+      {"mine", "why", "kalman", "simulated"}, {"mine", "why", "kalman", "simulated"}};
+  EXPECT_EQ(report::quotesAsHtml(section), "<p>All 2 texts are “simulated”.</p>\n");
+}
+
 TEST(ScaleInWords, HasTheWordsAtTheEndsOfASlider) {
   auto demand = item("mental", ItemType::Slider);
   demand.scale.lowLabel = demand.scale.highLabel = questionnaires::LocalizedText({{"en", "-"}});
@@ -384,6 +403,15 @@ TEST(ItemSummaries, OfOnePersonAreNotShownInTheReport) {
   EXPECT_EQ(page.find("Non-professionals"), std::string::npos) << "all that it had is hidden";
   EXPECT_NE(page.find("To protect anonymity"), std::string::npos) << page;
   EXPECT_NE(page.find("3 rows are left out, because"), std::string::npos) << page;
+  EXPECT_NE(page.find("The right (4), other answers (2)"), std::string::npos) << page;
+  EXPECT_EQ(page.find("left the question open"), std::string::npos) << "all of them answered";
+  items[2].answers = 5;
+  EXPECT_NE(
+      report::itemsAsHtml(section).find("without a row has no answers that can be shown"),
+      std::string::npos);
+  items[2].options = {{"left", 1}, {"right", 1}, {"other", 1}};
+  EXPECT_EQ(report::itemsAsHtml(section).find("other answers (3)"), std::string::npos)
+      << "a row of hidden options alone";
   items[2].options = {{"left", 2}, {"right", 3}};
   const auto shown = report::itemsAsHtml(section);
   EXPECT_NE(shown.find("The left (2), The right (3)"), std::string::npos) << shown;

@@ -42,7 +42,23 @@ TEST(Methods, CitesTheOriginOfEveryForceModel) {
       "KF: interpolation and finite elements, fused by a Kalman filter (“Intraoperative Data-Based "
       "Haptic Feedback”, n.d.; Bjelland, 2022)."))
       << text;
-  EXPECT_TRUE(has(text, "<p class=\"reference\">Bjelland, Ø. (2022). ARDUINO")) << text;
+  EXPECT_TRUE(has(text, "<p class=\"reference\">Bjelland, Ø. (2022). <em>ARDUINO")) << text;
+}
+
+TEST(Methods, ListsNoWorkThatTheTextOnOneParticipantDoesNotCite) {
+  auto section = tests::madeUpSection();
+  EXPECT_TRUE(
+      has(methodsOf(section), "<p class=\"reference\">Fisher, R. A. (1935). <em>The design"));
+  section.results.flow = {{.cohort = "professional", .enrolled = 1, .completed = 1}};
+  auto& family = section.results.families.front();
+  family.family.correction = protocols::CorrectionType::Holm;
+  for (auto& cohort : family.cohorts) {
+    cohort.within = {};
+    cohort.comparisons = {};
+  }
+  const auto text = methodsOf(section);
+  EXPECT_FALSE(has(text, "Holm, S. (1979)")) << text;
+  EXPECT_FALSE(has(text, "Fisher, R. A. (1935)")) << text;
 }
 
 TEST(Methods, NamesDatesInstitutionAndEthicsOrSaysThatTheyAreMissing) {

@@ -117,6 +117,17 @@ TEST(Figures, ShowEffectsWithTheirNumbers) {
   EXPECT_NE(texts.find("difference of participants’ means [points]"), std::string::npos);
 }
 
+TEST(Figures, ShowBesideTheAnswerWhatItsSentencesState) {
+  auto section = tests::madeUpSection();
+  auto& family = section.results.families.front();
+  family.family.test = protocols::TestType::PairedT;
+  paintFigures(section);
+  const auto& figures = section.figures.families.front();
+  EXPECT_NE(textsIn(figures.mainEffects).find("Interpolation − KF"), std::string::npos);
+  EXPECT_EQ(textsIn(figures.mainEffects).find("KF − FEM"), std::string::npos);
+  EXPECT_NE(textsIn(figures.effects).find("KF − FEM"), std::string::npos) << "in its own file";
+}
+
 TEST(Figures, ShowTheSitesAndTheirPooledDifference) {
   auto section = tests::madeUpSectionOfSites();
   paintFigures(section);
