@@ -105,7 +105,7 @@ std::vector<int> doubledRanks(const std::vector<int>& values) {
   return ranks;
 }
 
-/// P(sum of the positive doubled ranks ≤ @p least), counted over all signs.
+/// P(sum of the positive doubled ranks ≤ @p least), over all 2ⁿ assignments of signs.
 double lowerTail(const std::vector<int>& doubled, int least) {
   std::vector<double> ways(static_cast<std::size_t>(least) + 1, 0.0);
   ways[0] = 1.0;

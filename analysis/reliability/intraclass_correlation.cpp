@@ -70,7 +70,7 @@ void addConsistency(
 std::optional<Interval> agreementInterval(const MeanSquares& squares, double icc, double level) {
   const double n = squares.n;
   const double k = squares.k;
-  const double subjects = (squares.subjects / squares.residual).high;  // in units of E
+  const double subjects = (squares.subjects / squares.residual).high;  // per residual mean square
   const double raters = (squares.raters / squares.residual).high;
 
   const double ofRaters = k * icc * raters;

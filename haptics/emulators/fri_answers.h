@@ -11,8 +11,8 @@
 
 namespace haptics::emulators {
 
-/// Limits of commands in addition to the arm's data sheet, for the magnitudes of Cartesian force
-/// and moment. KUKA publishes no such limits.
+/// Limits of the magnitudes of commanded force and moment. They apply besides the limits of the
+/// arm's data sheet. KUKA publishes no such limits.
 struct FriLimits {
   double maxForce = 140.0;          ///< [N]
   double maxMoment = 40.0;          ///< [N·m]

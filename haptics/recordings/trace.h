@@ -58,9 +58,10 @@ struct ProcessNoise {
 /// with `authors-fir`.
 inline constexpr double kLeastStep = 0.0256;
 
-/// Concatenates the rows of all ranges. The stiffness of a row is the difference quotient to the
-/// previous row in that list, and 0 for the first. A least step of 0 reproduces the published
-/// numbers (6.1024, 0.2772 and 7.0275 from ten ranges of one recording).
+/// The process noise of the recorded cuts in @p rows. The rows of all ranges are put in one list;
+/// the stiffness of a row is the difference quotient to the row before it, 0 for the first. A least
+/// step of 0 reproduces the published numbers (6.1024, 0.2772 and 7.0275 from ten ranges of one
+/// recording).
 ///
 /// @param rows       one or more ranges within the trace.
 /// @param leastStep  rows whose travel changes by less, or not at all, are left out [travel units].

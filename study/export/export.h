@@ -72,9 +72,9 @@ WrittenExport exportStudy(
     const std::string& reason = {});
 
 /// Opens a study for an export. It is opened for writing, so that the export can be noted in the
-/// audit trail. For exports that are blinded and not public it is opened for reading if it cannot
-/// be written (an archive, a full disk, an analyst's rights), or if only simulated sessions are
-/// exported.
+/// audit trail. A blinded export that is not public needs no note in the audit trail: if the study
+/// cannot be written (an archive, a full disk, an analyst's rights), or if only simulated sessions
+/// are exported, it is opened for reading.
 /// @throws storage::StorageError
 Study openForExport(const std::filesystem::path& folder, const ExportOptions& options);
 

@@ -197,7 +197,7 @@ class Computation {
     return answerTable(loaded_, family, people, owned);
   }
 
-  /// The largest value of the smallest p of a family at which it is significant.
+  /// The threshold of a family: its smallest p is significant if it is at most this value.
   static double thresholdOf(const protocols::Family& family) {
     using enum protocols::CorrectionType;
     const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
@@ -238,7 +238,7 @@ class Computation {
   std::vector<analysis::Flag> flagsOf(
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
-        .isPooled = true,  // flagsByKind() removes flags on pooled tests if none are shown
+        .isPooled = true,  // flagsByKind() removes flags on pooled tests unless they are shown
         .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
         .threshold = thresholdOf(family),

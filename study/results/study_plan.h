@@ -14,7 +14,7 @@
 
 namespace study {
 
-/// What a study plan is computed for, beside the protocol.
+/// What a study plan is computed from, in addition to the protocol.
 struct StudyPlanOptions {
   std::optional<std::uint64_t> participants;  ///< per cohort; std::nullopt: the numbers in the
                                               ///< protocol

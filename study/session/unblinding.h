@@ -25,7 +25,7 @@ void recordUnblinding(Study& study, RunMode mode, EventKind kind, const std::str
 /// @throws storage::StorageError  (Busy) if another program writes to the study for too long.
 bool noteCopy(Study& study, const storage::Event& event);
 
-/// What is said of a copy that could not be noted.
+/// The message about a copy that could not be noted in the audit trail.
 extern const std::string_view kCopyNotNoted;
 
 /// Notes in the audit trail where a report or its figures will be written. They contain answers and

@@ -160,9 +160,9 @@ class EventLog {
   /// @param vouches  whether the event gets a hash of the tables: for the last event of a session
   void appendFromOtherTrail(const StoredEvent& event, const SealingKey* key, bool vouches);
 
-  /// Calls @p append, which appends many events, inside the caller's transaction. Meanwhile the
-  /// triggers that protect the trail are gone, because SQLite keeps a journal of its own for every
-  /// statement that a trigger could undo.
+  /// Calls @p append, which appends many events, inside the caller's transaction. The triggers that
+  /// protect the trail are removed meanwhile: with them SQLite would keep a journal for every
+  /// statement.
   void appendMany(const std::function<void()>& append);
 
   /// The events of one session, or of the whole study, in order.

@@ -30,7 +30,7 @@ struct ProtocolOnServer {
 
 /// @throws UserError  if there is a study of that name.
 void addStudy(Connection& server, const StudyOnServer& study);
-/// Adds a version of a protocol; one that is there becomes the newest.
+/// Adds a version of a protocol. A version that the server has already becomes the newest.
 void addProtocol(Connection& server, const std::string& study, const ProtocolOnServer& protocol);
 /// A question about the participant, and how coarse its answers are for analysts.
 struct BackgroundItem {
