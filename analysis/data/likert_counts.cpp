@@ -12,13 +12,13 @@ namespace analysis {
 namespace {
 
 std::size_t pointsOf(int lowest, std::int64_t points) {
-  constexpr int kFarthest = 1'000'000;
+  constexpr int kLargestPoint = 1'000'000;
   if (points < 2 || points > LikertCounts::kMostPoints) {
     throw std::invalid_argument(
         "a scale has 2 to " + std::to_string(LikertCounts::kMostPoints) + " points, not " +
         std::to_string(points));
   }
-  if (lowest < -kFarthest || lowest > kFarthest) {
+  if (lowest < -kLargestPoint || lowest > kLargestPoint) {
     throw std::invalid_argument("a scale cannot begin at " + std::to_string(lowest));
   }
   return static_cast<std::size_t>(points);

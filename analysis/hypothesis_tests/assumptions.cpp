@@ -97,7 +97,7 @@ double pOf(const Statistic& statistic, std::size_t count) {
   constexpr double kSmallDeviation[] = {1.3822, -0.77857, 0.062767, -0.0020322};
   constexpr double kMean[] = {-1.5861, -0.31082, -0.083751, 0.0038915};
   constexpr double kDeviation[] = {-0.4803, -0.082676, 0.0030302};
-  constexpr std::size_t kMostOfFew = 11;
+  constexpr std::size_t kLargestSmallSample = 11;
 
   if (count == kSmallestSample) {
     const double angle = std::asin(std::sqrt(statistic.w)) - std::asin(std::sqrt(0.75));
@@ -105,7 +105,7 @@ double pOf(const Statistic& statistic, std::size_t count) {
   }
   const auto n = static_cast<double>(count);
   const double y = std::log(statistic.rest);
-  if (count > kMostOfFew) {
+  if (count > kLargestSmallSample) {
     const double x = std::log(n);
     return normalUpperP((y - polynomial(kMean, x)) / std::exp(polynomial(kDeviation, x)));
   }

@@ -58,11 +58,11 @@ struct SignedRanks {
   Int128 squares = 0;
 };
 
-SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
+SignedRanks ranked(std::span<const double> differences, ZeroTreatment zeros) {
   std::vector<double> sizes;
   std::vector<int> signs;
   for (const double difference : differences) {
-    if (difference == 0.0 && zeros == Zeros::Dropped) continue;
+    if (difference == 0.0 && zeros == ZeroTreatment::Dropped) continue;
     sizes.push_back(std::abs(difference));
     signs.push_back(difference > 0.0 ? 1 : difference < 0.0 ? -1 : 0);
   }
@@ -105,7 +105,7 @@ void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
 
 }  // namespace
 
-SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros) {
+SignedRankResult signedRankTest(std::span<const double> differences, ZeroTreatment zeros) {
   const SignedRanks ranks = ranked(differences, zeros);
   SignedRankResult result;
   result.n = differences.size();

@@ -29,7 +29,7 @@ SignTestResult signTest(std::span<const double> differences);
 SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uint64_t zeros = 0);
 
 /// The treatment of differences of zero, which have no sign.
-enum class Zeros {
+enum class ZeroTreatment {
   Dropped,           ///< dropped before ranking, as Wilcoxon does
   RankedThenDropped  ///< dropped after ranking, as Pratt (1959) does: zeros take the lowest ranks
 };
@@ -70,7 +70,8 @@ struct SignedRankResult {
 ///
 /// @param differences  one per pair, x − y.
 /// @throws std::invalid_argument  if a difference is infinite or NaN.
-SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros = Zeros::Dropped);
+SignedRankResult signedRankTest(
+    std::span<const double> differences, ZeroTreatment zeros = ZeroTreatment::Dropped);
 
 /// The result of the sign-flip test. If a number is missing, `reason` says why.
 struct SignFlipResult {

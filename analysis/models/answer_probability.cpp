@@ -19,13 +19,13 @@ using Eigen::Index;
 template <typename Function>
 double normalMean(Function f) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-  constexpr double kFar = 9.0;  // |u| > 9 has a probability of 2e-19
+  constexpr double kLargestDeviate = 9.0;  // |u| > 9 has a probability of 2e-19
   constexpr unsigned kHalvings = 15;
   constexpr double kError = 1e-13;
   const auto weighted = [&](double u) {
     return f(u) * std::exp(-0.5 * u * u) * boost::math::constants::one_div_root_two_pi<double>();
   };
-  return Rule::integrate(weighted, -kFar, kFar, kHalvings, kError);
+  return Rule::integrate(weighted, -kLargestDeviate, kLargestDeviate, kHalvings, kError);
 }
 
 /// The probability for one row of the design matrix, and its derivatives.

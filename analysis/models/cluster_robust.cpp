@@ -31,10 +31,11 @@ struct LeastSquares {
 
 /// The pseudo-inverse of (I − S)^{1/2}: eigenvalues of S that are one give zero.
 MatrixXd pseudoInverseRoot(const MatrixXd& square) {
-  constexpr double kNothing = 1e-10;
+  constexpr double kZeroEigenvalue = 1e-10;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(square);
-  const VectorXd factors = eigen.eigenvalues().unaryExpr(
-      [](double value) { return 1.0 - value > kNothing ? 1.0 / std::sqrt(1.0 - value) : 0.0; });
+  const VectorXd factors = eigen.eigenvalues().unaryExpr([](double value) {
+    return 1.0 - value > kZeroEigenvalue ? 1.0 / std::sqrt(1.0 - value) : 0.0;
+  });
   return eigen.eigenvectors() * factors.asDiagonal() * eigen.eigenvectors().transpose();
 }
 

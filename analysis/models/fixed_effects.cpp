@@ -23,14 +23,15 @@ Reason whyFixedAreNotDefined(const FixedEffects& fixed) {
 /// methods were each used in one round only. Uses Gram–Schmidt orthogonalisation with every
 /// projection done twice, because the first one leaves rounding errors of the size of the column.
 Reason whyColumnsDepend(const FixedEffects& fixed) {
-  constexpr double kNothing = 1e-9;  // of a column's length
+  constexpr double kDependentLength = 1e-9;  // of a column's length
   const auto rows = static_cast<Eigen::Index>(fixed.answers());
   Eigen::MatrixXd basis(rows, 0);
   for (std::size_t j = 0; j < fixed.columns(); ++j) {
     Eigen::VectorXd column = Eigen::VectorXd::Map(fixed.column(j).data(), rows);
     const double length = column.norm();
     for (int pass = 0; pass < 2; ++pass) column -= basis * (basis.transpose() * column);
-    if (!(column.norm() > kNothing * length)) return reason("dependent_effect", fixed.name(j));
+    if (!(column.norm() > kDependentLength * length))
+      return reason("dependent_effect", fixed.name(j));
     basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
     basis.rightCols(1) = column.normalized();
   }

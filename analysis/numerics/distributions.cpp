@@ -175,11 +175,11 @@ std::optional<Interval> studentInterval(
 
 double noncentralTProbability(double t, double degreesOfFreedom, double noncentrality) {
   check(t, degreesOfFreedom, noncentrality);
-  constexpr double kFarOut = 100.0;
-  if (noncentrality < -kFarOut) {
+  constexpr double kLargestNoncentrality = 100.0;
+  if (noncentrality < -kLargestNoncentrality) {
     return 1.0 - noncentralTProbability(-t, degreesOfFreedom, -noncentrality);
   }
-  if (noncentrality > kFarOut) {
+  if (noncentrality > kLargestNoncentrality) {
     return t > 0.0 ? probabilityFarOut(t, degreesOfFreedom, noncentrality) : 0.0;
   }
   const boost::math::non_central_t law(degreesOfFreedom, noncentrality);

@@ -23,7 +23,7 @@ constexpr double kLongestStep = 2.0;
 constexpr double kSufficientFall = 1e-4;
 // Relative to the largest curvature; a direction of less curvature is flat.
 constexpr double kSmallestCurvature = 1e-10;
-constexpr double kNear = 1e-8;  // predicted decrease of a step, relative to the value
+constexpr double kNearMinimum = 1e-8;  // predicted decrease of a step, relative to the value
 
 struct Step {
   VectorXd move;
@@ -78,7 +78,8 @@ bool descend(const Objective& objective, const Step& step, Minimum& minimum) {
 bool takeLastStep(const Objective& objective, const Step& step, Minimum& minimum) {
   VectorXd point = (minimum.at + step.move).cwiseMax(objective.lowerBound);
   const auto value = objective.value(point);
-  if (!value || *value > minimum.value + kNear * (1.0 + std::abs(minimum.value))) return false;
+  if (!value || *value > minimum.value + kNearMinimum * (1.0 + std::abs(minimum.value)))
+    return false;
   minimum.at = std::move(point);
   minimum.value = *value;
   return true;
@@ -100,7 +101,7 @@ Minimum minimise(const Objective& objective, VectorXd start) {
 
     const Step step = newtonStep(minimum.at, *derivatives, objective.lowerBound);
     const bool isNear =
-        step.predictedDecrease <= kNear * (1.0 + std::abs(minimum.value)) && step.isConvex;
+        step.predictedDecrease <= kNearMinimum * (1.0 + std::abs(minimum.value)) && step.isConvex;
     if (isNear && (lastSteps++ == kLastSteps || !takeLastStep(objective, step, minimum))) {
       minimum.isFound = true;
       return minimum;

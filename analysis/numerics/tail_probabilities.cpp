@@ -13,7 +13,7 @@
 namespace analysis {
 namespace {
 
-constexpr double kFarOut = 30.0;  // standard deviations
+constexpr double kAsymptoticLimit = 30.0;  // standard deviations
 
 /// ln P(Z ≥ x) for x > 30: Laplace's asymptotic series, Σ (−1)ⁿ (2n − 1)!! / x²ⁿ (Abramowitz &
 /// Stegun 7.1.23). The first term left out is below 1e-20.
@@ -45,7 +45,7 @@ void requireChiSquared(double x, double degreesOfFreedom) {
 }
 
 constexpr double kStep = 1.0 / 32.0;
-constexpr double kReach = 12.0;  // |z| > 12 has a probability below 1e-30
+constexpr double kIntegrationLimit = 12.0;  // |z| > 12 has a probability below 1e-30
 
 /// ln of φ(z) [Φ(z)^m − (Φ(z) − Φ(z − q))^m].
 double logIntegrand(double z, double q, double m) {
@@ -65,8 +65,8 @@ double logIntegrand(double z, double q, double m) {
 /// ln P(Q ≥ q)
 double logUpperTail(double q, std::size_t k) {
   const auto m = static_cast<double>(k - 1);
-  const auto first = static_cast<long>(std::floor(-kReach / kStep));
-  const auto last = static_cast<long>(std::ceil((q + kReach) / kStep));
+  const auto first = static_cast<long>(std::floor(-kIntegrationLimit / kStep));
+  const auto last = static_cast<long>(std::ceil((q + kIntegrationLimit) / kStep));
   std::vector<double> logs;
   for (long i = first; i <= last; ++i) {
     logs.push_back(logIntegrand(static_cast<double>(i) * kStep, q, m));
@@ -98,7 +98,7 @@ double normalUpperP(double z) {
 
 double log10NormalTwoSidedP(double z) {
   const double distance = std::abs(z);
-  if (distance > kFarOut) {
+  if (distance > kAsymptoticLimit) {
     return (logFarNormalTail(distance) + std::numbers::ln2) / std::numbers::ln10;
   }
   // Near z = 0 the logarithm of a p near one would lose digits; that of 1 − erf does not.
@@ -108,7 +108,7 @@ double log10NormalTwoSidedP(double z) {
 }
 
 double logNormalCdf(double x) {
-  if (x < -kFarOut) return logFarNormalTail(-x);
+  if (x < -kAsymptoticLimit) return logFarNormalTail(-x);
   if (x > 0.0) return std::log1p(-normalUpperP(x));
   return std::log(normalUpperP(-x));
 }

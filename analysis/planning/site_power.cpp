@@ -67,7 +67,7 @@ class SiteTrial {
     return pooledToFourDigits(known, family_);
   }
 
-  bool finds(const std::optional<PooledEstimate>& difference) const {
+  bool isDetected(const std::optional<PooledEstimate>& difference) const {
     return difference && difference->p <= level_;
   }
 
@@ -171,11 +171,11 @@ SimulatedSitePower simulateSitePower(const PowerSimulation& simulation, const Si
     trial.draw(cohort);
     const auto paired = [&](std::size_t a, std::size_t b) { return trial.pairedT(a, b); };
     const auto pooled = [&](std::size_t a, std::size_t b) {
-      return trial.finds(trial.pooledDifference(a, b));
+      return trial.isDetected(trial.pooledDifference(a, b));
     };
     const auto first = trial.pooledDifference(0, 1);
     if (first) halfWidths.push_back(0.5 * (first->interval.high - first->interval.low));
-    const bool isPooled = trial.finds(first);
+    const bool isPooled = trial.isDetected(first);
     const bool isPaired = paired(0, 1);
     found[0] += isPooled ? 1 : 0;
     found[1] += isPooled || trial.anyOtherPair(pooled) ? 1 : 0;

@@ -60,7 +60,7 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
     const PublishedGroup& group,
     std::uint64_t n,
     PublishedConvention::Divisor divisor,
-    Reading reading) const {
+    RoundingRule rounding) const {
   if (n < 2 || n >= squares_.size()) throw std::invalid_argument("a group that was not counted");
   const auto count = static_cast<std::int64_t>(n);
   const std::int64_t parts = scale_.parts;
@@ -71,15 +71,15 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
   for (std::uint64_t sum = 0; sum <= n * steps_; ++sum) {
     const auto total = static_cast<std::int64_t>(sum);
     const std::int64_t meanTimes = total + count * parts * scale_.lowest;  // · n · parts
-    if (!group.mean.prints(meanTimes, count * parts, reading)) continue;
+    if (!group.mean.matchesQuotient(meanTimes, count * parts, rounding)) continue;
     // For whole u from 0 to steps, u ≤ u² ≤ u · steps.
     for (std::uint64_t squares = sum; squares <= sum * steps_; ++squares) {
       if (!isAttainable(n, sum, squares)) continue;
       const std::int64_t over = count * static_cast<std::int64_t>(squares) - total * total;
       const std::int64_t under = count * freedom * parts * parts;
       const bool isPrinted = group.isStandardDeviation
-                                 ? group.spread.printsRootOf(over, under, reading)
-                                 : group.spread.prints(over, under, reading);
+                                 ? group.spread.matchesRootOf(over, under, rounding)
+                                 : group.spread.matchesQuotient(over, under, rounding);
       if (!isPrinted) continue;
       points.push_back(
           {.n = n,

@@ -50,7 +50,7 @@ class AnswerLattice {
       const PublishedGroup& group,
       std::uint64_t n,
       PublishedConvention::Divisor divisor,
-      Reading reading) const;
+      RoundingRule rounding) const;
 
   /// One set of answers with this sum and sum of squares, as the count of each point of the scale
   /// from the lowest.

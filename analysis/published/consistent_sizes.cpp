@@ -92,7 +92,7 @@ class SizeSearch {
       auto& ofGroup = points_.emplace_back();
       for (const auto n : sizes[g]) {
         ofGroup.push_back(
-            lattice.pointsOf(table.groups[g], n, convention.divisor, convention.reading));
+            lattice.pointsOf(table.groups[g], n, convention.divisor, convention.rounding));
       }
     }
     for (const auto& comparison : table.comparisons) addAgreements(comparison);
@@ -116,7 +116,7 @@ class SizeSearch {
 
  private:
   void addAgreements(const PublishedComparison& comparison) {
-    const PValueWindow window(comparison.p.bounds(convention_.reading), convention_);
+    const PValueWindow window(comparison.p.bounds(convention_.rounding), convention_);
     auto& table = agreements_.emplace_back();
     for (const auto& points1 : points_[comparison.first]) {
       auto& row = table.emplace_back();

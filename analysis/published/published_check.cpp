@@ -69,7 +69,7 @@ class RowSearch {
         grid.push_back(range.low + (range.high - range.low) * part);
       }
       variances_.push_back(grid);
-      const Interval mean = table.groups[g].mean.bounds(convention.reading);
+      const Interval mean = table.groups[g].mean.bounds(convention.rounding);
       means_.push_back({.from = 0, .to = g + 1, .most = mean.high});
       means_.push_back({.from = g + 1, .to = 0, .most = -mean.low});
     }
@@ -79,7 +79,7 @@ class RowSearch {
   std::optional<std::vector<MeanAndVariance>> found() const {
     std::vector<std::size_t> at(table_.groups.size(), 0);
     do {
-      if (const auto means = meansAt(at, 0, means_)) {
+      if (const auto means = meansWithinBounds(at, 0, means_)) {
         std::vector<MeanAndVariance> row;
         for (std::size_t g = 0; g < at.size(); ++g) {
           row.push_back({.mean = (*means)[g + 1] - (*means)[0], .variance = variances_[g][at[g]]});
@@ -99,7 +99,7 @@ class RowSearch {
       for (const double v2 : variances_[second]) {
         const auto spread =
             spreadOfDifference(convention_.test, v1, sizes[first], v2, sizes[second]);
-        ranges.push_back(distances(p.bounds(convention_.reading), spread, convention_.tails));
+        ranges.push_back(distances(p.bounds(convention_.rounding), spread, convention_.tails));
       }
     }
     return ranges;
@@ -116,7 +116,7 @@ class RowSearch {
   /// Backtracking search. Once the larger mean is chosen, a range of |m₁ − m₂| becomes two bounds.
   /// Adds one comparison after another, each in both directions, and backtracks as soon as the
   /// bounds contradict each other.
-  std::optional<std::vector<double>> meansAt(
+  std::optional<std::vector<double>> meansWithinBounds(
       const std::vector<std::size_t>& at,
       std::size_t next,
       const std::vector<Bound>& bounds) const {
@@ -131,7 +131,7 @@ class RowSearch {
       auto more = bounds;
       more.push_back({.from = below, .to = above, .most = range.high});
       more.push_back({.from = above, .to = below, .most = -range.low});
-      if (auto means = meansAt(at, next + 1, more)) return means;
+      if (auto means = meansWithinBounds(at, next + 1, more)) return means;
     }
     return std::nullopt;
   }
@@ -181,7 +181,7 @@ Interval attainableP(
     std::uint64_t n2,
     const PublishedConvention& convention) {
   const Interval distance =
-      distanceOf(group1.mean.bounds(convention.reading), group2.mean.bounds(convention.reading));
+      distanceOf(group1.mean.bounds(convention.rounding), group2.mean.bounds(convention.rounding));
   const Interval variance1 = varianceBounds(group1, n1, convention);
   const Interval variance2 = varianceBounds(group2, n2, convention);
   const auto p = [&](double difference, double v1, double v2) {
@@ -219,7 +219,7 @@ ConventionCheck checkConvention(
         table.groups[first], sizes[first], table.groups[second], sizes[second], convention);
     check.comparisons.push_back(
         {.attainable = attainable,
-         .isAttainable = overlap(attainable, p.bounds(convention.reading))});
+         .isAttainable = overlap(attainable, p.bounds(convention.rounding))});
   }
   if (check.allAttainable()) check.row = momentsGivingAllP(table, sizes, convention);
   return check;

@@ -35,12 +35,12 @@ SpreadOfDifference welchSpread(double v1, double n1, double v2, double n2) {
 
 std::vector<PublishedConvention> publishedConventions() {
   std::vector<Convention> all;
-  for (const auto reading : {Reading::Rounded, Reading::Truncated}) {
+  for (const auto rounding : {RoundingRule::Rounded, RoundingRule::Truncated}) {
     for (const auto divisor : {Convention::Divisor::Sample, Convention::Divisor::Population}) {
       for (const auto tails : {Convention::Tails::Two, Convention::Tails::One}) {
         for (const auto test :
              {Convention::Test::Welch, Convention::Test::WelchToolpak, Convention::Test::Student}) {
-          all.push_back({.test = test, .tails = tails, .divisor = divisor, .reading = reading});
+          all.push_back({.test = test, .tails = tails, .divisor = divisor, .rounding = rounding});
         }
       }
     }
@@ -53,13 +53,13 @@ std::string describe(const PublishedConvention& convention) {
   words += convention.tails == Convention::Tails::Two ? ", two-sided" : ", one-sided";
   words += convention.divisor == Convention::Divisor::Sample ? ", variances with n − 1"
                                                              : ", variances with n";
-  words += convention.reading == Reading::Rounded ? ", rounded" : ", truncated";
+  words += convention.rounding == RoundingRule::Rounded ? ", rounded" : ", truncated";
   return words;
 }
 
 Interval varianceBounds(
     const PublishedGroup& group, std::uint64_t n, const PublishedConvention& convention) {
-  Interval bounds = group.spread.bounds(convention.reading);
+  Interval bounds = group.spread.bounds(convention.rounding);
   bounds.low = std::max(bounds.low, 0.0);
   if (group.isStandardDeviation) {
     bounds = {.low = bounds.low * bounds.low, .high = bounds.high * bounds.high};

@@ -25,7 +25,7 @@ struct PublishedConvention {
   Test test = Test::Welch;
   Tails tails = Tails::Two;  ///< One: in the direction of the observed difference
   Divisor divisor = Divisor::Sample;
-  Reading reading = Reading::Rounded;  ///< of means, variances and p values
+  RoundingRule rounding = RoundingRule::Rounded;  ///< of means, variances and p values
 
   bool operator==(const PublishedConvention&) const = default;
 };

@@ -39,10 +39,10 @@ std::string ReportedNumber::text() const {
   return (digits < 0 ? "-" : "") + figures;
 }
 
-Interval ReportedNumber::bounds(Reading reading) const {
+Interval ReportedNumber::bounds(RoundingRule rounding) const {
   const auto unit = static_cast<double>(powerOfTen(decimals));
   const auto number = static_cast<double>(digits);
-  if (reading == Reading::Rounded) {
+  if (rounding == RoundingRule::Rounded) {
     return {.low = (number - 0.5) / unit, .high = (number + 0.5) / unit};
   }
   return {
@@ -50,13 +50,13 @@ Interval ReportedNumber::bounds(Reading reading) const {
       .high = digits < 0 ? number / unit : (number + 1.0) / unit};
 }
 
-bool ReportedNumber::prints(
-    std::int64_t numerator, std::int64_t denominator, Reading reading) const {
+bool ReportedNumber::matchesQuotient(
+    std::int64_t numerator, std::int64_t denominator, RoundingRule rounding) const {
   // Multiplies both sides by denominator · 10^decimals, and compares whole numbers without
   // rounding.
   const Int128 given = Int128(powerOfTen(decimals)) * numerator;
   const Int128 printed = Int128(digits) * denominator;
-  if (reading == Reading::Rounded) {
+  if (rounding == RoundingRule::Rounded) {
     const Int128 gap = 2 * (given - printed);
     return -Int128(denominator) <= gap && gap <= Int128(denominator);
   }
@@ -64,11 +64,11 @@ bool ReportedNumber::prints(
   return gap >= 0 && gap < denominator;
 }
 
-bool ReportedNumber::printsRootOf(
-    std::int64_t numerator, std::int64_t denominator, Reading reading) const {
+bool ReportedNumber::matchesRootOf(
+    std::int64_t numerator, std::int64_t denominator, RoundingRule rounding) const {
   if (digits < 0) return false;
   const Int128 given = Int128(powerOfTen(2 * decimals)) * numerator;
-  if (reading == Reading::Rounded) {
+  if (rounding == RoundingRule::Rounded) {
     const Int128 low = std::max<std::int64_t>(2 * digits - 1, 0);
     const Int128 high = 2 * digits + 1;
     return low * low * denominator <= 4 * given && 4 * given <= high * high * denominator;
@@ -103,7 +103,7 @@ std::optional<ReportedNumber> reportedNumber(std::string_view text, base::Decima
 
 namespace {
 
-base::DecimalMark markOf(const CsvTable& table) {
+base::DecimalMark decimalMarkOf(const CsvTable& table) {
   return table.separator == ',' ? base::DecimalMark::Point : base::DecimalMark::PointOrComma;
 }
 
@@ -131,7 +131,7 @@ class RowReader {
   }
 
   ReportedNumber number(std::string_view column) {
-    const auto number = reportedNumber(cell(column), markOf(table_));
+    const auto number = reportedNumber(cell(column), decimalMarkOf(table_));
     if (!number) {
       addProblem(
           quoted(cell(column)) + " is no " + std::string(column) +
@@ -153,11 +153,11 @@ std::optional<std::uint64_t> sizeOf(RowReader& reader) {
   if (cell.empty() || cell == "NA") return std::nullopt;
   const auto n = reportedNumber(cell);
   const bool isSize = n && n->decimals == 0 && n->digits >= 2 &&
-                      n->digits <= static_cast<std::int64_t>(kMostPublishedAnswers);
+                      n->digits <= static_cast<std::int64_t>(kLargestPublishedGroup);
   if (isSize) return static_cast<std::uint64_t>(n->digits);
   reader.addProblem(
       quoted(cell) + " is no size of a group: a whole number from 2 to " +
-      std::to_string(kMostPublishedAnswers) + ", or nothing where it is not known");
+      std::to_string(kLargestPublishedGroup) + ", or nothing where it is not known");
   return std::nullopt;
 }
 
@@ -221,7 +221,7 @@ void readComparisons(
     if (reader.cell("group1") == reader.cell("group2")) {
       reader.addProblem("a group is not compared with itself");
     }
-    const auto p = pOf(reader.cell("p"), markOf(csv));
+    const auto p = pOf(reader.cell("p"), decimalMarkOf(csv));
     if (!p) reader.addProblem(quoted(reader.cell("p")) + " is no p: write .021, < .001 or > .05");
     comparison.p = p.value_or(PublishedP{});
     table.comparisons.push_back(comparison);
@@ -250,10 +250,10 @@ std::string PublishedP::text() const {
   return (relation == Relation::Below ? "< " : "> ") + digits;
 }
 
-Interval PublishedP::bounds(Reading reading) const {
+Interval PublishedP::bounds(RoundingRule rounding) const {
   if (relation == Relation::Below) return {.low = 0.0, .high = number.value()};
   if (relation == Relation::Above) return {.low = number.value(), .high = 1.0};
-  const Interval printed = number.bounds(reading);
+  const Interval printed = number.bounds(rounding);
   return {.low = std::max(printed.low, 0.0), .high = std::min(printed.high, 1.0)};
 }
 

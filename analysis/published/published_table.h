@@ -13,7 +13,7 @@
 namespace analysis {
 
 /// How a publication shortened its numbers to the printed digits.
-enum class Reading {
+enum class RoundingRule {
   Rounded,    ///< to the nearest; a half may have been rounded up or down
   Truncated,  ///< cut off, towards zero
 };
@@ -32,16 +32,17 @@ struct ReportedNumber {
 
   /// The numbers that would be printed like this: x ± half a unit of the last digit if numbers are
   /// rounded; from x to one unit further from zero if they are truncated.
-  Interval bounds(Reading reading) const;
+  Interval bounds(RoundingRule rounding) const;
 
   /// Whether numerator / denominator would be printed like this. Computed exactly, in whole
   /// numbers.
   /// @param denominator  positive.
-  bool prints(std::int64_t numerator, std::int64_t denominator, Reading reading) const;
+  bool matchesQuotient(
+      std::int64_t numerator, std::int64_t denominator, RoundingRule rounding) const;
 
   /// Whether √(numerator / denominator) would be printed like this.
   /// @param numerator  not negative.  @param denominator  positive.
-  bool printsRootOf(std::int64_t numerator, std::int64_t denominator, Reading reading) const;
+  bool matchesRootOf(std::int64_t numerator, std::int64_t denominator, RoundingRule rounding) const;
 };
 
 /// Reads "4.1", ".021", "-3" or, where the mark allows it, "4,1"; std::nullopt for other text and
@@ -68,7 +69,7 @@ struct PublishedP {
   std::string text() const;
 
   /// The p values that would be printed like this. A threshold is exact: "< .017" gives 0 … .017.
-  Interval bounds(Reading reading) const;
+  Interval bounds(RoundingRule rounding) const;
 };
 
 struct PublishedComparison {
@@ -87,7 +88,7 @@ struct PublishedTable {
 inline constexpr std::size_t kMostPublishedGroups = 8;
 inline constexpr std::size_t kMostPublishedComparisons = 28;
 /// The largest group that can be checked.
-inline constexpr std::uint64_t kMostPublishedAnswers = 1000;
+inline constexpr std::uint64_t kLargestPublishedGroup = 1000;
 
 /// Reads two tables of comma-separated values:
 ///

@@ -145,7 +145,7 @@ Rows signFlip(const TestData& data, const TestSettings&) {
   return {rowOf(signFlipTest(differencesOf(data)))};
 }
 
-template <Zeros kZeros>
+template <ZeroTreatment kZeros>
 Rows signedRank(const TestData& data, const TestSettings&) {
   const auto differences = differencesOf(data);
   return {rowOf(signedRankTest(differences, kZeros), hodgesLehmann(differences))};
@@ -401,8 +401,8 @@ constexpr std::array kTests{
     StatisticalTest{"shapiro_wilk", "Shapiro and Wilk's test", "Could the values come from a normal law?", "Royston 1995", Shape::Values, shapiroWilk},
     StatisticalTest{"paired_t", "Paired t-test", "Do pairs differ in their mean?", "Student 1908", Shape::Pairs, pairedT, Use::Pairs},
     StatisticalTest{"sign_flip", "Exact sign-flip test", "Do pairs differ in their mean? All choices of signs", "Fisher 1935", Shape::Pairs, signFlip, Use::Pairs},
-    StatisticalTest{"signed_rank", "Wilcoxon's signed rank test", "Are differences as likely up as down? Exact, zeros dropped", "Wilcoxon 1945", Shape::Pairs, signedRank<Zeros::Dropped>, Use::Pairs},
-    StatisticalTest{"signed_rank_pratt", "Signed rank test with Pratt's zeros", "The same, zeros ranked and then dropped", "Pratt 1959", Shape::Pairs, signedRank<Zeros::RankedThenDropped>},
+    StatisticalTest{"signed_rank", "Wilcoxon's signed rank test", "Are differences as likely up as down? Exact, zeros dropped", "Wilcoxon 1945", Shape::Pairs, signedRank<ZeroTreatment::Dropped>, Use::Pairs},
+    StatisticalTest{"signed_rank_pratt", "Signed rank test with Pratt's zeros", "The same, zeros ranked and then dropped", "Pratt 1959", Shape::Pairs, signedRank<ZeroTreatment::RankedThenDropped>},
     StatisticalTest{"sign_test", "Sign test", "Are there more differences up than down? Exact", "Arbuthnott 1710", Shape::Pairs, sign},
     StatisticalTest{"bayes_factor", "JZS Bayes factor of pairs", "How much do the data speak for a mean difference?", "Rouder et al. 2009", Shape::Pairs, bayesFactorOfPairs, Use::PairsOutsideFamily},
     StatisticalTest{"tost", "Two one-sided t-tests of pairs", "Is the mean difference within ±bound?", "Schuirmann 1987", Shape::Pairs, equivalenceOfPairs, Use::PairsOutsideFamily, kNeedsBound},

@@ -77,7 +77,7 @@ void LinkLoop::tick(double dt, double lateness) noexcept {
   run_.missedPeriods += static_cast<std::uint64_t>(missedPeriods);
   run_.seconds = 1e-9 * static_cast<double>(timing::now() - begin_);
   using Status = devices::DeviceStatus;
-  if (sample.status == Status::Gone || sample.status == Status::Faulted) {
+  if (sample.status == Status::NotAnswering || sample.status == Status::Faulted) {
     isOver_.store(true, std::memory_order_release);
     return;
   }
@@ -94,7 +94,7 @@ LinkRun LinkLoop::finish() {
   run_.isRealtime = loop_->isRealtime();
   loop_.reset();
   run_.processor = processorTime() - processorBefore_;
-  // Reads the counts before disarming: afterwards the device's keeper thread changes them.
+  // Reads the counts before disarming: afterwards the device's keep-alive thread changes them.
   run_.link = device_.link();
   run_.fault = device_.fault();
   device_.disarm();

@@ -223,7 +223,7 @@ void sweepBadInput(double effort, StabilityResult& result) {
       devices::DeviceStatus::Ok,
       devices::DeviceStatus::Stale,
       devices::DeviceStatus::Faulted,
-      devices::DeviceStatus::Gone};
+      devices::DeviceStatus::NotAnswering};
   for (const auto& [name, spec] : allScenes()) {
     ScriptedDevice device;
     constexpr engine::SafetyLimits kLimits{

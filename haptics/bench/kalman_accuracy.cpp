@@ -173,7 +173,7 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
       "Joseph, scalar",
       "standard, scalar, float",
       "Joseph, scalar, float"};
-  constexpr std::size_t kOurs = 2;  // number of Palpate's filters, which come first in names
+  constexpr std::size_t kPalpateFilters = 2;  // the first in names
   std::vector<Tally> tallies(names.size());
   for (int i = 0; i < kFilters; ++i) {
     const auto n = hostile.numbers();
@@ -210,7 +210,7 @@ void reportErrorsOnHostileInput(double decades, const AccuracyRun& run) {
          .parameter = decades,
          .error = 100.0 * static_cast<double>(tallies[i].negative) /
                   static_cast<double>(tallies[i].steps),
-         .bound = i < kOurs ? std::optional(0.0) : std::nullopt});
+         .bound = i < kPalpateFilters ? std::optional(0.0) : std::nullopt});
   }
 }
 

@@ -10,14 +10,14 @@
 namespace haptics::bench {
 namespace {
 
-constexpr double kMass = 0.004;   // mass of the simulated punch [N·s²/travel unit]
-constexpr double kWall = 5.0;     // travel at which the wall begins [travel units]
-constexpr double kHand = 3.0;     // stiffness of a hand [N/travel unit]
-constexpr double kGoal = 5.4;     // travel that the hand aims at, inside the wall [travel units]
-constexpr double kSeconds = 2.0;  // simulated time [s]
-constexpr double kWindow = 0.4;   // duration over which the amplitude is measured [s]
+constexpr double kMass = 0.004;      // mass of the simulated punch [N·s²/travel unit]
+constexpr double kWallTravel = 5.0;  // travel at which the wall begins [travel units]
+constexpr double kHand = 3.0;        // stiffness of a hand [N/travel unit]
+constexpr double kHandTarget = 5.4;  // travel that the hand aims at, inside the wall [travel units]
+constexpr double kSeconds = 2.0;     // simulated time [s]
+constexpr double kWindow = 0.4;      // duration over which the amplitude is measured [s]
 constexpr double kWindowDistance = 1.0;  // time between two such windows [s]
-constexpr double kInside = 1e-5;         // time step of the simulated mechanism [s]
+constexpr double kMechanismStep = 1e-5;  // time step of the simulated mechanism [s]
 
 struct Range {
   double low = INFINITY;
@@ -80,17 +80,17 @@ class Wall {
   void tick() {
     observer_.observe(force_, travel_ - last_, velocity_, period_);
     last_ = travel_;
-    const double beyond = encoderTravel() - kWall;
+    const double beyond = encoderTravel() - kWallTravel;
     double wanted = beyond > 0.0 ? point_.stiffness * beyond : 0.0;
     if (beyond > 0.0) wanted = observer_.damped(wanted, velocity_, period_);
     pending_.push_back(wanted);
     force_ = pending_.front();
     pending_.erase(pending_.begin());
     lowInTick_ = highInTick_ = travel_;
-    const int inside = std::max(1, static_cast<int>(std::lround(period_ / kInside)));
+    const int inside = std::max(1, static_cast<int>(std::lround(period_ / kMechanismStep)));
     const double dt = period_ / inside;
     for (int i = 0; i < inside; ++i) {
-      const double push = kHand * (kGoal - travel_);
+      const double push = kHand * (kHandTarget - travel_);
       velocity_ += dt * (push - force_ - point_.damping * velocity_) / kMass;
       travel_ += dt * velocity_;
       lowInTick_ = std::min(lowInTick_, travel_);

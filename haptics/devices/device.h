@@ -55,9 +55,10 @@ struct LinkReport {
   std::uint64_t leaps = 0;     ///< changes of position that are too fast for any hand
   /// Messages that were read together with a newer one, because the host was late.
   std::uint64_t skipped = 0;
-  std::uint64_t stale = 0;    ///< ticks without a new sample
-  std::uint64_t unsent = 0;   ///< answers that could not be written: the send buffer was full
-  std::uint64_t poor = 0;     ///< samples during which the connection was too bad for a force
+  std::uint64_t stale = 0;   ///< ticks without a new sample
+  std::uint64_t unsent = 0;  ///< answers that could not be written: the send buffer was full
+  /// Samples during which the connection was too bad for a force.
+  std::uint64_t poorConnectionSamples = 0;
   std::uint64_t clipped = 0;  ///< forces above the maximum of the device
   /// Times that the device switched its force off because the host was late.
   std::uint64_t expired = 0;
@@ -84,15 +85,15 @@ struct Capabilities {
 
 enum class DeviceStatus : std::uint8_t {
   Ok,
-  Stale,    ///< the device answers, but this sample is not new
-  Faulted,  ///< the device reports a fault
-  Gone,     ///< the device does not answer
+  Stale,         ///< the device answers, but this sample is not new
+  Faulted,       ///< the device reports a fault
+  NotAnswering,  ///< the device does not answer
 };
 
 /// One reading of a device. It is a measurement only if its status is Ok; otherwise the numbers
 /// must not be used.
 struct DeviceSample {
-  DeviceStatus status = DeviceStatus::Gone;
+  DeviceStatus status = DeviceStatus::NotAnswering;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
   /// Angle about the tool's axis since travel was 0 [rad], positive in the right-handed sense about

@@ -28,9 +28,9 @@ SimulatedHand::SimulatedHand(const Person& person) : person_(person), random_(pe
 
 void SimulatedHand::beginCycle() noexcept {
   // The reach varies less than the time, because the handle has an end stop.
-  constexpr double kReach = 0.3;
-  closed_ = person_.open +
-            (person_.closed - person_.open) * (1.0 + kReach * person_.variation * deviation());
+  constexpr double kReachVariationShare = 0.3;
+  closed_ = person_.open + (person_.closed - person_.open) *
+                               (1.0 + kReachVariationShare * person_.variation * deviation());
   closeTime_ = person_.closeTime * (1.0 + person_.variation * deviation());
 }
 

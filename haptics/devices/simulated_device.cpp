@@ -51,7 +51,7 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
     velocity_ = 0.0;
     return {.status = DeviceStatus::Faulted};
   }
-  if (isGone_.load(std::memory_order_relaxed)) return {.status = DeviceStatus::Gone};
+  if (isGone_.load(std::memory_order_relaxed)) return {.status = DeviceStatus::NotAnswering};
 
   const double resolution = mechanism_.resolution;
   const double seen = resolution > 0.0 ? resolution * std::round(travel_ / resolution) : travel_;

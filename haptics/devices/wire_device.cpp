@@ -8,11 +8,11 @@
 
 namespace haptics::devices {
 
-WireDevice::WireDevice(Capabilities capabilities, KeeperLimits keeping)
-    : capabilities_(std::move(capabilities)), keeperLimits_(keeping) {}
+WireDevice::WireDevice(Capabilities capabilities, KeepAliveLimits keeping)
+    : capabilities_(std::move(capabilities)), keepAliveLimits_(keeping) {}
 
 void WireDevice::close() noexcept {
-  stopKeeper();
+  stopKeepAlive();
   disconnect(false);
   setLifecycle(Lifecycle::Closed);
 }
@@ -20,40 +20,40 @@ void WireDevice::close() noexcept {
 void WireDevice::enterOpen() {
   faultMessage_.store("");
   setLifecycle(Lifecycle::Open);
-  startKeeper();
+  startKeepAlive();
 }
 
-void WireDevice::startKeeper() {
+void WireDevice::startKeepAlive() {
   hostTime_ = timing::now();
-  keeper_ = std::jthread([this](const std::stop_token& stop) {
+  keepAliveThread_ = std::jthread([this](const std::stop_token& stop) {
     timing::raisePriority(timing::kLoopPriority);
     while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
-      if (waitForMessage(timing::now() + keeperLimits_.longestWait)) {
+      if (waitForMessage(timing::now() + keepAliveLimits_.longestWait)) {
         isNew_ = false;
         keepAlive();
       }
       if (!isConnected()) fail("it has been unplugged, or its port has failed");
-      if (timing::now() - hostTime_ > keeperLimits_.silence) fail("it has fallen silent");
+      if (timing::now() - hostTime_ > keepAliveLimits_.silence) fail("it has fallen silent");
     }
   });
 }
 
-void WireDevice::stopKeeper() noexcept {
-  if (!keeper_.joinable()) return;
-  keeper_.request_stop();
-  keeper_.join();
+void WireDevice::stopKeepAlive() noexcept {
+  if (!keepAliveThread_.joinable()) return;
+  keepAliveThread_.request_stop();
+  keepAliveThread_.join();
 }
 
-void WireDevice::resumeKeeper() noexcept {
+void WireDevice::resumeKeepAlive() noexcept {
   try {
-    startKeeper();
+    startKeepAlive();
   } catch (...) {
     fail("no thread could be started to look after it");
   }
 }
 
 void WireDevice::arm() {
-  stopKeeper();  // a fault that the keeper detected is handled below
+  stopKeepAlive();  // a fault that the keep-alive thread detected is handled below
   if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
     const std::string why = fault();
     throw DeviceError(
@@ -63,23 +63,23 @@ void WireDevice::arm() {
   try {
     awaitReadiness();
   } catch (...) {
-    startKeeper();
+    startKeepAlive();
     throw;
   }
   resetCounts();
   beginForces();
   setLifecycle(Lifecycle::Armed);
-  startKeeper();  // runs until the first tick
+  startKeepAlive();  // runs until the first tick
 }
 
 void WireDevice::disarm() noexcept {
   const auto was = lifecycle();
   if (was != Lifecycle::Armed && was != Lifecycle::Running) return;
-  stopKeeper();
+  stopKeepAlive();
   if (lifecycle() == Lifecycle::Faulted) return;
   stopForces();
   setLifecycle(Lifecycle::Open);
-  resumeKeeper();
+  resumeKeepAlive();
 }
 
 void WireDevice::setCheckedUnlessFailed(const std::vector<CheckResult>& results) noexcept {
@@ -105,7 +105,7 @@ bool WireDevice::wait(std::int64_t deadline) noexcept {
     timing::sleepUntil(deadline);
     return false;
   }
-  stopKeeper();  // from the first tick on the loop's thread uses the connection
+  stopKeepAlive();  // from the first tick on the loop's thread uses the connection
   return waitForMessage(deadline);
 }
 
@@ -115,14 +115,14 @@ void WireDevice::resetCounts() noexcept {
 }
 
 LinkReport WireDevice::link() {
-  // Before the first tick the keeper runs and updates the counts as well, so it is stopped
-  // meanwhile.
-  const bool wasKept = isKeeperRunning();
-  stopKeeper();
+  // Before the first tick the keep-alive thread runs and updates the counts as well, so it is
+  // stopped meanwhile.
+  const bool wasKept = isKeepAliveRunning();
+  stopKeepAlive();
   LinkReport report = report_;
   report.drift = drift_.partsPerMillion();
   report.clockOffset = drift_.offset();
-  if (wasKept) resumeKeeper();
+  if (wasKept) resumeKeepAlive();
   return report;
 }
 

@@ -16,10 +16,10 @@ namespace haptics::devices {
 /// messages set the pace of the loop.
 ///
 /// One thread at a time uses the connection. Until the first tick after arm() that is a thread of
-/// this class, the keeper: it receives, answers with no force, and detects silence. From that tick
-/// on it is the thread of the loop. The first fault closes the connection, and only open() makes a
-/// new one. A derived class calls close() in its destructor, because the keeper calls its virtual
-/// functions.
+/// this class, the keep-alive thread: it receives, answers with no force, and detects silence. From
+/// that tick on it is the thread of the loop. The first fault closes the connection, and only
+/// open() makes a new one. A derived class calls close() in its destructor, because that thread
+/// calls its virtual functions.
 class WireDevice : public Device, private Pacer {
  public:
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -35,14 +35,14 @@ class WireDevice : public Device, private Pacer {
   LinkReport link() override;
 
  protected:
-  /// The keeper's time limits.
-  struct KeeperLimits {
-    /// Longest wait in one iteration of the keeper's loop, which then checks whether to stop [ns].
+  /// Time limits of the keep-alive thread.
+  struct KeepAliveLimits {
+    /// Longest wait in one iteration of that thread's loop, which then checks whether to stop [ns].
     std::int64_t longestWait;
     std::int64_t silence;  ///< time without a message that is a fault [ns]
   };
 
-  WireDevice(Capabilities capabilities, KeeperLimits keeping);
+  WireDevice(Capabilities capabilities, KeepAliveLimits keeping);
 
   /// The name with which error messages begin: "The punch on /dev/ttyACM0".
   virtual std::string name() const = 0;
@@ -51,7 +51,7 @@ class WireDevice : public Device, private Pacer {
   virtual void disconnect(bool isFault) noexcept = 0;
   /// Waits for a message until @p deadline [ns]; sets isNew_ if one has arrived.
   virtual bool waitForMessage(std::int64_t deadline) noexcept = 0;
-  /// Answers a message with no force; called by the keeper.
+  /// Answers a message with no force; called by the keep-alive thread.
   virtual void keepAlive() noexcept = 0;
 
   /// Waits until the device accepts forces. @throws DeviceError if it does not; the connection
@@ -66,10 +66,10 @@ class WireDevice : public Device, private Pacer {
 
   /// The last step of open(), once the device is connected.
   void enterOpen();
-  void startKeeper();
-  void resumeKeeper() noexcept;
-  void stopKeeper() noexcept;
-  bool isKeeperRunning() const noexcept { return keeper_.joinable(); }
+  void startKeepAlive();
+  void resumeKeepAlive() noexcept;
+  void stopKeepAlive() noexcept;
+  bool isKeepAliveRunning() const noexcept { return keepAliveThread_.joinable(); }
 
   void setLifecycle(Lifecycle state) noexcept { lifecycle_.store(state); }
   /// Changes the state from Open to Checked, unless a result is Fail or the device has failed in
@@ -90,10 +90,10 @@ class WireDevice : public Device, private Pacer {
   std::array<std::int64_t, 64> sentAt_{};
 
  private:
-  KeeperLimits keeperLimits_;
+  KeepAliveLimits keepAliveLimits_;
   std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
   std::atomic<const char*> faultMessage_{""};
-  std::jthread keeper_;
+  std::jthread keepAliveThread_;
 };
 
 }  // namespace haptics::devices

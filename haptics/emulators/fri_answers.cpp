@@ -88,7 +88,7 @@ bool FriAnswerMatcher::take(const wire::fri::Header& header, std::int64_t now) n
     ++counts_.toUnknownMessage;
     return false;
   }
-  Sent* message = age < kSentHistory ? &sent_[header.reflected % kSentHistory] : nullptr;
+  SentMessage* message = age < kSentHistory ? &sent_[header.reflected % kSentHistory] : nullptr;
   if (message != nullptr && message->isAnswered) {
     ++counts_.doubled;
     return false;

@@ -116,7 +116,7 @@ class FriAnswerMatcher {
   /// Number of sent messages that are remembered; more than in a receive period.
   static constexpr std::uint32_t kSentHistory = 128;
 
-  struct Sent {
+  struct SentMessage {
     std::int64_t at = 0;  ///< [ns]
     bool isAnswerable = false;
     bool isAnswered = false;
@@ -126,7 +126,7 @@ class FriAnswerMatcher {
 
   std::uint32_t multiplier_;
   std::uint32_t next_ = 0;
-  std::array<Sent, kSentHistory> sent_{};
+  std::array<SentMessage, kSentHistory> sent_{};
   std::uint32_t lastClientSequence_ = 0;  ///< the client's last counter
   bool hasHeard_ = false;                 ///< false before the first answer
   std::int64_t latency_ = 0;

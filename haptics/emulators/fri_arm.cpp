@@ -197,9 +197,9 @@ double FriArm::travel() const noexcept {
 }
 
 double FriArm::tracking() const noexcept {
-  constexpr double kFar = 0.1;  // [rad]
+  constexpr double kLostTrackingAngle = 0.1;  // [rad]
   const JointVector away = arm_.commandedPosition() - arm_.position();
-  return std::clamp(1.0 - away.cwiseAbs().maxCoeff() / kFar, 0.0, 1.0);
+  return std::clamp(1.0 - away.cwiseAbs().maxCoeff() / kLostTrackingAngle, 0.0, 1.0);
 }
 
 wire::fri::MonitorData FriArm::measured() const noexcept {

@@ -80,7 +80,7 @@ FriController::FriController(const Options& options)
       socket_(options.local),
       impostor_({.address = options.local.address}),
       impairment_(options.impairment),
-      orders_(impairment_, options.sendPeriod),
+      faultQueue_(impairment_, options.sendPeriod),
       arm_(options.arm),
       commandCheck_(options.arm.model, options.limits, options.arm.command),
       session_(sessionOf(options)),
@@ -93,7 +93,7 @@ void FriController::step() noexcept {
   closePeriod();
   executeEvents();
   advanceState();
-  if (orders_.take(FriOrders::OneTimeFault::Stall)) {
+  if (faultQueue_.take(FriFaultQueue::OneTimeFault::Stall)) {
     ++report_.stalled;
   } else {
     sendMessage();
@@ -125,17 +125,17 @@ void FriController::closePeriod() noexcept {
 }
 
 void FriController::executeEvents() noexcept {
-  using Event = FriOrders::Event;
-  if (orders_.take(Event::WrongVersion)) isWrongVersion_ = !isWrongVersion_;
-  if (orders_.take(Event::SafetyStop)) session_.setSafetyStop(true);
-  if (orders_.take(Event::SafetyReset)) session_.setSafetyStop(false);
-  if (orders_.take(Event::Idle)) {
+  using Event = FriFaultQueue::Event;
+  if (faultQueue_.take(Event::WrongVersion)) isWrongVersion_ = !isWrongVersion_;
+  if (faultQueue_.take(Event::SafetyStop)) session_.setSafetyStop(true);
+  if (faultQueue_.take(Event::SafetyReset)) session_.setSafetyStop(false);
+  if (faultQueue_.take(Event::Idle)) {
     stopMotion(FriEndReason::Idle);
     session_.toIdle();
     arm_.detachHand();
   }
-  if (orders_.take(Event::Motion)) session_.queue();
-  if (orders_.take(Event::Restart)) restart();
+  if (faultQueue_.take(Event::Motion)) session_.queue();
+  if (faultQueue_.take(Event::Restart)) restart();
 }
 
 void FriController::restart() noexcept {
@@ -189,7 +189,7 @@ void FriController::noteOverlay() noexcept {
 }
 
 wire::fri::ConnectionQuality FriController::quality() const noexcept {
-  return orders_.isQualityPoor() ? ConnectionQuality::Level::Poor : connection_.level();
+  return faultQueue_.isQualityPoor() ? ConnectionQuality::Level::Poor : connection_.level();
 }
 
 void FriController::sendMessage() noexcept {
@@ -205,7 +205,7 @@ void FriController::sendMessage() noexcept {
   answers_.sent(options_.clock(), session_.state() != State::Idle);
   ++report_.messages;
   hand(std::span(out_).first(size), framing);
-  if (orders_.take(FriOrders::OneTimeFault::Impostor)) sendImpostor(message);
+  if (faultQueue_.take(FriFaultQueue::OneTimeFault::Impostor)) sendImpostor(message);
 }
 
 void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noexcept {
@@ -225,11 +225,11 @@ bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) n
     ++report_.wrongVersion;
     return true;
   }
-  if (orders_.take(FriOrders::OneTimeFault::SixJoints)) {
+  if (faultQueue_.take(FriFaultQueue::OneTimeFault::SixJoints)) {
     report_.sixJoints += leaveOutJoint(datagram, framing) ? 1 : 0;
     return true;
   }
-  if (orders_.take(FriOrders::OneTimeFault::NotANumber)) {
+  if (faultQueue_.take(FriFaultQueue::OneTimeFault::NotANumber)) {
     report_.notANumber += setFirstJointToNaN(datagram, framing) ? 1 : 0;
     return true;
   }
@@ -327,7 +327,7 @@ std::string FriController::status() const {
 
 FriController::Reply FriController::command(std::string_view line) {
   if (line == "status") return {.isTaken = true, .text = status()};
-  auto problem = orders_.executeLine(line);
+  auto problem = faultQueue_.executeLine(line);
   if (problem) return {.isTaken = false, .text = *std::move(problem)};
   return {.isTaken = true};
 }

@@ -11,8 +11,8 @@
 #include "haptics/devices/datagram_socket.h"
 #include "haptics/emulators/fri_answers.h"
 #include "haptics/emulators/fri_arm.h"
+#include "haptics/emulators/fri_fault_queue.h"
 #include "haptics/emulators/fri_monitoring.h"
-#include "haptics/emulators/fri_orders.h"
 #include "haptics/emulators/fri_session.h"
 #include "haptics/emulators/impairment.h"
 #include "haptics/wire/fri_message.h"
@@ -129,7 +129,7 @@ class FriController {
   devices::DatagramSocket socket_;
   devices::DatagramSocket impostor_;
   Impairment impairment_;
-  FriOrders orders_;
+  FriFaultQueue faultQueue_;
   FriArm arm_;
   FriCommandCheck commandCheck_;
   FriSession session_;

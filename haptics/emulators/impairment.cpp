@@ -6,7 +6,7 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr int kSoon = 1;  // a reordered frame waits for one other frame
+constexpr int kReorderWait = 1;  // a reordered frame waits for one other frame
 
 bool areValid(const Impairment::Options& options) {
   double sum = 0.0;
@@ -33,8 +33,8 @@ Impairment::Impairment(const Options& options)
   }
 }
 
-void Impairment::order(Fault fault, int howMany) noexcept {
-  if (howMany > 0) orders_[indexOf(fault)].fetch_add(howMany, std::memory_order_relaxed);
+void Impairment::schedule(Fault fault, int howMany) noexcept {
+  if (howMany > 0) scheduled_[indexOf(fault)].fetch_add(howMany, std::memory_order_relaxed);
 }
 
 void Impairment::setDelay(int frames) noexcept {
@@ -51,7 +51,8 @@ InjectedCounts Impairment::counts() const noexcept {
 
 int Impairment::waiting(Fault fault) const noexcept {
   constexpr std::int64_t kMost = 1'000'000'000;
-  return static_cast<int>(std::min(orders_[indexOf(fault)].load(std::memory_order_relaxed), kMost));
+  return static_cast<int>(
+      std::min(scheduled_[indexOf(fault)].load(std::memory_order_relaxed), kMost));
 }
 
 void Impairment::countFault(Fault fault) noexcept {
@@ -64,10 +65,10 @@ bool Impairment::hasRoomFor(Fault fault) const noexcept {
 }
 
 std::optional<Fault> Impairment::orderedFault() noexcept {
-  for (std::size_t i = 0; i < orders_.size(); ++i) {
+  for (std::size_t i = 0; i < scheduled_.size(); ++i) {
     const auto fault = static_cast<Fault>(i);
-    if (orders_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
-    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
+    if (scheduled_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
+    scheduled_[i].fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
     return fault;
   }
   return std::nullopt;
@@ -112,7 +113,7 @@ Impairment::Delivery Impairment::impair(std::span<const std::uint8_t> frame, Fau
       countFault(fault);
       return {.frame = frame, .copies = 2};
     case Fault::Reorder:
-      hold(frame, fault, kSoon);
+      hold(frame, fault, kReorderWait);
       isReordering_ = true;
       return {.copies = 0};
     case Fault::Delay:

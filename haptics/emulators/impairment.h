@@ -37,18 +37,19 @@ struct InjectedCounts {
   }
 };
 
-/// Passes frames on, and injects faults into some of them, on order or at random (seeded), so that
-/// a test knows exactly how many anomalies the receiver must have counted.
+/// Passes frames on, and injects faults into some of them, as scheduled or at random (seeded), so
+/// that a test knows exactly how many anomalies the receiver must have counted.
 ///
-/// - A frame gets at most one fault. Ordered faults come first, in the order of Fault; random
-///   faults only if no order is pending.
+/// - A frame gets at most one fault. Scheduled faults come first, in the order of Fault; random
+///   faults only if none is scheduled.
 /// - The frame after a reordered one gets no fault, so that exactly two frames change places.
 /// - A frame that is held back (Reorder, Delay) is sent only after a later frame has passed
 ///   undamaged, so that the receiver always sees it out of order. It is counted when it is sent.
-/// - If there is no space to hold a frame, the order stays pending. Frames that are empty or longer
+/// - If there is no space to hold a frame, the fault stays scheduled. Frames that are empty or
+/// longer
 ///   than kLongestFrame pass without a fault.
 ///
-/// One thread calls pass(); any thread may order faults and read counts. No function allocates
+/// One thread calls pass(); any thread may schedule faults and read counts. No function allocates
 /// after construction.
 class Impairment {
  public:
@@ -73,7 +74,7 @@ class Impairment {
 
   /// Schedules @p fault for the next @p howMany frames that can have it, after those already
   /// scheduled. Any thread.
-  void order(Fault fault, int howMany) noexcept;
+  void schedule(Fault fault, int howMany) noexcept;
   /// Sets the number of frames by which Delay holds a frame back, >= 1. Any thread.
   void setDelay(int frames) noexcept;
 
@@ -159,7 +160,7 @@ class Impairment {
   bool isFlushing_ = false;    ///< all held frames are due
   Bytes scratch_{};
   std::atomic<int> delay_;
-  std::array<std::atomic<std::int64_t>, kFaultNames.size()> orders_{};
+  std::array<std::atomic<std::int64_t>, kFaultNames.size()> scheduled_{};
   std::atomic<std::uint64_t> passed_{0};
   std::array<std::atomic<std::uint64_t>, kFaultNames.size()> counts_{};
 };

@@ -92,8 +92,8 @@ void PseudoTerminal::write(std::span<const std::uint8_t> bytes) noexcept {
   if (!isPlugged()) return;
   // All or nothing: a partial frame would count as damage that was not ordered.
   int waiting = 0;
-  constexpr int kRoom = 3000;  // most bytes waiting in the terminal's buffer of 4096 bytes
-  if (ioctl(master_, TIOCOUTQ, &waiting) == 0 && waiting > kRoom) return;
+  constexpr int kMostWaitingBytes = 3000;  // of the terminal's buffer of 4096
+  if (ioctl(master_, TIOCOUTQ, &waiting) == 0 && waiting > kMostWaitingBytes) return;
   [[maybe_unused]] const ssize_t written = ::write(master_, bytes.data(), bytes.size());
 }
 

@@ -43,7 +43,7 @@ Order orderIn(std::string_view line) {
 }
 
 /// A message about what is wrong with the number of a command; empty if it is valid.
-std::string whatIsWrong(const Order& order, std::string_view line) {
+std::string problemIn(const Order& order, std::string_view line) {
   constexpr int kMost = 1'000'000;
   const bool isCount =
       std::find(kFaultNames.begin(), kFaultNames.end(), order.word) != kFaultNames.end();
@@ -153,11 +153,11 @@ std::string_view PunchEmulator::help() noexcept {
 
 std::string PunchEmulator::command(std::string_view line) {
   const Order order = orderIn(line);
-  std::string wrong = whatIsWrong(order, line);
+  std::string wrong = problemIn(order, line);
   if (!wrong.empty()) return wrong;
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
     if (order.word != kFaultNames[i]) continue;
-    impairment_.order(static_cast<Fault>(i), *order.number);
+    impairment_.schedule(static_cast<Fault>(i), *order.number);
     return {};
   }
   const std::int64_t time = timing::now() + order.number.value_or(0) * kMillisecond;

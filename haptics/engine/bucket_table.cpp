@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kMostBuckets = 1U << 18;
 constexpr std::uint32_t kPerPiece = 2;  // initial buckets per piece; more would need more cache
-constexpr std::uint32_t kCrowd = 4;
+constexpr std::uint32_t kMostKnotsPerBucket = 4;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ BucketTable::BucketTable(std::span<const double> knots) {
 }
 
 /// Fills the table with @p buckets buckets; leaves it empty if the knots' range is too small to
-/// divide. Returns false if more than kCrowd nodes share a bucket.
+/// divide. Returns false if more than kMostKnotsPerBucket nodes share a bucket.
 bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
   // Infinite for a subnormal range.
   const double perUnit = buckets / (knots.back() - knots.front());
@@ -42,7 +42,7 @@ bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
     first_[bucket] = std::max(first_[bucket], first_[bucket - 1]);
     crowd = std::max(crowd, first_[bucket] - first_[bucket - 1]);
   }
-  return crowd <= kCrowd;
+  return crowd <= kMostKnotsPerBucket;
 }
 
 models::SegmentIndex<double> BucketTable::index() const noexcept {

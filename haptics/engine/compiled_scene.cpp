@@ -239,7 +239,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
 
   Builder builder{.isSeen = spec.isVisualised, .reamer = spec.reamer};
   std::visit(builder, spec.model);
-  const bool isMeniscus = factsOf(spec.model).tissue == devices::Tissue::Meniscus;
+  const bool isMeniscus = infoOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {
     mesh_.emplace(shownTissue(spec), spec.tissueDrawing);
     std::string why = "the tissue is shown and follows the ";

@@ -78,8 +78,8 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
     isDeadManHeld_ = seen.isDeadManHeld;
   } else {
     sample.marks |= TickSample::Invalid;
-    const bool isFault =
-        seen.status == devices::DeviceStatus::Gone || seen.status == devices::DeviceStatus::Faulted;
+    const bool isFault = seen.status == devices::DeviceStatus::NotAnswering ||
+                         seen.status == devices::DeviceStatus::Faulted;
     if (isFault) stop();  // until the operator arms the engine again
   }
   sample.travel = tool_.travel;

@@ -122,8 +122,8 @@ bool IndexedCurve::hasJumpAtEnd() const noexcept {
     case models::Extrapolation::Absent:
       return first != 0.0 || last != 0.0;
     case models::Extrapolation::AuthorsClamp:
-      constexpr double kLeast = models::Interpolation<double>::kAuthorsMinForce;
-      return first > kLeast || last > kLeast;
+      constexpr double kSmallestForce = models::Interpolation<double>::kAuthorsMinForce;
+      return first > kSmallestForce || last > kSmallestForce;
   }
   return true;
 }
@@ -161,10 +161,10 @@ std::optional<SlopeBound> InterpolationModel::slopeBound() const noexcept {
   return ForceModel::slopeBound();
 }
 
-double InterpolationModel::trustAt(double travel) const noexcept {
-  const double closing = closing_.curve().trustAt(travel);
+double InterpolationModel::measurementWeightAt(double travel) const noexcept {
+  const double closing = closing_.curve().measurementWeightAt(travel);
   if (opening_ == nullptr) return closing;
-  return std::min(closing, opening_->curve.curve().trustAt(travel));
+  return std::min(closing, opening_->curve.curve().measurementWeightAt(travel));
 }
 
 std::size_t InterpolationModel::bytes() const noexcept {
@@ -184,7 +184,7 @@ template <typename Filter>
 models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noexcept {
   const auto recorded = interpolation_.respond(tool);
   const auto elastic = finiteElements_.respond(tool);
-  const double trust = interpolation_.trustAt(tool.travel);
+  const double trust = interpolation_.measurementWeightAt(tool.travel);
   if (!elastic.isDefined || (!recorded.isDefined && trust > 0.0)) return {};
 
   const double travelled = hasTravel_ ? tool.travel - lastTravel_ : 0.0;

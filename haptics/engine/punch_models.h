@@ -64,7 +64,7 @@ class InterpolationModel final : public ForceModel {
   /// std::nullopt if the curve ends in a jump.
   std::optional<SlopeBound> slopeBound() const noexcept override;
   /// The weight of the recording as a measurement at @p travel [travel units], in [0, 1].
-  double trustAt(double travel) const noexcept;
+  double measurementWeightAt(double travel) const noexcept;
   std::size_t bytes() const noexcept;
 
  private:

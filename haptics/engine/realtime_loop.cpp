@@ -14,7 +14,7 @@
 
 namespace haptics::engine {
 
-HoleDetector::HoleDetector() noexcept
+HostPauseDetector::HostPauseDetector() noexcept
     : file_(open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC)) {
   if (waited() < 0 && file_ >= 0) {
     close(file_);
@@ -23,14 +23,14 @@ HoleDetector::HoleDetector() noexcept
   restart();
 }
 
-HoleDetector::~HoleDetector() {
+HostPauseDetector::~HostPauseDetector() {
   if (file_ >= 0) close(file_);
 }
 
 /// Total time that the thread has waited for a processor [ns]: the file's second number. −1 if the
 /// kernel does not count: then the third number, of time slices, is 0 although the thread is
 /// running.
-std::int64_t HoleDetector::waited() const noexcept {
+std::int64_t HostPauseDetector::waited() const noexcept {
   char text[96];
   const auto length = file_ < 0 ? -1 : pread(file_, text, sizeof text, 0);
   if (length <= 0) return -1;
@@ -44,11 +44,11 @@ std::int64_t HoleDetector::waited() const noexcept {
   return turns > 0 ? waited : -1;
 }
 
-void HoleDetector::restart() noexcept {
+void HostPauseDetector::restart() noexcept {
   before_ = waited();
 }
 
-std::int64_t HoleDetector::latenessOfThisMachine(std::int64_t late) noexcept {
+std::int64_t HostPauseDetector::latenessOfThisMachine(std::int64_t late) noexcept {
   const std::int64_t now = waited();
   const bool isCounted = now >= 0 && before_ >= 0;
   const std::int64_t ours = isCounted ? std::clamp<std::int64_t>(now - before_, 0, late) : late;
@@ -68,9 +68,9 @@ double microseconds(std::int64_t nanoseconds) noexcept {
 
 /// Touches the thread's stack, so that no tick causes a page fault in it.
 void touchStack() noexcept {
-  constexpr std::size_t kEnough = std::size_t{64} * 1024;
-  [[maybe_unused]] volatile char stack[kEnough];
-  for (std::size_t i = 0; i < kEnough; i += 1024) stack[i] = 0;
+  constexpr std::size_t kStackBytes = std::size_t{64} * 1024;
+  [[maybe_unused]] volatile char stack[kStackBytes];
+  for (std::size_t i = 0; i < kStackBytes; i += 1024) stack[i] = 0;
 }
 
 /// Requests real-time scheduling. Timer slack needs no privilege; the other requests may be
@@ -150,8 +150,8 @@ void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period
   if (own > period) {
     ++report_.ownLateTicks;
   } else {
-    ++report_.holes;
-    report_.longestHole = std::max(report_.longestHole, microseconds(late - own));
+    ++report_.hostPauses;
+    report_.longestHostPause = std::max(report_.longestHostPause, microseconds(late - own));
   }
 }
 
@@ -159,15 +159,15 @@ void RealtimeLoop::run(const std::stop_token& stop) {
   // Timer slack and priority are requested together, so that requestsRealtime = false measures
   // without both.
   isRealtime_ = options_.requestsRealtime && requestRealtime();
-  HoleDetector holes;
-  report_.detectsHoles = holes.isAvailable();
+  HostPauseDetector hostPauses;
+  report_.detectsHostPauses = hostPauses.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
   // Lateness above this is attributed to its cause; less is timer slack and wake-up latency.
-  constexpr std::int64_t kLeastHole = 200'000;  // [ns]
-  const std::int64_t suspicious = std::max(period / 4, kLeastHole);
-  // `holes` is reset every few ticks, so that it measures little more than the late tick.
-  constexpr std::uint64_t kRestartEvery = 8;
+  constexpr std::int64_t kLeastHostPause = 200'000;  // [ns]
+  const std::int64_t suspicious = std::max(period / 4, kLeastHostPause);
+  // `hostPauses` is reset every few ticks, so that it measures little more than the late tick.
+  constexpr std::uint64_t kTicksPerRestart = 8;
   Pace pace(options_, period);
   const std::int64_t start = now();
   std::int64_t last = start;
@@ -176,9 +176,9 @@ void RealtimeLoop::run(const std::stop_token& stop) {
     const std::int64_t late = pace.wait();
     std::int64_t own = late;
     if (late > suspicious) {
-      own = std::min(late, std::max(holes.latenessOfThisMachine(late), overrun));
-    } else if (report_.ticks % kRestartEvery == 0) {
-      holes.restart();
+      own = std::min(late, std::max(hostPauses.latenessOfThisMachine(late), overrun));
+    } else if (report_.ticks % kTicksPerRestart == 0) {
+      hostPauses.restart();
     }
     note(late, own, period);
     last = now();

@@ -12,19 +12,19 @@
 namespace haptics::engine {
 
 /// Splits the lateness of a thread's wake-up into a part that this machine caused, and the rest,
-/// which is called a hole.
+/// which is called a host pause.
 ///
 /// The kernel counts in /proc/thread-self/schedstat how long a runnable thread waits for a
-/// processor: this part is caused by other work on this machine. In a hole the timer fired late,
-/// because the host of this (virtual) machine, or the firmware, had stopped it. If the kernel does
-/// not count, all lateness is attributed to this machine.
-class HoleDetector {
+/// processor: this part is caused by other work on this machine. In a host pause the timer fired
+/// late, because the host of this (virtual) machine, or the firmware, had stopped it. If the kernel
+/// does not count, all lateness is attributed to this machine.
+class HostPauseDetector {
  public:
   /// Measures the calling thread; only that thread may use the object.
-  HoleDetector() noexcept;
-  ~HoleDetector();
-  HoleDetector(const HoleDetector&) = delete;
-  HoleDetector& operator=(const HoleDetector&) = delete;
+  HostPauseDetector() noexcept;
+  ~HostPauseDetector();
+  HostPauseDetector(const HostPauseDetector&) = delete;
+  HostPauseDetector& operator=(const HostPauseDetector&) = delete;
 
   bool isAvailable() const noexcept { return file_ >= 0; }
 
@@ -32,8 +32,8 @@ class HoleDetector {
   /// many wake-ups do not add up.
   void restart() noexcept;
 
-  /// Returns the part of @p late [ns] that this machine caused [ns]; the rest is a hole. Restarts
-  /// the count.
+  /// Returns the part of @p late [ns] that this machine caused [ns]; the rest is a host pause.
+  /// Restarts the count.
   std::int64_t latenessOfThisMachine(std::int64_t late) noexcept;
 
  private:
@@ -72,12 +72,12 @@ class RealtimeLoop {
     std::uint64_t lateTicks = 0;     ///< ticks that were late by more than a period
     std::uint64_t ownLateTicks = 0;  ///< late ticks that this machine caused
     std::uint64_t missedPeriods = 0;
-    std::uint64_t holes = 0;             ///< late ticks that a hole caused, see HoleDetector
-    double longestHole = 0.0;            ///< [µs]
-    bool detectsHoles = false;           ///< the kernel's count is available, so holes are detected
-    double seconds = 0.0;                ///< from the first tick to the last
-    timing::LatenessHistogram lateness;  ///< of every tick
-    timing::LatenessHistogram ownLateness;  ///< of every tick, without holes
+    std::uint64_t hostPauses = 0;           ///< late ticks that a host pause caused
+    double longestHostPause = 0.0;          ///< [µs]
+    bool detectsHostPauses = false;         ///< whether the kernel's count is available
+    double seconds = 0.0;                   ///< from the first tick to the last
+    timing::LatenessHistogram lateness;     ///< of every tick
+    timing::LatenessHistogram ownLateness;  ///< of every tick, without host pauses
     timing::LatenessHistogram compute;      ///< duration of the ticks
   };
 

@@ -13,10 +13,10 @@ namespace {
 constexpr int kPlaces = 40;
 constexpr double kStrokeSpeeds[]{10.0, 45.0};
 constexpr double kSlowSpeeds[]{0.1, 1.0};
-constexpr double kRest = 0.4;     // [s]
-constexpr double kSettled = 0.2;  // part of the rest after which the force should be constant [s]
-constexpr double kStill = 1e-3;   // larger peak-to-peak forces at rest are a limit cycle [N]
-constexpr double kSlowStretch = 0.25;  // duration of the way forth, and of the way back [s]
+constexpr double kRestTime = 0.4;          // [s]
+constexpr double kSettledTime = 0.2;       // after it a force at rest should be constant [s]
+constexpr double kLeastLimitCycle = 1e-3;  // larger peak-to-peak forces at rest are one [N]
+constexpr double kSlowStrokeTime = 0.25;   // duration of each direction [s]
 // Fraction of the range; smaller motions are rounding errors of a resting tool.
 constexpr double kLeastMove = 1e-9;
 
@@ -93,7 +93,7 @@ class Sweep {
       rest();
       for (const double speed : kSlowSpeeds) {
         const double place = travel_;
-        const double stretch = (isOpening ? -1.0 : 1.0) * speed * unit_ * kSlowStretch;
+        const double stretch = (isOpening ? -1.0 : 1.0) * speed * unit_ * kSlowStrokeTime;
         moveTo(place + stretch, speed);
         moveTo(place, speed);
       }
@@ -105,8 +105,8 @@ class Sweep {
     double high = 0.0;
     int turns = 0;
     double lastStep = 0.0;
-    const auto settling = std::lround(kSettled * rate_);
-    const auto ticks = std::lround(kRest * rate_);
+    const auto settling = std::lround(kSettledTime * rate_);
+    const auto ticks = std::lround(kRestTime * rate_);
     for (long i = 0; i < ticks; ++i) {
       const double before = force_;
       measureStep();
@@ -118,7 +118,7 @@ class Sweep {
       if (step != 0.0) lastStep = step;
     }
     const double amplitude = high - low;
-    const double known = found_.limitCycle ? found_.limitCycle->amplitude : kStill;
+    const double known = found_.limitCycle ? found_.limitCycle->amplitude : kLeastLimitCycle;
     if (!(amplitude > known)) return;
     // A period has two reversals.
     const double frequency = 0.5 * turns * rate_ / static_cast<double>(ticks - settling - 1);

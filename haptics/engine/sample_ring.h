@@ -75,7 +75,7 @@ struct TickSample {
   /// Absorbed by the rotation about the tool's axis during this contact [J]
   double rotationEnergy = 0.0;
   float lateness = 0.0F;  ///< of this tick after its due time [µs]; 0 without a clock
-  devices::DeviceStatus status = devices::DeviceStatus::Gone;
+  devices::DeviceStatus status = devices::DeviceStatus::NotAnswering;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
   std::uint8_t marks = None;
   /// The landmark of a cut that this tick detected.

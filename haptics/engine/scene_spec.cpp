@@ -136,7 +136,7 @@ models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() co
   return p;
 }
 
-const ModelInfo& factsOf(const ModelSpec& model) noexcept {
+const ModelInfo& infoOf(const ModelSpec& model) noexcept {
   return std::visit(
       [](const auto& spec) -> const ModelInfo& { return std::decay_t<decltype(spec)>::kInfo; },
       model);
@@ -237,7 +237,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
   return jumps;
 }
 
-std::optional<ModelSpec> undisturbed(const ModelSpec& model) {
+std::optional<ModelSpec> withoutNoiseAndRemoval(const ModelSpec& model) {
   struct Undisturbed {
     using Result = std::optional<ModelSpec>;
     Result operator()(const InterpolationSpec&) const { return std::nullopt; }

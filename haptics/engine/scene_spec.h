@@ -61,8 +61,8 @@ struct Reamer {
   /// chip, so the damping is inversely proportional to the number of teeth that pass per second.
   /// @param stated  damping of the default reamer, 20 teeth of which pass per second [N·s/m].
   constexpr double cuttingDampingOf(double stated) const noexcept {
-    constexpr double kPassesOfTheDefault = 20.0;  // [1/s]
-    return speed > 0.0 ? stated * (kPassesOfTheDefault / (speed * teeth)) : stated;
+    constexpr double kDefaultToothRate = 20.0;  // [1/s]
+    return speed > 0.0 ? stated * (kDefaultToothRate / (speed * teeth)) : stated;
   }
 
   /// The reamer of release 0.1, without a limit of the feed and without torque.
@@ -177,7 +177,7 @@ struct PackingSpec {
 using ModelSpec =
     std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec>;
 
-const ModelInfo& factsOf(const ModelSpec& model) noexcept;
+const ModelInfo& infoOf(const ModelSpec& model) noexcept;
 
 /// The parts of a model; nullptr for parts that it lacks. Valid as long as the model.
 struct ModelParts {
@@ -207,7 +207,7 @@ std::vector<ForceJump> jumpsOf(const ModelSpec& model);
 
 /// A reaming model as a function of travel: without noise and without removal. std::nullopt for the
 /// models of the punch.
-std::optional<ModelSpec> undisturbed(const ModelSpec& model);
+std::optional<ModelSpec> withoutNoiseAndRemoval(const ModelSpec& model);
 
 /// What determines the shape of the drawn meniscus, see MeshView.
 enum class TissueDrawing {

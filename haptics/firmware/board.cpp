@@ -27,7 +27,7 @@ void* memset(void* to, int value, size_t count) {
 namespace haptics::firmware::board {
 namespace {
 
-constexpr uint32_t kUnused = 0xA5A5A5A5;
+constexpr uint32_t kStackFillPattern = 0xA5A5A5A5;
 
 volatile uint32_t& at(uint32_t address) {
   return *reinterpret_cast<volatile uint32_t*>(address);
@@ -36,7 +36,7 @@ volatile uint32_t& at(uint32_t address) {
 constexpr uint32_t kTimerControl = 0xE000E010;
 constexpr uint32_t kTimerReload = 0xE000E014;
 constexpr uint32_t kTimerValue = 0xE000E018;
-constexpr uint32_t kWhole = 0xFFFFFF;
+constexpr uint32_t kTimerMask = 0xFFFFFF;
 
 /// ARM semihosting: calls a function of the emulator or debugger.
 uint32_t callSemihosting(uint32_t operation, const void* parameter) {
@@ -74,28 +74,28 @@ void exit(int status) noexcept {
 }
 
 void startCounting() noexcept {
-  at(kTimerReload) = kWhole;
+  at(kTimerReload) = kTimerMask;
   at(kTimerValue) = 0;
   at(kTimerControl) = 5;  // processor clock, no interrupt
 }
 
 uint32_t instructions() noexcept {
-  const uint32_t ticks = kWhole - at(kTimerValue);
+  const uint32_t ticks = kTimerMask - at(kTimerValue);
   return ticks * 5 / 8;
 }
 
 uint32_t stackUsed() noexcept {
   const uint32_t* word = stack_bottom;
-  while (word < stack_top && *word == kUnused) ++word;
+  while (word < stack_top && *word == kStackFillPattern) ++word;
   return static_cast<uint32_t>(stack_top - word) * sizeof(uint32_t);
 }
 
 namespace {
 void paintStack() {
-  constexpr uintptr_t kInUse = 256;  // used by this function and its caller [bytes]
-  const uintptr_t end = reinterpret_cast<uintptr_t>(stack_top) - kInUse;
+  constexpr uintptr_t kStackInUse = 256;  // used by this function and its caller [bytes]
+  const uintptr_t end = reinterpret_cast<uintptr_t>(stack_top) - kStackInUse;
   for (uint32_t* word = stack_bottom; reinterpret_cast<uintptr_t>(word) < end; ++word) {
-    *word = kUnused;
+    *word = kStackFillPattern;
   }
 }
 }  // namespace

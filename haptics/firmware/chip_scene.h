@@ -94,7 +94,8 @@ class OnDeviceScene {
     const float travelled = hasTravel_ ? travel - last_ : 0.0F;
     last_ = travel;
     hasTravel_ = true;
-    const float force = filter_.step(travelled, elastic, recorded, curve_.trustAt(travel));
+    const float force =
+        filter_.step(travelled, elastic, recorded, curve_.measurementWeightAt(travel));
     if (wire::punch::isFinite(force)) return force;
     reset();  // only an impossible motion causes this
     return 0.0F;
@@ -109,9 +110,9 @@ class OnDeviceScene {
     p.toolPosition = model_.toolPosition;
     p.contact = model_.contact;
     p.yieldForce = model_.yieldForce;
-    p.boundary = static_cast<models::BoundaryCondition>(model_.readings & 1U);
-    p.weights = static_cast<models::ToolInterpolation>((model_.readings >> 1U) & 3U);
-    p.yielding = static_cast<models::YieldLaw>((model_.readings >> 3U) & 1U);
+    p.boundary = static_cast<models::BoundaryCondition>(model_.equationVariants & 1U);
+    p.weights = static_cast<models::ToolInterpolation>((model_.equationVariants >> 1U) & 3U);
+    p.yielding = static_cast<models::YieldLaw>((model_.equationVariants >> 3U) & 1U);
     return p;
   }
 
@@ -137,7 +138,7 @@ class OnDeviceScene {
         static_cast<models::Extrapolation>(model_.extrapolation), model_.rampLength};
     const auto count = static_cast<size_t>(points_);
     const auto parameters = elementParameters();
-    const bool isWeighing = ((model_.readings >> 1U) & 3U) <= 2U;
+    const bool isWeighing = ((model_.equationVariants >> 1U) & 3U) <= 2U;
     const bool isSound = (!hasCurve || Curve::isSound(table_, count, options)) &&
                          (!hasElements || (isWeighing && Elements::isSound(parameters))) &&
                          (model_.kind != ModelKind::Kalman || noise().invalidReason() == nullptr) &&

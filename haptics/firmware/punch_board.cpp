@@ -58,8 +58,8 @@ constexpr int kStep = 4;         // [ms]
 volatile uint32_t milliseconds = 0;
 
 /// A ring buffer of received bytes, filled by the UART's interrupt and read by the program.
-constexpr uint32_t kRoom = 1024;
-volatile uint8_t received[kRoom];
+constexpr uint32_t kReceiveBufferSize = 1024;
+volatile uint8_t received[kReceiveBufferSize];
 volatile uint32_t receivedTo = 0;
 volatile uint32_t receivedFrom = 0;
 
@@ -86,7 +86,7 @@ class Board {
   static bool hasDriverFault() noexcept { return false; }
   static int read() noexcept {
     if (receivedFrom == receivedTo) return -1;
-    const int byte = received[receivedFrom % kRoom];
+    const int byte = received[receivedFrom % kReceiveBufferSize];
     receivedFrom = receivedFrom + 1;
     return byte;
   }
@@ -152,7 +152,7 @@ void receive() {
   using namespace haptics::firmware;
   at(kUartInterrupt) = 2;
   while ((at(kUartState) & 2U) != 0) {
-    received[receivedTo % kRoom] = static_cast<uint8_t>(at(kUartData));
+    received[receivedTo % kReceiveBufferSize] = static_cast<uint8_t>(at(kUartData));
     receivedTo = receivedTo + 1;
   }
 }

@@ -208,12 +208,12 @@ class PunchProgram {
   /// fault, which switches the force off.
   void observe() noexcept {
     const int32_t counts = hardware_.counts();
-    const int32_t leap = way(lastCounts_, counts);
+    const int32_t leap = countDifference(lastCounts_, counts);
     if (leap > limits_.maxCountsPerStep || leap < -limits_.maxCountsPerStep) {
       latch(wire::punch::kEncoderFault, EventCode::EncoderFault, static_cast<uint32_t>(leap));
     }
     lastCounts_ = counts;
-    velocity_ = perSecond(way(countHistory_[oldest_], counts));
+    velocity_ = perSecond(countDifference(countHistory_[oldest_], counts));
     countHistory_[oldest_] = counts;
     oldest_ = (oldest_ + 1) % kWindow;
     if (velocity_ > limits_.mostVelocity || velocity_ < -limits_.mostVelocity) {
@@ -225,7 +225,7 @@ class PunchProgram {
   }
 
   /// Difference of two counts of an encoder that wraps around.
-  static int32_t way(int32_t from, int32_t to) noexcept {
+  static int32_t countDifference(int32_t from, int32_t to) noexcept {
     return static_cast<int32_t>(static_cast<uint32_t>(to) - static_cast<uint32_t>(from));
   }
 
@@ -286,9 +286,9 @@ class PunchProgram {
         .lateLoops = lateLoops_,
         .badFrames = badFrames_,
         .isRendering = isRendering_});
-    constexpr uint8_t kTold =
+    constexpr uint8_t kReportedOnce =
         wire::punch::kBadFrames | wire::punch::kSaturated | wire::punch::kClockWrapped;
-    faults_ &= static_cast<uint8_t>(~kTold);
+    faults_ &= static_cast<uint8_t>(~kReportedOnce);
   }
 
   void report(EventCode code, uint32_t value) noexcept {

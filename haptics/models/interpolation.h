@@ -21,7 +21,7 @@ enum class Extrapolation {
   Hold,          ///< the force at the end continues
   Zero,          ///< 0, with a jump
   AuthorsClamp,  ///< 0.01 N; and within the curve clamped to 0.01 N … 4.29 N
-  Absent,        ///< undefined, since there is no measurement; within the curve see trustAt()
+  Absent,  ///< undefined, since there is no measurement; within the curve see measurementWeightAt()
 };
 
 /// The force of a recorded cut, by linear interpolation between its points: eq. (2) of the punch
@@ -38,7 +38,7 @@ class Interpolation {
   struct Options {
     Extrapolation extrapolation = Extrapolation::RampOut;
     /// [travel units], > 0. RampOut: length beyond each end over which the force fades. Absent:
-    /// length inside each end over which trustAt() rises from 0 to 1.
+    /// length inside each end over which measurementWeightAt() rises from 0 to 1.
     Scalar rampLength{1.5};
   };
 
@@ -88,7 +88,7 @@ class Interpolation {
   /// Weight of the curve as a measurement at @p travel [travel units], for a filter: 1, except with
   /// Absent. With Absent it is 0 beyond the curve and rises linearly to 1 over rampLength inside
   /// it, so that the filter's output has no step at the ends.
-  constexpr Scalar trustAt(Scalar travel) const noexcept {
+  constexpr Scalar measurementWeightAt(Scalar travel) const noexcept {
     if (options_.extrapolation != Extrapolation::Absent) return Scalar{1};
     const Scalar before = travel - nodes_[0].travel;
     const Scalar behind = nodes_[count_ - 1].travel - travel;

@@ -46,7 +46,7 @@ double ForceCurve::largestSlope() const noexcept {
 
 namespace {
 
-constexpr double kSameTravel = 1e-6;  // [travel units]
+constexpr double kTravelTolerance = 1e-6;  // [travel units]
 
 /// Samples that are merged into one node, and their mean.
 struct Pool {
@@ -68,7 +68,7 @@ MonotoneCurve monotoneCurve(std::span<const CurvePoint> samples) {
   std::vector<Pool> pools;
   for (const CurvePoint& sample : samples) {
     Pool pool{sample.travel, sample.force, 1.0};
-    while (!pools.empty() && !(pool.travel > pools.back().travel + kSameTravel)) {
+    while (!pools.empty() && !(pool.travel > pools.back().travel + kTravelTolerance)) {
       Pool before = pools.back();
       pools.pop_back();
       before.take(pool);

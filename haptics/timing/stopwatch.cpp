@@ -81,8 +81,8 @@ std::vector<Timing> compareTimes(const std::vector<Contestant>& contestants) {
 }
 
 std::vector<Timing> compareColdTimes(const std::vector<Contestant>& contestants, int rounds) {
-  constexpr std::size_t kEnough = std::size_t{80} * 1024 * 1024 / sizeof(std::uint64_t);
-  static std::vector<std::uint64_t> other(kEnough, 1);
+  constexpr std::size_t kWordsBeyondCaches = std::size_t{80} * 1024 * 1024 / sizeof(std::uint64_t);
+  static std::vector<std::uint64_t> other(kWordsBeyondCaches, 1);
   std::vector<std::vector<double>> times(contestants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < contestants.size(); ++i) {

@@ -55,7 +55,7 @@ class RequiredFields {
   std::uint32_t bits_ = 0;
 };
 
-std::uint32_t requiredIn(const Message auto& message) noexcept {
+std::uint32_t requiredFieldBitsOf(const Message auto& message) noexcept {
   RequiredFields required;
   visit(message, required);
   return required.requiredFieldBits();
@@ -82,7 +82,7 @@ class Validator {
 
   template <Message T>
   void validate(const T& message) noexcept {
-    const std::uint32_t required = requiredIn(message);
+    const std::uint32_t required = requiredFieldBitsOf(message);
     if (required != 0 && (required & ~findings_.seen.at(&message)) != 0) isIncomplete_ = true;
     visit(message, *this);
   }
@@ -304,7 +304,7 @@ bool read(Reader in, Message auto& message, Findings& findings) noexcept {
     if (!field.isTaken()) in.skip(tag);
     if (field.hasValue()) seen |= 1U << tag.number;
   }
-  if (requiredIn(message) != 0) findings.seen[&message] |= seen;
+  if (requiredFieldBitsOf(message) != 0) findings.seen[&message] |= seen;
   return in.isSound();
 }
 

@@ -108,7 +108,7 @@ inline void write(Writer& w, const Model& m) noexcept {
   w.f32(m.millivoltsPerNewton);
   w.f32(m.largestForce);
   w.u8(m.elements);
-  w.u8(m.readings);
+  w.u8(m.equationVariants);
   w.f32(m.start);
   w.f32(m.end);
   w.f32(m.elementStiffness);
@@ -135,7 +135,7 @@ inline bool read(const Frame& frame, Model& m) noexcept {
   f32(m.millivoltsPerNewton);
   f32(m.largestForce);
   m.elements = r.u8();
-  m.readings = r.u8();
+  m.equationVariants = r.u8();
   f32(m.start);
   f32(m.end);
   f32(m.elementStiffness);
@@ -147,7 +147,8 @@ inline bool read(const Frame& frame, Model& m) noexcept {
   m.scheme = r.u8();
   for (float& v : m.noise) f32(v);
   return r.isFullyRead() && isNumber && m.kind <= ModelKind::Kalman &&
-         m.tableSize <= kLargestTable && m.readings < 16 && m.extrapolation < 5 && m.scheme < 4;
+         m.tableSize <= kLargestTable && m.equationVariants < 16 && m.extrapolation < 5 &&
+         m.scheme < 4;
 }
 
 inline void write(Writer& w, const ModelTable& m) noexcept {

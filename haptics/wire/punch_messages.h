@@ -98,7 +98,7 @@ struct Model {
   float largestForce = 0.0F;  ///< [N]
   // Finite elements: haptics/models/finite_elements.h.
   uint8_t elements = 5;
-  uint8_t readings = 0;  ///< boundary | weights << 1 | yielding << 3
+  uint8_t equationVariants = 0;  ///< boundary | weights << 1 | yielding << 3
   float start = 0.5F;
   float end = 2.0F;
   float elementStiffness = 1.0F;

@@ -28,9 +28,9 @@ std::optional<ComparedScale> scaleOf(const questionnaires::Item& item) {
     return ComparedScale{range->low, range->high, true};
   }
   // The largest magnitude of a point in a table of answers.
-  constexpr double kFarthest = 1e6;
+  constexpr double kLargestPoint = 1e6;
   const auto isWhole = [](double value) {
-    return value == std::round(value) && std::abs(value) <= kFarthest;
+    return value == std::round(value) && std::abs(value) <= kLargestPoint;
   };
   const bool isCounted = isWhole(range->low) && isWhole(range->high) && isWhole(item.step) &&
                          item.step > 0.0 && range->high - range->low < kMostComparedPoints;

@@ -15,7 +15,7 @@ using questionnaires::Problems;
 using questionnaires::shown;
 
 constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
-constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
+constexpr std::array<std::string_view, 2> kNotReplaceable{"meniscus", "punch"};
 constexpr float kSmallestKnee = 20.0F;  // length along the longest axis [mm]
 constexpr float kLargestKnee = 400.0F;  // length along the longest axis [mm]
 constexpr float kFarthestAway = 60.0F;  // distance of any surface from the punch's mouth [mm]
@@ -84,7 +84,7 @@ class AnatomyReader {
   explicit AnatomyReader(Problems& problems) : problems_(problems) {}
 
   void take(NamedSurface surface) {
-    if (isOneOf(kForOrientation, surface.name)) return;
+    if (isOneOf(kNotReplaceable, surface.name)) return;
     const std::string place = placeOf(surface.name);
     if (!isOneOf(kReplaceable, surface.name)) return refuseName(surface.name, place);
     if (!isSound(surface, place)) return;

@@ -29,7 +29,7 @@ constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 constexpr double kDeepest = 1.0;  // [m]
 // Limit of each depth [m]. Depths between kDeepest and this limit are reported once per file, as a
 // wrong unit.
-constexpr double kFarthest = 1e9;
+constexpr double kLargestNumber = 1e9;
 
 reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
   constexpr double kLargest = 1e6;    // [N, N·m]
@@ -37,7 +37,7 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
   reaming::CurveNodes nodes;
   for (const auto& node : curves.requiredList(which)) {
     if (!node.isObjectWithOnlyKeys({"depth_m", keys.value, keys.slope})) continue;
-    const double depth = node.number("depth_m", 0.0, kFarthest);
+    const double depth = node.number("depth_m", 0.0, kLargestNumber);
     if (!nodes.empty() && !(depth > nodes.back().position)) {
       node.problem(
           "depth_m",

@@ -37,7 +37,7 @@ std::optional<std::string> textInLibrary(const std::string& id) {
 /// Reads a file when it is first needed, so that its problems are reported once for all conditions
 /// that refer to it. A missing file is reported at every place that refers to it.
 template <typename T, typename Read>
-const T* ReferencedFiles::once(
+const T* ReferencedFiles::readOnce(
     ByName<T>& known,
     const std::string& name,
     const std::string& path,
@@ -64,12 +64,12 @@ const T* ReferencedFiles::once(
 
 const haptics::recordings::Cut* ReferencedFiles::cut(
     const std::string& name, const std::string& path) {
-  return once(cuts_, name, path, readCut);
+  return readOnce(cuts_, name, path, readCut);
 }
 
 const haptics::reaming::Material* ReferencedFiles::material(
     const std::string& name, const std::string& path) {
-  return once(materials_, name, path, readMaterial);
+  return readOnce(materials_, name, path, readMaterial);
 }
 
 const ReferencedFiles::PackingFile* ReferencedFiles::packing(
@@ -83,7 +83,7 @@ const ReferencedFiles::PackingFile* ReferencedFiles::packing(
     }
     return file;
   };
-  return once(
+  return readOnce(
       packings_,
       name,
       path,
@@ -100,7 +100,7 @@ std::shared_ptr<const Anatomy> ReferencedFiles::anatomy(
     }
     return file;
   };
-  const auto* file = once(
+  const auto* file = readOnce(
       anatomies_,
       name,
       path,

@@ -81,7 +81,7 @@ class ReferencedFiles {
   };
 
   template <typename T, typename Read>
-  const T* once(
+  const T* readOnce(
       ByName<T>& known,
       const std::string& name,
       const std::string& path,

@@ -412,7 +412,7 @@ void readScene(
     if (parameters->isSound()) condition.model = std::move(model);
   }
   const bool isBone =
-      condition.model && engine::factsOf(*condition.model).tissue == haptics::devices::Tissue::Bone;
+      condition.model && engine::infoOf(*condition.model).tissue == haptics::devices::Tissue::Bone;
   if (condition.model && !isBone && scene.has("reamer")) {
     scene.problem("reamer", "only bone is reamed, and this model is of none", "remove it");
   }

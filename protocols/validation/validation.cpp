@@ -43,7 +43,7 @@ void checkScene(
     const DeviceKind& device,
     const std::string& path,
     Problems& problems) {
-  const auto& [name, tissue, travelUnit] = haptics::engine::factsOf(scene.model);
+  const auto& [name, tissue, travelUnit] = haptics::engine::infoOf(scene.model);
   if (tissue != device.tissue) {
     problems.add(
         path + ".model",

@@ -36,7 +36,7 @@ class ProtocolWarningCheck {
   ProtocolWarningCheck(const LoadedProtocol& loaded, Problems& problems)
       : loaded_(loaded), protocol_(loaded.protocol), problems_(problems) {}
 
-  void onTexts() {
+  void addTextWarnings() {
     text("$.labels.prefix", protocol_.labels.prefix);
     for (std::size_t i = 0; i < protocol_.phases.size(); ++i) {
       const auto& words = protocol_.phases[i].text;
@@ -58,7 +58,7 @@ class ProtocolWarningCheck {
     }
   }
 
-  void onUnusedTexts() {
+  void addUnusedTextWarnings() {
     for (const auto& [key, text] : protocol_.texts) {
       if (isAmong(loaded_.blanks, key)) continue;
       problems_.warn(
@@ -68,7 +68,7 @@ class ProtocolWarningCheck {
     }
   }
 
-  void onUnusedParts() {
+  void addUnusedPartWarnings() {
     std::set<std::string> devices;
     for (const auto& condition : protocol_.conditions) devices.insert(condition.device);
     std::set<std::string> felt;
@@ -172,8 +172,8 @@ class ProtocolWarningCheck {
 
 void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defaults) {
   ProtocolWarningCheck advice(loaded, problems);
-  advice.onTexts();
-  advice.onUnusedTexts();
+  advice.addTextWarnings();
+  advice.addUnusedTextWarnings();
   advice.addInstrumentWarnings();
   addSceneWarnings(loaded.protocol, problems);
   addBlockWarnings(loaded, problems);
@@ -184,7 +184,7 @@ void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defa
     addItemWarnings(loaded, problems);
     addPoolingWarnings(loaded.protocol, problems);
   }
-  advice.onUnusedParts();
+  advice.addUnusedPartWarnings();
 }
 
 }  // namespace protocols

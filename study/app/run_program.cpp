@@ -28,7 +28,7 @@ const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
 }
 
 /// A message on a mistake in the call.
-std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
+std::string describeMistake(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   const auto& command = commandCalled(program, name);
   const std::string explains = "'" + name + " --help' explains it.\n";
@@ -65,7 +65,7 @@ int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help or --version
-    std::fputs(whatIsWrong(program, error).c_str(), stderr);
+    std::fputs(describeMistake(program, error).c_str(), stderr);
     return kWrongCall;
   }
   try {

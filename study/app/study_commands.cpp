@@ -121,9 +121,9 @@ int simulatedSessions(Study& study) {
 /// Prints the progress of a long simulation at some enrolments; the previous participant has then
 /// finished.
 void printProgress(const SimulationEvent& done, int& finished, int participants) {
-  constexpr int kEvery = 10;
+  constexpr int kParticipantsPerReport = 10;
   if (done.kind != SimulationEvent::Kind::Enrolment) return;
-  if (finished > 0 && finished % kEvery == 0) {
+  if (finished > 0 && finished % kParticipantsPerReport == 0) {
     fmt::print(stderr, "{} of {} simulated participants have finished\n", finished, participants);
   }
   ++finished;

@@ -100,7 +100,7 @@ int listBlanks(const protocols::LoadedProtocol& loaded, bool json) {
   return 0;
 }
 
-int protocolTexts(const TextsArguments& options) {
+int listOrFillProtocolTexts(const TextsArguments& options) {
   const auto loaded = loadValidProtocol(options.source);
   if (options.set.empty()) return listBlanks(loaded, options.json);
   if (options.out.empty()) {
@@ -113,7 +113,7 @@ int protocolTexts(const TextsArguments& options) {
   return 0;
 }
 
-int studyTexts(const TextsArguments& options) {
+int listOrFillStudyTexts(const TextsArguments& options) {
   if (options.set.empty()) {
     auto study = Study::open(options.source, storage::Database::Access::ReadOnly);
     return listBlanks(study.protocol(), options.json);
@@ -146,7 +146,7 @@ void addProtocolTextsCommand(CLI::App& noun, Action& action) {
       noun,
       action,
       "List the blanks in texts that participants read, or fill them in",
-      protocolTexts);
+      listOrFillProtocolTexts);
   addProtocolFile(*verb, options.source);
   verb->add_option("--out", options.out, "New file for the filled-in protocol")->type_name("FILE");
 }
@@ -156,7 +156,7 @@ void addStudyTextsCommand(CLI::App& noun, Action& action) {
       noun,
       action,
       "List the blanks in a study's texts, or fill them in by an amendment",
-      studyTexts);
+      listOrFillStudyTexts);
   addStudyFolder(*verb, options.source);
   addReasonOfAmendment(*verb, options.reason);
 }

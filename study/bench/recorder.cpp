@@ -79,11 +79,11 @@ std::vector<RecorderRun> compareRecorders(const std::string& folder, double seco
   };
   int number = 0;
   RecorderContestant contestants[]{
-      {{.way = "palpate: chunks of a second"},
+      {{.method = "palpate: chunks of a second"},
        [&](const auto& chunk) {
          store.add({SessionId{1}, 0, 1}, number++, chunk);
        }},
-      {{.way = "raw file, fdatasync a chunk"}, [&](const auto& chunk) { file.keep(chunk); }}};
+      {{.method = "raw file, fdatasync a chunk"}, [&](const auto& chunk) { file.keep(chunk); }}};
   const auto chunk = chunkOfACut();
   double chunks = 0.0;
   for (const auto start = Clock::now(); haptics::timing::secondsSince(start) < seconds; ++chunks) {

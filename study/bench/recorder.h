@@ -10,7 +10,7 @@ namespace study::bench {
 
 /// The speed of one method of storing samples.
 struct RecorderRun {
-  std::string way;
+  std::string method;
   double samplesPerSecond = 0.0;
   double bytesPerSample = 0.0;
   double worstCall = 0.0;  ///< longest time to store a thousand samples [ms]

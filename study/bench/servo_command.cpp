@@ -81,12 +81,12 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
           {"p99_us", "p99"},
           {"p999_us", "p99.9"},
           {"max_us", "Latest"},
-          {"own_p50_us", "p50 without holes"},
-          {"own_p99_us", "p99 without holes"},
+          {"own_p50_us", "p50 without host pauses"},
+          {"own_p99_us", "p99 without host pauses"},
           {"late_ticks", "A period late"},
-          {"late_ticks_own", "… not by a hole"},
-          {"holes", "Holes"},
-          {"longest_hole_us", "Longest hole"},
+          {"late_ticks_own", "… not by a host pause"},
+          {"holes", "Host pauses"},
+          {"longest_hole_us", "Longest host pause"},
           {"passive_stiffness", "Passive K of the punch [N/unit]"}}};
   for (const auto& run : runs) {
     const auto& r = run.report;
@@ -106,8 +106,8 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
          r.ownLateness.quantile(0.99),
          static_cast<std::int64_t>(r.lateTicks),
          static_cast<std::int64_t>(r.ownLateTicks),
-         static_cast<std::int64_t>(r.holes),
-         r.longestHole,
+         static_cast<std::int64_t>(r.hostPauses),
+         r.longestHostPause,
          passivity.allowedStiffness(kPunch)});
   }
   return table;
@@ -144,7 +144,7 @@ DataTable recorderTable(const std::vector<RecorderRun>& recorders, const Recorde
           {"lost", "Samples lost"}}};
   for (const auto& run : recorders) {
     table.rows.push_back(
-        {run.way, run.samplesPerSecond, run.bytesPerSample, run.worstCall, {}, {}, {}});
+        {run.method, run.samplesPerSecond, run.bytesPerSample, run.worstCall, {}, {}, {}});
   }
   table.rows.push_back(
       {fmt::format("in a loop of 1 kHz over {:.0f} s", loop.seconds),

@@ -107,9 +107,10 @@ class Writer {
   /// A random point of the scale. The probabilities of the five points are fixed, with small
   /// differences between conditions.
   std::int64_t drawn(const std::string& condition) {
-    constexpr std::array<int, 5> kOfOne{8, 20, 45, 78, 100};
-    constexpr std::array<int, 5> kOfAnother{12, 27, 54, 83, 100};
-    const auto& upTo = condition == loaded_.protocol.conditions.front().id ? kOfOne : kOfAnother;
+    constexpr std::array<int, 5> kUpToOfFirst{8, 20, 45, 78, 100};
+    constexpr std::array<int, 5> kUpToOfOthers{12, 27, 54, 83, 100};
+    const auto& upTo =
+        condition == loaded_.protocol.conditions.front().id ? kUpToOfFirst : kUpToOfOthers;
     const auto percent = static_cast<int>(random_.bits() % 100);
     std::int64_t point = 1;
     while (percent >= upTo[static_cast<std::size_t>(point - 1)]) ++point;

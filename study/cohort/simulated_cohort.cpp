@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
-constexpr int kMostDisturbed = 60;    // further failures allowed if the machine stalled during them
-constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier failed immediately
+constexpr int kMostFailuresDuringStalls = 60;  // further ones while the machine stalled
+constexpr double kImmediateFailureTime = 0.5;  // [s] from the beginning of a trial
 // consecutive immediate failures after which the device counts as broken
 constexpr int kMostImmediateFailures = 5;
 constexpr std::chrono::milliseconds kBetweenTries{500};
@@ -138,14 +138,14 @@ class SimulatedSession {
     // A trial that broke off while the machine stalled does not show that the device is faulty.
     const bool isDisturbed = stoodStill >= kDeviceTimeout;
     if (isDisturbed) {
-      ++disturbed_;
+      ++failuresDuringStalls_;
     } else {
-      immediateFailures_ = record.duration < kImmediately ? immediateFailures_ + 1 : 0;
+      immediateFailures_ = record.duration < kImmediateFailureTime ? immediateFailures_ + 1 : 0;
       ++failures_;
     }
     const bool isHopeless = failures_ >= kMostFailures ||
                             immediateFailures_ >= kMostImmediateFailures ||
-                            disturbed_ >= kMostDisturbed;
+                            failuresDuringStalls_ >= kMostFailuresDuringStalls;
     if (isHopeless) session_.giveUpOnDevice(why);
     const std::string machine = isDisturbed ? " (this computer stood still for " +
                                                   std::to_string(stoodStill.count()) + " ms)"
@@ -194,9 +194,9 @@ class SimulatedSession {
   DeviceSet* devices_;
   haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
-  int failures_ = 0;           ///< consecutive failures of devices
-  int immediateFailures_ = 0;  ///< consecutive failures before anything was rendered
-  int disturbed_ = 0;          ///< failures while the machine stalled; not counted in the other two
+  int failures_ = 0;              ///< consecutive failures of devices
+  int immediateFailures_ = 0;     ///< consecutive failures before anything was rendered
+  int failuresDuringStalls_ = 0;  ///< not counted in the other two
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };

@@ -12,7 +12,7 @@ using questionnaires::AnswerKind;
 using questionnaires::Item;
 using questionnaires::Response;
 
-constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
+constexpr double kOmissionProbability = 0.3;  // probability that an optional item is left out
 
 // Standard deviation of the noise of a choice between alternatives, relative to the noise of an
 // answer. An assumption, not a measurement: a person who has felt all alternatives compares them
@@ -26,7 +26,7 @@ SimulatedParticipant::SimulatedParticipant(
     std::uint64_t seed,
     std::string cohort,
     std::uint64_t slot)
-    : truth_(truth), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
+    : answerModel_(truth), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
 
 base::RandomStream SimulatedParticipant::stream(const std::string& purpose) const {
   return {seed_, slot_, "simulated/" + cohort_ + "/" + purpose};
@@ -38,16 +38,16 @@ double SimulatedParticipant::secondsFor(const std::string& what, double least, d
 }
 
 double SimulatedParticipant::realismOf(const std::string& condition) const {
-  return truth_.realismOf(condition) +
-         truth_.participantStandardDeviation * stream("leniency").normal() +
-         truth_.interactionStandardDeviation * stream("taste/" + condition).normal();
+  return answerModel_.realismOf(condition) +
+         answerModel_.participantStandardDeviation * stream("leniency").normal() +
+         answerModel_.interactionStandardDeviation * stream("taste/" + condition).normal();
 }
 
 std::int64_t SimulatedParticipant::point(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double realism =
       session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
-  const double felt = realism + truth_.residualStandardDeviation * stream(purpose).normal();
+  const double felt = realism + answerModel_.residualStandardDeviation * stream(purpose).normal();
   // realism is defined on a five-point scale
   const double unit = (item.scale.points - 1) / 4.0;
   const double middle = (item.scale.lowest + item.scale.highest()) / 2.0;
@@ -58,7 +58,7 @@ std::int64_t SimulatedParticipant::point(
 double SimulatedParticipant::between(
     const Session& session, const Item& item, const std::string& purpose) const {
   const double felt = realismOf(session.step().condition) +
-                      truth_.residualStandardDeviation * stream(purpose).normal();
+                      answerModel_.residualStandardDeviation * stream(purpose).normal();
   const double unit = (item.most - item.least) / 4.0;  // realism is defined on a five-point scale
   const double answer = std::clamp(
       std::midpoint(item.least, item.most) + item.key * unit * felt, item.least, item.most);
@@ -79,7 +79,7 @@ std::string SimulatedParticipant::preferred(
                           step.phase == phase->block &&
                           std::find(labels.begin(), labels.end(), label) != labels.end();
     if (!isChoice) continue;
-    const double deviation = kNoiseOfAChoice * truth_.residualStandardDeviation;
+    const double deviation = kNoiseOfAChoice * answerModel_.residualStandardDeviation;
     const double felt =
         realismOf(step.condition) + deviation * stream(purpose + "/" + label).normal();
     if (felt > most) {
@@ -95,7 +95,7 @@ std::optional<Response> SimulatedParticipant::answer(
   const std::string purpose =
       "answer/" + session.step().phase + "/" + session.step().condition + "/" + item.id;
   auto random = stream(purpose + "/choice");
-  if (!item.isRequired && random.uniform() < kLeavesOut) return std::nullopt;
+  if (!item.isRequired && random.uniform() < kOmissionProbability) return std::nullopt;
   switch (questionnaires::answerKindOf(item.type)) {
     case AnswerKind::Point:
       return point(session, item, purpose);

@@ -64,7 +64,7 @@ class SimulatedParticipant {
   /// The label of the preferred alternative.
   std::string preferred(const Session& session, const std::string& purpose) const;
 
-  protocols::SimulatedAnswerModel truth_;
+  protocols::SimulatedAnswerModel answerModel_;
   std::uint64_t seed_;
   std::string cohort_;
   std::uint64_t slot_;

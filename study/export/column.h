@@ -101,7 +101,7 @@ struct ExportedTable {
 /// The types of columns. The getter of a column must return a value of the column's type, a
 /// std::optional of such a value, or a Cell. Tables are written as
 ///
-///     {"contact_s", Number{"s"}, "How long something was felt", &TrialRow::contact}
+///     {"contact_s", Number{"s"}, "How long something was felt", &StoredTrial::contact}
 namespace holds {
 
 /// Codes and names. An empty text is a missing value.

@@ -56,7 +56,7 @@ struct ExportedAnswer : ExportedStep {
 
 /// A row of trials.csv.
 struct ExportedTrial : ExportedStep {
-  const storage::TrialRow* record = nullptr;
+  const storage::StoredTrial* record = nullptr;
 };
 
 /// A row of cuts.csv.
@@ -100,7 +100,7 @@ class StudyRows {
                                                                  ///< each run mode
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;
-  std::vector<storage::TrialRow> trials_;
+  std::vector<storage::StoredTrial> trials_;
   std::vector<storage::CutRecord> cuts_;
   std::map<storage::Records::Alternative, std::string>
       conditionOfAlternative_;  ///< condition ids, of exported rows

@@ -60,7 +60,7 @@ class PublicPeople {
   std::vector<storage::SessionRecord> sessions_;
   std::map<SessionId, std::size_t> people_;
   std::vector<storage::AnswerRecord> answers_;  ///< answers of these people, from finished visits
-  std::vector<storage::TrialRow> trials_;
+  std::vector<storage::StoredTrial> trials_;
   std::vector<BackgroundQuestion> questions_;
 };
 

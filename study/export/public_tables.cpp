@@ -107,10 +107,10 @@ class PublicTables {
   Column<std::size_t> columnOf(const ReleasedColumn& column) const {
     const auto value = [&column](std::size_t person) { return column.values[person]; };
     if (column.name == kCohortColumn) {
-      return {column.name, holds::OneOf{ValueList::Cohorts}, kCohortInWords, value};
+      return {column.name, holds::OneOf{ValueList::Cohorts}, kCohortDescription, value};
     }
     if (column.name == kSiteColumn) {
-      return {column.name, holds::OneOf{ValueList::Sites}, kSiteInWords, value};
+      return {column.name, holds::OneOf{ValueList::Sites}, kSiteDescription, value};
     }
     if (column.name == kOrderColumn) {
       return {

@@ -92,8 +92,8 @@ Columns<StatisticsRow> statisticsColumns() {
   using analysis::Interval;
   const auto tests = exampleRows();
   return {
-      {"run_mode", OneOf{ValueList::RunModes}, kRunModeInWords, &Row::runMode},
-      {"cohort", OneOf{ValueList::Cohorts}, kCohortInWords, &Row::cohort},
+      {"run_mode", OneOf{ValueList::RunModes}, kRunModeDescription, &Row::runMode},
+      {"cohort", OneOf{ValueList::Cohorts}, kCohortDescription, &Row::cohort},
       {"site",
        OneOf{ValueList::Sites},
        "Where the session took place; empty: of all. Methods site_answers (the answers to group1 "

@@ -27,7 +27,7 @@ Column<Row> sessionNumberColumn() {
 
 template <typename Row>
 Column<Row> cohortColumn() {
-  return {"cohort", holds::OneOf{ValueList::Cohorts}, kCohortInWords, [](const Row& row) {
+  return {"cohort", holds::OneOf{ValueList::Cohorts}, kCohortDescription, [](const Row& row) {
             return row.owner.cohort;
           }};
 }
@@ -35,14 +35,14 @@ Column<Row> cohortColumn() {
 /// Exported only for studies with several sites.
 template <typename Row>
 Column<Row> siteColumn() {
-  return {"site", holds::OneOf{ValueList::Sites}, kSiteInWords, [](const Row& row) {
+  return {"site", holds::OneOf{ValueList::Sites}, kSiteDescription, [](const Row& row) {
             return row.owner.site;
           }};
 }
 
 template <typename Row>
 Column<Row> runModeColumn() {
-  return {"run_mode", holds::OneOf{ValueList::RunModes}, kRunModeInWords, [](const Row& row) {
+  return {"run_mode", holds::OneOf{ValueList::RunModes}, kRunModeDescription, [](const Row& row) {
             return row.owner.runMode;
           }};
 }

@@ -48,12 +48,12 @@ Table<ExportedEvent> bidsEventTable();
 std::string bidsSubject(const RowOwner& owner);
 std::string bidsSession(const RowOwner& owner);
 
-inline constexpr const char* kCohortInWords = "Group of participants";
+inline constexpr const char* kCohortDescription = "Group of participants";
 
-inline constexpr const char* kSiteInWords = "Where the session took place";
+inline constexpr const char* kSiteDescription = "Where the session took place";
 
 /// Description of the values of run_mode.
-inline constexpr const char* kRunModeInWords = "live, pilot or simulated";
+inline constexpr const char* kRunModeDescription = "live, pilot or simulated";
 
 /// Column names of quasi-identifiers that no form asks for.
 inline constexpr const char* kCohortColumn = "cohort";

@@ -20,7 +20,7 @@ auto sampled(Member member) {
 Table<ExportedTrial> trialTable() {
   using namespace holds;
   using Row = ExportedTrial;
-  using Trial = storage::TrialRow;
+  using Trial = storage::StoredTrial;
   const auto of = [](auto member) { return recorded<Row>(member); };
   return {
       .name = "trials",

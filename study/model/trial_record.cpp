@@ -109,7 +109,7 @@ base::NamedArguments valuesOf(const haptics::devices::LinkReport& link) {
   add("restarts", link.restarts);
   add("skipped", link.skipped);
   add("stale", link.stale);
-  add("poor", link.poor);
+  add("poor", link.poorConnectionSamples);
   add("unsent", link.unsent);
   add("clipped", link.clipped);
   add("expired", link.expired);
@@ -179,8 +179,8 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   if (lateTicks && isOftenLate(*lateTicks, ticks)) {
     found(
         Verdict::Warn,
-        holes.value_or(0) > 0 ? message("trial.late.machine", *lateTicks, ticks, *holes)
-                              : message("trial.late", *lateTicks, ticks));
+        hostPauses.value_or(0) > 0 ? message("trial.late.machine", *lateTicks, ticks, *hostPauses)
+                                   : message("trial.late", *lateTicks, ticks));
   }
   if (contact > 0.0 && saturated > kWarnSaturatedShare * contact) {
     found(Verdict::Warn, message("trial.cut_off", saturated, contact));

@@ -89,23 +89,23 @@ struct TrialRecord {
   TrialEnding ending = TrialEnding::Finished;
   double duration = 0.0;  ///< in simulated time: ticks / nominalRate [s]
   std::int64_t ticks = 0;
-  double nominalRate = 1000.0;            ///< [Hz]
-  std::optional<double> achievedRate;     ///< [Hz]; std::nullopt in simulated time
-  std::optional<double> latenessMedian;   ///< median wake-up latency of the loop [µs]
-  std::optional<double> latenessP99;      ///< 99th percentile of that latency [µs]
-  std::optional<double> latenessLargest;  ///< largest latency [µs]
-  std::optional<std::int64_t> lateTicks;  ///< ticks that began more than a period late
-  std::optional<std::int64_t> holes;      ///< late ticks that the host machine caused
-  std::int64_t lostSamples = 0;           ///< samples dropped because the recorder's ring was full
-  std::int64_t invalidTicks = 0;          ///< ticks in which the device gave no measurement
-  double saturated = 0.0;                 ///< time in which the scene asked for more than the force
-                                          ///< limit [s]
-  double slewed = 0.0;                    ///< time in which it asked for a faster change than the
-                                          ///< limit [s]
-  double undefined = 0.0;                 ///< time in which the scene gave no force [s]
-  double contact = 0.0;                   ///< time in which the force was more than 0.05 N [s]
-  double largestForce = 0.0;              ///< largest commanded force [N]
-  std::int64_t traceSamples = 0;          ///< number of samples stored in traces.db
+  double nominalRate = 1000.0;             ///< [Hz]
+  std::optional<double> achievedRate;      ///< [Hz]; std::nullopt in simulated time
+  std::optional<double> latenessMedian;    ///< median wake-up latency of the loop [µs]
+  std::optional<double> latenessP99;       ///< 99th percentile of that latency [µs]
+  std::optional<double> latenessLargest;   ///< largest latency [µs]
+  std::optional<std::int64_t> lateTicks;   ///< ticks that began more than a period late
+  std::optional<std::int64_t> hostPauses;  ///< late ticks that the host machine caused
+  std::int64_t lostSamples = 0;            ///< samples dropped because the recorder's ring was full
+  std::int64_t invalidTicks = 0;           ///< ticks in which the device gave no measurement
+  double saturated = 0.0;         ///< time in which the scene asked for more than the force
+                                  ///< limit [s]
+  double slewed = 0.0;            ///< time in which it asked for a faster change than the
+                                  ///< limit [s]
+  double undefined = 0.0;         ///< time in which the scene gave no force [s]
+  double contact = 0.0;           ///< time in which the force was more than 0.05 N [s]
+  double largestForce = 0.0;      ///< largest commanded force [N]
+  std::int64_t traceSamples = 0;  ///< number of samples stored in traces.db
   std::vector<Cut> cuts;
   std::vector<SafetyEvent> safety;       ///< only the kinds that occurred
   haptics::engine::Passivity passivity;  ///< of the rendering: eq. (25) of the punch paper

@@ -118,7 +118,7 @@ class CertificateRows {
           copy.madeUtc);
     }
     return copy.folder + (copy.madeUtc.empty() ? "" : words_.say(", of {}", copy.madeUtc)) +
-           (copy.isThere ? "" : " " + words_("(not there any more)"));
+           (copy.isPresent ? "" : " " + words_("(not there any more)"));
   }
 
   const ErasureCertificate& certificate_;

@@ -31,7 +31,7 @@ void addReasons(std::vector<TrialReasons>& all, std::vector<base::Message> reaso
 }
 
 /// The trials of completed sessions that were finished and not repeated.
-std::vector<storage::TrialRow> countedTrials(const storage::Records& records, RunMode mode) {
+std::vector<storage::StoredTrial> countedTrials(const storage::Records& records, RunMode mode) {
   std::set<SessionId> wanted;
   for (const auto& session : records.sessions()) {
     if (session.runMode == mode && session.isCompleted()) wanted.insert(session.id);
@@ -127,7 +127,7 @@ std::vector<double> valuesOf(const std::vector<storage::CutRecord>& cuts, Coordi
 
 std::vector<LandmarkSummary> landmarksOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
-  std::map<VisitKey, storage::TrialRow> trials;
+  std::map<VisitKey, storage::StoredTrial> trials;
   for (auto& trial : countedTrials(records, mode)) {
     if (!trial.step.isOptionalRepetition()) trials.emplace(trial.step.visit, std::move(trial));
   }
@@ -206,7 +206,7 @@ std::string ReportSection::introducedTitle(const std::string& condition) const {
       std::ranges::none_of(title, [](char letter) { return letter >= 'a' && letter <= 'z'; });
   for (const auto& [name, english] : kModels) {
     const auto inFull = words(english);  // of all models: tests find missing translations
-    if (isAbbreviation && model && haptics::engine::factsOf(*model).name == name) {
+    if (isAbbreviation && model && haptics::engine::infoOf(*model).name == name) {
       return title + " (" + inFull + ")";
     }
   }

@@ -278,10 +278,10 @@ std::vector<std::string> apaLines(
     Wording wording) {
   const ApaWriter writer(words, wording);
   std::vector<std::string> lines{writer.paired(row, family), writer.exact(row, family)};
-  constexpr std::array<std::string_view, 4> kTold{
+  constexpr std::array<std::string_view, 4> kReportedAlready{
       "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
   for (const auto& test : row.tests) {
-    if (std::ranges::find(kTold, test.id) != kTold.end()) continue;
+    if (std::ranges::find(kReportedAlready, test.id) != kReportedAlready.end()) continue;
     if (test.id == "tost") continue;  // appended last
     if (test.id == "mixed_model") {
       lines.push_back(writer.mixed(test, family));

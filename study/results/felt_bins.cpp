@@ -8,10 +8,10 @@
 namespace study {
 namespace {
 
-constexpr int kBins = 80;                // over the device's whole travel
-constexpr double kOwnSpeed = 0.95;       // quantile of closing speeds that is used as the hand's
-                                         // speed
-constexpr double kShareOfOwn = 0.1;      // closing threshold as a share of the hand's speed
+constexpr int kBins = 80;                       // over the device's whole travel
+constexpr double kClosingSpeedQuantile = 0.95;  // quantile of closing speeds that is used as the
+                                                // hand's speed
+constexpr double kThresholdPerHandSpeed = 0.1;  // closing threshold as a share of the hand's speed
 constexpr double kSlowestStroke = 16.0;  // [s] for the whole travel: bounds the closing threshold
                                          // from above
 
@@ -48,8 +48,9 @@ double ownSpeed(std::span<const storage::TraceSample> samples) {
       speeds.push_back(sample.velocity);
   }
   if (speeds.empty()) return 0.0;
-  const auto place = speeds.begin() + static_cast<std::ptrdiff_t>(
-                                          kOwnSpeed * static_cast<double>(speeds.size() - 1));
+  const auto place =
+      speeds.begin() +
+      static_cast<std::ptrdiff_t>(kClosingSpeedQuantile * static_cast<double>(speeds.size() - 1));
   std::nth_element(speeds.begin(), place, speeds.end());
   return *place;
 }
@@ -65,7 +66,7 @@ RenderedForceBins::RenderedForceBins(
 }
 
 void RenderedForceBins::add(std::span<const storage::TraceSample> samples) {
-  const double closing = std::min(closing_, kShareOfOwn * ownSpeed(samples));
+  const double closing = std::min(closing_, kThresholdPerHandSpeed * ownSpeed(samples));
   Stroke stroke;
   // the previous sample, if the tool was closing then; otherwise nullptr
   const storage::TraceSample* before = nullptr;

@@ -20,7 +20,7 @@ namespace {
 /// travel.
 std::vector<double> intendedForces(
     const haptics::engine::ModelSpec& felt, const std::vector<RenderedForceCurve::Point>& points) {
-  const auto model = haptics::engine::undisturbed(felt);
+  const auto model = haptics::engine::withoutNoiseAndRemoval(felt);
   if (!model) return {};
   haptics::engine::CompiledScene compiled({.model = *model});
   const double coupling = haptics::engine::couplingOf(felt);

@@ -158,7 +158,7 @@ class ItemSummariser {
         quotes.push_back(
             {instrument,
              item.id,
-             aboutOf(answer),
+             conditionAnswered(answer),
              *text,
              loaded_.protocol.phase(answer.step.phase)->type == PhaseType::Interview});
     });
@@ -170,7 +170,7 @@ class ItemSummariser {
   }
 
   /// The condition that an answer is about: in a preference step the chosen condition.
-  const std::string& aboutOf(const AnswerRecord& answer) const {
+  const std::string& conditionAnswered(const AnswerRecord& answer) const {
     const auto chosen = chosen_.find(answer.step.visit);
     return chosen == chosen_.end() ? answer.step.condition : chosen->second;
   }

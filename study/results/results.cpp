@@ -333,7 +333,7 @@ class Computation {
                                                ///< participant
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
-  std::vector<storage::TrialRow> trials_;
+  std::vector<storage::StoredTrial> trials_;
   std::map<Records::Alternative, std::string> allocation_;
 };
 

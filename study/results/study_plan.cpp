@@ -82,11 +82,12 @@ std::size_t answersTo(
 }
 
 int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
-  constexpr int kUsual = 5;
-  constexpr int kFine = 101;  // approximates a continuous scale
+  constexpr int kUsualPoints = 5;
+  constexpr int kPointsOfContinuousScale = 101;  // approximates a continuous scale
   const auto scale = protocols::scaleOf(family, *loaded.instrument(family.instrument));
-  if (!scale) return kUsual;
-  return scale->isPointScale ? static_cast<int>(scale->highest - scale->lowest) + 1 : kFine;
+  if (!scale) return kUsualPoints;
+  return scale->isPointScale ? static_cast<int>(scale->highest - scale->lowest) + 1
+                             : kPointsOfContinuousScale;
 }
 
 analysis::PowerSimulation simulationOf(

@@ -34,7 +34,7 @@ class Snapshot {
     // Recording and answering both end with a commit to study.db. While this transaction holds the
     // write lock, no such commit is possible, so the three read snapshots belong together. They
     // stay unchanged after the lock is released.
-    auto writer = writerOf(files);
+    auto writer = openForWriting(files);
     std::optional<storage::Transaction> writeLock;
     if (writer) writeLock.emplace(*writer);
     for (auto& database : databases_) database.beginSnapshot();
@@ -44,7 +44,7 @@ class Snapshot {
 
  private:
   /// std::nullopt if the study cannot be written at all: an archive, a read-only or a full disk.
-  static std::optional<Database> writerOf(const StudyFiles& files) {
+  static std::optional<Database> openForWriting(const StudyFiles& files) {
     try {
       return Database::open(files.study(), storage::studySchema(), Access::ReadWrite);
     } catch (const StorageError& error) {

@@ -90,15 +90,16 @@ bool usesStationSecret(Study& study) {
       made.begin(), made.end(), [](const auto& value) { return value.first == kOrdersOfStation; });
 }
 
-/// @param isSecret  whether the station's seed is derived with its secret; ignored if the protocol
+/// @param derivesSeedFromSecret  whether the station's seed is derived with its secret; ignored if
+/// the protocol
 ///     has a "seed"
 protocols::Schedule scheduleOf(
     Study& study,
     const storage::SessionRow& row,
     const std::optional<storage::BlindingSecret>& secret,
-    bool isSecret) {
+    bool derivesSeedFromSecret) {
   const auto& protocol = study.protocol(row.protocol).protocol;
-  const bool isUsed = secret && isSecret && !protocol.seed;
+  const bool isUsed = secret && derivesSeedFromSecret && !protocol.seed;
   return protocols::scheduleFor(
       protocol,
       seedAt(row.station, study.seed(), isUsed ? &*secret : nullptr),
@@ -106,10 +107,10 @@ protocols::Schedule scheduleOf(
       static_cast<std::uint64_t>(row.slot));
 }
 
-std::vector<Step> planOf(Study& study, const storage::SessionRow& row, bool isSecret) {
+std::vector<Step> planOf(Study& study, const storage::SessionRow& row, bool derivesSeedFromSecret) {
   const auto& protocol = study.protocol(row.protocol).protocol;
   const auto secret = secretAt(study, row);
-  auto schedule = scheduleOf(study, row, secret, isSecret);
+  auto schedule = scheduleOf(study, row, secret, derivesSeedFromSecret);
   if (!secret) return sessionPlan(protocol, schedule);
   const auto parts = conditionPermutation(protocol, *secret, row.runMode);
   for (auto& block : schedule.blocks) {

@@ -152,7 +152,7 @@ std::vector<KnownCopy> knownCopies(Study& study) {
         {.folder = folder,
          .what = std::string(event.name()),
          .madeUtc = asUtc(event.when.wall),
-         .isThere = fs::exists(folder, ignored),
+         .isPresent = fs::exists(folder, ignored),
          .content = contentOf(study, folder, textIn(event, "fingerprint"))});
   }
   const auto exports = study.folder() / "exports";
@@ -163,7 +163,7 @@ std::vector<KnownCopy> knownCopies(Study& study) {
     });
     if (isKnown) continue;
     copies.push_back(
-        {.folder = entry.path().string(), .what = "exported", .madeUtc = {}, .isThere = true});
+        {.folder = entry.path().string(), .what = "exported", .madeUtc = {}, .isPresent = true});
   }
   return copies;
 }
@@ -183,7 +183,7 @@ std::vector<KnownCopy> copiesLeft(
         {.folder = {},
          .what = std::string(event.name()),
          .madeUtc = asUtc(event.when.wall),
-         .isThere = true});
+         .isPresent = true});
   }
   return known;
 }

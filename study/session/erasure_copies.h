@@ -14,7 +14,7 @@ struct KnownCopy {
   std::string folder;
   std::string what;     ///< name of the kind of event: "made_backup", "exported"
   std::string madeUtc;  ///< empty if the copy was found in the study's folder, without an event
-  bool isThere = false;
+  bool isPresent = false;
 
   /// Whether a file still has the content that the program wrote.
   enum class Content {

@@ -11,7 +11,7 @@ namespace {
 
 using storage::Findings;
 
-constexpr const char* kGone = "-";
+constexpr const char* kNoRow = "-";
 constexpr const char* kUnknown = "";  ///< the event is of a release without fingerprints
 
 std::string nameOf(const storage::IdentityStore::Place& place, const std::string& item) {
@@ -99,10 +99,10 @@ void compare(
     const std::map<std::string, std::string>& present,
     Findings& findings) {
   const auto here = present.find(row);
-  if (said == kGone ? here != present.end() : here == present.end()) {
+  if (said == kNoRow ? here != present.end() : here == present.end()) {
     findings.problems.push_back(
-        "what names " + row + (said == kGone ? " was gone, and is there" : " is missing"));
-  } else if (said != kGone && said != kUnknown && here->second != said) {
+        "what names " + row + (said == kNoRow ? " was gone, and is there" : " is missing"));
+  } else if (said != kNoRow && said != kUnknown && here->second != said) {
     findings.problems.push_back("what names " + row + " is not what the audit trail says");
   }
 }
@@ -124,7 +124,7 @@ void noteRows(Study& study, const std::string& where) {
     if (!isKnown) add(row, fingerprint);
   }
   for (const auto& [row, fingerprint] : said.rows()) {
-    if (present.count(row) == 0 && fingerprint != kGone) add(row, kGone);
+    if (present.count(row) == 0 && fingerprint != kNoRow) add(row, kNoRow);
   }
   if (!pairs.empty()) {
     study.note({.kind = EventKind::NotedIdentities, .values = {{"rows", pairs}}});

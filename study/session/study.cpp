@@ -12,7 +12,7 @@
 #include "study/model/user_error.h"
 #include "study/session/erasure.h"
 #include "study/storage/keys/sealed_condition.h"
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 

@@ -30,7 +30,7 @@ struct UnfinishedSession {
   bool isOpenElsewhere() const noexcept { return holder && holder->isAlive; }
   /// Whether the session is open on another computer. This computer cannot see whether the program
   /// there is still running.
-  bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isHere; }
+  bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isOnThisComputer; }
 };
 
 /// All unfinished sessions of a study, the oldest first. Does not change the study.

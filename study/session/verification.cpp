@@ -26,7 +26,7 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
+constexpr const char* kTraceCheckTitle = "every trial has its trace, sample for sample";
 // estimated share of the duration before traces are read
 constexpr double kShareBeforeTraces = 0.2;
 
@@ -69,9 +69,9 @@ storage::Findings signatures(Study& study) {
 }
 
 /// What this station has noted of a study so far.
-class NotedHere {
+class StationNotes {
  public:
-  explicit NotedHere(const Study& study) {
+  explicit StationNotes(const Study& study) {
     try {
       station_ = thisStation();
       if (station_) listed_ = storage::readRecordedHeads(*station_, study.uuid());
@@ -277,7 +277,7 @@ std::map<VisitKey, std::string> keptTraces(Study& study) {
 }
 
 void checkTrace(
-    Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
+    Study& study, const storage::StoredTrial& trial, const std::string& kept, Problems& problems) {
   const auto& visit = trial.step.visit;
   try {
     const auto samples = study.traces().intactSampleCount(visit);
@@ -301,7 +301,7 @@ Problems traces(Study& study, const Progress& progress) {
   const auto trials = recordsOf(study).trials();
   for (const auto& trial : trials) {
     const double done = static_cast<double>(expected.size()) / static_cast<double>(trials.size());
-    tell(progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kOfTraces);
+    tell(progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kTraceCheckTitle);
     expected.insert(trial.step.visit);
     checkTrace(study, trial, kept[trial.step.visit], problems);
   }
@@ -370,10 +370,10 @@ class ConsistentSnapshot {
 
 std::string describeOtherAccess(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  constexpr auto kOfOthers = fs::perms::group_all | fs::perms::others_all;
+  constexpr auto kRightsOfOthers = fs::perms::group_all | fs::perms::others_all;
   std::error_code error;
   const auto rights = fs::status(folder, error).permissions();
-  if (error || (rights & kOfOthers) == fs::perms::none) return {};
+  if (error || (rights & kRightsOfOthers) == fs::perms::none) return {};
   return "other accounts of this computer may enter the folder, and read what is in it. Close it: "
          "chmod -R go-rwx '" +
          folder.string() + "'";
@@ -386,7 +386,7 @@ bool Verification::isSound() const noexcept {
 
 Verification verify(Study& study, const Progress& progress, const VerifyOptions& options) {
   constexpr double kChecksBeforeTraces = 10.0;
-  const NotedHere noted(study);  // before the snapshot, which then has all that was signed
+  const StationNotes noted(study);  // before the snapshot, which then has all that was signed
   const ConsistentSnapshot moment(study);
   Verification result;
   const auto look = [&](const char* what,
@@ -435,7 +435,7 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
     });
   }
   result.head = study.events().headAsText();
-  check(kOfTraces, [&](Study& of) { return traces(of, progress); });
+  check(kTraceCheckTitle, [&](Study& of) { return traces(of, progress); });
   return result;
 }
 

@@ -12,7 +12,7 @@
 
 #include <sqlite3.h>
 
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -43,11 +43,11 @@ bool isUnwritable(const std::string& path) {
 std::string immutableUri(const std::string& path) {
   std::string name = "file:";
   for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
-    constexpr std::string_view kOfUris = "%?#";
-    name += kOfUris.find(c) == std::string_view::npos ? std::string(1, c)
-            : c == '%'                                ? "%25"
-            : c == '?'                                ? "%3f"
-                                                      : "%23";
+    constexpr std::string_view kReservedInUris = "%?#";
+    name += kReservedInUris.find(c) == std::string_view::npos ? std::string(1, c)
+            : c == '%'                                        ? "%25"
+            : c == '?'                                        ? "%3f"
+                                                              : "%23";
   }
   return name + "?immutable=1";
 }

@@ -119,10 +119,10 @@ void readDetail(Event& event, const std::string& column) {
 /// The milliseconds of a time: 381 for "2026-11-20T13:35:07.381Z"; 0 if it cannot be parsed.
 /// SQLite's unixepoch() returns whole seconds only.
 std::int64_t millisecondsIn(const std::string& utc) {
-  constexpr std::size_t kWhere = 20;
+  constexpr std::size_t kMillisecondsAt = 20;
   std::int64_t milliseconds = 0;
-  if (utc.size() < kWhere + 3) return 0;
-  std::from_chars(utc.data() + kWhere, utc.data() + kWhere + 3, milliseconds);
+  if (utc.size() < kMillisecondsAt + 3) return 0;
+  std::from_chars(utc.data() + kMillisecondsAt, utc.data() + kMillisecondsAt + 3, milliseconds);
   return milliseconds;
 }
 

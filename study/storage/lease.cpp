@@ -45,8 +45,8 @@ std::string processMarkOf(std::int64_t pid) {
   // The process name is in parentheses and may itself contain spaces and parentheses.
   std::istringstream fields(line.substr(line.rfind(')') + 1));
   std::string began;
-  constexpr int kBegan = 20;  // the start time is field 22; fields 1 and 2 are already skipped
-  for (int i = 0; i < kBegan; ++i) fields >> began;
+  constexpr int kStartTimeField = 20;  // field 22; fields 1 and 2 are skipped above
+  for (int i = 0; i < kStartTimeField; ++i) fields >> began;
   return thisBoot() + "/" + began + "@" + thisNamespace();
 }
 
@@ -61,7 +61,7 @@ struct Writer {
   bool isOfThisBoot() const { return mark().starts_with(thisBoot() + "/"); }
   /// Whether this process can look up the process number. A computer that was renamed is still the
   /// same one until it is restarted.
-  bool isHere() const {
+  bool isOnThisComputer() const {
     const auto at = mark().find('@');
     if (at == std::string::npos || !isOfThisBoot()) return station == thisStation();
     return mark().substr(at + 1) == thisNamespace();
@@ -100,7 +100,7 @@ Tokens& tokens() {
 
 /// Whether the program that wrote a lease's row is still running.
 bool isAlive(const Writer& writer) {
-  if (!writer.isHere()) return true;  // its process cannot be looked up from here
+  if (!writer.isOnThisComputer()) return true;  // its process cannot be looked up from here
   if (writer.pid == getpid()) return tokens().isHeld(writer.token);
   const std::string mark = processMarkOf(writer.pid);
   return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
@@ -121,14 +121,15 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc, From
     : database_(&database), session_(session), token_(tokens().make()) {
   const auto held = holder(database, session);
   const bool isFree = !held || !held->isAlive;
-  if (!isFree && (held->isHere || from == From::EndedPrograms)) {
+  if (!isFree && (held->isOnThisComputer || from == From::EndedPrograms)) {
     const std::string orElse =
-        held->isHere ? std::string()
-                     : fmt::format(
-                           " Something was stored there last on {}. If that computer is gone, or "
-                           "has another name now, take the session over with a reason: in the "
-                           "table of sessions, or by palpate study run FOLDER --take-over \"why\".",
-                           lastStored(database, session));
+        held->isOnThisComputer
+            ? std::string()
+            : fmt::format(
+                  " Something was stored there last on {}. If that computer is gone, or "
+                  "has another name now, take the session over with a reason: in the "
+                  "table of sessions, or by palpate study run FOLDER --take-over \"why\".",
+                  lastStored(database, session));
     throw StorageError(
         "This session is open already, on " + held->station + " (process " +
             std::to_string(held->pid) + ", since " + held->since +
@@ -158,7 +159,7 @@ std::optional<Lease::Holder> Lease::holder(const Database& database, SessionId s
       .pid = writer.pid,
       .since = held.text(2),
       .isAlive = isAlive(writer),
-      .isHere = writer.isHere(),
+      .isOnThisComputer = writer.isOnThisComputer(),
       .isOfThisBoot = writer.isOfThisBoot()};
 }
 

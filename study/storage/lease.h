@@ -36,9 +36,9 @@ class Lease {
     std::int64_t pid = 0;  ///< process number on that computer
     std::string since;     ///< UTC time of taking the lease
     bool isAlive = false;  ///< whether the program is running; assumed if it is on another computer
-    bool isHere = false;   ///< whether the program is on this computer, so that isAlive is certain
-    bool isOfThisBoot = false;  ///< whether this computer was not restarted since, so that its
-                                ///< monotonic clock continued
+    bool isOnThisComputer = false;  ///< then isAlive is certain
+    bool isOfThisBoot = false;      ///< whether this computer was not restarted since, so that its
+                                    ///< monotonic clock continued
   };
   /// The present holder; std::nullopt if there is none. Does not take the lease.
   static std::optional<Holder> holder(const Database& database, SessionId session);

@@ -22,7 +22,7 @@ constexpr const char* kStepJoins =
     " JOIN visit AS v ON v.session_id = x.session_id AND v.step = x.step AND v.attempt = x.attempt "
     "JOIN step AS s ON s.session_id = x.session_id AND s.step = x.step "
     "LEFT JOIN allocation AS a ON a.session_id = x.session_id AND a.step = x.step ";
-constexpr int kAfterStep = 11;
+constexpr int kFirstOwnColumn = 11;
 
 std::string stepColumns(const Database& database) {
   return std::string(kStepColumns) + sealedColumn(database);
@@ -59,7 +59,7 @@ StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
       .instrument = row.text(5),
       .position = static_cast<int>(row.number(6)),
       .label = static_cast<int>(row.number(7)),
-      .condition = condition.in(row, 8, kAfterStep - 1, visit.session, visit.step),
+      .condition = condition.in(row, 8, kFirstOwnColumn - 1, visit.session, visit.step),
       .visitStatus = requireKnown(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
@@ -88,7 +88,7 @@ base::NamedArguments measuredIn(const std::string& text) {
   return std::move(*values);
 }
 
-void fillIn(TrialRow& trial, const base::NamedArguments& values) {
+void fillIn(StoredTrial& trial, const base::NamedArguments& values) {
   const auto real = [&](const char* name) { return valueIn<double>(values, name); };
   const auto whole = [&](const char* name) { return valueIn<std::int64_t>(values, name); };
   const auto text = [&](const char* name) {
@@ -190,7 +190,7 @@ std::vector<AnswerRecord> Records::answers(std::optional<SessionId> session) con
   const ConditionCell condition{database_, conditions_};
   std::vector<AnswerRecord> answers;
   while (select.step()) {
-    constexpr int k = kAfterStep;
+    constexpr int k = kFirstOwnColumn;
     answers.push_back(
         {.step = stepIn(select, condition),
          .answer =
@@ -267,7 +267,7 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   return counts;
 }
 
-std::vector<TrialRow> Records::trials() const {
+std::vector<StoredTrial> Records::trials() const {
   Statement select(
       database_,
       "SELECT " + stepColumns(database_) +
@@ -279,9 +279,9 @@ std::vector<TrialRow> Records::trials() const {
           sealedTrialColumn(database_) + " FROM trial AS x" + kStepJoins +
           "ORDER BY x.session_id, x.step, x.attempt");
   const ConditionCell condition{database_, conditions_};
-  std::vector<TrialRow> trials;
+  std::vector<StoredTrial> trials;
   while (select.step()) {
-    constexpr int k = kAfterStep;
+    constexpr int k = kFirstOwnColumn;
     trials.push_back(
         {.step = stepIn(select, condition),
          .device = select.text(k),

@@ -89,7 +89,7 @@ struct CutRecord {
 };
 
 /// A trial with its step; units and meanings as in TrialRecord.
-struct TrialRow {
+struct StoredTrial {
   StepRecord step;
   std::string device, travelUnit;
   TrialEnding ending = TrialEnding::Finished;
@@ -125,7 +125,7 @@ class Records {
   /// answers: a million take 0.8 s (docs/decisions/0024). @throws StorageError
   std::vector<PointCount> pointCounts(RunMode mode) const;
 
-  std::vector<TrialRow> trials() const;
+  std::vector<StoredTrial> trials() const;
   std::vector<CutRecord> cuts() const;
 
   /// A labelled alternative ("Alternative 2") of a block in a session.

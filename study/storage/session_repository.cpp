@@ -20,14 +20,14 @@ constexpr const char* kSelect =
     "s.slot_state, s.state, s.step, s.attempt, s.started_utc, s.ended_utc, s.end_reason, ";
 constexpr const char* kStationColumns = "s.site, s.station";
 constexpr const char* kNoStationColumns = "'', ''";
-constexpr const char* kFromTables =
+constexpr const char* kFromClause =
     " FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
 
 /// The statement for sessions. A file of an older format that was opened for reading only has no
 /// columns of stations.
 std::string selectFrom(const Database& database) {
   const bool hasStations = database.hasColumn("session", "station");
-  return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + kFromTables;
+  return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + kFromClause;
 }
 
 SessionRow sessionIn(const Statement& row) {

@@ -144,7 +144,7 @@ std::vector<NamedRow> cutsIn(const std::vector<NamedRow>& cuts, const VisitKey& 
 }  // namespace
 
 void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
-  TrialRows rows{.trials = {rowOf(visit, record)}, .cuts = {}};
+  UnsealedTrialRows rows{.trials = {rowOf(visit, record)}, .cuts = {}};
   std::int64_t number = 0;
   for (const auto& cut : record.cuts) rows.cuts.push_back(rowOf(visit, ++number, cut));
   add(visit.session, rows, isSimulated(visit.session) ? nullptr : database_.key());
@@ -152,7 +152,7 @@ void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
 
 void TrialRepository::add(
     SessionId session,
-    const TrialRows& rows,
+    const UnsealedTrialRows& rows,
     const SealingKey* key,
     const std::set<VisitKey>& open) {
   for (const auto& trial : rows.trials) requireColumns("trial", kTrialColumns, trial);
@@ -201,7 +201,7 @@ bool TrialRepository::isSimulated(SessionId session) const {
   return select.bind(1, static_cast<std::int64_t>(session)).step();
 }
 
-TrialRows trialsOf(const Database& study, SessionId session) {
+UnsealedTrialRows trialsOf(const Database& study, SessionId session) {
   const auto select = [&](std::string_view columns, const std::string& table, const char* order) {
     return rowsOf(
         study,
@@ -210,7 +210,7 @@ TrialRows trialsOf(const Database& study, SessionId session) {
         columns,
         session);
   };
-  TrialRows rows{.trials = select(kTrialColumns, "trial", "step, attempt"), .cuts = {}};
+  UnsealedTrialRows rows{.trials = select(kTrialColumns, "trial", "step, attempt"), .cuts = {}};
   const auto open = select(kCutColumns, "cut", "step, attempt, number");
   Statement blob(
       study, "SELECT sealed FROM trial WHERE session_id = ? AND step = ? AND attempt = ?");

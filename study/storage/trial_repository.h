@@ -22,7 +22,7 @@ inline constexpr std::string_view kCutColumns =
     "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n";
 
 /// Trials and their cuts, unsealed, even if they are sealed in a file.
-struct TrialRows {
+struct UnsealedTrialRows {
   std::vector<NamedRow> trials;
   std::vector<NamedRow> cuts;
 };
@@ -43,7 +43,7 @@ class TrialRepository {
   /// @throws StorageError  if a row is not in the form that this program knows.
   void add(
       SessionId session,
-      const TrialRows& rows,
+      const UnsealedTrialRows& rows,
       const SealingKey* key,
       const std::set<VisitKey>& open = {});
 
@@ -60,6 +60,6 @@ class TrialRepository {
 
 /// The trials of a session and their cuts, unsealed, in order.
 /// @throws StorageError  if a trial is sealed and the key is missing or wrong.
-TrialRows trialsOf(const Database& study, SessionId session);
+UnsealedTrialRows trialsOf(const Database& study, SessionId session);
 
 }  // namespace study::storage

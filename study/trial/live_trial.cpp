@@ -41,7 +41,7 @@ void LiveTrial::tick(double dt, double lateness) noexcept {
   force_.store(sample.force, std::memory_order_relaxed);
   sampleTime_.store(sampleTime, std::memory_order_relaxed);
   onCutLandmark(sample.landmark);
-  if (sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted) {
+  if (sample.status == DeviceStatus::NotAnswering || sample.status == DeviceStatus::Faulted) {
     isDeviceGone_.store(true, std::memory_order_relaxed);
   }
   storeRing_->push(sample);
@@ -113,7 +113,7 @@ TrialRecord LiveTrial::finish(TrialEnding ending) {
   constexpr double kSecondsPerMicrosecond = 1e-6;
   record.passivity.lateness = kSecondsPerMicrosecond * report.lateness.quantile(0.999);
   record.lateTicks = static_cast<std::int64_t>(report.lateTicks);
-  record.holes = static_cast<std::int64_t>(report.holes);
+  record.hostPauses = static_cast<std::int64_t>(report.hostPauses);
   return record;
 }
 

@@ -22,8 +22,8 @@ TrialStatistics::TrialStatistics(const haptics::devices::DeviceKind& device, dou
 void TrialStatistics::count(SafetyKind kind, bool isNow) {
   auto& tally = tallies_[static_cast<std::size_t>(kind)];
   if (isNow) ++tally.ticks;
-  if (isNow && !tally.wasBefore) ++tally.times;
-  tally.wasBefore = isNow;
+  if (isNow && !tally.wasActiveBefore) ++tally.times;
+  tally.wasActiveBefore = isNow;
 }
 
 void TrialStatistics::add(const TickSample& sample) {
@@ -177,7 +177,7 @@ TrialRecord runOffline(Trial& trial, int cuts, double longest) {
     for (std::int64_t i = 0; i < most; ++i) {
       const auto sample = trial.step(dt);
       trial.keep(sample);
-      if (sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted) {
+      if (sample.status == DeviceStatus::NotAnswering || sample.status == DeviceStatus::Faulted) {
         return trial.finish(TrialEnding::DeviceGone);
       }
       if (trial.isStopped()) return trial.finish(TrialEnding::Stopped);

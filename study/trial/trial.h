@@ -41,7 +41,7 @@ class TrialStatistics {
   struct Tally {
     std::int64_t times = 0;
     std::int64_t ticks = 0;
-    bool wasBefore = false;  ///< whether it was active in the previous tick
+    bool wasActiveBefore = false;  ///< whether it was active in the previous tick
   };
 
   double largestForce_ = 0.0;

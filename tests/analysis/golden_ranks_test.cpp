@@ -74,7 +74,9 @@ std::vector<std::vector<double>> rowsOf(const std::string& file, std::size_t fir
 
 void addSignedRank(Quantities& quantities, const std::string& name, const std::vector<double>& d) {
   const auto result = analysis::signedRankTest(
-      d, name == "wilcox" ? analysis::Zeros::Dropped : analysis::Zeros::RankedThenDropped);
+      d,
+      name == "wilcox" ? analysis::ZeroTreatment::Dropped
+                       : analysis::ZeroTreatment::RankedThenDropped);
   quantities[name + "_V"] = result.v;
   quantities[name + "_p_exact"] = result.p;
   quantities[name + "_p_asym_cc"] = result.pAsymptoticContinuity;

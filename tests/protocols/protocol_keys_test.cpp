@@ -163,7 +163,7 @@ TEST(ProtocolKeys, DescribeEveryModelInScenesOfTheSamePasses) {
   for (const auto* file : {"every-key", "every-key-of-a-packing"}) {
     const auto protocol = readGood(file);
     for (const auto& condition : protocol.conditions) {
-      models.insert(engine::factsOf(condition.model.value()).name);
+      models.insert(engine::infoOf(condition.model.value()).name);
       std::set<std::string> names;
       const engine::CompiledScene scene(condition.scene());
       for (const auto& pass : scene.passes()) {

@@ -94,7 +94,7 @@ CheckResult commandingFound(
 /// Reports the longest time [ns] without a message. A trial ends after @p limit [ns]; a short
 /// excess may come from a busy computer and is only a warning.
 CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limit) {
-  constexpr std::int64_t kBroken = timing::kSecond / 2;
+  constexpr std::int64_t kLongestExcusedSilence = timing::kSecond / 2;
   const double seconds = 1e-9 * static_cast<double>(longest);
   const std::string measured =
       longest <= limit ? numbers("%.0f ms", 1e3 * seconds)
@@ -105,9 +105,9 @@ CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limi
                              seconds,
                              1e-6 * static_cast<double>(limit));
   return {
-      longest <= limit                 ? Finding::Pass
-      : isLasting || longest > kBroken ? Finding::Fail
-                                       : Finding::Warn,
+      longest <= limit                                ? Finding::Pass
+      : isLasting || longest > kLongestExcusedSilence ? Finding::Fail
+                                                      : Finding::Warn,
       "longest silence",
       measured,
       longest <= limit ? ""
@@ -167,13 +167,14 @@ IiwaDevice::ListenResult IiwaDevice::listen(double seconds) {
   const std::int64_t begin = timing::now();
   const std::int64_t until =
       begin + static_cast<std::int64_t>(seconds * static_cast<double>(timing::kSecond));
-  // A session needs time to reach COMMANDING_ACTIVE, so listening is extended by kLonger until it
-  // does. It is also extended during a silence, until that ends or has lasted kLastingSilence.
-  constexpr std::int64_t kLonger = 6 * timing::kSecond;
+  // A session needs time to reach COMMANDING_ACTIVE, so listening is extended by kTimeToCommanding
+  // until it does. It is also extended during a silence, until that ends or has lasted
+  // kLastingSilence.
+  constexpr std::int64_t kTimeToCommanding = 6 * timing::kSecond;
   const auto isWithinTime = [&](std::int64_t now) {
     const bool isSilent = now - hostTime_ > longestSilence();
     const bool isComing = state() != SessionState::CommandingActive && report_.received > 0;
-    return now < until || isSilent || (isComing && now < until + kLonger);
+    return now < until || isSilent || (isComing && now < until + kTimeToCommanding);
   };
   std::int64_t last = hostTime_ = begin;
   while (isWithinTime(timing::now())) {
@@ -205,7 +206,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   }
   found.push_back(
       {Finding::Pass, "connection", "FRI " + std::string(nameOf(settings_.version)), ""});
-  stopKeeper();
+  stopKeepAlive();
   const ListenResult listened = listen(seconds);
   const bool isSilent = timing::now() - hostTime_ >= kLastingSilence;
   const LinkReport report = link();
@@ -224,7 +225,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
            report.roundTrip.quantile(0.5),
            report.roundTrip.quantile(0.99)),
        ""});
-  const char* wrong = guard_.whatIsWrong(joints_, jointVelocity_, JointVector::Zero());
+  const char* wrong = guard_.reasonNotToCommand(joints_, jointVelocity_, JointVector::Zero());
   found.push_back(
       {wrong == nullptr ? Finding::Pass : Finding::Fail,
        "joints",
@@ -245,7 +246,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
   found.push_back(torqueFound(capabilities_));
   setCheckedUnlessFailed(found);
-  startKeeper();  // from here on the keeper updates what was received
+  startKeepAlive();  // from here on that thread updates what was received
   return found;
 }
 

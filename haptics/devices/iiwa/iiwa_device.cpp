@@ -268,7 +268,7 @@ void IiwaDevice::updateMotion(std::int64_t at) noexcept {
 }
 
 /// Returns the reason to end a trial; nullptr if there is none.
-const char* IiwaDevice::whatIsWrong() const noexcept {
+const char* IiwaDevice::reasonToEndTrial() const noexcept {
   if (sequence_.restarts() > 0) return "its controller has begun a new session";
   if (state() != SessionState::CommandingActive) {
     return "its controller has stopped commanding; its SmartPad says why";
@@ -298,8 +298,8 @@ bool IiwaDevice::isReamerOn() const noexcept {
 }
 
 DeviceSample IiwaDevice::read(double) noexcept {
-  stopKeeper();
-  if (lifecycle() == Lifecycle::Faulted || !socket_) return {.status = DeviceStatus::Gone};
+  stopKeepAlive();
+  if (lifecycle() == Lifecycle::Faulted || !socket_) return {.status = DeviceStatus::NotAnswering};
   DeviceSample sample{
       .status = DeviceStatus::Stale,
       .travel = travel_,
@@ -312,13 +312,13 @@ DeviceSample IiwaDevice::read(double) noexcept {
     ++report_.stale;
     if (timing::now() - hostTime_ <= longestSilence()) return sample;
     fail("it has missed 20 cycles, or been silent for 50 ms");
-    return {.status = DeviceStatus::Gone};
+    return {.status = DeviceStatus::NotAnswering};
   }
   isNew_ = false;
-  const char* wrong = whatIsWrong();
+  const char* wrong = reasonToEndTrial();
   if (wrong == nullptr) {
     const auto& torque = lastMessage_.monitorData->measuredTorque;
-    wrong = guard_.whatIsWrong(
+    wrong = guard_.reasonNotToCommand(
         joints_, jointVelocity_, torque ? asVector(*torque) : JointVector(JointVector::Zero()));
   }
   const bool isGood =
@@ -334,13 +334,13 @@ DeviceSample IiwaDevice::read(double) noexcept {
   if (isGood) {
     sample.status = DeviceStatus::Ok;
   } else {
-    ++report_.poor;
+    ++report_.poorConnectionSamples;
   }
   return sample;
 }
 
 void IiwaDevice::command(double force, double torque) noexcept {
-  if (isKeeperRunning() || !socket_) return;
+  if (isKeepAliveRunning() || !socket_) return;
   answer(force, torque);
   if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }

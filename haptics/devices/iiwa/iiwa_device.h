@@ -83,7 +83,7 @@ class IiwaDevice final : public WireDevice {
   void updateMotion(std::int64_t at) noexcept;
   void answer(double force, double torque) noexcept;
   void writeOverlay(wire::fri::CommandData& data, double force, double torque) noexcept;
-  const char* whatIsWrong() const noexcept;
+  const char* reasonToEndTrial() const noexcept;
   bool isReamerOn() const noexcept;
   /// Measurements during a check that LinkReport lacks.
   struct ListenResult {

@@ -34,7 +34,7 @@ constexpr std::array kOverloaded{
 
 }  // namespace
 
-const char* IiwaGuard::whatIsWrong(
+const char* IiwaGuard::reasonNotToCommand(
     const JointVector& joints,
     const JointVector& velocity,
     const JointVector& torque) const noexcept {

@@ -22,7 +22,7 @@ class IiwaGuard {
 
   /// Returns why an arm at @p joints [rad], moving with @p velocity [rad/s] and measuring @p torque
   /// [N·m], must not be commanded; nullptr if it may be.
-  const char* whatIsWrong(
+  const char* reasonNotToCommand(
       const JointVector& joints,
       const JointVector& velocity,
       const JointVector& torque) const noexcept;

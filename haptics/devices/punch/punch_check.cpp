@@ -107,7 +107,8 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
   while (!isFaulty && timing::now() < until) {
     wait(timing::now() + 2 * timing::kMillisecond);
     const auto sample = read(0.001);
-    isFaulty = sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted;
+    isFaulty =
+        sample.status == DeviceStatus::NotAnswering || sample.status == DeviceStatus::Faulted;
     if (sample.status == DeviceStatus::Ok) {
       least = std::min(least, sample.travel);
       most = std::max(most, sample.travel);

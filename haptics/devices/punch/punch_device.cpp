@@ -244,11 +244,11 @@ std::uint8_t PunchDevice::relevantFaults() const noexcept {
 }
 
 DeviceSample PunchDevice::read(double) noexcept {
-  stopKeeper();
-  if (lifecycle() == Lifecycle::Faulted) return {.status = DeviceStatus::Gone};
+  stopKeepAlive();
+  if (lifecycle() == Lifecycle::Faulted) return {.status = DeviceStatus::NotAnswering};
   if (!port_.isOpen()) {
     fail("it has been unplugged, or its port has failed");
-    return {.status = DeviceStatus::Gone};
+    return {.status = DeviceStatus::NotAnswering};
   }
   drain();
   const DeviceSample sample{
@@ -262,7 +262,7 @@ DeviceSample PunchDevice::read(double) noexcept {
     ++report_.stale;
     if (timing::now() - hostTime_ <= kSilenceTimeout) return sample;
     fail("it has sent nothing for 50 ms");
-    return {.status = DeviceStatus::Gone};
+    return {.status = DeviceStatus::NotAnswering};
   }
   isNew_ = false;
   isUnanswered_ = true;
@@ -281,7 +281,7 @@ DeviceSample PunchDevice::read(double) noexcept {
 }
 
 void PunchDevice::command(double force, double /*torque*/) noexcept {
-  if (!port_.isOpen() || isKeeperRunning()) return;
+  if (!port_.isOpen() || isKeepAliveRunning()) return;
   // One force per sample: a board that sends no samples gets no force, and switches its force off.
   const bool isAnswer = std::exchange(isUnanswered_, false);
   if (!isAnswer && force != 0.0) return;
@@ -294,11 +294,11 @@ void PunchDevice::command(double force, double /*torque*/) noexcept {
   if (sceneHash_) {
     // The engine's force bounds the force that the board computes, with a tolerance for motion
     // since the sample. If the engine's force is 0, so is the board's.
-    constexpr double kRoom = 1.25;
-    constexpr double kMore = 0.3;  // [N]
-    const double ceiling =
-        bounded == 0.0 ? 0.0
-                       : kRoom * std::abs(millivolts) + 1000.0 * kMore / settings_.newtonsPerVolt;
+    constexpr double kForceTolerance = 1.25;
+    constexpr double kLeastTolerance = 0.3;  // [N]
+    const double ceiling = bounded == 0.0 ? 0.0
+                                          : kForceTolerance * std::abs(millivolts) +
+                                                1000.0 * kLeastTolerance / settings_.newtonsPerVolt;
     const auto volts = static_cast<std::int16_t>(std::min(ceiling, 32767.0));
     send(Render{.hash = *sceneHash_, .expiry = expiry, .most = volts});
     return;

@@ -29,7 +29,7 @@ const char* unsupportedFeature(const engine::FiniteElementsSpec& spec) {
 void fillIn(Model& model, const engine::FiniteElementsSpec& spec) {
   const auto& p = spec.parameters;
   model.elements = static_cast<std::uint8_t>(p.elements);
-  model.readings = static_cast<std::uint8_t>(
+  model.equationVariants = static_cast<std::uint8_t>(
       static_cast<unsigned>(p.boundary) | static_cast<unsigned>(p.weights) << 1U |
       static_cast<unsigned>(p.yielding) << 3U);
   model.start = f32(p.start);
@@ -143,7 +143,7 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
   if (lifecycle() != Lifecycle::Open && lifecycle() != Lifecycle::Checked) {
     throw DeviceError(name() + " is not ready to be sent a scene. Connect it, and try again.");
   }
-  stopKeeper();
+  stopKeepAlive();
   sceneHash_.reset();
   const auto ask = [&](const auto& message) {
     lastModelReply_.reset();
@@ -159,10 +159,10 @@ void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestF
       answer = ask(table);
     }
   } catch (...) {
-    startKeeper();
+    startKeepAlive();
     throw;
   }
-  startKeeper();
+  startKeepAlive();
   if (answer.verdict != ModelVerdict::Accepted || answer.hash != hash) {
     throw DeviceError(
         name() + " did not take the scene as it was sent (" +

@@ -10,10 +10,10 @@ namespace haptics::reaming {
 
 namespace {
 
-constexpr std::size_t kMostChanges = 4096;     // changes reported per step
-constexpr std::size_t kRestoredAtOnce = 2048;  // groups restored, or checked, per step
-constexpr std::size_t kTidiedAtOnce = 64;      // partly cut slots checked per step
-constexpr std::size_t kParts = 8;              // parts of the surface, one of which is cut per step
+constexpr std::size_t kMostChanges = 4096;            // changes reported per step
+constexpr std::size_t kGroupsRestoredPerStep = 2048;  // groups restored, or checked, per step
+constexpr std::size_t kPartialSlotsPerStep = 64;      // partly cut slots checked per step
+constexpr std::size_t kParts = 8;  // parts of the surface, one of which is cut per step
 // A tool that has moved back from a cut by this fraction of the sphere's radius has left the
 // sphere.
 constexpr double kLeftShare = 0.1;
@@ -82,7 +82,7 @@ void Bone::reset() noexcept {
 bool Bone::restorePart() noexcept {
   const std::size_t groups = field_.groups().size();
   if (restored_ == groups) return true;
-  const std::size_t end = std::min(groups, restored_ + kRestoredAtOnce);
+  const std::size_t end = std::min(groups, restored_ + kGroupsRestoredPerStep);
   for (std::size_t i = restored_; i < end; ++i) {
     field_.group(kLanes * i) = intactField_.group(kLanes * i);
     for (std::size_t lane = 0; lane < kLanes; ++lane) isPartial_[kLanes * i + lane] = 0;
@@ -101,8 +101,8 @@ bool Bone::restorePart() noexcept {
   return true;
 }
 
-Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
-  Felt felt;
+Bone::StepForce Bone::step(const Reamer& device, double dt) noexcept {
+  StepForce felt;
   changed_.clear();
   const bool isPlace = std::isfinite(device.centre.x + device.centre.y + device.centre.z) &&
                        std::isfinite(device.axis.x + device.axis.y + device.axis.z);
@@ -137,11 +137,11 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   return felt;
 }
 
-/// Checks kRestoredAtOnce groups for contact with the tool; returns false if it is inside a sphere.
-/// Sets isOutside_ when all groups are known to be clear.
+/// Checks kGroupsRestoredPerStep groups for contact with the tool; returns false if it is inside a
+/// sphere. Sets isOutside_ when all groups are known to be clear.
 bool Bone::isClear() noexcept {
   const std::size_t groups = field_.groups().size();
-  const std::size_t end = std::min(groups, cleared_ + kRestoredAtOnce);
+  const std::size_t end = std::min(groups, cleared_ + kGroupsRestoredPerStep);
   const bool isIn = field_.holds(tool_, cleared_, end) || field_.touch(tool_, true).touched > 0;
   cleared_ = isIn ? 0 : end;
   isOutside_ = cleared_ == groups;
@@ -239,7 +239,7 @@ void Bone::noteChange(std::uint32_t slot) noexcept {
 
 /// Checks a few of the partly cut spheres, and replaces those that the tool has left.
 void Bone::replaceLeftSpheres() noexcept {
-  for (std::size_t looked = 0; looked < kTidiedAtOnce && !partial_.empty(); ++looked) {
+  for (std::size_t looked = 0; looked < kPartialSlotsPerStep && !partial_.empty(); ++looked) {
     if (next_ >= partial_.size()) next_ = 0;
     const std::uint32_t slot = partial_[next_];
     const bool isGone = field_.group(slot).radius[slot % kLanes] == 0.0F;

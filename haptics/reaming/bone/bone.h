@@ -40,7 +40,7 @@ class Bone {
   /// @throws std::invalid_argument  if packing, densities or options are not valid.
   Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options);
 
-  struct Felt {
+  struct StepForce {
     Vec3 force;  ///< on the hand [N]
     /// Torque of friction on a turning reamer, against its spin [N·m]
     double frictionTorque = 0.0;
@@ -50,7 +50,7 @@ class Bone {
   };
 
   /// Advances by @p dt [s] with the device at @p device, and returns the force.
-  Felt step(const Reamer& device, double dt) noexcept;
+  StepForce step(const Reamer& device, double dt) noexcept;
 
   /// Sets whether the teeth cut from the next step on; initially BoneOptions::isSpinning.
   void setSpinning(bool isSpinning) noexcept { isSpinning_ = isSpinning; }

@@ -68,12 +68,12 @@ SphereField::SphereField(const Packing& packing, std::span<const double> densiti
 
 /// Allocates groups for the spheres of every cell, with some spare slots.
 void SphereField::layOut(const Packing& packing, std::size_t cells) {
-  constexpr std::uint32_t kSpare = 2;  // slots for spheres that are split off
+  constexpr std::uint32_t kSpareSlots = 2;  // slots for spheres that are split off
   std::vector<std::uint32_t> held(cells, 0);
   for (const auto& s : packing.spheres) ++held[cellOf(s.centre())];
   start_.assign(cells + 1, 0);
   for (std::size_t i = 0; i < cells; ++i) {
-    const std::uint32_t wanted = held[i] > 0 ? held[i] + kSpare : 0;
+    const std::uint32_t wanted = held[i] > 0 ? held[i] + kSpareSlots : 0;
     start_[i + 1] = start_[i] + static_cast<std::uint32_t>((wanted + kLanes - 1) / kLanes);
   }
   groups_.resize(start_.back());
@@ -132,12 +132,12 @@ KernelReamer inSinglePrecision(const Reamer& reamer) noexcept {
 /// Calls @p work with batches of ranges.
 template <typename Work>
 void SphereField::runInParallel(const Reamer& reamer, Work work) const {
-  constexpr std::size_t kTogether = 512;
-  std::array<GroupRange, kTogether> stretches;
+  constexpr std::size_t kRangesPerBatch = 512;
+  std::array<GroupRange, kRangesPerBatch> stretches;
   std::size_t count = 0;
   forEachRange(reamer, [&](std::uint32_t begin, std::uint32_t end) {
     stretches[count++] = {begin, end};
-    if (count < kTogether) return;
+    if (count < kRangesPerBatch) return;
     work(std::span<const GroupRange>(stretches).first(count));
     count = 0;
   });
@@ -207,8 +207,8 @@ PlungePath plungePathInto(const SphereField& field, double radius) {
         "the reamer passes beside the bone: turn and move the mesh so that +z through its origin "
         "goes into the cup");
   }
-  constexpr double kBefore = 1e-5;  // [m]
-  return {radius, start - kBefore};
+  constexpr double kStartDistance = 1e-5;  // [m]
+  return {radius, start - kStartDistance};
 }
 
 }  // namespace haptics::reaming

@@ -108,7 +108,7 @@ SampledCurve overDepth(const Series& series, const std::vector<double>& samples)
 
 /// From this fraction of the limit on, a force counts as having reached it: the controller may stop
 /// a sample early.
-constexpr double kAtTheLimit = 0.98;
+constexpr double kShareOfForceLimit = 0.98;
 
 TestSetFit fitOf(
     TestSet set, const std::vector<const PreparedSeries*>& used, const FitOptions& options) {
@@ -150,7 +150,8 @@ PreparedSeries prepared(const Series& series, const FitOptions& options) {
   result.jitter = rmsBetween(series.force, cleaned);
   result.force = overDepth(series, cleaned);
   result.largestDisplacement = result.force.x.back();
-  result.isCensored = !isFiltered && result.force.y.back() >= kAtTheLimit * options.forceLimit;
+  result.isCensored =
+      !isFiltered && result.force.y.back() >= kShareOfForceLimit * options.forceLimit;
   if (series.torque.empty()) return result;
   if (isFiltered) result.torqueCutoff = cutoffFor(series.torque, options.torqueCutoff);
   result.torque = overDepth(series, filtered(series.torque, series, result.torqueCutoff));

@@ -81,14 +81,14 @@ std::vector<std::size_t> above(
 /// PaperLiteral and Thinned: the threshold begins at the largest curvature and falls by 1 % per
 /// iteration.
 std::vector<std::size_t> byThreshold(const SplineDeviation& error, double wanted, bool isThinned) {
-  constexpr double kFall = 0.99;
+  constexpr double kThresholdFactor = 0.99;
   constexpr int kMostFalls = 3000;
   const auto curvature = curvatures(error);
   double threshold = *std::max_element(curvature.begin(), curvature.end());
   std::vector<std::size_t> best = above(curvature, threshold, isThinned);
   double bestError = error.through(best).error;
   for (int fall = 0; fall < kMostFalls && bestError > wanted; ++fall) {
-    threshold *= kFall;
+    threshold *= kThresholdFactor;
     auto nodes = above(curvature, threshold, isThinned);
     if (nodes.size() == best.size() && !isThinned) continue;
     const double now = error.through(nodes).error;

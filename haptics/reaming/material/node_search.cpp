@@ -81,14 +81,15 @@ Nodes byDynamicProgramming(const SplineDeviation& error, std::size_t count) {
 /// For a local kind: moves all nodes together to the best of the samples around each, until none
 /// moves.
 Nodes settledByPieces(const SplineDeviation& error, Nodes nodes) {
-  constexpr std::ptrdiff_t kAround = 12;
+  constexpr std::ptrdiff_t kSamplesAround = 12;
   constexpr int kMostRounds = 40;
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<Nodes> layers;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const bool isEnd = k == 0 || k + 1 == nodes.size();
       Nodes layer;
-      for (std::ptrdiff_t by = isEnd ? 0 : -kAround; by <= (isEnd ? 0 : kAround); ++by) {
+      for (std::ptrdiff_t by = isEnd ? 0 : -kSamplesAround; by <= (isEnd ? 0 : kSamplesAround);
+           ++by) {
         const auto at = static_cast<std::ptrdiff_t>(nodes[k]) + by;
         const auto last = static_cast<std::ptrdiff_t>(error.size() - 1);
         if (isEnd || (at > 0 && at < last)) layer.push_back(static_cast<std::size_t>(at));
@@ -199,14 +200,14 @@ class Evolution {
   const Member& any() { return members_[random_.bits() % kMembers]; }
 
   void mutate(Member& member, double weight) {
-    constexpr double kCrossed = 0.7;
+    constexpr double kCrossoverProbability = 0.7;
     const auto& origin = best().places;
     const auto& one = any().places;
     const auto& other = any().places;
     auto tried = member.places;
     const std::size_t sure = random_.bits() % std::max<std::size_t>(1, tried.size());
     for (std::size_t k = 0; k < tried.size(); ++k) {
-      if (random_.uniform() < kCrossed || k == sure) {
+      if (random_.uniform() < kCrossoverProbability || k == sure) {
         tried[k] = origin[k] + weight * (one[k] - other[k]);
       }
     }

@@ -134,8 +134,8 @@ double rateOf(
 /// Refuses values that are impossible for an acetabulum, because a unit is probably wrong. @throws
 /// UserError
 void checkUnits(const Series& series) {
-  constexpr double kFarthest = 0.2;    // [m]
-  constexpr double kStrongest = 20e3;  // [N]
+  constexpr double kLargestDisplacement = 0.2;  // [m]
+  constexpr double kStrongest = 20e3;           // [N]
   const auto refuse = [&](const std::string& what, const char* quantity, const char* units) {
     throw base::UserError(
         series.name + ": " + what + ". Its unit must be another one (" + units +
@@ -143,10 +143,11 @@ void checkUnits(const Series& series) {
   };
   const auto [least, most] =
       std::minmax_element(series.displacement.begin(), series.displacement.end());
-  if (*most - *least > kFarthest) {
+  if (*most - *least > kLargestDisplacement) {
     refuse(
         "the displacement goes over " + recordings::decimal(*most - *least, 3) +
-            " m, and no reamer goes farther than " + recordings::decimal(kFarthest, 1) + " m",
+            " m, and no reamer goes farther than " + recordings::decimal(kLargestDisplacement, 1) +
+            " m",
         "displacement",
         "mm, um");
   }
@@ -287,7 +288,7 @@ double medianOf(std::vector<double> values) {
 
 std::optional<std::string> feedChanged(const Series& series) {
   constexpr std::size_t kParts = 20;
-  constexpr double kTolerated = 1.0 / 3.0;
+  constexpr double kToleratedChange = 1.0 / 3.0;
   const auto& x = series.displacement;
   std::vector<double> feeds;
   for (std::size_t part = 0; part < kParts; ++part) {
@@ -297,7 +298,7 @@ std::optional<std::string> feedChanged(const Series& series) {
   }
   const double usual = medianOf(feeds);
   for (std::size_t part = 0; part < kParts; ++part) {
-    if (std::abs(feeds[part] - usual) <= kTolerated * usual) continue;
+    if (std::abs(feeds[part] - usual) <= kToleratedChange * usual) continue;
     const auto second = [&](std::size_t of) {
       const std::size_t sample = of * (x.size() - 1) / kParts;
       return shown(static_cast<double>(sample) / series.rate);
@@ -322,12 +323,12 @@ std::vector<double> halfSeconds(const Series& series) {
 }
 
 std::optional<std::string> brokeOut(const Series& series) {
-  constexpr double kWorthBreaking = 20.0;  // [N]
+  constexpr double kLeastBreakingForce = 20.0;  // [N]
   const auto means = halfSeconds(series);
   for (std::size_t i = 2; i < means.size(); ++i) {
     // Compare with two intervals before, since the break may happen within an interval.
     const double before = means[i - 2];
-    if (before < kWorthBreaking || means[i] > 0.5 * before) continue;
+    if (before < kLeastBreakingForce || means[i] > 0.5 * before) continue;
     const double after =
         *std::max_element(means.begin() + static_cast<std::ptrdiff_t>(i), means.end());
     if (after > 0.75 * before) continue;

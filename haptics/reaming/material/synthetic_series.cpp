@@ -11,7 +11,7 @@ namespace haptics::reaming {
 namespace {
 
 constexpr double kRate = 100.0;          // [Hz]
-constexpr double kFarthest = 0.020;      // [m]
+constexpr double kLargestDepth = 0.020;  // [m]
 constexpr double kLimit = 800.0;         // force limit of a static test [N]
 constexpr double kPreload = 20.0;        // [N]
 constexpr double kStaticFeed = 0.07e-3;  // [m/s]
@@ -58,7 +58,7 @@ Series syntheticSeries(const SyntheticTest& test) {
   const double breaksAt = 0.005 + 0.003 * random.uniform();
   Series series{.set = test.set, .rate = kRate, .isSynthetic = true};
   double depth = 0.0;
-  for (std::size_t i = 0; depth <= kFarthest; ++i) {
+  for (std::size_t i = 0; depth <= kLargestDepth; ++i) {
     const double time = static_cast<double>(i) / kRate;
     double force = isStatic ? staticForce(depth, test) : dynamicForce(depth, test, shift);
     if (test.simulatedFault == SyntheticFault::BreakOut && depth > breaksAt) force *= 0.08;

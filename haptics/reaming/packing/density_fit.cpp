@@ -43,11 +43,11 @@ struct Dual {
       point.densities[i] = std::max(0.0, prior[i] + point.densities[i] / lambda);
       away += (point.densities[i] - prior[i]) * (point.densities[i] - prior[i]);
     }
-    const auto felt = matrix.times(point.densities);
-    const auto missing = (asVector(forces) - asVector(felt)).eval();
+    const auto fittedForce = matrix.times(point.densities);
+    const auto missing = (asVector(forces) - asVector(fittedForce)).eval();
     point.rest = missing - point.y;
     point.value = asVector(forces).dot(point.y) - 0.5 * point.y.squaredNorm() +
-                  0.5 * lambda * away - point.y.dot(asVector(felt));
+                  0.5 * lambda * away - point.y.dot(asVector(fittedForce));
     point.primal = 0.5 * missing.squaredNorm() + 0.5 * lambda * away;
     return point;
   }
@@ -121,18 +121,18 @@ double errorOf(
     const ContactMatrix& matrix,
     std::span<const double> densities,
     std::span<const double> forces) {
-  const auto felt = matrix.times(densities);
+  const auto fittedForce = matrix.times(densities);
   const double wanted = asVector(forces).norm();
-  const double off = (asVector(felt) - asVector(forces)).norm();
+  const double off = (asVector(fittedForce) - asVector(forces)).norm();
   return wanted > 0.0 ? off / wanted : (off > 0.0 ? 1.0 : 0.0);
 }
 
 double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces) {
   const std::vector<double> ones(matrix.columns(), 1.0);
-  const auto felt = matrix.times(ones);
-  const double square = asVector(felt).squaredNorm();
+  const auto fittedForce = matrix.times(ones);
+  const double square = asVector(fittedForce).squaredNorm();
   // Least squares with one unknown: (A 1)·F / |A 1|².
-  return square > 0.0 ? std::max(0.0, asVector(felt).dot(asVector(forces)) / square) : 0.0;
+  return square > 0.0 ? std::max(0.0, asVector(fittedForce).dot(asVector(forces)) / square) : 0.0;
 }
 
 DensityFit fitNonNegative(
@@ -144,7 +144,7 @@ DensityFit fitNonNegative(
   // relative duality gap at the requested weight: far below a noticeable force
   constexpr double kGap = 1e-9;
   // At larger weights only a start for the next weight is needed.
-  constexpr double kGapOnTheWay = 1e-2;
+  constexpr double kIntermediateGap = 1e-2;
   constexpr double kWeightFactor = 0.3;  // factor by which the weight falls from step to step
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
@@ -162,7 +162,7 @@ DensityFit fitNonNegative(
     // λ is relative to the mean squared norm of a row, so the fit does not depend on units. The
     // bound avoids a division by zero for a zero matrix.
     const Dual dual{matrix, forces, prior, std::max(weightNow * row, 1e-300)};
-    const double goal = weightNow > weight ? kGapOnTheWay : kGap;
+    const double goal = weightNow > weight ? kIntermediateGap : kGap;
     point = dual.at(std::move(y));
     for (int step = 0; step < kMostSteps && gapOf(point) > goal; ++step) {
       auto next = dual.next(point);
@@ -191,10 +191,10 @@ DensityFit fitMultiplicative(
   const auto whole = matrix.transposedTimes(ones);
   std::vector<double> ratio(matrix.rows);
   for (int i = 0; i < iterations; ++i) {
-    const auto felt = matrix.times(fit.densities);
+    const auto fittedForce = matrix.times(fit.densities);
     for (std::size_t row = 0; row < matrix.rows; ++row) {
       // Without a force no density can change the row: the ratio 1 has no effect.
-      ratio[row] = felt[row] > 0.0 ? std::max(forces[row], 0.0) / felt[row] : 1.0;
+      ratio[row] = fittedForce[row] > 0.0 ? std::max(forces[row], 0.0) / fittedForce[row] : 1.0;
     }
     const auto factor = matrix.transposedTimes(ratio);
     for (std::size_t column = 0; column < matrix.columns(); ++column) {
@@ -292,7 +292,7 @@ BoneFit fitBone(
 
 double bestFriction(
     const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque) {
-  constexpr int kTried = 13;  // tried values; each is 1.26 times the last
+  constexpr int kTriedFrictions = 13;  // tried values; each is 1.26 times the last
   const std::vector<double> alike(matrix.columns(), uniformDensity(matrix, forces));
   const auto levers = torque.levers.times(alike);
   const double square = asVector(levers).squaredNorm();
@@ -300,8 +300,8 @@ double bestFriction(
   if (!(one > 0.0)) return 0.0;
   double best = one;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kTried; ++i) {
-    torque.friction = one * std::exp2(-3.0 + 4.0 * i / (kTried - 1));
+  for (int i = 0; i < kTriedFrictions; ++i) {
+    torque.friction = one * std::exp2(-3.0 + 4.0 * i / (kTriedFrictions - 1));
     const JointProblem joint(matrix, forces, torque);
     const double error = fitNonNegative(joint.matrix, joint.wanted, alike).error;
     if (!(error < least)) continue;

@@ -144,7 +144,11 @@ BoneFitReport fitBoneToMaterial(
   for (const auto& [name, wanted, wantedTorque, densities] : all) {
     if (options.onProgress) options.onProgress(std::string("the ") + name + " curve");
     CurveFit curve{
-        .curve = name, .depths = places, .wanted = valuesAt(wanted, places), .felt = {}, .fit = {}};
+        .curve = name,
+        .depths = places,
+        .wanted = valuesAt(wanted, places),
+        .fittedForce = {},
+        .fit = {}};
     if (options.method) {
       curve.fit = options.method(matrix, curve.wanted);
     } else if (isJoint) {
@@ -153,7 +157,7 @@ BoneFitReport fitBoneToMaterial(
     } else {
       curve.fit = fitBone(matrix, curve.wanted);
     }
-    curve.felt = matrix.times(curve.fit.densities);
+    curve.fittedForce = matrix.times(curve.fit.densities);
     densities.assign(curve.fit.densities.begin(), curve.fit.densities.end());
     report.curves.push_back(std::move(curve));
   }
@@ -209,17 +213,17 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
   const PlungePath plunge = plungePathInto(cut.field(), bone.reamerRadius);
   const double whole = cut.remainingMass();
   const double dt = options.step / options.feed;
-  constexpr double kBefore = -0.0005;  // start outside the bone, until Bone::isOutside() [m]
-  for (int i = 0; i < 1000; ++i) cut.step(plunge.at(kBefore), dt);
+  constexpr double kStartDepth = -0.0005;  // start outside the bone, until Bone::isOutside() [m]
+  for (int i = 0; i < 1000; ++i) cut.step(plunge.at(kStartDepth), dt);
   ExperimentResult result{.depth = {}, .force = {}, .stop = "the largest depth"};
-  for (double device = kBefore; device < options.mostDepth + 0.002; device += options.step) {
-    const auto felt = cut.step(plunge.at(device), dt);
+  for (double device = kStartDepth; device < options.mostDepth + 0.002; device += options.step) {
+    const auto fittedForce = cut.step(plunge.at(device), dt);
     const double depth = cut.tool().centre.z - plunge.start;
     if (depth > options.mostDepth) break;
     if (depth <= 0.0 || (!result.depth.empty() && depth <= result.depth.back())) continue;
     result.depth.push_back(depth);
-    result.force.push_back(-felt.force.z);
-    if (-felt.force.z < options.mostForce) continue;
+    result.force.push_back(-fittedForce.force.z);
+    if (-fittedForce.force.z < options.mostForce) continue;
     result.stop = "the largest force";
     break;
   }
@@ -248,9 +252,9 @@ double errorOf(
   double difference = 0.0;
   double square = 0.0;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const double felt = forceAt(result, depths[i]);
-    if (std::isnan(felt)) continue;
-    difference += (felt - wanted[i]) * (felt - wanted[i]);
+    const double fittedForce = forceAt(result, depths[i]);
+    if (std::isnan(fittedForce)) continue;
+    difference += (fittedForce - wanted[i]) * (fittedForce - wanted[i]);
     square += wanted[i] * wanted[i];
   }
   return square > 0.0 ? std::sqrt(difference / square) : 1.0;

@@ -41,10 +41,10 @@ std::string problemOf(const PackedBone& bone);
 
 /// How well a bone was fitted to a curve.
 struct CurveFit {
-  std::string curve;           ///< "minimum", "average", "maximum"
-  std::vector<double> depths;  ///< [m]
-  std::vector<double> wanted;  ///< force of the curve [N]; negative values count as 0
-  std::vector<double> felt;    ///< force of the spheres [N]
+  std::string curve;                ///< "minimum", "average", "maximum"
+  std::vector<double> depths;       ///< [m]
+  std::vector<double> wanted;       ///< force of the curve [N]; negative values count as 0
+  std::vector<double> fittedForce;  ///< force of the spheres [N]
   BoneFit fit;
   std::optional<double> torqueError = {};  ///< |μ B ρ − T| / |T|, if there is a torque
 };
@@ -126,8 +126,8 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
 /// The force at @p depth [m], linearly interpolated; NaN outside the recorded depths.
 double forceAt(const ExperimentResult& result, double depth);
 
-/// Relative error |felt − wanted| / |wanted| of the forces of @p result against @p wanted [N] at @p
-/// depths [m], over those depths that were reached.
+/// Relative error |fitted − wanted| / |wanted| of the forces of @p result against @p wanted [N] at
+/// @p depths [m], over those depths that were reached.
 double errorOf(
     const ExperimentResult& result,
     const std::vector<double>& depths,

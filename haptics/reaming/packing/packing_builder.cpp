@@ -16,10 +16,10 @@
 namespace haptics::reaming {
 namespace {
 
-constexpr int kBlock = 3;            // cells per side of a block
-constexpr double kSpacing = 1.6;     // distance of the starting points, in wanted radii
-constexpr double kNextRadius = 0.7;  // ratio of the radius to that of the last pass
-constexpr double kFinest = 0.05;     // smallest radius of a pass, relative to the largest radius
+constexpr int kBlock = 3;                      // cells per side of a block
+constexpr double kSpacing = 1.6;               // distance of the starting points, in wanted radii
+constexpr double kNextRadius = 0.7;            // ratio of the radius to that of the last pass
+constexpr double kSmallestRadiusShare = 0.05;  // of a pass, relative to the largest radius
 
 std::string problemOf(const PackingOptions& options) {
   const int wants = static_cast<int>(options.count.has_value()) +
@@ -350,7 +350,7 @@ std::optional<Packing> pack(
   Packing packing{.volume = body.volume()};
   const double largest = largestRadiusOf(options, packing.volume);
   Builder builder(body, largest, options);
-  const double least = options.smallestRadius.value_or(kFinest * largest);
+  const double least = options.smallestRadius.value_or(kSmallestRadiusShare * largest);
   for (double radius = largest; radius > 0.0;) {
     const PackingProgress progress{packing.spheres.size(), packing.coverage(), radius};
     if (!builder.pass(radius, [&] { return !onProgress || onProgress(progress); }))

@@ -32,7 +32,8 @@ bool solve(System& a) noexcept {
 
 /// Computes the distance of @p from from an obstacle's surface, and its gradient; false if the
 /// gradient is undefined.
-bool look(const Obstacle& obstacle, Vec3 from, double& distance, Vec3& normal) noexcept {
+bool distanceAndNormal(
+    const Obstacle& obstacle, Vec3 from, double& distance, Vec3& normal) noexcept {
   if (obstacle.isPlane) {
     normal = obstacle.place;
     distance = dot(normal, from) - obstacle.size;
@@ -61,7 +62,7 @@ std::optional<TangentSphere> tangentTo(
     for (std::size_t i = 0; i < 4; ++i) {
       Vec3 normal;
       double distance = 0.0;
-      if (!look(obstacles[i], sphere.centre, distance, normal)) return std::nullopt;
+      if (!distanceAndNormal(obstacles[i], sphere.centre, distance, normal)) return std::nullopt;
       system[i] = {normal.x, normal.y, normal.z, -1.0, sphere.radius - distance};
     }
     if (!solve(system)) return std::nullopt;

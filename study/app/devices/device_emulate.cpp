@@ -38,7 +38,7 @@ void printLine(const std::string& line) {
 void executeInput(
     const EmulateArguments& arguments,
     const std::string& help,
-    const std::function<std::string(const std::string&)>& obey) {
+    const std::function<std::string(const std::string&)>& runCommandLine) {
   struct sigaction action {};
   action.sa_handler = end;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
@@ -61,7 +61,7 @@ void executeInput(
       const std::string line = buffer.substr(0, at);
       buffer.erase(0, at + 1);
       if (line == "quit") return;
-      if (!line.empty()) printLine(line == "help" ? "There are: " + help : obey(line));
+      if (!line.empty()) printLine(line == "help" ? "There are: " + help : runCommandLine(line));
     }
   }
 }
@@ -143,7 +143,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   emulators::FriController controller(options);
   std::jthread loop([&](const std::stop_token& stop) { controller.run(stop); });
   printLine("ready client=" + arguments.client + " local=" + controller.local().text());
-  executeInput(arguments, emulators::FriOrders::help(), [&](const std::string& line) {
+  executeInput(arguments, emulators::FriFaultQueue::help(), [&](const std::string& line) {
     const auto reply = controller.command(line);
     if (!reply.isTaken) return "error " + reply.text;
     return reply.text.empty() ? "ok " + line : reply.text;

@@ -79,7 +79,7 @@ void print(const reaming::MaterialFit& fit, const reaming::FitOptions& options) 
         force.minimum.spline.nodes.size(),
         force.average.spline.nodes.size(),
         force.maximum.spline.nodes.size(),
-        middleNameOf(options.envelope),
+        middleCurveNameOf(options.envelope),
         force.minimum.error.largest,
         force.average.error.largest,
         force.maximum.error.largest,

@@ -55,7 +55,7 @@ Chart envelopeChart(
   Chart chart{.x = {.title = depth.title}, .y = {.title = unit}};
   const std::pair<std::string, const reaming::FittedCurve*> curves[]{
       {"maximum", &envelope.maximum},
-      {middleNameOf(options.envelope), &envelope.average},
+      {middleCurveNameOf(options.envelope), &envelope.average},
       {"minimum", &envelope.minimum}};
   int colour = 0;
   for (const auto& [name, curve] : curves) {
@@ -159,7 +159,7 @@ DataTable envelopeTable(
     const char* unit,
     const reaming::FittedEnvelope& envelope,
     const reaming::FitOptions& options) {
-  auto middle = middleNameOf(options.envelope);
+  auto middle = middleCurveNameOf(options.envelope);
   std::replace(middle.begin(), middle.end(), '-', '_');
   DataTable table{
       .name = fmt::format("envelope-{}-{}", nameOf(set.set), quantity),
@@ -249,7 +249,7 @@ report::DocumentPart setPart(
   };
   part.tables.push_back(specimenTable(set));
   if (isReamed(set, options)) {
-    auto feeds = feedTable(curvesOf(set.force), middleNameOf(options.envelope));
+    auto feeds = feedTable(curvesOf(set.force), middleCurveNameOf(options.envelope));
     feeds.name += "-" + name;
     part.tables.push_back(std::move(feeds));
   }
@@ -260,7 +260,7 @@ report::DocumentPart setPart(
 
 }  // namespace
 
-std::string middleNameOf(reaming::EnvelopeRule rule) {
+std::string middleCurveNameOf(reaming::EnvelopeRule rule) {
   return rule == reaming::EnvelopeRule::Pointwise ? "average" : "middle-specimen";
 }
 
@@ -273,7 +273,8 @@ std::vector<NamedCurve> curvesOf(
                        double floor) {
     const std::string name(nameOf(set.set));
     curves.push_back({name, quantity, "minimum", &envelope.minimum, floor});
-    curves.push_back({name, quantity, middleNameOf(options.envelope), &envelope.average, floor});
+    curves.push_back(
+        {name, quantity, middleCurveNameOf(options.envelope), &envelope.average, floor});
     curves.push_back({name, quantity, "maximum", &envelope.maximum, floor});
   };
   for (const auto& set : fit.sets) {

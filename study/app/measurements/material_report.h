@@ -28,7 +28,7 @@ std::vector<NamedCurve> curvesOf(
 std::string pathOf(const NamedCurve& curve);
 
 /// The name of the curve between minimum and maximum.
-std::string middleNameOf(haptics::reaming::EnvelopeRule rule);
+std::string middleCurveNameOf(haptics::reaming::EnvelopeRule rule);
 
 /// Figures 3 to 7 of the reaming paper for any data: all series; for each series force and torque
 /// (measured, filtered and normalised) and their spectra; envelopes; and the cubic and the Hermite

@@ -20,17 +20,18 @@ Chart forceChart(const reaming::BoneFitReport& fit) {
   int colour = 0;
   for (const auto& curve : fit.curves) {
     ChartSeries wanted{.title = curve.curve, .points = {}, .colour = colour};
-    ChartSeries felt{
+    ChartSeries fittedForce{
         .title = curve.curve + ": spheres",
         .style = ChartSeries::Style::Dashed,
         .points = {},
         .colour = colour++};
     for (std::size_t i = 0; i < curve.depths.size(); ++i) {
       wanted.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.wanted[i]});
-      felt.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.felt[i]});
+      fittedForce.points.push_back(
+          {.x = kMillimetres * curve.depths[i], .y = curve.fittedForce[i]});
     }
     chart.series.push_back(std::move(wanted));
-    chart.series.push_back(std::move(felt));
+    chart.series.push_back(std::move(fittedForce));
   }
   return chart;
 }
@@ -73,7 +74,7 @@ DataTable fitTable(const reaming::BoneFitReport& fit) {
   for (const auto& curve : fit.curves) {
     double largest = 0.0;
     for (std::size_t i = 0; i < curve.wanted.size(); ++i) {
-      largest = std::max(largest, std::abs(curve.felt[i] - curve.wanted[i]));
+      largest = std::max(largest, std::abs(curve.fittedForce[i] - curve.wanted[i]));
     }
     table.rows.push_back(
         {curve.curve,
@@ -94,7 +95,7 @@ DataTable forceTable(const reaming::BoneFitReport& fit) {
       .columns = {{"curve", "Curve"}, {"depth_m", ""}, {"wanted_n", ""}, {"felt_n", ""}}};
   for (const auto& curve : fit.curves) {
     for (std::size_t i = 0; i < curve.depths.size(); ++i) {
-      table.rows.push_back({curve.curve, curve.depths[i], curve.wanted[i], curve.felt[i]});
+      table.rows.push_back({curve.curve, curve.depths[i], curve.wanted[i], curve.fittedForce[i]});
     }
   }
   return table;

@@ -23,16 +23,16 @@ struct CheckTableOptions {
 };
 
 PublishedTableOptions questionOf(const CheckTableOptions& options) {
-  PublishedTableOptions question;
+  PublishedTableOptions tableOptions;
   if (!options.sizes.empty()) {
-    question.fewest = options.sizes[0];
-    question.most = options.sizes[1];
+    tableOptions.fewest = options.sizes[0];
+    tableOptions.most = options.sizes[1];
     if (options.sizes[0] > options.sizes[1]) {
       throw base::UserError("--sizes go from the fewest to the most, for instance --sizes 24 36");
     }
   }
   if (!options.scale.empty()) {
-    question.scale = {
+    tableOptions.scale = {
         .lowest = options.scale[0], .highest = options.scale[1], .parts = options.parts};
     const int points = (options.scale[1] - options.scale[0]) * options.parts + 1;
     if (points < 2 || points > analysis::AnswerLattice::kMostPoints) {
@@ -41,7 +41,7 @@ PublishedTableOptions questionOf(const CheckTableOptions& options) {
           "at most 101 points");
     }
   }
-  return question;
+  return tableOptions;
 }
 
 int checkTable(const CheckTableOptions& options) {

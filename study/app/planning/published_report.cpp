@@ -26,25 +26,25 @@ std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
 
 /// The combinations of group sizes to try.
 std::vector<GroupSizes> sizesToTry(
-    const PublishedTable& table, const PublishedTableOptions& question) {
+    const PublishedTable& table, const PublishedTableOptions& tableOptions) {
   std::vector<GroupSizes> all;
   for (const auto& group : table.groups) {
     auto& sizes = all.emplace_back();
-    if (!question.fewest) {
+    if (!tableOptions.fewest) {
       sizes.push_back(*group.n);
       continue;
     }
-    for (std::uint64_t n = *question.fewest; n <= *question.most; ++n) sizes.push_back(n);
+    for (std::uint64_t n = *tableOptions.fewest; n <= *tableOptions.most; ++n) sizes.push_back(n);
   }
   return all;
 }
 
 void findWholeAnswers(PublishedReport& report) {
-  const auto sizes = sizesToTry(report.table, report.question);
+  const auto sizes = sizesToTry(report.table, report.tableOptions);
   std::uint64_t most = 0;
   for (const auto& ofGroup : sizes) most = std::max(most, ofGroup.back());
   try {
-    const analysis::AnswerLattice lattice(*report.question.scale, most);
+    const analysis::AnswerLattice lattice(*report.tableOptions.scale, most);
     for (const auto& convention : analysis::publishedConventions()) {
       report.wholeAnswers.push_back(
           analysis::consistentSizes(report.table, sizes, lattice, convention));
@@ -59,23 +59,23 @@ void findWholeAnswers(PublishedReport& report) {
 }  // namespace
 
 PublishedReport checkPublishedTable(
-    const PublishedTable& table, const PublishedTableOptions& question) {
+    const PublishedTable& table, const PublishedTableOptions& tableOptions) {
   const auto stated = statedSizes(table);
-  if (!stated && !question.fewest) {
+  if (!stated && !tableOptions.fewest) {
     throw base::UserError(
         "the table does not state the size of every group: add a column n, or say which sizes to "
         "try, for instance --sizes 24 36");
   }
-  if (question.fewest && *question.most - *question.fewest >= kMostSizes) {
+  if (tableOptions.fewest && *tableOptions.most - *tableOptions.fewest >= kMostSizes) {
     throw base::UserError(
         "those are too many sizes to try at once: at most " + std::to_string(kMostSizes));
   }
-  PublishedReport report{.table = table, .question = question};
-  if (question.scale) findWholeAnswers(report);
+  PublishedReport report{.table = table, .tableOptions = tableOptions};
+  if (tableOptions.scale) findWholeAnswers(report);
   for (const auto& convention : analysis::publishedConventions()) {
     if (stated) report.atStated.push_back(analysis::checkConvention(table, *stated, convention));
-    if (!question.fewest) continue;
-    for (std::uint64_t n = *question.fewest; n <= *question.most; ++n) {
+    if (!tableOptions.fewest) continue;
+    for (std::uint64_t n = *tableOptions.fewest; n <= *tableOptions.most; ++n) {
       report.atEqual.push_back(
           analysis::checkConvention(table, GroupSizes(table.groups.size(), n), convention));
     }

@@ -24,7 +24,7 @@ struct PublishedTableOptions {
 /// The results of checking a published table.
 struct PublishedReport {
   analysis::PublishedTable table;
-  PublishedTableOptions question;
+  PublishedTableOptions tableOptions;
   /// For every convention, the check with the stated sizes; empty if the table states none.
   std::vector<analysis::ConventionCheck> atStated;
   /// For every convention, the check with equal sizes of all groups; empty if not requested.
@@ -36,7 +36,7 @@ struct PublishedReport {
 
 /// @throws UserError  if sizes are missing or there are too many combinations.
 PublishedReport checkPublishedTable(
-    const analysis::PublishedTable& table, const PublishedTableOptions& question);
+    const analysis::PublishedTable& table, const PublishedTableOptions& tableOptions);
 
 std::string publishedReportAsText(const PublishedReport& report);
 std::string publishedReportAsJson(const PublishedReport& report);

@@ -16,7 +16,7 @@ Json asJson(const PublishedConvention& convention) {
       {"test", test},
       {"tails", convention.tails == PublishedConvention::Tails::Two ? 2 : 1},
       {"variance", convention.divisor == PublishedConvention::Divisor::Sample ? "n-1" : "n"},
-      {"digits", convention.reading == analysis::Reading::Rounded ? "rounded" : "truncated"}};
+      {"digits", convention.rounding == analysis::RoundingRule::Rounded ? "rounded" : "truncated"}};
 }
 
 Json asJson(const analysis::PublishedTable& table, const analysis::ConventionCheck& check) {

@@ -63,7 +63,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
         table.groups[first].name + " – " + table.groups[second].name,
         p.text(),
         shortP(row.attainable.low) + " … " + shortP(row.attainable.high),
-        verdict(row, p.bounds(check.convention.reading)));
+        verdict(row, p.bounds(check.convention.rounding)));
   }
   if (check.allAttainable()) {
     text += check.row ? "  One mean and one variance for each group give all p at once.\n"
@@ -93,8 +93,8 @@ std::string statedPart(const PublishedReport& report) {
 std::string equalPart(const PublishedReport& report) {
   std::string text = fmt::format(
       "Sizes from {} to {}, the same in every group, that explain the whole row (real numbers):\n",
-      *report.question.fewest,
-      *report.question.most);
+      *report.tableOptions.fewest,
+      *report.tableOptions.most);
   for (const auto& convention : analysis::publishedConventions()) {
     std::vector<std::uint64_t> sizes;
     for (const auto& check : report.atEqual) {
@@ -150,13 +150,13 @@ std::string describeExample(const PublishedReport& report) {
     text += fmt::format(
         "    {}: {}\n",
         report.table.groups[g].name,
-        formatAnswers(*report.question.scale, found->example[g]));
+        formatAnswers(*report.tableOptions.scale, found->example[g]));
   }
   return text;
 }
 
 std::string wholeAnswersPart(const PublishedReport& report) {
-  const auto& scale = *report.question.scale;
+  const auto& scale = *report.tableOptions.scale;
   std::string text = fmt::format(
       "Answers on {} … {}{} (sums and sums of squares are whole; every combination of sizes):\n",
       scale.lowest,

@@ -16,7 +16,7 @@ namespace {
 
 struct CollectOptions {
   std::string out;
-  CollectSize size;
+  CollectBenchOptions size;
 };
 
 double median(std::vector<double> values) {

@@ -92,7 +92,7 @@ void addTo(StationPush& sum, const StationPush& sent) {
 }
 
 void send(
-    const CollectSize& size,
+    const CollectBenchOptions& size,
     ManyStations& stations,
     PlainCopy& plain,
     CollectMeasurement& measured) {
@@ -195,7 +195,7 @@ double megabytesOf(const fs::path& folder) {
 
 void pullAll(
     const collect::PrivateServer& postgres,
-    const CollectSize& size,
+    const CollectBenchOptions& size,
     const std::string& instrument,
     CollectMeasurement& measured) {
   const TemporaryFolder own(size.folder);
@@ -243,7 +243,7 @@ void measureTableSizes(Connection& owner, CollectMeasurement& measured) {
 
 }  // namespace
 
-CollectMeasurement measureCollection(const CollectSize& size) {
+CollectMeasurement measureCollection(const CollectBenchOptions& size) {
   CollectMeasurement measured;
   const collect::PrivateServer postgres;
   std::fprintf(stderr, "%d simulated participants with samples\n", size.participants);

@@ -11,7 +11,7 @@
 namespace study::bench {
 
 /// The options of measureCollection().
-struct CollectSize {
+struct CollectBenchOptions {
   std::filesystem::path folder;  ///< temporary folder for the stations' folders and the pulled
                                  ///< study
   std::int64_t answers = 1'000'000;
@@ -65,6 +65,6 @@ struct CollectMeasurement {
 
 /// Starts a private PostgreSQL server and measures on it.
 /// @throws UserError  if PostgreSQL is not installed
-CollectMeasurement measureCollection(const CollectSize& size);
+CollectMeasurement measureCollection(const CollectBenchOptions& size);
 
 }  // namespace study::bench

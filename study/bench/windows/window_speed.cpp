@@ -294,7 +294,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
   view.setSnapshotSource({});
-  measured.felt = live.finish(TrialEnding::Finished);
+  measured.trialRecord = live.finish(TrialEnding::Finished);
   return measured;
 }
 

@@ -90,8 +90,8 @@ DataTable simulationTable(
          view.latencyP99,
          static_cast<std::int64_t>(view.frames),
          measured.buildTime,
-         static_cast<std::int64_t>(measured.felt.ticks),
-         static_cast<std::int64_t>(measured.felt.lateTicks.value_or(0)),
+         static_cast<std::int64_t>(measured.trialRecord.ticks),
+         static_cast<std::int64_t>(measured.trialRecord.lateTicks.value_or(0)),
          measured.bytesPerFrame,
          measured.allBytes,
          static_cast<std::int64_t>(view.lostChanges)});

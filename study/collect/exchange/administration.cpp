@@ -199,7 +199,8 @@ EnrolledStation enrolStation(Connection& server, const EnrolmentRequest& request
   for (const auto& protocol : protocolsOf(server, study.uuid)) {
     enrolment.protocols.push_back({.text = protocol.text, .files = filesIn(protocol.files)});
   }
-  EnrolledStation enrolled{.study = study.name, .label = label, .mark = markOf(secretOf(study))};
+  EnrolledStation enrolled{
+      .study = study.name, .label = label, .mark = keyFingerprintOf(secretOf(study))};
   inTransaction(server, [&] {
     const auto added = addStation(
         server,

@@ -42,7 +42,7 @@ struct EnrolledStation {
   std::string role;
   std::string expiresUtc;
   std::string file;  ///< content of the enrolment, sealed for the station
-  std::string mark;  ///< fingerprint to be read out to the station (markOf())
+  std::string mark;  ///< fingerprint to be read out to the station (keyFingerprintOf())
 };
 
 /// Adds a station to a study of the server. @throws UserError  if a name, the key or the address is

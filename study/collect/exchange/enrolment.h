@@ -31,13 +31,13 @@ struct StationEnrolment {
   };
   /// All versions, the oldest first, from which the study's uuid is computed.
   std::vector<Protocol> protocols;
-  std::string mark = {};  ///< markOf() the key that signed the file; set by enrolmentIn()
+  std::string mark = {};  ///< keyFingerprintOf() the key that signed the file; set by enrolmentIn()
 };
 
 /// A short fingerprint of the key that signs a study's enrolments, to be compared on the telephone:
 /// the first 80 bits of its hash, "1a2b 3c4d 5e6f 7081 92a3".
 /// @param secret  of the study, from which that key is derived
-std::string markOf(const storage::BlindingSecret& secret);
+std::string keyFingerprintOf(const storage::BlindingSecret& secret);
 
 /// The enrolment file: sealed for the station, and signed with the study's key.
 /// @param publicKey  of the station ('palpate collect key'). @param secret  of the study

@@ -52,7 +52,7 @@ SigningKey signingKeyOf(const storage::BlindingSecret& secret) {
   return key;
 }
 
-std::string markOfKey(const std::string& key) {
+std::string fingerprintOfPublicKey(const std::string& key) {
   constexpr std::size_t kDigits = 20;
   constexpr std::size_t kGroup = 4;
   std::string mark = storage::sha256(key).substr(0, kDigits);
@@ -100,8 +100,8 @@ std::vector<StationEnrolment::Protocol> protocolsIn(const json& inside) {
 
 }  // namespace
 
-std::string markOf(const storage::BlindingSecret& secret) {
-  return markOfKey(storage::inHexadecimal(signingKeyOf(secret).open));
+std::string keyFingerprintOf(const storage::BlindingSecret& secret) {
+  return fingerprintOfPublicKey(storage::inHexadecimal(signingKeyOf(secret).open));
 }
 
 std::string asText(
@@ -177,7 +177,7 @@ StationEnrolment enrolmentIn(const std::string& text, const storage::StationStor
       .bundleKey = textIn(inside, "bundle_key"),
       .expiresUtc = textIn(inside, "expires_utc"),
       .protocols = protocolsIn(inside)};
-  enrolment.mark = markOfKey(signer);
+  enrolment.mark = fingerprintOfPublicKey(signer);
   return enrolment;
 }
 

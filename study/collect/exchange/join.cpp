@@ -14,7 +14,7 @@
 namespace study::collect {
 namespace {
 
-constexpr const char* kUsed = "enrolments";  // list of the station
+constexpr const char* kEnrolmentList = "enrolments";  // list of the station
 
 std::string contentOf(const std::filesystem::path& path) {
   auto text = base::readFile(path);
@@ -23,7 +23,7 @@ std::string contentOf(const std::filesystem::path& path) {
 }
 
 void requireUnused(const StationEnrolment& enrolment, const storage::StationStore& station) {
-  const auto used = station.lines(kUsed);
+  const auto used = station.lines(kEnrolmentList);
   const bool isUsed = std::any_of(used.begin(), used.end(), [&](const std::string& line) {
     return line.starts_with(enrolment.station.uuid);
   });
@@ -52,7 +52,7 @@ void requireMark(
         enrolment.mark,
         mark));
   }
-  for (const auto& line : station.lines(kUsed)) {
+  for (const auto& line : station.lines(kEnrolmentList)) {
     std::istringstream words(line);
     std::string uuid;
     std::string study;
@@ -106,7 +106,7 @@ StationEnrolment join(
       {.server = enrolment.server, .role = enrolment.role, .bundleKey = enrolment.bundleKey},
       folder);
   station.append(
-      kUsed,
+      kEnrolmentList,
       fmt::format(
           "{} {} {} {}",
           enrolment.station.uuid,

@@ -25,7 +25,7 @@ bool isErased(const storage::SessionTables& facts) {
 
 /// Adds an erasure of a station to this computer's list, so that copies from earlier pulls are
 /// erased from when they are opened next.
-void listErasure(const std::string& study, const storage::SessionTables& facts) {
+void addToErasureList(const std::string& study, const storage::SessionTables& facts) {
   storage::addListedErasure(
       {.study = study,
        .participant = storage::textIn(facts, "participant", "code"),
@@ -126,7 +126,7 @@ class StationPull {
     ++pulled_.sessions;
     if (!isErased(facts)) return;
     ++pulled_.erased;
-    listErasure(studyUuid_, facts);
+    addToErasureList(studyUuid_, facts);
   }
 
   ServerReader& reader_;

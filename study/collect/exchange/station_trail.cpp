@@ -73,13 +73,13 @@ StationTrail::StationTrail(
     const StationRow& station,
     std::vector<storage::StoredEvent> events,
     const std::vector<SentKey>& keys,
-    std::int64_t vouchedUpTo)
+    std::int64_t bundleSignedUpTo)
     : station_(station.station),
       key_(study.secret.of(station.station.label).bytes()),
       events_(std::move(events)),
       identities_(storeOf(keys)),
       traces_(storage::Database::inMemory(storage::traceSchema())) {
-  checkTrail(study, station, vouchedUpTo);
+  checkTrail(study, station, bundleSignedUpTo);
   for (std::int64_t i = 0; i < signedUpTo_; ++i) {
     const auto& event = events_[static_cast<std::size_t>(i)];
     if (event.session) lastEvents_[*event.session] = event.seq;
@@ -92,13 +92,13 @@ StationTrail::StationTrail(
 }
 
 void StationTrail::checkTrail(
-    const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo) {
+    const CollectedStudy::Origin& study, const StationRow& station, std::int64_t bundleSignedUpTo) {
   // Drops the events from the first missing number on, because they cannot be checked; event n is
   // then the n-th of events_.
   std::int64_t whole = 0;
   const auto isNext = [&](const storage::StoredEvent& event) { return event.seq == ++whole; };
   events_.erase(std::find_if_not(events_.begin(), events_.end(), isNext), events_.end());
-  vouchedUpTo = std::min(vouchedUpTo, static_cast<std::int64_t>(events_.size()));
+  bundleSignedUpTo = std::min(bundleSignedUpTo, static_cast<std::int64_t>(events_.size()));
   database_ = trailOf(study.uuid, events_);
   const storage::EventLog log(*database_);
   const auto broken = log.firstBreak();
@@ -129,7 +129,8 @@ void StationTrail::checkTrail(
       ends.push_back(each.seq);
     }
   }
-  if (isOurs && vouchedUpTo > (ends.empty() ? 0 : ends.back())) ends.push_back(vouchedUpTo);
+  if (isOurs && bundleSignedUpTo > (ends.empty() ? 0 : ends.back()))
+    ends.push_back(bundleSignedUpTo);
   const auto upTo = [&](std::int64_t end) {
     return trailOf(study.uuid, std::span(events_).first(static_cast<std::size_t>(end)));
   };
@@ -171,13 +172,13 @@ std::vector<std::string> StationTrail::problemsOf(
       storage::textIn(facts, "session", "station") == station_.label &&
       storage::textIn(facts, "participant", "code").starts_with(station_.label + "_");
   if (!isHere) problems.emplace_back("its rows are of another site, station or code");
-  Trials said;
+  Trials recorded;
   std::optional<std::string> ofTraces;
   if (!chunks.empty() || !storage::rowsIn(facts, "trial").empty()) {
     const storage::Transaction rolledBack(*database_);
     storage::addSessionTablesAs(*database_, facts, SessionId{session}, nullptr, {});
-    said = trialsOf(session);
-    ofTraces = firstProblemOfTraces(session, chunks, said);
+    recorded = trialsOf(session);
+    ofTraces = firstProblemOfTraces(session, chunks, recorded);
   }
   // At the station, data that reveal the conditions are sealed, unless the session was simulated or
   // the protocol has no blinding. Tries both ways.
@@ -188,7 +189,7 @@ std::vector<std::string> StationTrail::problemsOf(
   const auto& last = events_.at(static_cast<std::size_t>(asOf - 1));
   const bool isSame = std::any_of(ways.begin(), ways.end(), [&](const auto* key) {
     const storage::Transaction rolledBack(*database_);
-    storage::addSessionTablesAs(*database_, facts, SessionId{session}, key, said.open);
+    storage::addSessionTablesAs(*database_, facts, SessionId{session}, key, recorded.open);
     return agrees(session, last);
   });
   if (!isSame) problems.emplace_back("its rows do not agree with the audit trail");
@@ -198,8 +199,8 @@ std::vector<std::string> StationTrail::problemsOf(
 
 /// The hash of a session's rows covers the row numbers of participant and protocol in the station's
 /// file. These are not sent. They count from 1 and are found by trying.
-bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& said) {
-  if (said.content.empty()) return false;
+bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& recorded) {
+  if (recorded.content.empty()) return false;
   Statement row(
       *database_,
       "SELECT s.participant_id, p.code, v.sha256 FROM session AS s JOIN participant AS p "
@@ -233,7 +234,7 @@ bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& said
           .bind(2, version)
           .bind(3, session)
           .run();
-      if (!agreesWithNumbers(session, said)) continue;
+      if (!agreesWithNumbers(session, recorded)) continue;
       participants_[code] = person;
       protocols_[version] = hash;
       return true;
@@ -242,12 +243,12 @@ bool StationTrail::agrees(std::int64_t session, const storage::StoredEvent& said
   return false;
 }
 
-bool StationTrail::agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said) {
+bool StationTrail::agreesWithNumbers(std::int64_t session, const storage::StoredEvent& recorded) {
   const storage::EventLog log(*database_, &identities_);
-  const auto key = said.sealed.empty() ? std::nullopt : log.keyOf(SessionId{session});
-  if (!said.sealed.empty() && !key) return false;
+  const auto key = recorded.sealed.empty() ? std::nullopt : log.keyOf(SessionId{session});
+  if (!recorded.sealed.empty() && !key) return false;
   return storage::asBytes(storage::contentHash(
-             *database_, SessionId{session}, key ? &*key : nullptr)) == said.content;
+             *database_, SessionId{session}, key ? &*key : nullptr)) == recorded.content;
 }
 
 StationTrail::Trials StationTrail::trialsOf(std::int64_t session) const {
@@ -264,7 +265,7 @@ StationTrail::Trials StationTrail::trialsOf(std::int64_t session) const {
 
 /// Compares samples with their trials and with the digests in the trail.
 std::optional<std::string> StationTrail::firstProblemOfTraces(
-    std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& said) {
+    std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& recorded) {
   std::set<VisitKey> visits;
   for (const auto& chunk : chunks) {
     const VisitKey visit{SessionId{session}, chunk.step, chunk.attempt};
@@ -281,8 +282,8 @@ std::optional<std::string> StationTrail::firstProblemOfTraces(
   const storage::Transaction rolledBack(traces_.database());
   for (const auto& chunk : chunks) storage::addChunk(traces_.database(), SessionId{session}, chunk);
   for (const auto& visit : visits) {
-    const auto kept = said.traces.find(visit);
-    if (kept == said.traces.end()) {
+    const auto kept = recorded.traces.find(visit);
+    if (kept == recorded.traces.end()) {
       return nameOf(visit) + ": samples that the audit trail does not know";
     }
     if (traces_.digest(visit) != kept->second) {

@@ -25,14 +25,14 @@ class StationTrail {
  public:
   /// @param events  all events that the server has of the station
   /// @param keys  content keys of the participants, to open details
-  /// @param vouchedUpTo  a signature outside of the trail (of a bundle) covers all events up to
+  /// @param bundleSignedUpTo  a bundle's signature covers all events up to
   ///     this one
   StationTrail(
       const CollectedStudy::Origin& study,
       const StationRow& station,
       std::vector<storage::StoredEvent> events,
       const std::vector<SentKey>& keys,
-      std::int64_t vouchedUpTo = 0);
+      std::int64_t bundleSignedUpTo = 0);
 
   /// The problems of the trail: an event that differs from its hash, a signature that is invalid or
   /// not of the station's key, a trail that began elsewhere.
@@ -65,13 +65,15 @@ class StationTrail {
 
  private:
   void checkTrail(
-      const CollectedStudy::Origin& study, const StationRow& station, std::int64_t vouchedUpTo);
-  bool agrees(std::int64_t session, const storage::StoredEvent& said);
-  bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& said);
+      const CollectedStudy::Origin& study,
+      const StationRow& station,
+      std::int64_t bundleSignedUpTo);
+  bool agrees(std::int64_t session, const storage::StoredEvent& recorded);
+  bool agreesWithNumbers(std::int64_t session, const storage::StoredEvent& recorded);
   struct Trials;
   Trials trialsOf(std::int64_t session) const;
   std::optional<std::string> firstProblemOfTraces(
-      std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& said);
+      std::int64_t session, const std::vector<storage::TraceChunk>& chunks, const Trials& recorded);
 
   Station station_;
   storage::SealingKey key_;

@@ -98,8 +98,8 @@ class Connection {
   /// Sets how long the server may be silent during a statement before that fails as Unreachable
   /// (default: 10 minutes). This is for a server that hangs; a lost network is noticed within a
   /// minute in any case. After such a failure the connection cannot be used any more.
-  void setResponseTimeout(std::chrono::milliseconds patience) noexcept {
-    responseTimeout_ = patience;
+  void setResponseTimeout(std::chrono::milliseconds timeout) noexcept {
+    responseTimeout_ = timeout;
   }
 
   /// One or more statements without parameters and rows. @throws ServerError

@@ -8,7 +8,7 @@
 #include "protocols/model/protocol.h"
 #include "study/gui/widgets/findings_table.h"
 #include "study/model/progress.h"
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 
 namespace study::gui {
 

@@ -51,7 +51,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kAtATime = 1 << 20;  // [bytes]
+constexpr std::size_t kBytesPerRead = 1 << 20;  // [bytes]
 
 std::string longestPlainPart(const std::string& text) {
   constexpr std::string_view kWrittenDifferently = "\"'&<>\\\r\n\t";
@@ -92,8 +92,8 @@ bool ByteSearch::isIn(const Reader& read) const {
     // A text may extend over two blocks: keep the end of the previous one.
     bytes.erase(0, bytes.size() - std::min(bytes.size(), longest - 1));
     const auto kept = bytes.size();
-    bytes.resize(kept + kAtATime);
-    const auto came = read(bytes.data() + kept, kAtATime);
+    bytes.resize(kept + kBytesPerRead);
+    const auto came = read(bytes.data() + kept, kBytesPerRead);
     if (came == 0) return false;
     bytes.resize(kept + came);
     const bool isFound = std::any_of(texts_.begin(), texts_.end(), [&](const auto& text) {

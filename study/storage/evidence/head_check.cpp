@@ -44,7 +44,7 @@ void addMissing(
 
 /// Whether @p head was signed because the trail began at that station, or was accepted there on
 /// purpose; heads are also signed for other purposes.
-bool vouchesForTheBeginning(const SignedHead& head) {
+bool confirmsTrailStart(const SignedHead& head) {
   using enum EventKind;
   const auto is = [&](EventKind kind) { return head.purpose == study::nameOf(kind); };
   return is(MadeStudy) || is(CollectedStudy) || is(ResealedTrail) || is(RestoredCopy);
@@ -67,7 +67,7 @@ OwnHeads ownHeads(const TrailHeads& trail, const std::vector<RecordedHead>& note
   };
   OwnHeads own;
   own.beganAtThisStation = std::any_of(noted.begin(), noted.end(), [&](const auto& each) {
-    return isOfTrail(each) && vouchesForTheBeginning(each.head);
+    return isOfTrail(each) && confirmsTrailStart(each.head);
   });
   own.isKnown = own.beganAtThisStation || noted.empty() || isOfTrail(noted.front());
   const auto last = std::find_if(noted.begin(), noted.end(), [&](const auto& each) {

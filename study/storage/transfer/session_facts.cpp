@@ -124,7 +124,7 @@ SessionId addRows(
         rowsIn(facts, table.name),
         {{"session_id", static_cast<std::int64_t>(id)}});
   }
-  const TrialRows trials{.trials = rowsIn(facts, "trial"), .cuts = rowsIn(facts, "cut")};
+  const UnsealedTrialRows trials{.trials = rowsIn(facts, "trial"), .cuts = rowsIn(facts, "cut")};
   TrialRepository(study).add(id, trials, key, openTrials);
   addAllocation(study, id, facts, key);
   return id;

@@ -14,7 +14,7 @@ namespace signed_rank_test {
 using analysis::hodgesLehmann;
 using analysis::signedRankTest;
 using analysis::signTest;
-using analysis::Zeros;
+using analysis::ZeroTreatment;
 using Values = std::vector<double>;
 
 // Hollander & Wolfe 1973, p. 29: depression before − after tranquillisers (R: ?wilcox.test)
@@ -53,9 +53,10 @@ TEST(SignedRankTest, CountsTiesAsGoingThroughAllSigns) {
 
 TEST(SignedRankTest, RanksZerosWithPrattsMethod) {
   const Values differences{0, 0, 1, -2, 3, 4};
-  EXPECT_EQ(signedRankTest(differences).v, 8.0);                             // ranks 1 … 4
-  EXPECT_EQ(signedRankTest(differences, Zeros::RankedThenDropped).v, 14.0);  // ranks 3 … 6
-  EXPECT_EQ(signedRankTest(differences, Zeros::RankedThenDropped).p, slowP({3, 4, 5, 6}, 14.0));
+  EXPECT_EQ(signedRankTest(differences).v, 8.0);  // ranks 1 … 4
+  EXPECT_EQ(signedRankTest(differences, ZeroTreatment::RankedThenDropped).v, 14.0);  // ranks 3 … 6
+  EXPECT_EQ(
+      signedRankTest(differences, ZeroTreatment::RankedThenDropped).p, slowP({3, 4, 5, 6}, 14.0));
   EXPECT_EQ(signedRankTest(differences).zeros, 2U);
 }
 

@@ -87,8 +87,8 @@ TEST(PublishedCheck, FindsARowOfRealNumbersThatGivesEveryP) {
     const auto& b = (*check.row)[second];
     const auto spread = spreadOfDifference(kWelch.test, a.variance, 30, b.variance, 30);
     const double found = pOf(a.mean - b.mean, spread, kWelch.tails);
-    EXPECT_GE(found, p.bounds(Reading::Rounded).low - 1e-9) << p.text();
-    EXPECT_LE(found, p.bounds(Reading::Rounded).high + 1e-9) << p.text();
+    EXPECT_GE(found, p.bounds(RoundingRule::Rounded).low - 1e-9) << p.text();
+    EXPECT_LE(found, p.bounds(RoundingRule::Rounded).high + 1e-9) << p.text();
   }
 }
 
@@ -184,7 +184,8 @@ TEST(PublishedCheck, FindsTheMeansAndVariancesOfWholeAnswers) {
   const AnswerLattice lattice({.lowest = 1, .highest = 7, .parts = 1}, 28);
   const auto points = [&](const char* mean, const char* variance, std::uint64_t n) {
     return lattice
-        .pointsOf(group(mean, variance), n, PublishedConvention::Divisor::Sample, Reading::Rounded)
+        .pointsOf(
+            group(mean, variance), n, PublishedConvention::Divisor::Sample, RoundingRule::Rounded)
         .size();
   };
   EXPECT_EQ(points("5.19", "1.00", 28), 0U);  // Brown & Heathers 2017: 145/28 and 146/28

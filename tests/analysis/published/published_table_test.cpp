@@ -7,8 +7,8 @@
 namespace published_table_test {
 
 using analysis::PublishedP;
-using analysis::Reading;
 using analysis::readPublishedTable;
+using analysis::RoundingRule;
 
 constexpr const char* kComparisons = "group1,group2,p\nI,F,< .017\nI,K,.021\n";
 
@@ -33,8 +33,8 @@ TEST(PublishedTable, ReadsGroupsAndComparisons) {
   ASSERT_EQ(table.comparisons.size(), 2U);
   EXPECT_EQ(table.comparisons[1].second, 2U);
   EXPECT_EQ(table.comparisons[0].p.text(), "< .017");
-  EXPECT_DOUBLE_EQ(table.comparisons[0].p.bounds(Reading::Rounded).high, 0.017);
-  EXPECT_DOUBLE_EQ(table.comparisons[1].p.bounds(Reading::Rounded).low, 0.0205);
+  EXPECT_DOUBLE_EQ(table.comparisons[0].p.bounds(RoundingRule::Rounded).high, 0.017);
+  EXPECT_DOUBLE_EQ(table.comparisons[1].p.bounds(RoundingRule::Rounded).low, 0.0205);
 }
 
 TEST(PublishedTable, ReadsStandardDeviationsAndDecimalCommas) {
@@ -43,7 +43,7 @@ TEST(PublishedTable, ReadsStandardDeviationsAndDecimalCommas) {
   EXPECT_TRUE(table.groups[1].isStandardDeviation);
   EXPECT_EQ(table.groups[1].spread.digits, 16);
   EXPECT_EQ(table.comparisons[0].p.relation, PublishedP::Relation::Above);
-  EXPECT_DOUBLE_EQ(table.comparisons[0].p.bounds(Reading::Truncated).low, 0.05);
+  EXPECT_DOUBLE_EQ(table.comparisons[0].p.bounds(RoundingRule::Truncated).low, 0.05);
 }
 
 TEST(PublishedTable, ReportsAllProblemsAtOnce) {

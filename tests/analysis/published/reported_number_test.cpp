@@ -4,8 +4,8 @@
 
 namespace reported_number_test {
 
-using analysis::Reading;
 using analysis::reportedNumber;
+using analysis::RoundingRule;
 
 TEST(ReportedNumber, KeepsTrailingZeros) {
   const auto number = reportedNumber("4.10");
@@ -27,39 +27,40 @@ TEST(ReportedNumber, RejectsOtherText) {
 }
 
 TEST(ReportedNumber, StandsForAnInterval) {
-  const auto rounded = reportedNumber("4.1")->bounds(Reading::Rounded);
+  const auto rounded = reportedNumber("4.1")->bounds(RoundingRule::Rounded);
   EXPECT_DOUBLE_EQ(rounded.low, 4.05);
   EXPECT_DOUBLE_EQ(rounded.high, 4.15);
-  const auto truncated = reportedNumber("4.1")->bounds(Reading::Truncated);
+  const auto truncated = reportedNumber("4.1")->bounds(RoundingRule::Truncated);
   EXPECT_DOUBLE_EQ(truncated.low, 4.1);
   EXPECT_DOUBLE_EQ(truncated.high, 4.2);
-  const auto below = reportedNumber("-4.1")->bounds(Reading::Truncated);
+  const auto below = reportedNumber("-4.1")->bounds(RoundingRule::Truncated);
   EXPECT_DOUBLE_EQ(below.low, -4.2);
   EXPECT_DOUBLE_EQ(below.high, -4.1);
-  const auto zero = reportedNumber("0.0")->bounds(Reading::Truncated);
+  const auto zero = reportedNumber("0.0")->bounds(RoundingRule::Truncated);
   EXPECT_DOUBLE_EQ(zero.low, -0.1);
   EXPECT_DOUBLE_EQ(zero.high, 0.1);
 }
 
 TEST(ReportedNumber, DecidesTiesExactly) {
   const auto number = *reportedNumber("4.1");
-  EXPECT_TRUE(number.prints(81, 20, Reading::Rounded));  // 4.05: a half may go either way
-  EXPECT_TRUE(number.prints(83, 20, Reading::Rounded));  // 4.15
-  EXPECT_FALSE(number.prints(404, 100, Reading::Rounded));
-  EXPECT_TRUE(number.prints(41, 10, Reading::Truncated));
-  EXPECT_FALSE(number.prints(42, 10, Reading::Truncated));
-  EXPECT_FALSE(number.prints(409, 100, Reading::Truncated));
-  EXPECT_TRUE(reportedNumber("-4.1")->prints(-419, 100, Reading::Truncated));
-  EXPECT_TRUE(reportedNumber("0.0")->prints(-9, 100, Reading::Truncated));
+  EXPECT_TRUE(
+      number.matchesQuotient(81, 20, RoundingRule::Rounded));  // 4.05: a half may go either way
+  EXPECT_TRUE(number.matchesQuotient(83, 20, RoundingRule::Rounded));  // 4.15
+  EXPECT_FALSE(number.matchesQuotient(404, 100, RoundingRule::Rounded));
+  EXPECT_TRUE(number.matchesQuotient(41, 10, RoundingRule::Truncated));
+  EXPECT_FALSE(number.matchesQuotient(42, 10, RoundingRule::Truncated));
+  EXPECT_FALSE(number.matchesQuotient(409, 100, RoundingRule::Truncated));
+  EXPECT_TRUE(reportedNumber("-4.1")->matchesQuotient(-419, 100, RoundingRule::Truncated));
+  EXPECT_TRUE(reportedNumber("0.0")->matchesQuotient(-9, 100, RoundingRule::Truncated));
 }
 
 TEST(ReportedNumber, DecidesRootsExactly) {
   const auto number = *reportedNumber("1.1");
-  EXPECT_TRUE(number.printsRootOf(11025, 10000, Reading::Rounded));  // 1.05²
-  EXPECT_FALSE(number.printsRootOf(11024, 10000, Reading::Rounded));
-  EXPECT_TRUE(number.printsRootOf(121, 100, Reading::Truncated));
-  EXPECT_FALSE(number.printsRootOf(144, 100, Reading::Truncated));
-  EXPECT_TRUE(reportedNumber("0.0")->printsRootOf(0, 1, Reading::Rounded));
+  EXPECT_TRUE(number.matchesRootOf(11025, 10000, RoundingRule::Rounded));  // 1.05²
+  EXPECT_FALSE(number.matchesRootOf(11024, 10000, RoundingRule::Rounded));
+  EXPECT_TRUE(number.matchesRootOf(121, 100, RoundingRule::Truncated));
+  EXPECT_FALSE(number.matchesRootOf(144, 100, RoundingRule::Truncated));
+  EXPECT_TRUE(reportedNumber("0.0")->matchesRootOf(0, 1, RoundingRule::Rounded));
 }
 
 }  // namespace reported_number_test

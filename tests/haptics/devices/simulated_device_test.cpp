@@ -77,7 +77,7 @@ TEST(SimulatedDevice, GivesNoMeasurementWhileItIsUnplugged) {
   SimulatedDevice device(punchKind(), hand);
   EXPECT_EQ(after(device, 10).status, DeviceStatus::Ok);
   device.unplug();
-  EXPECT_EQ(after(device, 1).status, DeviceStatus::Gone);
+  EXPECT_EQ(after(device, 1).status, DeviceStatus::NotAnswering);
   device.plugIn();
   EXPECT_EQ(after(device, 1).status, DeviceStatus::Ok);
 }

@@ -127,7 +127,7 @@ TEST(Impairment, IsTheSameForASeed) {
 TEST(Impairment, ServesEveryOrderOnceAndOneToAFrame) {
   Impairment impairment;
   for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
-    impairment.order(static_cast<Fault>(i), 10 + static_cast<int>(i));
+    impairment.schedule(static_cast<Fault>(i), 10 + static_cast<int>(i));
   }
   Receiver receiver(1000);
   passAll(impairment, receiver, 1000);
@@ -149,7 +149,7 @@ TEST(Impairment, PassesOtherFramesUnchanged) {
 
 TEST(Impairment, SwapsTwoFrames) {
   Impairment impairment;
-  impairment.order(Fault::Reorder, 2);
+  impairment.schedule(Fault::Reorder, 2);
   Receiver receiver(5);
   passAll(impairment, receiver, 5);
   EXPECT_EQ(receiver.order, (std::vector<std::uint32_t>{1, 0, 3, 2, 4}));
@@ -157,7 +157,7 @@ TEST(Impairment, SwapsTwoFrames) {
 
 TEST(Impairment, HoldsFramesBackForTheirTime) {
   Impairment impairment({.delay = 3});
-  impairment.order(Fault::Delay, 2);
+  impairment.schedule(Fault::Delay, 2);
   Receiver receiver(7);
   passAll(impairment, receiver, 7);
   EXPECT_EQ(receiver.order, (std::vector<std::uint32_t>{2, 3, 0, 4, 1, 5, 6}));
@@ -165,10 +165,10 @@ TEST(Impairment, HoldsFramesBackForTheirTime) {
 
 TEST(Impairment, SendsAHeldFrameOnlyAfterALaterOne) {
   Impairment impairment({.delay = 1});
-  impairment.order(Fault::Delay, 1);
+  impairment.schedule(Fault::Delay, 1);
   Receiver receiver(4);
   impairment.pass(frameOf(0), receiver);
-  impairment.order(Fault::Drop, 2);
+  impairment.schedule(Fault::Drop, 2);
   impairment.pass(frameOf(1), receiver);
   impairment.pass(frameOf(2), receiver);
   EXPECT_TRUE(receiver.order.empty());
@@ -181,9 +181,9 @@ TEST(Impairment, SendsAHeldFrameOnlyAfterALaterOne) {
 TEST(Impairment, SendsHeldFramesAtTheEndAndCountsOnlyOvertakenOnes) {
   Impairment impairment({.delay = 100});
   Receiver receiver(4);
-  impairment.order(Fault::Delay, 1);
+  impairment.schedule(Fault::Delay, 1);
   passAll(impairment, receiver, 3);
-  impairment.order(Fault::Reorder, 1);
+  impairment.schedule(Fault::Reorder, 1);
   impairment.pass(frameOf(3), receiver);
   impairment.flush(receiver);
   EXPECT_EQ(receiver.order, (std::vector<std::uint32_t>{1, 2, 0, 3}));
@@ -194,7 +194,7 @@ TEST(Impairment, SendsHeldFramesAtTheEndAndCountsOnlyOvertakenOnes) {
 TEST(Impairment, DelaysAFaultIfThereIsNoRoom) {
   constexpr auto kMost = static_cast<int>(Impairment::kMostHeld);
   Impairment impairment({.delay = 1000});
-  impairment.order(Fault::Delay, kMost + 5);
+  impairment.schedule(Fault::Delay, kMost + 5);
   Receiver receiver(3000);
   passAll(impairment, receiver, 500);
   EXPECT_EQ(impairment.waiting(Fault::Delay), 5);
@@ -204,7 +204,7 @@ TEST(Impairment, DelaysAFaultIfThereIsNoRoom) {
 
 TEST(Impairment, ChangesNoFrameTwice) {
   Impairment impairment;
-  impairment.order(Fault::Drop, 1);
+  impairment.schedule(Fault::Drop, 1);
   Receiver receiver(1);
   impairment.passWithoutFault(frameOf(0), receiver);
   EXPECT_EQ(receiver.order.size(), 1U);
@@ -239,7 +239,7 @@ TEST(Impairment, SpoilsOneFrameOfASerialLineAndNotItsNeighbours) {
 
 TEST(Impairment, PassesEmptyAndTooLongFramesUnchanged) {
   Impairment impairment;
-  impairment.order(Fault::Drop, 2);
+  impairment.schedule(Fault::Drop, 2);
   const std::vector<std::uint8_t> huge(Impairment::kLongestFrame + 1);
   std::vector<std::size_t> sizes;
   const auto send = [&sizes](std::span<const std::uint8_t> bytes) {
@@ -272,7 +272,7 @@ TEST(Impairment, AcceptsCommandsFromAnotherThread) {
     ++passed;
   };
   std::thread other([&impairment] {
-    for (int i = 0; i < kOrders; ++i) impairment.order(Fault::Drop, 1);
+    for (int i = 0; i < kOrders; ++i) impairment.schedule(Fault::Drop, 1);
   });
   while (impairment.counts()[Fault::Drop] < kOrders) pass();
   other.join();

@@ -226,7 +226,7 @@ TEST(SafetyLimits, AreRefusedIfTheyAreInvalid) {
 TEST_F(ForceEngineTest, StopsIfTheDeviceFailsAndStaysStopped) {
   engine_.setScene(&scene_);
   feelAt(6.0);
-  device_.sample.status = devices::DeviceStatus::Gone;
+  device_.sample.status = devices::DeviceStatus::NotAnswering;
   const auto gone = engine_.tick(kDt);
   EXPECT_EQ(gone.force, 0.0);
   EXPECT_TRUE((gone.marks & TickSample::Invalid) != 0);

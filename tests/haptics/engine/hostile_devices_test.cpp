@@ -48,7 +48,7 @@ std::ostream& operator<<(std::ostream& out, const Attack& attack) {
 }
 
 const Attack kAttacks[] = {
-    {"Silent", [](auto& s, int, double, auto&) { s.status = DeviceStatus::Gone; }, true},
+    {"Silent", [](auto& s, int, double, auto&) { s.status = DeviceStatus::NotAnswering; }, true},
     {"Stale", [](auto& s, int, double, auto&) { s.status = DeviceStatus::Stale; }, true},
     {"Faulted", [](auto& s, int, double, auto&) { s.status = DeviceStatus::Faulted; }, true},
     {"EveryFortyFifthSample",

@@ -68,7 +68,7 @@ TEST(RealtimeLoop, CountsPeriodsThatItMissedItselfAsItsOwn) {
   const auto& report = loop.finish();
   EXPECT_GE(report.ownLateTicks, 1U);
   EXPECT_GE(report.missedPeriods, 15U);
-  EXPECT_EQ(report.lateTicks, report.ownLateTicks + report.holes);
+  EXPECT_EQ(report.lateTicks, report.ownLateTicks + report.hostPauses);
   EXPECT_GE(report.compute.largest(), 20'000.0);
   EXPECT_EQ(report.ownLateness.count(), report.lateness.count());
   EXPECT_LE(report.ownLateness.largest(), report.lateness.largest());

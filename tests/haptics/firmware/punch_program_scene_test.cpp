@@ -185,7 +185,7 @@ TEST_F(PunchRendersTest, RefusesAModelThatIsUnsound) {
   EXPECT_EQ(verdictOn([](Model&) {}), ModelVerdict::Accepted);
   EXPECT_EQ(verdictOn([](Model& m) { m.toolPosition = m.end; }), ModelVerdict::InvalidModel);
   EXPECT_EQ(verdictOn([](Model& m) { m.elements = 0; }), ModelVerdict::InvalidModel);
-  EXPECT_EQ(verdictOn([](Model& m) { m.readings = 3U << 1U; }), ModelVerdict::InvalidModel);
+  EXPECT_EQ(verdictOn([](Model& m) { m.equationVariants = 3U << 1U; }), ModelVerdict::InvalidModel);
   EXPECT_EQ(verdictOn([](Model& m) { m.rampLength = 0.0F; }), ModelVerdict::InvalidModel);
   EXPECT_EQ(verdictOn([](Model& m) { m.largestForce = -1.0F; }), ModelVerdict::InvalidModel);
   EXPECT_EQ(verdictOn([](Model& m) { m.noise[0] = -1.0F; }), ModelVerdict::InvalidModel);

@@ -98,20 +98,20 @@ TEST(AbsentRecording, IsTrustedFromItsEndsInwards) {
   const std::vector<CurveNode<double>> nodes{{2.0, 0.0}, {6.0, 4.0}, {10.0, 5.0}};
   const Interpolation<double> curve(
       nodes.data(), nodes.size(), {.extrapolation = Extrapolation::Absent, .rampLength = 2.0});
-  EXPECT_EQ(curve.trustAt(1.999), 0.0);
-  EXPECT_EQ(curve.trustAt(2.0), 0.0);
-  EXPECT_EQ(curve.trustAt(3.0), 0.5);
-  EXPECT_EQ(curve.trustAt(6.0), 1.0);
-  EXPECT_EQ(curve.trustAt(9.5), 0.25);
-  EXPECT_EQ(curve.trustAt(10.1), 0.0);
-  EXPECT_EQ(curve.trustAt(std::nan("")), 0.0);
+  EXPECT_EQ(curve.measurementWeightAt(1.999), 0.0);
+  EXPECT_EQ(curve.measurementWeightAt(2.0), 0.0);
+  EXPECT_EQ(curve.measurementWeightAt(3.0), 0.5);
+  EXPECT_EQ(curve.measurementWeightAt(6.0), 1.0);
+  EXPECT_EQ(curve.measurementWeightAt(9.5), 0.25);
+  EXPECT_EQ(curve.measurementWeightAt(10.1), 0.0);
+  EXPECT_EQ(curve.measurementWeightAt(std::nan("")), 0.0);
   std::size_t hint = 0;
   EXPECT_FALSE(curve.at(1.9, hint).isDefined);
   EXPECT_FALSE(curve.at(10.1, hint).isDefined);
   EXPECT_DOUBLE_EQ(curve.at(3.0, hint).force, 1.0);  // within it nothing changes
   const Interpolation<double> held(
       nodes.data(), nodes.size(), {.extrapolation = Extrapolation::Hold});
-  EXPECT_EQ(held.trustAt(50.0), 1.0);
+  EXPECT_EQ(held.measurementWeightAt(50.0), 1.0);
 }
 
 }  // namespace absent_recording_test

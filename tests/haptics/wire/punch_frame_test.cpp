@@ -106,7 +106,7 @@ TEST(PunchCodec, RefusesInvalidValuesOfMessages) {
   EXPECT_FALSE(isRead(SetForce{.voltage = 1, .expiry = 21}, SetForce{}));
   EXPECT_FALSE(isRead(Render{.expiry = 21}, Render{}));
   EXPECT_FALSE(isRead(Model{.travelPerCount = std::numeric_limits<float>::quiet_NaN()}, Model{}));
-  EXPECT_FALSE(isRead(Model{.readings = 16}, Model{}));
+  EXPECT_FALSE(isRead(Model{.equationVariants = 16}, Model{}));
   EXPECT_FALSE(isRead(Model{.tableSize = 129}, Model{}));
   EXPECT_FALSE(isRead(ModelTable{.first = 120, .count = 16}, ModelTable{}));
   EXPECT_FALSE(isRead(SetForce{}, State{})) << "another message's length";

@@ -114,7 +114,7 @@ TEST_F(UnblindingTest, ReportsAndStatisticsNeedAReasonAsExportsDo) {
   const auto copies = knownCopies(*study_);
   ASSERT_EQ(copies.size(), 1U) << "an erasure has to list it";
   EXPECT_EQ(copies[0].folder, page);
-  EXPECT_TRUE(copies[0].isThere);
+  EXPECT_TRUE(copies[0].isPresent);
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
   EXPECT_EQ(reasonsOf("unblinded_results"), std::vector<std::string>{"a second look"});
 }

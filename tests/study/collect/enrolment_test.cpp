@@ -109,10 +109,10 @@ TEST_F(JoinTest, EveryWordOfAFileIsSigned) {
 }
 
 TEST_F(JoinTest, AFileOfSomebodyElseHasAnotherMark) {
-  const auto mark = study::collect::markOf(tests::knownSecret());
+  const auto mark = study::collect::keyFingerprintOf(tests::knownSecret());
   EXPECT_EQ(mark.size(), 24U);
   const auto theirs = study::storage::BlindingSecret::drawn();
-  EXPECT_NE(study::collect::markOf(theirs), mark);
+  EXPECT_NE(study::collect::keyFingerprintOf(theirs), mark);
   const auto forged =
       scratch_.write("forged", asText(enrolment("oslo"), station().publicKey(), theirs));
   EXPECT_THROW(study::collect::join(forged, scratch_ / "study", clock_, mark), study::UserError);

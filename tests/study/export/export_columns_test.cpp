@@ -48,7 +48,7 @@ TrialRecord numberedTrial() {
       .latenessP99 = 6.5,
       .latenessLargest = 7.5,
       .lateTicks = 8,
-      .holes = 9,
+      .hostPauses = 9,
       .lostSamples = 10,
       .invalidTicks = 11,
       .saturated = 12.5,

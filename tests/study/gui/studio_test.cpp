@@ -32,7 +32,8 @@ std::vector<std::string> underOpenUmask(const std::vector<std::string>& command)
   return call;
 }
 
-constexpr auto kOfOthers = std::filesystem::perms::group_all | std::filesystem::perms::others_all;
+constexpr auto kRightsOfOthers =
+    std::filesystem::perms::group_all | std::filesystem::perms::others_all;
 
 /// What others may read, write or search in a folder.
 std::vector<std::string> openToOthers(const std::filesystem::path& folder) {
@@ -40,7 +41,7 @@ std::vector<std::string> openToOthers(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const auto rights = entry.symlink_status().permissions();
-    const bool isOpen = (rights & kOfOthers) != fs::perms::none;
+    const bool isOpen = (rights & kRightsOfOthers) != fs::perms::none;
     if (isOpen && !entry.is_symlink()) names.push_back(entry.path().string());
   }
   return names;
@@ -63,7 +64,7 @@ TEST(Studio, OpensTheStudyWhoseDatabaseAFileManagerHandsOver) {
   tests::MadeStudy study;
   study.close();
   for (const auto& open : openToOthers(study.folder())) {  // this test program made them
-    std::filesystem::permissions(open, kOfOthers, std::filesystem::perm_options::remove);
+    std::filesystem::permissions(open, kRightsOfOthers, std::filesystem::perm_options::remove);
   }
   const std::string settings = study.scratch() / "settings";
   tests::ChildProcess studio(

@@ -27,7 +27,7 @@ ErasureCertificate certificate() {
        .whyNot = "It is another."}};
   certificate.left = {
       {.folder = "/gone", .what = "made_backup", .madeUtc = "2026-11-21"},
-      {.folder = {}, .what = "copied_consent", .madeUtc = "2026-11-22", .isThere = true}};
+      {.folder = {}, .what = "copied_consent", .madeUtc = "2026-11-22", .isPresent = true}};
   return certificate;
 }
 

@@ -64,7 +64,7 @@ class ExportedResults : public testing::Test {
     return row;
   }
 
-  Row aboutOf(const std::string& method) {
+  Row conditionAnswered(const std::string& method) {
     auto row = rowOf(method);
     std::erase_if(row, [](const auto& cell) { return !kAbout.contains(cell.first); });
     return row;
@@ -143,7 +143,7 @@ TEST_F(ExportedResults, SayWhatAComparisonIsAbout) {
       {"declared", "true"},
       {"p_adj_method", "holm"},
       {"alpha", "0.01"}};
-  EXPECT_EQ(aboutOf("signed_rank"), expected);
+  EXPECT_EQ(conditionAnswered("signed_rank"), expected);
 }
 
 TEST_F(ExportedResults, OfPositionReliabilityAndDistributionAreInTheirColumns) {

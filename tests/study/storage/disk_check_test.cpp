@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 
 namespace study::storage {
 namespace network_drive_test {

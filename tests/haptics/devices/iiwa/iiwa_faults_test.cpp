@@ -98,7 +98,7 @@ TEST_P(IiwaSpoiledTest, DamagedMessagesAreIgnoredAndEndAsAFaultWhereTheyLast) {
   const auto before = report();
   const auto received = device_->link().received;
   order(GetParam().order);
-  EXPECT_EQ(turnUntilFault(10.0).status, DeviceStatus::Gone);
+  EXPECT_EQ(turnUntilFault(10.0).status, DeviceStatus::NotAnswering);
   const auto seen = report();
   const auto spoiled = seen.sixJoints + seen.notANumber + seen.wrongVersion;
   EXPECT_EQ(device_->link().damaged, spoiled);
@@ -137,7 +137,7 @@ TEST_P(IiwaStallTest, EndsAsGoneAndWithoutForceAtTheControllerWithinFiftyMillise
   work(10.0);
   order("stall 500");
   const std::int64_t begin = controllerClock();
-  EXPECT_EQ(turnUntilFault(10.0).status, DeviceStatus::Gone);
+  EXPECT_EQ(turnUntilFault(10.0).status, DeviceStatus::NotAnswering);
   EXPECT_TRUE(says(device_->fault(), "has missed 20 cycles, or been silent for 50 ms"));
   for (int i = 0; i < 10; ++i) period();
   const auto seen = report();
@@ -146,7 +146,7 @@ TEST_P(IiwaStallTest, EndsAsGoneAndWithoutForceAtTheControllerWithinFiftyMillise
   EXPECT_FALSE(seen.hasOverlay);
   EXPECT_GT(seen.overlayZeroAt, begin);
   EXPECT_LE(seen.overlayZeroAt - begin, 50 * kMillisecond);
-  EXPECT_EQ(turn(10.0).status, DeviceStatus::Gone);
+  EXPECT_EQ(turn(10.0).status, DeviceStatus::NotAnswering);
 }
 
 TEST_F(IiwaFaultsTest, BridgesAShortStall) {

@@ -41,14 +41,14 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_P(IiwaGuardTest, FindsNothingWrongWithAnArmThatRests) {
-  EXPECT_EQ(guard_.whatIsWrong(kNothing, kNothing, kNothing), nullptr);
+  EXPECT_EQ(guard_.reasonNotToCommand(kNothing, kNothing, kNothing), nullptr);
 }
 
 TEST_P(IiwaGuardTest, KeepsEveryJointAwayFromItsEnds) {
   for (Eigen::Index i = 0; i < 7; ++i) {
     const double most = arm_.maxPosition[static_cast<std::size_t>(i)] - kMargins.position;
     const auto wrongAt = [&](double position) {
-      return words(guard_.whatIsWrong(only(i, position), kNothing, kNothing));
+      return words(guard_.reasonNotToCommand(only(i, position), kNothing, kNothing));
     };
     const std::string near = "joint A" + std::to_string(i + 1) + " is near its end";
     for (const double side : {1.0, -1.0}) {
@@ -64,7 +64,7 @@ TEST_P(IiwaGuardTest, AllowsEveryJointAShareOfItsSpeed) {
   for (Eigen::Index i = 0; i < 7; ++i) {
     const double most = arm_.maxVelocity[static_cast<std::size_t>(i)] * kMargins.velocity;
     const auto wrongAt = [&](double velocity) {
-      return words(guard_.whatIsWrong(kNothing, only(i, velocity), kNothing));
+      return words(guard_.reasonNotToCommand(kNothing, only(i, velocity), kNothing));
     };
     const std::string fast = "joint A" + std::to_string(i + 1) + " is too fast";
     for (const double side : {1.0, -1.0}) {
@@ -79,7 +79,7 @@ TEST_P(IiwaGuardTest, AllowsEveryJointItsTorque) {
   for (Eigen::Index i = 0; i < 7; ++i) {
     const double most = arm_.maxTorque[static_cast<std::size_t>(i)];
     const auto wrongAt = [&](double torque) {
-      return words(guard_.whatIsWrong(kNothing, kNothing, only(i, torque)));
+      return words(guard_.reasonNotToCommand(kNothing, kNothing, only(i, torque)));
     };
     const std::string overloaded = "joint A" + std::to_string(i + 1) + " is overloaded";
     for (const double side : {1.0, -1.0}) {

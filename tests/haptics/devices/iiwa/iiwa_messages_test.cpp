@@ -243,7 +243,7 @@ TEST_F(IiwaMessagesTest, GetsNoForceWhileTheConnectionIsLessThanGood) {
     message_.connection->quality = ConnectionQuality::Good;
     EXPECT_NEAR(wrenchFor(10.0)[2], -10.0, 1e-9);
   }
-  EXPECT_EQ(device_->link().poor, 2U);
+  EXPECT_EQ(device_->link().poorConnectionSamples, 2U);
   EXPECT_FALSE(isFaulted());
 }
 

@@ -183,7 +183,7 @@ TEST_F(PunchDeviceTest, IgnoresAFrameThatCameLate) {
   std::int64_t before = 0;
   for (int i = 0; i < 600 && !isFaulted(); ++i) {
     const auto sample = turn(1.0);
-    if (sample.status == DeviceStatus::Gone) break;
+    if (sample.status == DeviceStatus::NotAnswering) break;
     EXPECT_GE(sample.deviceTime, before);
     before = sample.deviceTime;
   }
@@ -194,7 +194,7 @@ TEST_F(PunchDeviceTest, TakesNoForceUnlessArmed) {
   connect(atRest());
   EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), "is not ready"));
   device_->command(5.0, 0.0);
-  EXPECT_EQ(device_->read(0.001).status, DeviceStatus::Gone);
+  EXPECT_EQ(device_->read(0.001).status, DeviceStatus::NotAnswering);
 }
 
 TEST_F(PunchDeviceTest, FindsHowFastTheBoardsClockGoes) {

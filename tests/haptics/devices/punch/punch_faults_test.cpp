@@ -18,8 +18,9 @@ TEST_F(PunchFaultsTest, LetsGoWithinFiftyMillisecondsWhenItIsUnplugged) {
   for (int i = 0; i < 3 && !(after && *after < 50.0); ++i) {
     ASSERT_TRUE(push(4.0));
     board_->order("unplug");
-    ASSERT_TRUE(exchangeUntil(
-        4.0, [&](const DeviceSample& sample) { return sample.status == DeviceStatus::Gone; }));
+    ASSERT_TRUE(exchangeUntil(4.0, [&](const DeviceSample& sample) {
+      return sample.status == DeviceStatus::NotAnswering;
+    }));
     EXPECT_EQ(device_->lifecycle(), Lifecycle::Faulted);
     ASSERT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
     after = board_->ask([](const auto& e) { return e.motorOffAfter(); });
@@ -58,7 +59,7 @@ TEST_F(PunchFaultsTest, FaultsWhenTheBoardStopsSending) {
   EXPECT_TRUE(exchangeUntil(4.0, [&](const DeviceSample&) { return isFaulted(); }));
   EXPECT_GT(timing::now() - muted, 45 * kMillisecond);
   EXPECT_TRUE(says(device_->fault(), "has sent nothing for 50 ms"));
-  EXPECT_EQ(exchange(4.0).status, DeviceStatus::Gone);
+  EXPECT_EQ(exchange(4.0).status, DeviceStatus::NotAnswering);
   EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
   EXPECT_FALSE(board_->isArmed());
 }

@@ -39,8 +39,8 @@ struct Experiment {
     }
   }
 
-  Bone::Felt to(double wanted, double feed) {
-    Bone::Felt felt;
+  Bone::StepForce to(double wanted, double feed) {
+    Bone::StepForce felt;
     const double step = feed * kTick;
     while (std::abs(wanted - depth) > 0.5 * step) {
       depth += wanted > depth ? step : -step;

@@ -1,4 +1,4 @@
-#include "study/storage/own_disk.h"
+#include "study/storage/local_disk.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -24,11 +24,11 @@ namespace study::storage {
 namespace {
 
 // Names of file systems as in /proc/filesystems, and of programs after "fuse.".
-constexpr auto kShared = std::to_array<std::string_view>(
+constexpr auto kNetworkFileSystemTypes = std::to_array<std::string_view>(
     {"9p",     "afs",   "beegfs", "ceph",  "cifs",   "coda",     "drvfs", "glusterfs",
      "gfs2",   "gpfs",  "lustre", "ncpfs", "nfs",    "nfs4",     "ocfs2", "orangefs",
      "prl_fs", "pvfs2", "smb3",   "smbfs", "vboxsf", "virtiofs", "vmhgfs"});
-constexpr auto kFuseOfThisComputer = std::to_array<std::string_view>(
+constexpr auto kLocalFuseTypes = std::to_array<std::string_view>(
     {"fuse.bindfs",
      "fuse.cryfs",
      "fuse.encfs",
@@ -67,8 +67,8 @@ std::string fileSystemOf(std::string_view mounts, dev_t device) {
 }
 
 bool isNetworkFileSystem(std::string_view type) {
-  if (type == "fuse" || type.starts_with("fuse.")) return !isAmong(kFuseOfThisComputer, type);
-  return isAmong(kShared, type);
+  if (type == "fuse" || type.starts_with("fuse.")) return !isAmong(kLocalFuseTypes, type);
+  return isAmong(kNetworkFileSystemTypes, type);
 }
 
 std::string networkDriveOf(const std::string& path) {

@@ -1,4 +1,4 @@
-#include "haptics/emulators/fri_orders.h"
+#include "haptics/emulators/fri_fault_queue.h"
 
 #include <algorithm>
 #include <charconv>
@@ -39,53 +39,50 @@ std::optional<int> argumentFrom(std::string_view text, std::string_view usage) {
   return text == "good" ? std::optional(2) : std::nullopt;
 }
 
-std::uint32_t bitOf(FriOrders::Event event) noexcept {
+std::uint32_t bitOf(FriFaultQueue::Event event) noexcept {
   return 1U << static_cast<unsigned>(event);
 }
 
 }  // namespace
 
-struct FriOrders::Command {
+struct FriFaultQueue::Command {
   std::string_view name;
   std::string_view usage;
   std::size_t arguments;
-  void (*execute)(FriOrders& orders, int first, int second);
+  void (*execute)(FriFaultQueue& queue, int first, int second);
 };
 
-const FriOrders::Command FriOrders::kCommands[] = {
-    {"drop", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Drop, n); }},
-    {"double", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Double, n); }},
-    {"reorder", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Reorder, n); }},
+const FriFaultQueue::Command FriFaultQueue::kCommands[] = {
+    {"drop", "N", 1, [](auto& o, int n, int) { o.impairment_.schedule(Fault::Drop, n); }},
+    {"double", "N", 1, [](auto& o, int n, int) { o.impairment_.schedule(Fault::Double, n); }},
+    {"reorder", "N", 1, [](auto& o, int n, int) { o.impairment_.schedule(Fault::Reorder, n); }},
     {"delay",
      "N MS",
      2,
-     [](FriOrders& o, int n, int ms) {
+     [](auto& o, int n, int ms) {
        o.impairment_.setDelay(o.periodsOf(ms));
-       o.impairment_.order(Fault::Delay, n);
+       o.impairment_.schedule(Fault::Delay, n);
      }},
-    {"garbage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Garbage, n); }},
-    {"damage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Damage, n); }},
-    {"stall",
-     "MS",
-     1,
-     [](FriOrders& o, int ms, int) { o.add(OneTimeFault::Stall, o.periodsOf(ms)); }},
-    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::SixJoints, n); }},
-    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::NotANumber, n); }},
-    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(OneTimeFault::Impostor, n); }},
+    {"garbage", "N", 1, [](auto& o, int n, int) { o.impairment_.schedule(Fault::Garbage, n); }},
+    {"damage", "N", 1, [](auto& o, int n, int) { o.impairment_.schedule(Fault::Damage, n); }},
+    {"stall", "MS", 1, [](auto& o, int ms, int) { o.add(OneTimeFault::Stall, o.periodsOf(ms)); }},
+    {"six-joints", "N", 1, [](auto& o, int n, int) { o.add(OneTimeFault::SixJoints, n); }},
+    {"nan", "N", 1, [](auto& o, int n, int) { o.add(OneTimeFault::NotANumber, n); }},
+    {"impostor", "N", 1, [](auto& o, int n, int) { o.add(OneTimeFault::Impostor, n); }},
     {"quality",
      kQualityLevels,
      1,
-     [](FriOrders& o, int level, int) {
+     [](auto& o, int level, int) {
        o.isQualityPoor_.store(level == 1, std::memory_order_relaxed);
      }},
-    {"wrong-version", "", 0, [](FriOrders& o, int, int) { o.raise(Event::WrongVersion); }},
-    {"safety-stop", "", 0, [](FriOrders& o, int, int) { o.raise(Event::SafetyStop); }},
-    {"safety-reset", "", 0, [](FriOrders& o, int, int) { o.raise(Event::SafetyReset); }},
-    {"motion", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Motion); }},
-    {"restart", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Restart); }},
-    {"idle", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Idle); }}};
+    {"wrong-version", "", 0, [](auto& o, int, int) { o.raise(Event::WrongVersion); }},
+    {"safety-stop", "", 0, [](auto& o, int, int) { o.raise(Event::SafetyStop); }},
+    {"safety-reset", "", 0, [](auto& o, int, int) { o.raise(Event::SafetyReset); }},
+    {"motion", "", 0, [](auto& o, int, int) { o.raise(Event::Motion); }},
+    {"restart", "", 0, [](auto& o, int, int) { o.raise(Event::Restart); }},
+    {"idle", "", 0, [](auto& o, int, int) { o.raise(Event::Idle); }}};
 
-std::optional<std::string> FriOrders::executeLine(std::string_view line) {
+std::optional<std::string> FriFaultQueue::executeLine(std::string_view line) {
   const auto words = wordsOf(line);
   if (words.empty()) return "There is no word in this line.";
   for (const Command& command : kCommands) {
@@ -94,7 +91,7 @@ std::optional<std::string> FriOrders::executeLine(std::string_view line) {
   return "'" + std::string(line) + "' is no command. There are: " + help();
 }
 
-std::string FriOrders::help() {
+std::string FriFaultQueue::help() {
   std::string known;
   for (const Command& command : kCommands) {
     known += std::string(command.name) + (command.usage.empty() ? "" : " ") +
@@ -103,7 +100,7 @@ std::string FriOrders::help() {
   return known + "status, help, quit; N and MS are whole numbers from 1 to 1000000";
 }
 
-std::optional<std::string> FriOrders::execute(
+std::optional<std::string> FriFaultQueue::execute(
     const Command& command, std::string_view line, std::span<const std::string_view> texts) {
   std::array<int, 2> arguments{};
   bool isUnderstood = texts.size() == command.arguments;
@@ -124,29 +121,29 @@ std::optional<std::string> FriOrders::execute(
   return std::nullopt;
 }
 
-void FriOrders::add(OneTimeFault order, int howMany) noexcept {
-  pendingOneTime_[static_cast<std::size_t>(order)].fetch_add(howMany, std::memory_order_relaxed);
+void FriFaultQueue::add(OneTimeFault fault, int howMany) noexcept {
+  pendingOneTime_[static_cast<std::size_t>(fault)].fetch_add(howMany, std::memory_order_relaxed);
 }
 
-bool FriOrders::take(OneTimeFault order) noexcept {
-  auto& left = pendingOneTime_[static_cast<std::size_t>(order)];
+bool FriFaultQueue::take(OneTimeFault fault) noexcept {
+  auto& left = pendingOneTime_[static_cast<std::size_t>(fault)];
   if (left.load(std::memory_order_relaxed) <= 0) return false;
   left.fetch_sub(1, std::memory_order_relaxed);  // no race: only one thread takes
   return true;
 }
 
-void FriOrders::raise(Event event) noexcept {
+void FriFaultQueue::raise(Event event) noexcept {
   events_.fetch_or(bitOf(event), std::memory_order_relaxed);
 }
 
-bool FriOrders::take(Event event) noexcept {
+bool FriFaultQueue::take(Event event) noexcept {
   const std::uint32_t bit = bitOf(event);
   if ((events_.load(std::memory_order_relaxed) & bit) == 0) return false;
   events_.fetch_and(~bit, std::memory_order_relaxed);
   return true;
 }
 
-int FriOrders::periodsOf(int milliseconds) const noexcept {
+int FriFaultQueue::periodsOf(int milliseconds) const noexcept {
   return (milliseconds + period_ - 1) / period_;
 }
 

@@ -13,10 +13,10 @@
 
 namespace haptics::emulators {
 
-/// Orders of faults of the emulated controller, from a test or from the keyboard.
+/// Faults that the emulated controller is to have, from a test or from the keyboard.
 ///
-/// Any thread may give orders; the thread that steps the controller takes each once.
-class FriOrders {
+/// Any thread may add faults; the thread that steps the controller takes each once.
+class FriFaultQueue {
  public:
   enum class OneTimeFault : std::uint8_t {
     SixJoints,   ///< messages with six joints
@@ -28,9 +28,9 @@ class FriOrders {
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
-  /// @param impairment  receives the orders of its faults; must outlive this object.
+  /// @param impairment  receives the faults of messages; must outlive this object.
   /// @param period      send period [ms]; times are rounded up to it.
-  FriOrders(Impairment& impairment, int period) noexcept
+  FriFaultQueue(Impairment& impairment, int period) noexcept
       : impairment_(impairment), period_(period) {}
 
   /// Executes a line such as "drop 3"; see FriController::command().
@@ -41,7 +41,7 @@ class FriOrders {
   static std::string help();
 
   /// Takes one of the ordered faults; false if none is left.
-  bool take(OneTimeFault order) noexcept;
+  bool take(OneTimeFault fault) noexcept;
   bool take(Event event) noexcept;
   bool isQualityPoor() const noexcept { return isQualityPoor_.load(std::memory_order_relaxed); }
 
@@ -50,7 +50,7 @@ class FriOrders {
   static const Command kCommands[];
   std::optional<std::string> execute(
       const Command& command, std::string_view line, std::span<const std::string_view> texts);
-  void add(OneTimeFault order, int howMany) noexcept;
+  void add(OneTimeFault fault, int howMany) noexcept;
   void raise(Event event) noexcept;
   /// The number of send periods in a time, rounded up.
   int periodsOf(int milliseconds) const noexcept;
