@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "study/gui/desk/study_panel.h"
+#include "study/gui/home/study_panel.h"
 #include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/made_study.h"

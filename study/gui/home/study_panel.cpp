@@ -1,4 +1,4 @@
-#include "study/gui/desk/study_panel.h"
+#include "study/gui/home/study_panel.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "study/gui/desk/home_window.h"
+#include "study/gui/home/home_window.h"
 
 #include <algorithm>
 #include <type_traits>

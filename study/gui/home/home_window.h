@@ -10,7 +10,7 @@
 #include <QTableWidget>
 #include <QTimer>
 
-#include "study/gui/desk/study_panel.h"
+#include "study/gui/home/study_panel.h"
 #include "study/gui/operator/operator_window.h"
 
 namespace study::gui {
