@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/ranges.h>
+
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/session/station_push.h"
 #include "study/gui/widgets/desk_language.h"
@@ -72,6 +74,19 @@ int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
   return found == counts.end() ? 0 : found->second;
 }
 
+/// "Pilot: 0 of 1 completed".
+std::string modeInWords(const StudySummary& summary, RunMode mode) {
+  return said(
+      "{}: {} of {} completed",
+      capitalised(deskText(nameOf(mode))).toStdString(),
+      countIn(summary.completed, mode),
+      countIn(summary.sessions, mode));
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 }  // namespace
 
 StudySummary summaryOf(const std::string& folder) {
@@ -92,20 +107,40 @@ StudySummary summaryOf(const std::string& folder) {
   return summary;
 }
 
+PlanProgress progressOf(const StudySummary& summary) {
+  PlanProgress progress;
+  for (const auto& cohort : summary.cohorts) {
+    if (cohort.planned == 0) continue;
+    progress.completed += std::min(cohort.completed, cohort.planned);
+    progress.planned += cohort.planned;
+  }
+  return progress;
+}
+
 std::string sessionsInWords(const StudySummary& summary) {
   if (!summary.problem.empty()) return said(summary.isGone ? "gone" : "cannot be opened");
-  std::string words;
-  for (const auto mode : kRunModes) {
-    if (countIn(summary.sessions, mode) == 0) continue;
-    words += (words.empty() ? "" : "; ") + said(
-                                               "{}: {} of {} completed",
-                                               capitalised(deskText(nameOf(mode))).toStdString(),
-                                               countIn(summary.completed, mode),
-                                               countIn(summary.sessions, mode));
+  if (summary.sessions.empty()) return said("no sessions yet");
+  std::vector<std::string> parts;
+  const auto [completed, planned] = progressOf(summary);
+  if (planned > 0) {
+    parts.push_back(said("{} of {} completed", completed, planned));
+  } else if (countIn(summary.sessions, RunMode::Live) > 0) {
+    parts.push_back(modeInWords(summary, RunMode::Live));
   }
-  if (words.empty()) words = said("no sessions yet");
-  if (summary.unfinished.empty()) return words;
-  return words + "; " + said("{} unfinished", summary.unfinished.size());
+  const auto others = otherSessionsInWords(summary);
+  if (!others.empty()) parts.push_back(others);
+  if (!summary.unfinished.empty()) {
+    parts.push_back(said("{} unfinished", summary.unfinished.size()));
+  }
+  return joined(parts);
+}
+
+std::string otherSessionsInWords(const StudySummary& summary) {
+  std::vector<std::string> parts;
+  for (const auto mode : {RunMode::Pilot, RunMode::Simulated}) {
+    if (countIn(summary.sessions, mode) > 0) parts.push_back(modeInWords(summary, mode));
+  }
+  return joined(parts);
 }
 
 std::string arrivalsInWords(const StudySummary& summary) {

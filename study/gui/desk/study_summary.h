@@ -41,8 +41,19 @@ struct StudySummary {
 /// Reads a study without changing it. Problems are returned in the summary.
 StudySummary summaryOf(const std::string& folder);
 
-/// "Live: 11 of 12 completed; Simulated: 3 of 3 completed; 1 unfinished".
+/// How many of the planned live sessions are completed. More than a cohort's number do not count.
+struct PlanProgress {
+  int completed = 0;
+  int planned = 0;  ///< 0: no number is planned
+};
+PlanProgress progressOf(const StudySummary& summary);
+
+/// "11 of 12 completed; Simulated: 3 of 3 completed; 1 unfinished"; the first is of the planned
+/// sessions, if their number is.
 std::string sessionsInWords(const StudySummary& summary);
+
+/// The sessions that take no planned place: "Pilot: 1 of 1 completed; Simulated: 3 of 3 completed".
+std::string otherSessionsInWords(const StudySummary& summary);
 
 /// "Sessions here: 23. Arrived: 21. Waiting since Tuesday: 2 (no network, or no server)"; empty for
 /// a study of one computer.

@@ -7,15 +7,13 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
-#include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLocale>
 #include <QMenuBar>
-#include <QPainter>
+#include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
-#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "protocols/load_protocol.h"
@@ -39,61 +37,16 @@
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/message_box.h"
-#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
 
-/// Paints a progress bar below the text of a study's cell.
-class ProgressDelegate final : public QStyledItemDelegate {
- public:
-  /// The role of the share of the planned sessions that are completed, 0 to 1; no bar without it.
-  static constexpr int kShare = Qt::UserRole;
-
-  using QStyledItemDelegate::QStyledItemDelegate;
-
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index)
-      const override {
-    QStyledItemDelegate::paint(painter, option, index);
-    const auto share = index.data(kShare);
-    if (!share.isValid()) return;
-    const auto& colours = themeOf(*option.widget);
-    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-    const QColor ink = isSelected ? colours.selection.text : colours.accent.background;
-    QRectF track = QRectF(option.rect).adjusted(kMargin + 3.0, 0.0, -kMargin, -kMargin);
-    track.setTop(track.bottom() - kHeight);
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(ink);
-    painter->drawRoundedRect(track, kHeight / 2, kHeight / 2);
-    track.setWidth(track.width() * share.toDouble());
-    painter->setBrush(ink);
-    if (track.width() > 0.0) painter->drawRoundedRect(track, kHeight / 2, kHeight / 2);
-    painter->restore();
-  }
-
-  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const auto own = QStyledItemDelegate::sizeHint(option, index);
-    const bool hasBar = index.data(kShare).isValid();
-    return hasBar ? own + QSize(0, static_cast<int>(kHeight + kMargin)) : own;
-  }
-
- private:
-  static constexpr double kHeight = 6.0;  // [px]
-  static constexpr double kMargin = 6.0;
-};
-
-/// The share of the planned sessions that are completed; invalid if no number is planned.
-QVariant shareOf(const StudySummary& study) {
-  int completed = 0;
-  int planned = 0;
-  for (const auto& cohort : study.cohorts) {
-    completed += std::min(cohort.completed, cohort.planned);
-    planned += cohort.planned;
-  }
-  return planned == 0 ? QVariant() : QVariant(static_cast<double>(completed) / planned);
+/// The share of the planned sessions that are completed; none if no number is planned.
+std::optional<double> shareOf(const StudySummary& study) {
+  const auto [completed, planned] = progressOf(study);
+  return planned == 0 ? std::nullopt : std::optional(static_cast<double>(completed) / planned);
 }
 
 }  // namespace
@@ -113,19 +66,27 @@ HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
   reading_.setSingleShot(true);
   connect(&reading_, &QTimer::timeout, this, &HomeWindow::loadNextVisibleSummary);
   makeContents();
-  resize(1240, 740);
+  // A study with a few documents is seen without scrolling where the screen is high enough.
+  constexpr QSize kLeast(1240, 740);
+  constexpr int kMostHeight = 860;
+  constexpr int kBars = 80;  // of the desktop
+  resize(
+      kLeast.width(),
+      std::clamp(screen()->availableSize().height() - kBars, kLeast.height(), kMostHeight));
 }
 
 void HomeWindow::makeContents() {
   language_ = deskLanguage();
-  list_ = new QTableWidget(0, 3, this);
+  list_ = new StudyList(this);
   panel_ = new StudyPanel(this);
+  welcome_ = new Welcome(this);
+  side_ = makeList();
   auto* inside = new QWidget(this);
   columns_ = new QHBoxLayout(inside);
-  columns_->setContentsMargins(24, 12, 24, 20);
-  columns_->setSpacing(20);
-  columns_->addWidget(makeList(), 1);
-  columns_->addWidget(panel_, 1);
+  columns_->setSpacing(24);
+  columns_->addWidget(side_, 2);
+  columns_->addWidget(panel_, 3);
+  columns_->addWidget(welcome_, 1);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -134,22 +95,25 @@ void HomeWindow::makeContents() {
   menuBar()->clear();
   makeMenus();
   connectPanel();
+  connectWelcome();
   arrange();
   refresh();
 }
 
 void HomeWindow::arrange() {
   constexpr int kRoomForTwo = 1000;  // [px]
-  constexpr int kLeastOfList = 170;
+  constexpr int kMostRoom = 1560;    // more would part what belongs together
+  constexpr int kAside = 24;
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  list_->setMinimumHeight(kLeastOfList);
+  const int aside = std::max(kAside, (width() - kMostRoom) / 2);
+  columns_->setContentsMargins(aside, 12, aside, 20);
   const auto margins = columns_->contentsMargins();
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
   const int room = width() - margins.left() - margins.right() - bar;
   const int both = room - columns_->spacing();
-  const int list = columns_->itemAt(0)->minimumSize().width();
-  panel_->fitInto(isWide ? std::min(both / 2, both - list) : room);
+  const int list = std::max(both * 2 / 5, columns_->itemAt(0)->minimumSize().width());
+  panel_->fitInto(isWide ? both - list : room);
 }
 
 void HomeWindow::resizeEvent(QResizeEvent* event) {
@@ -175,23 +139,8 @@ HomeWindow::~HomeWindow() = default;
 
 QWidget* HomeWindow::makeList() {
   auto* side = new QWidget(this);
-  list_->setHorizontalHeaderLabels({tr("Study"), tr("Sessions"), tr("Last opened")});
   list_->setAccessibleName(tr("Studies"));
   list_->setObjectName(QStringLiteral("studies"));
-  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  makeReadOnly(*list_);
-  list_->setShowGrid(false);
-  list_->setWordWrap(true);
-  list_->verticalHeader()->hide();
-  list_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  auto* heads = list_->horizontalHeader();
-  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  heads->setSectionResizeMode(0, QHeaderView::Stretch);
-  heads->setSectionResizeMode(1, QHeaderView::Interactive);
-  heads->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  list_->setColumnWidth(1, 170);
-  list_->setItemDelegateForColumn(1, new ProgressDelegate(list_));
   connect(
       list_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { reading_.start(); });
   connect(list_, &QTableWidget::itemSelectionChanged, this, &HomeWindow::showChosen);
@@ -199,25 +148,43 @@ QWidget* HomeWindow::makeList() {
     const auto* study = chosen();
     if (study != nullptr) openStudy(QString::fromStdString(study->folder));
   });
-  none_ = quietLabel(tr("The studies that you make or open are listed here."), side);
-  auto* make = new QPushButton(tr("New study…"), side);
-  make->setObjectName(QStringLiteral("new-study"));
-  auto* open = new QPushButton(tr("Open a folder…"), side);
-  auto* read = new QPushButton(tr("Check protocol…"), side);
-  connect(make, &QPushButton::clicked, this, &HomeWindow::makeStudy);
-  connect(open, &QPushButton::clicked, this, &HomeWindow::chooseFolder);
-  connect(read, &QPushButton::clicked, this, &HomeWindow::askForProtocol);
-  auto* buttons = new QHBoxLayout;
-  for (auto* button : {make, open, read}) buttons->addWidget(button, 1);
   auto* layout = new QVBoxLayout(side);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(12);
   layout->addWidget(titleLabel(tr("Studies"), side));
-  layout->addWidget(list_, 1);
-  layout->addWidget(none_);
-  layout->addLayout(buttons);
-  layout->addStretch(0);
+  constexpr int kAllThereIs = 1000;  // the list takes what its rows need, and the rest is empty
+  layout->addWidget(list_, kAllThereIs);
+  layout->addWidget(makeTools(side));
+  layout->addStretch(1);
   return side;
+}
+
+/// What needs no chosen study.
+QWidget* HomeWindow::makeTools(QWidget* parent) {
+  auto* tools = new QWidget(parent);
+  auto* make = new QPushButton(tr("New study…"), tools);
+  make->setObjectName(QStringLiteral("new-study"));
+  auto* open = new QPushButton(tr("Open a folder…"), tools);
+  connect(make, &QPushButton::clicked, this, &HomeWindow::makeStudy);
+  connect(open, &QPushButton::clicked, this, &HomeWindow::chooseFolder);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(12);
+  for (auto* button : {make, open}) buttons->addWidget(button, 1);
+  auto* layout = new QVBoxLayout(tools);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(buttons);
+  layout->addSpacing(12);
+  const auto add = [&](const QString& words, void (HomeWindow::*wanted)()) {
+    auto* link = new QPushButton(words, tools);
+    link->setProperty("role", QStringLiteral("link"));
+    layout->addWidget(link, 0, Qt::AlignLeft);
+    connect(link, &QPushButton::clicked, this, wanted);
+  };
+  add(tr("Check protocol…"), &HomeWindow::askForProtocol);
+  add(tr("System check…"), &HomeWindow::testComputer);
+  add(tr("Tour in three steps…"), &HomeWindow::showTour);
+  return tools;
 }
 
 template <typename Dialog>
@@ -301,9 +268,6 @@ void HomeWindow::previewChosen() {
 }
 
 void HomeWindow::connectPanel() {
-  connect(panel_, &StudyPanel::newStudyRequested, this, &HomeWindow::makeStudy);
-  connect(panel_, &StudyPanel::tourRequested, this, &HomeWindow::showTour);
-  connect(panel_, &StudyPanel::systemCheckRequested, this, &HomeWindow::testComputer);
   connect(panel_, &StudyPanel::openRequested, this, [this] {
     if (const auto* study = chosen()) openStudy(QString::fromStdString(study->folder));
   });
@@ -328,6 +292,14 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::previewRequested, this, &HomeWindow::previewChosen);
 }
 
+void HomeWindow::connectWelcome() {
+  connect(welcome_, &Welcome::tourRequested, this, &HomeWindow::showTour);
+  connect(welcome_, &Welcome::systemCheckRequested, this, &HomeWindow::testComputer);
+  connect(welcome_, &Welcome::newStudyRequested, this, &HomeWindow::makeStudy);
+  connect(welcome_, &Welcome::folderRequested, this, &HomeWindow::chooseFolder);
+  connect(welcome_, &Welcome::protocolCheckRequested, this, &HomeWindow::askForProtocol);
+}
+
 void HomeWindow::removeSelectedFromList() {
   const auto* study = chosen();
   if (study == nullptr) return;
@@ -345,14 +317,13 @@ void HomeWindow::refresh() {
   for (const auto& study : recent) {
     studies_.push_back(
         {.summary = {.folder = study.folder.toStdString(), .title = study.title.toStdString()}});
-    const QString opened = study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-    auto* day = new QTableWidgetItem(opened.section(u' ', 0, 0));
-    day->setToolTip(opened);
-    list_->setItem(row, 2, day);
+    studies_.back().opened =
+        study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     fillRow(row++);
   }
-  list_->setVisible(!recent.empty());
-  none_->setVisible(recent.empty());
+  welcome_->setVisible(recent.empty());
+  side_->setVisible(!recent.empty());
+  panel_->setVisible(!recent.empty());
   reading_.start();
   select(QString::fromStdString(folder));
 }
@@ -367,7 +338,7 @@ void HomeWindow::select(const QString& folder) {
 }
 
 void HomeWindow::read(int row) {
-  auto& [summary, isRead] = studies_[static_cast<std::size_t>(row)];
+  auto& [summary, opened, isRead] = studies_[static_cast<std::size_t>(row)];
   if (isRead) return;
   const auto titleWhenLastOpened = summary.title;
   summary = summaryOf(summary.folder);
@@ -388,20 +359,18 @@ void HomeWindow::loadNextVisibleSummary() {
 }
 
 void HomeWindow::fillRow(int row) {
-  const auto& [study, isRead] = studies_[static_cast<std::size_t>(row)];
+  const auto& [study, opened, isRead] = studies_[static_cast<std::size_t>(row)];
   const QString folder = QString::fromStdString(study.folder);
-  auto* title = new QTableWidgetItem(
-      QString::fromStdString(study.title) + QLatin1Char('\n') + QDir(folder).dirName());
-  title->setToolTip(folder);
   const QString sign = study.problem.empty() ? QString() : QStringLiteral("✕ ");
-  const QString words = QString::fromStdString(sessionsInWords(study));
-  auto* sessions = new QTableWidgetItem(isRead ? sign + words : QStringLiteral("…"));
-  sessions->setData(ProgressDelegate::kShare, shareOf(study));
-  list_->setItem(row, 0, title);
-  list_->setItem(row, 1, sessions);
-  for (int column = 0; column < list_->columnCount(); ++column) {
-    list_->item(row, column)->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
-  }
+  list_->setRow(
+      row,
+      {.title = QString::fromStdString(study.title),
+       .place = tr("%1, opened %2").arg(QDir(folder).dirName(), opened.section(u' ', 0, 0)),
+       .progress =
+           isRead ? sign + QString::fromStdString(sessionsInWords(study)) : QStringLiteral("…"),
+       .share = shareOf(study),
+       .isBroken = !study.problem.empty()});
+  list_->item(row, 0)->setToolTip(folder + QLatin1Char('\n') + tr("Last opened: %1").arg(opened));
 }
 
 const StudySummary* HomeWindow::chosen() const {

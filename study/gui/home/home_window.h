@@ -5,19 +5,19 @@
 #include <vector>
 
 #include <QBoxLayout>
-#include <QLabel>
 #include <QMainWindow>
-#include <QTableWidget>
 #include <QTimer>
 
+#include "study/gui/home/study_list.h"
 #include "study/gui/home/study_panel.h"
+#include "study/gui/home/welcome.h"
 #include "study/gui/operator/operator_window.h"
 
 namespace study::gui {
 
 /// The first window: the list of this computer's studies, a button for a new one, and every task
-/// apart from running sessions. It hides while the operator's window is open and returns
-/// afterwards.
+/// apart from running sessions; a welcome if there is no study. It hides while the operator's
+/// window is open and returns afterwards.
 class HomeWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -54,8 +54,10 @@ class HomeWindow final : public QMainWindow {
   /// Arranges the list and the study side by side, or one above the other in a narrow window.
   void arrange();
   QWidget* makeList();
+  QWidget* makeTools(QWidget* parent);
   void makeMenus();
   void connectPanel();
+  void connectWelcome();
   void fillRow(int row);
   const StudySummary* chosen() const;
   /// Selects a study in the list; the first one if it is not there.
@@ -78,15 +80,17 @@ class HomeWindow final : public QMainWindow {
   /// A study of the list. Its database is read when its row first becomes visible.
   struct Row {
     StudySummary summary;
+    QString opened;  ///< when last, local time
     bool isRead = false;
   };
   std::vector<Row> studies_;  ///< in the order of the list
   QTimer reading_;            ///< reads the next visible row that was not read yet
   std::string language_;      ///< of the present contents
   QBoxLayout* columns_ = nullptr;
-  QTableWidget* list_ = nullptr;
-  QLabel* none_ = nullptr;  ///< in place of the list where there are no studies
+  QWidget* side_ = nullptr;  ///< the list, with what needs no chosen study
+  StudyList* list_ = nullptr;
   StudyPanel* panel_ = nullptr;
+  Welcome* welcome_ = nullptr;  ///< in place of both where there are no studies
   std::unique_ptr<OpenStudy> open_;
 };
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include <QEvent>
 #include <QFileInfo>
-#include <QScrollArea>
+#include <QHBoxLayout>
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/widgets/cohort_bar.h"
@@ -15,31 +16,57 @@ namespace study::gui {
 namespace {
 
 constexpr std::size_t kMostDocumentsShown = 6;
-constexpr int kLeastOfParts = 110;  // [px]
-constexpr int kGap = 6;             // [px] between buttons of a row
+constexpr int kBetweenParts = 12;    // [px]
+constexpr int kBetweenColumns = 16;  // [px]
+
+void clearLayout(QLayout& layout) {
+  while (auto* item = layout.takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+}
+
+/// The heading of a part.
+QLabel* strongLabel(const QString& words, QWidget* parent) {
+  auto* label = bodyLabel(words, parent);
+  label->setProperty("role", QStringLiteral("part"));
+  return label;
+}
+
+/// What the bars of the cohorts do not say.
+QString aboutSessions(const StudySummary& summary) {
+  QStringList parts;
+  const auto others = QString::fromStdString(otherSessionsInWords(summary));
+  if (!others.isEmpty()) parts << others;
+  if (!summary.lastSessionUtc.empty()) {
+    parts << StudyPanel::tr("Last session: %1").arg(localTime(summary.lastSessionUtc));
+  }
+  return parts.isEmpty() ? capitalised(QString::fromStdString(sessionsInWords(summary)))
+                         : parts.join(QStringLiteral(". "));
+}
 
 }  // namespace
 
 StudyPanel::StudyPanel(QWidget* parent)
     : QFrame(parent),
       title_(bodyLabel({}, this)),
-      what_(quietLabel({}, this)),
-      sessions_(bodyLabel({}, this)),
+      sessions_(quietLabel({}, this)),
       arrivals_(bodyLabel({}, this)),
-      folder_(quietLabel({}, this)),
       keyRemark_(bodyLabel(
           tr("There is no copy of this study's key. Without the key its results are lost."), this)),
       textsRemark_(bodyLabel({}, this)),
       problem_(bodyLabel({}, this)),
-      buttons_(new QVBoxLayout),
+      progress_(new QVBoxLayout),
       unfinished_(new QVBoxLayout),
       open_(new QPushButton(tr("Open sessions"), this)),
-      start_(makeStart()),
+      actions_(new QGridLayout),
       removeButton_(new QPushButton(tr("Remove from list"), this)),
-      place_(new QWidget(this)),
-      parts_(new QVBoxLayout(place_)) {
+      documents_(new QWidget(this)),
+      documentRows_(new QVBoxLayout),
+      foot_(quietLabel({}, this)) {
   setProperty("role", QStringLiteral("card"));
   title_->setProperty("role", QStringLiteral("heading"));
+  arrivals_->setObjectName(QStringLiteral("arrivals"));
   keyRemark_->setObjectName(QStringLiteral("key-remark"));
   textsRemark_->setObjectName(QStringLiteral("texts-remark"));
   problem_->setProperty("role", QStringLiteral("bad"));
@@ -47,60 +74,80 @@ StudyPanel::StudyPanel(QWidget* parent)
   open_->setProperty("role", QStringLiteral("main"));
   open_->setObjectName(QStringLiteral("open"));
   removeButton_->setObjectName(QStringLiteral("forget"));
-  folder_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  foot_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  documents_->setProperty("role", QStringLiteral("plain"));
   connect(open_, &QPushButton::clicked, this, &StudyPanel::openRequested);
   connect(removeButton_, &QPushButton::clicked, this, &StudyPanel::listRemovalRequested);
-  place_->setProperty("role", QStringLiteral("plain"));
-  parts_->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(place_);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setMinimumHeight(kLeastOfParts);
+  makeActions();
+  auto* documents = new QVBoxLayout(documents_);
+  documents->setContentsMargins(0, 0, 0, 0);
+  documents->addWidget(rule());
+  documents->addWidget(strongLabel(tr("Reports and exports"), documents_));
+  documents->addLayout(documentRows_);
+  documentRows_->setSpacing(0);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(20, 18, 20, 18);
-  layout->setSpacing(10);
-  arrivals_->setObjectName(QStringLiteral("arrivals"));
-  for (auto* label : {title_, what_, sessions_, arrivals_, folder_, problem_})
-    layout->addWidget(label);
+  layout->setContentsMargins(24, 20, 24, 16);
+  layout->setSpacing(kBetweenParts);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(kBetweenColumns);
+  head->addWidget(title_, 1);
+  head->addWidget(open_, 0, Qt::AlignTop);
+  head->addWidget(removeButton_, 0, Qt::AlignTop);
+  layout->addLayout(head);
+  for (auto* label : {sessions_, problem_, arrivals_}) layout->addWidget(label);
   layout->addWidget(makeRemark(*keyRemark_, tr("Save a copy…"), &StudyPanel::keyRequested));
   layout->addWidget(
       makeRemark(*textsRemark_, tr("Fill in the texts…"), &StudyPanel::textsRequested));
+  layout->addLayout(progress_);
   layout->addLayout(unfinished_);
-  layout->addWidget(open_);
-  layout->addWidget(start_);
-  layout->addWidget(scroll, 1);
-  layout->addLayout(buttons_);
-  layout->addWidget(removeButton_);
-  makeButtons();
+  layout->addWidget(rule());
+  layout->addLayout(actions_);
+  layout->addWidget(documents_);
+  layout->addStretch(1);
+  layout->addWidget(rule());
+  layout->addWidget(foot_);
   clear();
 }
 
-void StudyPanel::makeButtons() {
+QFrame* StudyPanel::rule() {
+  auto* line = new QFrame(this);
+  line->setProperty("role", QStringLiteral("rule"));
+  return line;
+}
+
+void StudyPanel::makeActions() {
   const auto group = [&](const QString& title) {
-    auto* heading = quietLabel(title, this);
-    heading->setWordWrap(false);
-    groups_.push_back({heading, {}});
+    auto* column = new QWidget(this);
+    column->setProperty("role", QStringLiteral("plain"));
+    auto* lines = new QVBoxLayout(column);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(0);
+    lines->addWidget(strongLabel(title, column));
+    lines->addSpacing(4);
+    column->setAccessibleName(title);
+    groups_.push_back({column, {}});
   };
   const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
-    auto* button = new QPushButton(words, this);
+    auto* column = groups_.back().column;
+    auto* button = new QPushButton(words, column);
     button->setObjectName(QString::fromUtf8(name));
     button->setProperty("role", QStringLiteral("link"));
-    button->setAccessibleDescription(groups_.back().heading->text());
+    button->setAccessibleDescription(column->accessibleName());
+    column->layout()->addWidget(button);
     groups_.back().buttons.push_back(button);
     connect(button, &QPushButton::clicked, this, wanted);
     return button;
   };
-  group(tr("Results"));
-  add(tr("Report…"), "report", &StudyPanel::reportRequested);
-  add(tr("Export…"), "export", &StudyPanel::exportRequested);
-  add(tr("Statistics…"), "statistics", &StudyPanel::statisticsRequested);
   group(tr("Protocol"));
   add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
-  add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
   add(tr("Plan…"), "plan", &StudyPanel::planRequested);
   add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
+  add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
+  group(tr("Results"));
+  add(tr("Report…"), "report", &StudyPanel::reportRequested);
+  add(tr("Statistics…"), "statistics", &StudyPanel::statisticsRequested);
+  add(tr("Export…"), "export", &StudyPanel::exportRequested);
   group(tr("Keep and erase"));
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
@@ -108,8 +155,11 @@ void StudyPanel::makeButtons() {
       ->setToolTip(tr(
           "The key says which condition an alternative was: save a copy, or take it from a file"));
   add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
-  buttons_->setContentsMargins(0, 0, 0, 0);
-  buttons_->setSpacing(4);
+  actions_->setHorizontalSpacing(kBetweenColumns);
+  actions_->setVerticalSpacing(kBetweenParts);
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    actions_->addWidget(groups_[i].column, static_cast<int>(i), 0, Qt::AlignTop);
+  }
 }
 
 /// Something that is still to be done, with the button that does it.
@@ -129,77 +179,34 @@ QWidget* StudyPanel::makeRemark(
   return row;
 }
 
-/// A row of buttons that starts with the heading of its group, or with an empty space of the same
-/// width.
-QHBoxLayout* StudyPanel::addRow(QWidget* heading, int headingWidth) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kGap);
-  if (heading != nullptr) {
-    heading->setFixedWidth(headingWidth);
-    row->addWidget(heading);
-  } else {
-    row->addSpacing(headingWidth + kGap);
-  }
-  buttons_->addLayout(row);
-  return row;
-}
-
 void StudyPanel::fitInto(int width) {
   const auto margins = layout()->contentsMargins();
   const int room = width - margins.left() - margins.right() - 2 * frameWidth();
-  int headingWidth = 0;
+  int widest = 1;
   for (const auto& group : groups_) {
-    group.heading->ensurePolished();
-    group.heading->setMinimumWidth(0);
-    group.heading->setMaximumWidth(QWIDGETSIZE_MAX);
-    headingWidth = std::max(headingWidth, group.heading->sizeHint().width());
+    for (auto* button : group.buttons) button->ensurePolished();
+    widest = std::max(widest, group.column->sizeHint().width());
   }
-  while (auto* row = buttons_->takeAt(0)) delete row;
-  for (const auto& group : groups_) {
-    auto* row = addRow(group.heading, headingWidth);
-    int left = room - headingWidth;
-    for (auto* button : group.buttons) {
-      button->ensurePolished();
-      const int needed = button->sizeHint().width() + kGap;
-      if (needed > left && row->count() > 1) {
-        row->addStretch(1);
-        row = addRow(nullptr, headingWidth);
-        left = room - headingWidth;
-      }
-      row->addWidget(button);
-      left -= needed;
-    }
-    row->addStretch(1);
+  const int groups = static_cast<int>(groups_.size());
+  const int columns = std::clamp((room + kBetweenColumns) / (widest + kBetweenColumns), 1, groups);
+  for (int i = 0; i < groups; ++i) {
+    auto* column = groups_[static_cast<std::size_t>(i)].column;
+    actions_->removeWidget(column);
+    actions_->addWidget(column, i / columns, i % columns, Qt::AlignTop);
   }
+  for (int i = 0; i < groups; ++i) actions_->setColumnStretch(i, i < columns ? 1 : 0);
 }
 
-/// The buttons for a user without a study.
-QWidget* StudyPanel::makeStart() {
-  auto* start = new QWidget(this);
-  start->setProperty("role", QStringLiteral("plain"));
-  auto* lines = new QVBoxLayout(start);
-  lines->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const QString& words, const char* role, void (StudyPanel::*wanted)()) {
-    auto* button = new QPushButton(words, start);
-    button->setProperty("role", QString::fromUtf8(role));
-    lines->addWidget(button);
-    connect(button, &QPushButton::clicked, this, wanted);
-  };
-  add(tr("New study…"), "main", &StudyPanel::newStudyRequested);
-  add(tr("Tour in three steps…"), "tool", &StudyPanel::tourRequested);
-  add(tr("System check…"), "tool", &StudyPanel::systemCheckRequested);
-  return start;
+bool StudyPanel::event(QEvent* event) {
+  const bool isDone = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) giveRoom();
+  return isDone;
 }
 
-/// Shows the buttons for a user without a study, or else those for a study.
-void StudyPanel::showStart(bool isEmpty) {
-  start_->setVisible(isEmpty);
-  open_->setVisible(!isEmpty);
-  for (auto* label : {sessions_, folder_}) label->setVisible(!isEmpty && !label->text().isEmpty());
-  for (const auto& group : groups_) {
-    group.heading->setVisible(!isEmpty);
-    for (auto* button : group.buttons) button->setVisible(!isEmpty);
-  }
+/// A scrolled page gets the minimum height of its layout, which does not include the lines into
+/// which texts wrap.
+void StudyPanel::giveRoom() {
+  setMinimumHeight(layout()->totalHeightForWidth(width()));
 }
 
 void StudyPanel::enableActions(bool isEnabled) {
@@ -210,34 +217,23 @@ void StudyPanel::enableActions(bool isEnabled) {
 
 void StudyPanel::clear() {
   show(StudySummary{});
-  title_->setText(tr("Begin here"));
-  what_->setText(tr("Create a study from a protocol, or open the folder of an existing one."));
-  sessions_->clear();
-  folder_->clear();
   open_->setEnabled(false);
-  removeButton_->setVisible(false);
-  showStart(true);
   enableActions(false);
 }
 
 void StudyPanel::show(const StudySummary& summary) {
   const bool isSound = summary.problem.empty();
   title_->setText(QString::fromStdString(summary.title));
-  what_->setText(QString::fromStdString(summary.protocol));
-  QString sessions = QString::fromStdString(sessionsInWords(summary));
-  if (!summary.lastSessionUtc.empty()) {
-    sessions += tr(". Last session: %1").arg(localTime(summary.lastSessionUtc));
-  }
-  sessions_->setText(sessions);
+  sessions_->setText(aboutSessions(summary));
+  sessions_->setVisible(isSound);
   const auto arrivals = QString::fromStdString(arrivalsInWords(summary));
   arrivals_->setText(arrivals);
   arrivals_->setVisible(!arrivals.isEmpty());
   setRole(*arrivals_, isArrivalOverdue(summary) ? "warn" : "body");
-  folder_->setText(shownPath(QString::fromStdString(summary.folder)));
-  folder_->setVisible(!summary.folder.empty());  // hidden if empty, because it can have the focus
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
+  open_->setVisible(isSound);
   removeButton_->setVisible(!isSound);
   enableActions(isSound);
   keyRemark_->parentWidget()->setVisible(summary.lacksKeyBackup);
@@ -245,61 +241,63 @@ void StudyPanel::show(const StudySummary& summary) {
       summary.blanks == 1 ? tr("1 text is still blank.")
                           : tr("%1 texts are still blank.").arg(summary.blanks));
   textsRemark_->parentWidget()->setVisible(summary.blanks > 0);
-  showStart(false);
-  for (auto* shown : {unfinished_, parts_}) {
-    while (auto* item = shown->takeAt(0)) {
-      delete item->widget();
-      delete item;
-    }
-  }
+  QStringList foot;
+  if (!summary.protocol.empty()) foot << QString::fromStdString(summary.protocol);
+  foot << tr("Folder: %1").arg(shownPath(QString::fromStdString(summary.folder)));
+  foot_->setText(foot.join(QStringLiteral("\n")));
+  foot_->setVisible(!summary.folder.empty());  // hidden if empty, because it can have the focus
   showUnfinished(summary);
   showProgress(summary);
   showDocuments(summary);
-  parts_->addStretch(1);
-}
-
-void StudyPanel::addHeading(const QString& text) {
-  auto* heading = bodyLabel(text, place_);
-  heading->setProperty("role", QStringLiteral("heading"));
-  parts_->addWidget(heading);
 }
 
 /// A bar for each cohort: as in "Orthopaedic surgeons: 3 of 12 completed".
 void StudyPanel::showProgress(const StudySummary& summary) {
+  clearLayout(*progress_);
   for (const auto& cohort : summary.cohorts) {
-    parts_->addWidget(new CohortBar(
-        QString::fromStdString(cohort.title), cohort.completed, cohort.planned, place_));
+    progress_->addWidget(new CohortBar(
+        QString::fromStdString(cohort.title), cohort.completed, cohort.planned, this));
   }
 }
 
+/// A row for each of the latest documents: its name, when it was written, and what opens it.
 void StudyPanel::showDocuments(const StudySummary& summary) {
-  if (summary.folder.empty()) return;
+  clearLayout(*documentRows_);
   const auto documents = documentsOf(QString::fromStdString(summary.folder));
-  if (documents.empty()) return;
-  addHeading(tr("Reports and exports"));
+  documents_->setVisible(!summary.folder.empty());
+  if (documents.empty()) {
+    documentRows_->addWidget(
+        quietLabel(tr("Those that you write are listed here, and can be opened."), documents_));
+  }
   for (std::size_t i = 0; i < std::min(documents.size(), kMostDocumentsShown); ++i) {
-    auto* row = new QWidget(place_);
+    const auto& document = documents[i];
+    auto* row = new QWidget(documents_);
     row->setProperty("role", QStringLiteral("plain"));
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
-    auto* name = bodyLabel(QFileInfo(documents[i].path).fileName(), row);
-    name->setToolTip(documents[i].path);
+    line->setSpacing(kBetweenColumns);
+    auto* name = bodyLabel(QFileInfo(document.path).fileName(), row);
+    name->setToolTip(document.path);
+    auto* day = quietLabel(
+        document.written.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")), row);
+    day->setWordWrap(false);
     auto* buttons = new WrittenFile(row);
-    buttons->show(documents[i].path);
+    buttons->show(document.path);
+    for (auto* button : buttons->findChildren<QPushButton*>()) setRole(*button, "link");
     line->addWidget(name, 1);
+    line->addWidget(day);
     line->addWidget(buttons);
-    parts_->addWidget(row);
+    documentRows_->addWidget(row);
   }
 }
 
 void StudyPanel::showUnfinished(const StudySummary& summary) {
-  constexpr int kMostAbove = 2;  // the others are scrolled
+  clearLayout(*unfinished_);
   const auto first = std::ranges::find_if(
       summary.unfinished, [](const auto& session) { return !session.isOpenElsewhere(); });
   setRole(*open_, first == summary.unfinished.end() ? "main" : "");
   for (auto session = summary.unfinished.begin(); session != summary.unfinished.end(); ++session) {
-    auto* lines = unfinished_->count() < kMostAbove ? unfinished_ : parts_;
-    lines->addWidget(makeCard(*session, session == first));
+    unfinished_->addWidget(makeCard(*session, session == first));
   }
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <QFrame>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -12,8 +12,8 @@
 
 namespace study::gui {
 
-/// One study: title and protocol, the progress of each cohort, the actions on it, its reports and
-/// exports, and its unfinished sessions.
+/// One study: its progress by cohort, what is to be done next, the other actions on it, and the
+/// reports and exports that were written of it. It is as high as its contents.
 class StudyPanel final : public QFrame {
   Q_OBJECT
 
@@ -24,13 +24,10 @@ class StudyPanel final : public QFrame {
   using QFrame::show;
   /// Shows that no study is selected.
   void clear();
-  /// Arranges the buttons group by group in rows that fit into @p width [px].
+  /// Arranges the groups of actions in as many columns as fit into @p width [px].
   void fitInto(int width);
 
  signals:
-  void newStudyRequested();
-  void tourRequested();
-  void systemCheckRequested();
   void openRequested();
   void resumeSessionRequested(qlonglong session);
   void reportRequested();
@@ -47,40 +44,40 @@ class StudyPanel final : public QFrame {
   void keyRequested();
   void listRemovalRequested();
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
-  void makeButtons();
-  QWidget* makeStart();
-  void showStart(bool isEmpty);
+  void giveRoom();
   QWidget* makeRemark(QLabel& remark, const QString& words, void (StudyPanel::*wanted)());
-  QHBoxLayout* addRow(QWidget* heading, int headingWidth);
+  void makeActions();
+  QFrame* rule();
   void enableActions(bool isEnabled);
+  void showUnfinished(const StudySummary& summary);
   void showProgress(const StudySummary& summary);
   void showDocuments(const StudySummary& summary);
-  void showUnfinished(const StudySummary& summary);
-  void addHeading(const QString& text);
   QWidget* makeCard(const UnfinishedSession& session, bool isMain);
 
   QLabel* title_;
-  QLabel* what_;
   QLabel* sessions_;
   QLabel* arrivals_;
-  QLabel* folder_;
   QLabel* keyRemark_;    ///< as long as there is no copy of the key
   QLabel* textsRemark_;  ///< as long as texts are blank
   QLabel* problem_;
+  QVBoxLayout* progress_;    ///< of each cohort
+  QVBoxLayout* unfinished_;  ///< cards of sessions
+  QPushButton* open_;
   /// Actions that belong together, enabled only if the study can be opened.
   struct Group {
-    QLabel* heading = nullptr;
+    QWidget* column = nullptr;  ///< a heading, and the buttons below it
     std::vector<QPushButton*> buttons;
   };
-  QVBoxLayout* buttons_;     ///< the groups, row by row
-  QVBoxLayout* unfinished_;  ///< cards of sessions, in sight on a small screen
-  QPushButton* open_;
-  QWidget* start_;  ///< shown in place of the groups if there is no study
   std::vector<Group> groups_;
+  QGridLayout* actions_;  ///< the groups
   QPushButton* removeButton_;
-  QWidget* place_;  ///< the progress, documents and unfinished sessions
-  QVBoxLayout* parts_;
+  QWidget* documents_;  ///< reports and exports
+  QVBoxLayout* documentRows_;
+  QLabel* foot_;  ///< the protocol and the folder
 };
 
 }  // namespace study::gui

@@ -29,6 +29,7 @@ constexpr const char* kStyleSheet = R"css(
 QWidget { background: @window; font-size: 16px; }
 QLabel[role="title"] { font-size: 30px; font-weight: 600; }
 QLabel[role="heading"] { font-size: 20px; font-weight: 600; }
+QLabel[role="part"] { font-weight: 600; }
 QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
 QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
@@ -132,6 +133,11 @@ QPushButton[role="link"] { color: @link; background: transparent; border: 2px so
 QPushButton[role="link"]:hover { text-decoration: underline; }
 QPushButton[role="link"]:focus { border: 3px solid @focus; padding: 2px 5px; }
 QPushButton[role="link"]:disabled { color: @disabled.text; background: transparent; border-color: transparent; }
+QTableView[role="cards"], QTableView[role="cards"]:focus {
+  background: transparent; border: none; selection-background-color: transparent; }
+QTableView[role="cards"]::item:selected { background: transparent; }
+QFrame[role="screen"], QScrollArea[role="screen"] { border: 1px solid @border; border-radius: 8px; }
+QFrame[role="rule"] { background: @line; border: none; min-height: 1px; max-height: 1px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; button-layout: 3; }
 QScrollArea { border: none; }
 QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/home/home_window.h"
+#include "study/gui/home/study_list.h"
 #include "study/gui/home/study_panel.h"
 #include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
@@ -36,9 +38,13 @@ namespace home_test {
 
 using tests::buttonSaying;
 
-protocols::LoadedProtocol punchProtocol() {
+protocols::LoadedProtocol shipped(const char* name) {
   questionnaires::Problems problems;
-  return *protocols::loadProtocolFile("punch-face-validity", problems);
+  return *protocols::loadProtocolFile(name, problems);
+}
+
+protocols::LoadedProtocol punchProtocol() {
+  return shipped("punch-face-validity");
 }
 
 class HomeTest : public testing::Test {
@@ -102,7 +108,6 @@ TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
     return home.findChild<QPushButton*>(QStringLiteral("report"))->text() ==
            QStringLiteral("Bericht…");
   }));
-  EXPECT_EQ(listOf(home)->horizontalHeaderItem(0)->text(), QStringLiteral("Studie"));
   EXPECT_EQ(listOf(home)->rowCount(), 1);
   EXPECT_EQ(listOf(home)->currentRow(), 0);
   tests::photographInAllThemes(home, QStringLiteral("home-german"));
@@ -164,8 +169,14 @@ TEST_F(HomeTest, OffersANewStudyIfThereIsNone) {
   home.show();
   EXPECT_EQ(listOf(home)->rowCount(), 0);
   EXPECT_FALSE(home.findChild<QPushButton*>(QStringLiteral("open"))->isEnabled());
-  EXPECT_NE(buttonSaying(&home, QStringLiteral("New study…")), nullptr);
   EXPECT_FALSE(listOf(home)->isVisible()) << "an empty table says nothing";
+  std::set<QString> ways;
+  for (const auto* button : home.findChildren<QPushButton*>()) {
+    if (!button->isVisible()) continue;
+    EXPECT_TRUE(ways.insert(button->text()).second) << button->text().toStdString() << " twice";
+  }
+  EXPECT_TRUE(ways.contains(QStringLiteral("New study…")));
+  EXPECT_TRUE(ways.contains(QStringLiteral("Tour in three steps…")));
   tests::photographInAllThemes(home, QStringLiteral("home-empty"));
 }
 
@@ -229,7 +240,7 @@ TEST_F(HomeTest, MarksAMissingStudyAndRemovesItOnRequest) {
   std::filesystem::remove_all(folder_ / "two");
   home.refresh();
   ASSERT_EQ(listOf(home)->rowCount(), 2);
-  EXPECT_TRUE(listOf(home)->item(0, 1)->text().contains(QStringLiteral("gone")));
+  EXPECT_TRUE(listOf(home)->item(0, 0)->text().contains(QStringLiteral("gone")));
   listOf(home)->selectRow(0);
   EXPECT_FALSE(home.findChild<QPushButton*>(QStringLiteral("open"))->isEnabled());
   EXPECT_TRUE(home.findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
@@ -264,16 +275,14 @@ TEST_F(HomeTest, ListsEveryStudyAndReadsOnlyThoseInSight) {
   home.show();
   const auto* list = listOf(home);
   ASSERT_EQ(list->rowCount(), kStudies);
+  const auto isRead = [&](int row) { return !list->item(row, 0)->text().endsWith(u'…'); };
   const auto readRows = [&] {
     int read = 0;
-    for (int row = 0; row < kStudies; ++row) {
-      read += list->item(row, 1)->text() != QStringLiteral("…") ? 1 : 0;
-    }
+    for (int row = 0; row < kStudies; ++row) read += isRead(row) ? 1 : 0;
     return read;
   };
   EXPECT_EQ(readRows(), 1) << "the chosen one; the others wait until the window is there";
-  const auto isRead = [&](int row) { return list->item(row, 1)->text() != QStringLiteral("…"); };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(5); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(2); }, kPatience));
   EXPECT_FALSE(isRead(kStudies - 1));
   listOf(home)->scrollToBottom();
   ASSERT_TRUE(QTest::qWaitFor([&] { return isRead(kStudies - 1); }, kPatience));
@@ -342,7 +351,8 @@ TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
   EXPECT_TRUE(summary.lastSessionUtc.empty()) << "simulated sessions have a time of their own";
   EXPECT_EQ(summary.blanks, 10U);
   EXPECT_EQ(home.findChildren<QProgressBar*>().size(), 2);
-  EXPECT_EQ(listOf(home)->item(0, 1)->data(Qt::UserRole), QVariant(0.0)) << "the bar in the list";
+  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShare), QVariant(0.0))
+      << "the bar in the list";
   const auto documents = home.findChildren<WrittenFile*>();
   ASSERT_EQ(documents.size(), 1) << "a file that is gone is not offered";
   EXPECT_EQ(documents.front()->path().toStdString(), report);
@@ -388,6 +398,9 @@ TEST_F(HomeTest, HasTheButtonThatContinuesInSightOnASmallScreen) {
     home.show();
     home.choose(study);
     QTest::qWait(1);  // the window's layout is done in the event loop
+    const auto* report = home.findChild<QPushButton*>(QStringLiteral("report"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return report->height() >= report->sizeHint().height(); }))
+        << language << ": it is squeezed";
     const auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
     ASSERT_NE(card, nullptr);
     for (const auto* button : card->findChildren<QPushButton*>()) {
@@ -412,12 +425,28 @@ TEST_F(HomeTest, SaysHowFarAStudyHasComeOnADayOfSessions) {
     auto interrupted = tests::consenting(study, {.cohort = "non-professional"});
     tests::walkTo(interrupted, StepKind::Trial);
   }
+  const QString other = QString::fromStdString(folder_ / "counterbalanced-pilot");
+  {
+    SimulatedClock clock;
+    auto study = Study::create(
+        other.toStdString(), shipped("punch-counterbalanced"), clock, 7, tests::knownSecret());
+    simulateCohorts(study, clock, 4, 7, [](const auto&) {});
+  }
+  for (const char* name : {"punch-report.pdf", "punch-export"}) {
+    rememberDocument(folder, QString::fromStdString(folder_.write(name, "written")));
+  }
   HomeWindow home;
-  home.resize(1240, 900);
+  home.resize(1240, 860);
   home.show();
+  home.choose(other);
   home.choose(folder);
-  EXPECT_EQ(
-      sessionsInWords(summaryOf(folder.toStdString())), "Live: 3 of 4 completed; 1 unfinished");
+  EXPECT_EQ(sessionsInWords(summaryOf(folder.toStdString())), "3 of 11 completed; 1 unfinished");
+  EXPECT_EQ(listOf(home)->item(0, 0)->data(StudyList::kShare).toDouble(), 3.0 / 11.0)
+      << "the bar shows what the words say";
+  QCoreApplication::processEvents();
+  const auto* make = home.findChild<QPushButton*>(QStringLiteral("new-study"));
+  const int end = listOf(home)->mapTo(&home, QPoint(0, listOf(home)->height())).y();
+  EXPECT_LT(make->mapTo(&home, QPoint(0, 0)).y() - end, 40) << "right below two studies";
   tests::photographInAllThemes(home, QStringLiteral("home-day"));
 }
 
@@ -426,7 +455,7 @@ TEST_F(HomeTest, OffersToResumeAfterACrash) {
   home.resize(1240, 900);
   home.show();
   home.choose(makeCrashedStudy());
-  EXPECT_TRUE(listOf(home)->item(0, 1)->text().contains(QStringLiteral("1 unfinished")));
+  EXPECT_TRUE(listOf(home)->item(0, 0)->text().contains(QStringLiteral("1 unfinished")));
   auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
   ASSERT_NE(card, nullptr);
   QCoreApplication::processEvents();  // the window's layout is done in the event loop

@@ -1,0 +1,120 @@
+#include "study/gui/home/welcome.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QResizeEvent>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+
+/// A way to begin, with the button that goes there.
+struct Welcome::Way {
+  QString title;
+  QString what;
+  QString button;
+  const char* role;
+  void (Welcome::*wanted)();
+};
+
+Welcome::Welcome(QWidget* parent)
+    : QWidget(parent), cards_(new QBoxLayout(QBoxLayout::LeftToRight)) {
+  constexpr int kWidest = 1040;  // [px]
+  auto* inside = new QWidget(this);
+  inside->setMaximumWidth(kWidest);
+  auto* lines = new QVBoxLayout(inside);
+  lines->setContentsMargins(0, 24, 0, 24);
+  lines->setSpacing(16);
+  lines->addWidget(titleLabel(tr("Welcome to Palpate"), inside));
+  auto* what = quietLabel(
+      tr("Palpate runs studies of simulators for surgery: people feel each rendering of a cut "
+         "without knowing which it is, and say how real it feels."),
+      inside);
+  auto* sentence = new QHBoxLayout;  // a short line is read more easily
+  sentence->addWidget(what, 4);
+  sentence->addStretch(1);
+  lines->addLayout(sentence);
+  lines->addSpacing(8);
+  cards_->setSpacing(16);
+  lines->addLayout(cards_);
+  addCard(
+      {tr("Try a cut"),
+       tr("Feel a virtual punch, answer as a participant, and see what is recorded. It takes two "
+          "minutes, and nothing is saved."),
+       tr("Tour in three steps…"),
+       "",
+       &Welcome::tourRequested});
+  addCard(
+      {tr("Check this computer"),
+       tr("Whether its devices, timing, disk and screens are good enough for a study. It takes a "
+          "few seconds."),
+       tr("System check…"),
+       "",
+       &Welcome::systemCheckRequested});
+  addCard(
+      {tr("Create a study"),
+       tr("From a protocol that ships with the program, or from your own. It may be changed until "
+          "the first participant begins."),
+       tr("New study…"),
+       "main",
+       &Welcome::newStudyRequested});
+  lines->addWidget(makeLinks());
+  auto* page = new QVBoxLayout(this);
+  page->setContentsMargins(0, 0, 0, 0);
+  page->addStretch(2);
+  auto* middle = new QHBoxLayout;
+  middle->addStretch(1);
+  middle->addWidget(inside, 100);
+  middle->addStretch(1);
+  page->addLayout(middle);
+  page->addStretch(3);
+}
+
+void Welcome::addCard(const Way& way) {
+  auto* card = new QFrame(this);
+  card->setProperty("role", QStringLiteral("card"));
+  auto* title = bodyLabel(way.title, card);
+  title->setProperty("role", QStringLiteral("heading"));
+  auto* button = new QPushButton(way.button, card);
+  button->setProperty("role", QString::fromUtf8(way.role));
+  button->setAccessibleDescription(way.what);
+  auto* lines = new QVBoxLayout(card);
+  lines->setContentsMargins(20, 18, 20, 20);
+  lines->setSpacing(10);
+  lines->addWidget(title);
+  auto* what = bodyLabel(way.what, card);
+  what->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  lines->addWidget(what, 1);
+  lines->addSpacing(8);
+  lines->addWidget(button);
+  connect(button, &QPushButton::clicked, this, way.wanted);
+  cards_->addWidget(card, 1);
+}
+
+/// What is needed less often.
+QWidget* Welcome::makeLinks() {
+  auto* row = new QWidget(this);
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(16);
+  const auto add = [&](const QString& words, void (Welcome::*wanted)()) {
+    auto* link = new QPushButton(words, row);
+    link->setProperty("role", QStringLiteral("link"));
+    connect(link, &QPushButton::clicked, this, wanted);
+    line->addWidget(link);
+  };
+  add(tr("Open the folder of a study…"), &Welcome::folderRequested);
+  add(tr("Check protocol…"), &Welcome::protocolCheckRequested);
+  line->addStretch(1);
+  return row;
+}
+
+void Welcome::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForThree = 860;  // [px]
+  cards_->setDirection(
+      event->size().width() >= kRoomForThree ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+}  // namespace study::gui

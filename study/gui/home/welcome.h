@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QBoxLayout>
+#include <QWidget>
+
+namespace study::gui {
+
+/// What the home page shows as long as there is no study: what the program does, and three ways to
+/// begin.
+class Welcome final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Welcome(QWidget* parent = nullptr);
+
+ signals:
+  void tourRequested();
+  void systemCheckRequested();
+  void newStudyRequested();
+  void folderRequested();
+  void protocolCheckRequested();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Way;
+  void addCard(const Way& way);
+  QWidget* makeLinks();
+
+  QBoxLayout* cards_;  ///< beside each other; below each other in a narrow window
+};
+
+}  // namespace study::gui
