@@ -102,6 +102,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
       "Once for the whole study. States of the audit trail that were noted earlier are no longer "
       "found in it. Back up the study first."));
   copy_->startIn(folderBeside(folder_));
+  copy_->setHint(tr("optional"));
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
   form().addRow(tr("Reason"), reason_);
@@ -137,6 +138,7 @@ void EraseDialog::fillIn() {
 
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
+  code_->setPlaceholderText(code);
   setObstacle(
       code.isEmpty()                        ? tr("No participant can be erased.")
       : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")

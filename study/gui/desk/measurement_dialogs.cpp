@@ -63,6 +63,7 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   const double usualSlope = haptics::recordings::ImportOptions{}.maxSlope;
   slope_->setRange(0.01, kMostSlope);
   slope_->setValue(usualSlope);
+  slope_->setSuffix(QLatin1Char(' ') + tr("N per travel unit"));
   slope_->setAccessibleName(tr("Largest slope"));
   slope_->setObjectName(QStringLiteral("slope"));
   cut_->setRange(0, 10'000);
@@ -73,11 +74,12 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(newFile("my-cut", ".json"));
   form().addRow(tr("Recording"), recording_);
-  form().addRow(tr("Columns file (optional)"), columns_);
+  columns_->setHint(tr("optional"));
+  form().addRow(tr("Columns file"), columns_);
   form().addRow(form_);
   form_->setVisible(false);
   form().addRow(tr("Which cut"), cut_);
-  form().addRow(tr("Largest slope [N per travel unit]"), slope_);
+  form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
       tr("Steeper parts of the cut are made gentler, and a steep peak is lost. %1 is the largest "
          "stiffness in the cuts of the punch paper, for which its device can be kept stable. "
@@ -85,9 +87,12 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
           .arg(usualSlope),
       this));
   form().addRow(tr("To a new file"), target_);
+  form().addRow(cutPicture_->summary());
   auto* pictures = new QBoxLayout(QBoxLayout::LeftToRight);
-  pictures->addWidget(picture_, 1);
-  pictures->addWidget(cutPicture_, 1);
+  constexpr int kOfRecording = 6;  // it has two curves
+  constexpr int kOfCut = 5;
+  pictures->addWidget(picture_, kOfRecording);
+  pictures->addWidget(cutPicture_, kOfCut);
   addBeside(pictures);
   const auto readAgain = [this] {
     form_->setVisible(false);
@@ -96,7 +101,6 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   connect(recording_, &PathField::pathChanged, this, readAgain);
   connect(columns_, &PathField::pathChanged, this, readAgain);
   connect(form_, &ColumnsForm::changed, this, &ImportCutDialog::showRecording);
-  connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPlot::choose);
   connect(cut_, &QSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(slope_, &QDoubleSpinBox::valueChanged, this, &ImportCutDialog::preview);
   connect(target_, &PathField::pathChanged, this, &ImportCutDialog::updateButton);
@@ -142,17 +146,19 @@ haptics::recordings::ImportOptions ImportCutDialog::options() const {
 
 void ImportCutDialog::preview() {
   const auto& shown = picture_->preview();
-  cutPicture_->setVisible(shown.has_value());
   isPossible_ = shown.has_value();
+  int taken = cut_->value();
   if (shown) {
     clear();                                // what was said about another cut
     constexpr int kRoomForPictures = 1320;  // [px]
     resize(
         std::max(width(), std::min(kRoomForPictures, screen()->availableSize().width())), height());
     try {
-      cutPicture_->show(shown->trace, importRecording(shown->recording, options()));
+      const auto imported = importRecording(shown->recording, options());
+      cutPicture_->show(shown->trace, imported);
+      const auto& closures = imported.report.closures;
+      if (!closures.empty()) taken = static_cast<int>(closures.front());
     } catch (const UserError& error) {
-      cutPicture_->setVisible(false);
       isPossible_ = false;
       showOutcome(
           Outcome::Warning,
@@ -160,6 +166,8 @@ void ImportCutDialog::preview() {
           QString::fromUtf8(error.what()));
     }
   }
+  cutPicture_->setShown(isPossible_);
+  picture_->choose(taken);
   updateButton();
   fit();
 }

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <QEvent>
+#include <QHeaderView>
 #include <QScreen>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/plot_axes.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/import_recording.h"
 
@@ -22,9 +25,23 @@ constexpr double kMilli = 1e-3;
 /// Two plots and the buttons fit on a laptop's screen; a larger one has room for larger plots.
 int heightOfPlotOn(const QScreen& screen) {
   constexpr int kLarge = 1000;  // [px]
-  constexpr int kOnALaptop = 170;
-  constexpr int kOnALargeScreen = 260;
+  constexpr int kOnALaptop = 190;
+  constexpr int kOnALargeScreen = 280;
   return screen.availableSize().height() >= kLarge ? kOnALargeScreen : kOnALaptop;
+}
+
+/// Gives the axes of all plots the same left and right ends, and few enough numbers to be read.
+void tidy(QCPAxisRect& rect, int numbers) {
+  constexpr QMargins kLeast(72, 6, 14, 0);  // [px]
+  rect.setMinimumMargins(kLeast);
+  rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(numbers);
+  for (auto* axis : rect.axes()) axis->setSubTicks(false);
+}
+
+QLabel* headingOf(const QString& words, QWidget* parent) {
+  auto* heading = bodyLabel(words, parent);
+  heading->setProperty("role", QStringLiteral("part"));
+  return heading;
 }
 
 QString sourceOfForce(const RecordingPreview& preview) {
@@ -72,19 +89,29 @@ RecordingPreview previewOf(
 }
 
 RecordingPlot::RecordingPlot(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), words_(quietLabel({}, this)) {
+    : QWidget(parent),
+      plot_(new QCustomPlot(this)),
+      force_(plot_->axisRect()),
+      travel_(new QCPAxisRect(plot_)),
+      words_(quietLabel({}, this)) {
   words_->setObjectName(QStringLiteral("recording-words"));
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
   plot_->setNotAntialiasedElements(QCP::aeAll);
-  plot_->xAxis->setLabel(tr("time [s]"));
-  plot_->yAxis->setLabel(tr("force [N]"));
-  plot_->yAxis2->setLabel(tr("travel [units]"));
-  plot_->yAxis2->setVisible(true);
+  plot_->setAccessibleName(tr("Force and travel over time"));
+  plot_->plotLayout()->addElement(1, 0, travel_);
+  plot_->plotLayout()->setRowStretchFactors({1.2, 1.0});
+  plot_->plotLayout()->setRowSpacing(0);
+  tidy(*force_, 4);
+  tidy(*travel_, 2);
+  force_->axis(QCPAxis::atBottom)->setTickLabels(false);
+  force_->axis(QCPAxis::atLeft)->setLabel(tr("force [N]"));
+  travel_->axis(QCPAxis::atLeft)->setLabel(tr("travel"));
+  travel_->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  layout->addWidget(headingOf(tr("The recording"), this));
+  layout->addWidget(plot_, 1);
   layout->addWidget(words_);
-  layout->addStretch(1);
   show(std::nullopt);
 }
 
@@ -104,49 +131,91 @@ int RecordingPlot::cuts() const {
   return preview_ ? static_cast<int>(preview_->survey.closures.size()) : 0;
 }
 
+namespace {
+
+/// The time of a row, counted from 1 [s].
+double timeOf(const RecordingPreview& preview, std::size_t row) {
+  const auto& rows = preview.recording.rows;
+  return kMilli * (rows[row - 1].time - rows.front().time);
+}
+
+/// Shades the height of @p rect over @p from to @p to [s].
+QCPItemRect* shadeIn(QCPAxisRect& rect, double from, double to) {
+  auto* shade = new QCPItemRect(rect.parentPlot());
+  for (auto* corner : {shade->topLeft, shade->bottomRight}) {
+    corner->setAxisRect(&rect);
+    corner->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  }
+  shade->setClipAxisRect(&rect);
+  shade->topLeft->setCoords(from, 0.0);
+  shade->bottomRight->setCoords(to, 1.0);
+  shade->setPen(Qt::NoPen);
+  return shade;
+}
+
+}  // namespace
+
 void RecordingPlot::draw() {
   plot_->clearPlottables();
   plot_->clearItems();
   const auto& colours = themeOf(*this);
-  paintAxes(*plot_, colours, {plot_->xAxis, plot_->yAxis, plot_->yAxis2});
-  if (!preview_) return plot_->replot();
-  const auto& rows = preview_->recording.rows;
-  const auto timeOf = [&](std::size_t row) {  // from 1
-    return kMilli * (rows[row - 1].time - rows.front().time);
-  };
-  auto* force = plot_->addGraph(plot_->xAxis, plot_->yAxis);
-  auto* travel = plot_->addGraph(plot_->xAxis, plot_->yAxis2);
-  force->setPen(QPen(colours.force, 1));
-  travel->setPen(QPen(colours.travel, 1));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    force->addData(timeOf(i + 1), preview_->trace.force[i]);
-    travel->addData(timeOf(i + 1), preview_->trace.travel[i]);
+  for (auto* rect : {force_, travel_}) {
+    paintAxes(*plot_, colours, {rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft)});
   }
-  int number = 0;
-  for (const auto& closure : preview_->survey.closures) {
-    auto* shade = new QCPItemRect(plot_);
-    shade->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    shade->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    shade->topLeft->setCoords(timeOf(closure.rows.first), 0.0);
-    shade->bottomRight->setCoords(timeOf(closure.rows.last), 1.0);
-    QColor fill = ++number == chosen_ ? colours.accent.background : colours.quiet;
-    constexpr float kFaint = 0.22F;
-    fill.setAlphaF(kFaint);
-    shade->setBrush(fill);
-    shade->setPen(Qt::NoPen);
-    auto* label = new QCPItemText(plot_);
-    label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    label->position->setCoords(
-        0.5 * (timeOf(closure.rows.first) + timeOf(closure.rows.last)), 0.05);
-    label->setText(QString::number(number));
-    label->setColor(colours.field.text);
-  }
-  plot_->rescaleAxes();
-  constexpr double kAbove = 1.18;  // room for the numbers of the cuts above the curves
-  for (auto* axis : {plot_->yAxis, plot_->yAxis2}) {
-    axis->setRangeUpper(axis->range().lower + kAbove * axis->range().size());
+  if (preview_) {
+    drawCurves(*preview_);
+    shadeCuts(*preview_);
   }
   plot_->replot();
+}
+
+void RecordingPlot::drawCurves(const RecordingPreview& preview) {
+  const auto& colours = themeOf(*this);
+  const auto graphIn = [&](const QCPAxisRect& rect, const QColor& colour) {
+    auto* graph = plot_->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    graph->setPen(QPen(colour, 1));
+    graph->valueAxis()->setLabelColor(colour);
+    return graph;
+  };
+  auto* force = graphIn(*force_, colours.force);
+  auto* travel = graphIn(*travel_, colours.travel);
+  for (std::size_t i = 0; i < preview.recording.rows.size(); ++i) {
+    force->addData(timeOf(preview, i + 1), preview.trace.force[i]);
+    travel->addData(timeOf(preview, i + 1), preview.trace.travel[i]);
+  }
+  constexpr double kAbove = 1.25;  // room for the numbers of the cuts above the curve
+  for (auto* graph : {force, travel}) {
+    graph->rescaleAxes();
+    auto* axis = graph->valueAxis();
+    axis->setRangeUpper(axis->range().lower + kAbove * axis->range().size());
+  }
+}
+
+void RecordingPlot::shadeCuts(const RecordingPreview& preview) {
+  const auto& colours = themeOf(*this);
+  int number = 0;
+  for (const auto& closure : preview.survey.closures) {
+    const double from = timeOf(preview, closure.rows.first);
+    const double to = timeOf(preview, closure.rows.last);
+    const bool isChosen = ++number == chosen_;
+    QColor fill = isChosen ? colours.accent.background : colours.quiet;
+    constexpr float kFaint = 0.16F;
+    constexpr float kClear = 0.28F;
+    fill.setAlphaF(isChosen ? kClear : kFaint);
+    for (auto* rect : {force_, travel_}) shadeIn(*rect, from, to)->setBrush(fill);
+    auto* label = new QCPItemText(plot_);
+    label->position->setAxisRect(force_);
+    label->position->setAxes(force_->axis(QCPAxis::atBottom), force_->axis(QCPAxis::atLeft));
+    label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    label->setClipAxisRect(force_);
+    label->position->setCoords(0.5 * (from + to), 0.1);
+    label->setText(QString::number(number));
+    label->setColor(colours.field.text);
+    QFont font = label->font();
+    font.setBold(isChosen);
+    label->setFont(font);
+  }
 }
 
 void RecordingPlot::changeEvent(QEvent* event) {
@@ -162,23 +231,57 @@ using haptics::recordings::CutLandmarks;
 /// The graphs of a CutPlot, in the order in which it adds them.
 enum Graph { Recorded, Rendered, Landmarks };
 
-QString landmark(const QString& name, const std::optional<CurvePoint>& point) {
-  if (!point) return CutPlot::tr("%1 not found").arg(name);
-  return CutPlot::tr("%1 %2 N at %3")
-      .arg(name)
-      .arg(point->force, 0, 'f', 2)
-      .arg(point->travel, 0, 'f', 2);
+/// The names of the landmarks, in the order of travel, with what was found.
+std::vector<std::pair<QString, std::optional<CurvePoint>>> named(const CutLandmarks& found) {
+  return {
+      {CutPlot::tr("interception"), found.interception},
+      {CutPlot::tr("yield"), found.yield},
+      {CutPlot::tr("bottom-out"), found.bottomOut},
+      {CutPlot::tr("opening"), found.opening}};
 }
 
-QString describe(const CutLandmarks& landmarks) {
-  return CutPlot::tr(
-             "Landmarks of the cut, by travel (0: open; 10: closed; more: pressed on): %1, %2, %3, "
-             "%4.")
-      .arg(
-          landmark(CutPlot::tr("interception"), landmarks.interception),
-          landmark(CutPlot::tr("yield"), landmarks.yield),
-          landmark(CutPlot::tr("bottom-out"), landmarks.bottomOut),
-          landmark(CutPlot::tr("opening"), landmarks.opening));
+void fill(QTableWidget& table, const CutLandmarks& landmarks) {
+  const auto rows = named(landmarks);
+  table.setRowCount(static_cast<int>(rows.size()));
+  for (int row = 0; row < table.rowCount(); ++row) {
+    const auto& [name, point] = rows[static_cast<std::size_t>(row)];
+    const QString none = QStringLiteral("–");  // it was not found
+    const QString travel = point ? QString::number(point->travel, 'f', 2) : none;
+    const QString force = point ? QString::number(point->force, 'f', 2) : none;
+    table.setItem(row, 0, new QTableWidgetItem(capitalised(name)));
+    table.setItem(row, 1, new QTableWidgetItem(travel));
+    table.setItem(row, 2, new QTableWidgetItem(force));
+    for (const int column : {1, 2}) {
+      table.item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+  }
+  constexpr int kAround = 10;  // [px] of the words
+  for (int row = 0; row < table.rowCount(); ++row) {
+    table.setRowHeight(row, table.fontMetrics().height() + kAround);
+  }
+  table.setFixedHeight(
+      table.horizontalHeader()->sizeHint().height() + table.verticalHeader()->length() +
+      2 * table.frameWidth());
+}
+
+QTableWidget* landmarkTable(QWidget* parent) {
+  auto* table = new QTableWidget(0, 3, parent);
+  table->setObjectName(QStringLiteral("cut-landmarks"));
+  table->setAccessibleName(CutPlot::tr("Landmarks of the recording"));
+  table->setHorizontalHeaderLabels(
+      {CutPlot::tr("Landmark"), CutPlot::tr("Travel"), CutPlot::tr("Force [N]")});
+  makeReadOnly(*table);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->setShowGrid(false);
+  table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  for (const int column : {1, 2}) {
+    table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  return table;
 }
 
 QString describeChange(const haptics::recordings::ImportedCut& imported) {
@@ -200,7 +303,8 @@ QString peakInWords(const haptics::recordings::ImportReport& report) {
   const double change = report.peakAfter - report.peakBefore;
   constexpr double kShown = 0.005;  // [N]: two decimals
   if (std::abs(change) < kShown) {
-    return CutPlot::tr("its largest force is %1 N, as recorded").arg(report.peakAfter, 0, 'f', 2);
+    return CutPlot::tr("its largest force is %1 N while closing, as recorded")
+        .arg(report.peakAfter, 0, 'f', 2);
   }
   const QString words = CutPlot::tr("its largest force was %1 N and is %2 N")
                             .arg(report.peakBefore, 0, 'f', 2)
@@ -214,12 +318,14 @@ QString peakInWords(const haptics::recordings::ImportReport& report) {
 CutPlot::CutPlot(QWidget* parent)
     : QWidget(parent),
       plot_(new QCustomPlot(this)),
-      change_(bodyLabel({}, this)),
-      landmarks_(quietLabel({}, this)) {
+      summary_(new QWidget(this)),
+      change_(bodyLabel({}, summary_)),
+      landmarks_(landmarkTable(summary_)) {
   change_->setObjectName(QStringLiteral("cut-change"));
-  landmarks_->setObjectName(QStringLiteral("cut-landmarks"));
   plot_->setMinimumHeight(heightOfPlotOn(*screen()));
-  plot_->xAxis->setLabel(tr("travel [units]"));
+  plot_->setAccessibleName(tr("Force over travel"));
+  tidy(*plot_->axisRect(), 5);
+  plot_->xAxis->setLabel(tr("travel: 0 is open, 10 is closed, more is pressed on"));
   plot_->yAxis->setLabel(tr("force [N]"));
   plot_->legend->setVisible(true);
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
@@ -237,10 +343,17 @@ CutPlot::CutPlot(QWidget* parent)
   add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
-  layout->addWidget(change_);
-  layout->addWidget(landmarks_);
-  layout->addStretch(1);
+  layout->addWidget(headingOf(tr("The cut"), this));
+  layout->addWidget(plot_, 1);
+  auto* words = new QVBoxLayout(summary_);
+  words->setContentsMargins(0, 0, 0, 0);
+  words->addWidget(change_);
+  words->addWidget(landmarks_);
+}
+
+void CutPlot::setShown(bool isShown) {
+  setVisible(isShown);
+  summary_->setVisible(isShown);
 }
 
 void CutPlot::show(
@@ -266,7 +379,7 @@ void CutPlot::show(
   setRole(*change_, report.isAltered() ? "warn" : "quiet");
   change_->setText(
       (report.isAltered() ? QStringLiteral("!  ") : QString()) + describeChange(imported));
-  landmarks_->setText(describe(cut.landmarks));
+  fill(*landmarks_, cut.landmarks);
   paint();
 }
 

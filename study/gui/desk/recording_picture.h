@@ -5,12 +5,14 @@
 #include <vector>
 
 #include <QLabel>
+#include <QTableWidget>
 #include <QWidget>
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording_table.h"
 #include "haptics/recordings/trace.h"
 
+class QCPAxisRect;
 class QCustomPlot;
 
 namespace study::gui {
@@ -27,8 +29,9 @@ RecordingPreview previewOf(
     const std::string& recording,
     const std::optional<haptics::recordings::RecordingColumns>& columns);
 
-/// Draws force and travel over time with the cuts shaded, the chosen one darker. A text below
-/// states rows, rate, unit, calibration, and the samples in which the sensor was saturated.
+/// Draws force and travel over time, one above the other, with the cuts shaded, the chosen one
+/// darker. A text below states rows, rate, unit, calibration, and the samples in which the sensor
+/// was saturated.
 class RecordingPlot final : public QWidget {
   Q_OBJECT
 
@@ -49,10 +52,14 @@ class RecordingPlot final : public QWidget {
 
  private:
   void draw();
+  void drawCurves(const RecordingPreview& preview);
+  void shadeCuts(const RecordingPreview& preview);
 
   std::optional<RecordingPreview> preview_;
   int chosen_ = 0;
   QCustomPlot* plot_;
+  QCPAxisRect* force_;
+  QCPAxisRect* travel_;
   QLabel* words_;
 };
 
@@ -68,7 +75,10 @@ class CutPlot final : public QWidget {
   void show(
       const haptics::recordings::Trace& trace, const haptics::recordings::ImportedCut& imported);
   using QWidget::show;
-  QString words() const { return change_->text() + QLatin1Char('\n') + landmarks_->text(); }
+  /// What became of the recorded shape, and the landmarks as a table; to be placed by the dialog.
+  QWidget* summary() const noexcept { return summary_; }
+  /// Shows or hides the plot with its summary.
+  void setShown(bool isShown);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -77,8 +87,9 @@ class CutPlot final : public QWidget {
   void paint();
 
   QCustomPlot* plot_;
+  QWidget* summary_;
   QLabel* change_;
-  QLabel* landmarks_;
+  QTableWidget* landmarks_;
 };
 
 /// "its largest force was 17.06 N and is 12.99 N (−23.9 %)"

@@ -91,10 +91,15 @@ void WorkDialog::addBeside(QBoxLayout* pictures) {
   page->takeAt(place);
   body_ = new QHBoxLayout;
   body_->setSpacing(24);
-  body_->addLayout(form_, 1);
-  body_->addLayout(pictures, 1);
+  auto* left = new QVBoxLayout;
+  left->addLayout(form_);
+  left->addStretch(1);
+  constexpr int kOfForm = 2;  // of five parts of the width
+  constexpr int kOfPictures = 3;
+  body_->addLayout(left, kOfForm);
+  body_->addLayout(pictures, kOfPictures);
   pictures_ = pictures;
-  page->insertLayout(place, body_);
+  page->insertLayout(place, body_, 1);
 }
 
 void WorkDialog::addResult(ResultView* result) {

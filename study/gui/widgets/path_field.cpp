@@ -4,10 +4,42 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QStyleOptionFrame>
 
 namespace study::gui {
+namespace {
+
+/// A line edit that leaves out the middle of a long path as long as it is not edited: the disk and
+/// the file's name are seen.
+class PathLine final : public QLineEdit {
+ public:
+  using QLineEdit::QLineEdit;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QStyleOptionFrame option;
+    initStyleOption(&option);
+    constexpr int kPadding = 2;  // [px], as in Qt's own
+    const QRect room = style()
+                           ->subElementRect(QStyle::SE_LineEditContents, &option, this)
+                           .adjusted(kPadding, 0, -kPadding, 0);
+    const bool isShort = fontMetrics().horizontalAdvance(text()) <= room.width();
+    if (hasFocus() || isShort) return QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
+    painter.setPen(
+        palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text));
+    painter.drawText(
+        room,
+        Qt::AlignLeft | Qt::AlignVCenter,
+        fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
+  }
+};
+
+}  // namespace
 
 QString unusedPath(const QString& start, const QString& extension) {
   QString path = start + extension;
@@ -28,7 +60,7 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
       name_(name),
       filter_(filter),
       start_(documentsFolder()),
-      line_(new QLineEdit(this)) {
+      line_(new PathLine(this)) {
   auto* choose = new QPushButton(tr("Choose…"), this);
   choose->setAccessibleName(tr("Choose: %1").arg(name));
   choose->setProperty("role", QStringLiteral("tool"));

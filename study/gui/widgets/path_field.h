@@ -23,6 +23,8 @@ class PathField final : public QWidget {
 
   QString path() const { return line_->text().trimmed(); }
   void setPath(const QString& path) { line_->setText(path); }
+  /// What is shown as long as no path is entered.
+  void setHint(const QString& hint) { line_->setPlaceholderText(hint); }
   /// Where choosing begins as long as no path is entered; at first among the documents.
   void startIn(const QString& folder) { start_ = folder; }
   /// Opens the desktop's chooser for a path.
