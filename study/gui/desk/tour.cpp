@@ -50,6 +50,13 @@ class FittedPicture final : public QWidget {
       : QWidget(parent), picture_(resource) {
     setAccessibleName(name);
     setMinimumHeight(kLeastHeight);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+  }
+
+  int heightForWidth(int width) const override {
+    return picture_.isNull() ? kLeastHeight : width * picture_.height() / picture_.width();
   }
 
  protected:
@@ -66,6 +73,15 @@ class FittedPicture final : public QWidget {
   QImage picture_;
 };
 
+/// A frame around a page of the participant: a screen within this window.
+QFrame* screenAround(QWidget& page, QWidget* parent) {
+  auto* screen = new QFrame(parent);
+  screen->setProperty("role", QStringLiteral("screen"));
+  auto* inside = new QVBoxLayout(screen);
+  inside->addWidget(&page);
+  return screen;
+}
+
 QString inUnits(double value, const char* unit, int decimals = 2) {
   return QString::number(value, 'f', decimals) + QLatin1Char(' ') + QString::fromUtf8(unit);
 }
@@ -76,6 +92,7 @@ Tour::Tour(QWidget* parent)
     : QDialog(parent),
       protocol_(shippedPunch()),
       punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene()),
+      count_(quietLabel({}, this)),
       heading_(bodyLabel({}, this)),
       steps_(new QStackedWidget(this)),
       back_(new QPushButton(tr("Back"), this)),
@@ -98,6 +115,7 @@ Tour::Tour(QWidget* parent)
   buttons->addWidget(next_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(28, 22, 28, 22);
+  layout->addWidget(count_);
   layout->addWidget(heading_);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -157,15 +175,14 @@ QWidget* Tour::makeTrialDemonstration() {
   });
   picture->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
   page_ = new TrialPage(
-      {.name = tr("Alternative 1"),
+      {.name = tr("A first cut"),
        .minimumCuts = 1,
        .device = &punch_.kind(),
        .language = deskLanguage()},
       picture,
       step);
   disableMnemonics(*page_);
-  plot_ = new LivePlot(step);
-  auto* columns = new QHBoxLayout;
+  plot_ = new LivePlot(step, LivePlot::Arrangement::Stacked);
   // Both fill the available space and request none.
   constexpr int kLeastHeight = 180;  // [px]
   for (QWidget* drawn : {static_cast<QWidget*>(picture), static_cast<QWidget*>(plot_)}) {
@@ -176,13 +193,20 @@ QWidget* Tour::makeTrialDemonstration() {
   // the lines.
   constexpr int kLeastOfPage = 520;  // [px]
   page_->setMinimumHeight(kLeastOfPage);
-  columns->addWidget(page_, 3);
-  columns->addWidget(plot_, 2);
+  auto* drawings = new QVBoxLayout;
+  auto* words = bodyLabel(tr("What your fingers would feel"), step);
+  words->setProperty("role", QStringLiteral("part"));
+  drawings->addWidget(words);
+  drawings->addWidget(plot_, 1);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(20);
+  columns->addWidget(screenAround(*page_, step), 3);
+  columns->addLayout(drawings, 2);
   auto* layout = new QVBoxLayout(step);
-  layout->addWidget(bodyLabel(
-      tr("On a real punch your fingers would feel the blue curve; the virtual one only draws it. "
-         "It "
-         "is computed a thousand times a second, as in a study."),
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(quietLabel(
+      tr("On a real punch your fingers would feel the force; here it is only drawn. It is computed "
+         "a thousand times a second, as in a study. It drops where the tissue gives way."),
       step));
   layout->addLayout(columns, 1);
   connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
@@ -212,17 +236,13 @@ QWidget* Tour::makeQuestions() {
       step);
   disableMnemonics(*page);
   auto* layout = new QVBoxLayout(step);
-  layout->addWidget(bodyLabel(
-      tr("This is what a participant sees next: the alternative by its number, never by what it "
-         "is. "
-         "Nothing is chosen beforehand, and every answer is on the disk before the next page. Try "
-         "it: here, nothing is kept."),
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(quietLabel(
+      tr("The alternative has a number, and is never named by what it is. Nothing is chosen "
+         "beforehand, and every answer is on the disk before the next page. Try it: here, nothing "
+         "is kept."),
       step));
-  auto* card = new QFrame(step);
-  card->setFrameShape(QFrame::Box);
-  auto* inside = new QVBoxLayout(card);
-  inside->addWidget(page);
-  layout->addWidget(card, 1);
+  layout->addWidget(screenAround(*page, step), 1);
   return step;
 }
 
@@ -237,52 +257,51 @@ QWidget* Tour::makeRecord() {
   record_->verticalHeader()->hide();
   makeReadOnly(*record_);
   record_->setSelectionMode(QAbstractItemView::NoSelection);
-  storedDataLabel_ = bodyLabel({}, step);
-  auto* layout = new QVBoxLayout(step);
+  storedDataLabel_ = quietLabel({}, step);
   figure_ = new TravelPlot(step);
-  record_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
-  figure_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  record_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  record_->setShowGrid(false);
+  record_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  connect(record_->horizontalHeader(), &QHeaderView::sectionResized, this, &Tour::fitRecord);
   auto* own = new QVBoxLayout;
   own->addWidget(figure_, 1);
-  own->addWidget(record_, 1);
+  own->addWidget(record_);
   auto* report = new QVBoxLayout;
   report->addWidget(
       bodyLabel(tr("What a report shows of a whole study (simulated participants):"), step));
-  report->addWidget(
-      new FittedPicture(
-          tr("A figure of a report"), QStringLiteral(":/help/pictures/figure.png"), step),
-      1);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(20);
-  columns->addLayout(own, 1);
-  columns->addLayout(report, 1);
-  layout->addWidget(storedDataLabel_);
-  layout->addLayout(columns, 1);
-  layout->addWidget(quietLabel(
+  report->addWidget(new FittedPicture(
+      tr("A figure of a report"), QStringLiteral(":/help/pictures/figure.png"), step));
+  report->addSpacing(12);
+  report->addWidget(quietLabel(
       tr("In a study this lies in its folder: answers and sessions in study.db, samples in "
          "traces.db, names in identity.db and nowhere else. Everything is in a chain of hashes; "
          "Verify reads it again at any time."),
       step));
+  report->addStretch(1);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(20);
+  columns->addLayout(own, 1);
+  columns->addLayout(report, 1);
+  auto* layout = new QVBoxLayout(step);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(storedDataLabel_);
+  layout->addLayout(columns, 1);
   return step;
 }
 
 void Tour::goTo(int step) {
   static constexpr const char* kHeadings[]{
-      "1 of 3: feel it", "2 of 3: what the participant sees", "3 of 3: what the record holds"};
+      "Feel a cut", "What the participant sees next", "What is recorded"};
   if (punch_.isRunning()) endFeeling();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);
+  count_->setText(tr("Step %1 of %2").arg(step + 1).arg(kTourSteps));
   heading_->setText(deskText(kHeadings[step]));
   back_->setEnabled(step > 0);
   next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
-  emphasiseNext();
-}
-
-/// The first step is done with a cut: until then, Next would lead past it.
-void Tour::emphasiseNext() {
-  const bool isDone = step() > 0 || trialRecord_ || punch_.status().cuts > 0;
-  setRole(*next_, isDone ? "main" : "");
+  // In the first step the button of the participant's page is the one to press.
+  setRole(*next_, step > 0 ? "main" : "");
 }
 
 void Tour::begin() {
@@ -300,9 +319,7 @@ void Tour::look() {
     figure_->add(sample);
   }
   plot_->refresh();
-  const int cuts = punch_.status().cuts;
-  page_->setCuts(cuts);
-  if (cuts > 0 && next_->property("role").toString().isEmpty()) emphasiseNext();
+  page_->setCuts(punch_.status().cuts);
 }
 
 void Tour::endFeeling() {
@@ -314,7 +331,9 @@ void Tour::endFeeling() {
 
 void Tour::showRecord() {
   record_->setRowCount(0);
-  figure_->setVisible(trialRecord_.has_value());
+  for (auto* shown : {static_cast<QWidget*>(figure_), static_cast<QWidget*>(record_)}) {
+    shown->setVisible(trialRecord_.has_value());
+  }
   if (!trialRecord_) {
     storedDataLabel_->setText(
         tr("You have not felt anything yet: go back to the first step, press Begin, and make a "
@@ -348,6 +367,15 @@ void Tour::showRecord() {
   QStringList words{deskText(nameOf(judgement.verdict)).toUpper()};
   for (const auto& reason : judgement.reasons) words << deskText(reason);
   add(tr("Verdict"), words.join(QStringLiteral("; ")));
+  fitRecord();
+}
+
+/// Makes the table as high as its rows, which the width of the columns decides.
+void Tour::fitRecord() {
+  record_->resizeRowsToContents();
+  record_->setFixedHeight(
+      record_->horizontalHeader()->height() + record_->verticalHeader()->length() +
+      2 * record_->frameWidth());
 }
 
 }  // namespace study::gui

@@ -49,17 +49,18 @@ class Tour final : public QDialog {
   QWidget* makeQuestions();
   QWidget* makeRecord();
   void goTo(int step);
-  void emphasiseNext();
   void begin();
   void look();
   void endFeeling();
   void showRecord();
+  void fitRecord();
 
   CatalogueTranslator translator_;  ///< of the participant's pages
   protocols::LoadedProtocol protocol_;
   VirtualPunch punch_;
   std::optional<TrialRecord> trialRecord_;
   QTimer watch_;
+  QLabel* count_;  ///< "Step 1 of 3"
   QLabel* heading_;
   QStackedWidget* steps_;
   TrialPage* page_ = nullptr;

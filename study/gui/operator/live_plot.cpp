@@ -26,7 +26,8 @@ void LivePlot::Slice::add(double time, double value) {
   isEmpty = false;
 }
 
-LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+LivePlot::LivePlot(QWidget* parent, Arrangement arrangement)
+    : QWidget(parent), plot_(new QCustomPlot(this)), arrangement_(arrangement) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
@@ -42,14 +43,44 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
   torque->setLabel(tr("torque [N·m]"));
+  if (arrangement_ == Arrangement::Stacked) stack();
   setMinimumHeight(150);
   applyThemeColours();
   begin(*haptics::deviceKinds().front(), 1000.0);
 }
 
+/// Moves the travel into a place of its own below the force, as wide as that.
+void LivePlot::stack() {
+  auto* below = new QCPAxisRect(plot_);
+  auto* margins = new QCPMarginGroup(plot_);
+  auto* rows = plot_->plotLayout();
+  auto* time = below->axis(QCPAxis::atBottom);
+  auto* travel = below->axis(QCPAxis::atLeft);
+  plot_->graph(1)->setKeyAxis(time);
+  plot_->graph(1)->setValueAxis(travel);
+  plot_->yAxis2->setVisible(false);
+  plot_->xAxis->setLabel({});
+  plot_->xAxis->setTickLabels(false);
+  time->setLabel(tr("time [s]"));
+  rows->addElement(1, 0, below);
+  rows->setRowSpacing(14);
+  rows->setRowStretchFactors({1.4, 1.0});
+  constexpr int kNumbers = 4;
+  for (auto* rect : {plot_->axisRect(), below}) {
+    constexpr QMargins kLeast(0, 8, 12, 0);  // [px]
+    rect->setMinimumMargins(kLeast);
+    rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(kNumbers);
+  }
+}
+
+void LivePlot::showTime(double from, double to) {
+  for (const int graph : {0, 1}) plot_->graph(graph)->keyAxis()->setRange(from, to);
+}
+
 void LivePlot::applyThemeColours() {
   const auto& colours = themeOf(*this);
-  paintAxes(*plot_, colours, {plot_->xAxis});
+  paintAxes(*plot_, colours, {plot_->xAxis, plot_->graph(1)->keyAxis()});
   const std::array<QColor, 4> channels{
       colours.force, colours.travel, colours.quiet, colours.torque};
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -66,10 +97,10 @@ void LivePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Hides the velocity in a narrow plot: a third axis would leave too little space for the curves.
+/// Hides the velocity where a third axis would leave too little space for the curves.
 void LivePlot::resizeEvent(QResizeEvent* event) {
   constexpr int kRoomForTheVelocity = 560;  // [px]
-  const bool isWide = width() >= kRoomForTheVelocity;
+  const bool isWide = arrangement_ == Arrangement::Shared && width() >= kRoomForTheVelocity;
   plot_->graph(2)->setVisible(isWide);
   plot_->graph(2)->valueAxis()->setVisible(isWide);
   QWidget::resizeEvent(event);
@@ -81,11 +112,12 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   period_ = 1.0 / rate;
   slice_ = 0;
   last_ = 0.0;
-  plot_->xAxis->setRange(0.0, kFirst);
+  showTime(0.0, kFirst);
   // The range of a normal hand movement. Larger values extend the axis.
   auto* speed = plot_->graph(2)->valueAxis();
   plot_->yAxis->setRange(0.0, device.plot.force);
-  plot_->yAxis2->setRange(0.0, device.plot.travel);
+  auto* position = plot_->graph(1)->valueAxis();
+  position->setRange(0.0, device.plot.travel);
   speed->setRange(-device.plot.velocity, device.plot.velocity);
   const bool hasTorque = device.plot.torque > 0.0;
   plot_->graph(3)->setVisible(hasTorque);
@@ -93,7 +125,7 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   if (hasTorque) plot_->graph(3)->valueAxis()->setRange(-device.plot.torque, device.plot.torque);
   const auto travel = travelScaleOf(device);
   scale_ = travel.factor;
-  plot_->yAxis2->setLabel(tr("travel [%1]").arg(travel.unit));
+  position->setLabel(tr("travel [%1]").arg(travel.unit));
   speed->setLabel(tr("velocity [%1]").arg(travel.velocityUnit));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -141,7 +173,7 @@ void LivePlot::refresh() {
     plot_->graph(i)->data()->removeBefore(last_ - kShown);
     plot_->graph(i)->rescaleValueAxis(true);
   }
-  plot_->xAxis->setRange(std::max(0.0, last_ - kShown), std::max(kFirst, last_));
+  showTime(std::max(0.0, last_ - kShown), std::max(kFirst, last_));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

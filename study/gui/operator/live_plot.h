@@ -15,7 +15,8 @@ namespace study::gui {
 
 /// Plots force, position, velocity and, if the device's scenes have one, the torque about the
 /// tool's axis over the last ten seconds of a running trial; over four at its start, so that the
-/// first strokes are not a narrow line at the edge. A narrow plot has no velocity.
+/// first strokes are not a narrow line at the edge. A narrow plot has no velocity, nor has one with
+/// force and travel one above the other.
 ///
 /// Each slice of 10 ms is drawn as its minimum and maximum, in the order in which they occurred. No
 /// peak is lost, and drawing takes a fifth of the time of drawing every tick. Pens are one pixel
@@ -28,7 +29,10 @@ class LivePlot final : public QWidget {
   static constexpr double kFirst = 4.0;   ///< at the start of a trial [s]
   static constexpr double kSlice = 0.01;  ///< [s]
 
-  explicit LivePlot(QWidget* parent = nullptr);
+  /// Whether force and travel share their place, or are one above the other with a heading each.
+  enum class Arrangement { Shared, Stacked };
+
+  explicit LivePlot(QWidget* parent = nullptr, Arrangement arrangement = Arrangement::Shared);
 
   /// Clears the plot for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
@@ -54,10 +58,13 @@ class LivePlot final : public QWidget {
     void add(double time, double value);
   };
 
+  void stack();
+  void showTime(double from, double to);
   void endSlice();
   void applyThemeColours();
 
   QCustomPlot* plot_;
+  Arrangement arrangement_;
   double scale_ = 1.0;  ///< factor for travel and velocity
   std::array<Slice, 4> slices_;
   double period_ = 0.001;   ///< [s]

@@ -34,7 +34,6 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   tour.show();
   auto* page = tour.findChild<TrialPage*>();
   const auto* onwards = tour.findChild<QPushButton*>(QStringLiteral("tour-next"));
-  EXPECT_NE(onwards->property("role").toString(), QStringLiteral("main")) << "no cut is made yet";
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
   const auto words = tests::wordsIn(tour);
   EXPECT_TRUE(std::none_of(words.begin(), words.end(), [](const QString& text) {
@@ -51,7 +50,8 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
     if (QTest::qWaitFor([&] { return enough->isEnabled(); })) break;
   }
   ASSERT_TRUE(enough->isEnabled());
-  EXPECT_EQ(onwards->property("role").toString(), QStringLiteral("main"));
+  EXPECT_NE(onwards->property("role").toString(), QStringLiteral("main"))
+      << "the button of the page is the one to press";
   if (std::getenv("PALPATE_PICTURES") != nullptr) {  // of a second cut, before its end
     QTest::keyPress(page, Qt::Key_Space);
     QTest::qWait(900);
@@ -60,6 +60,7 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   }
   QTest::mouseClick(enough, Qt::LeftButton);
   EXPECT_EQ(tour.step(), 1);
+  EXPECT_EQ(onwards->property("role").toString(), QStringLiteral("main"));
   ASSERT_TRUE(tour.trialRecord());
   EXPECT_GE(tour.trialRecord()->cuts.size(), 1U);
   EXPECT_GT(tour.trialRecord()->largestForce, 1.0);
