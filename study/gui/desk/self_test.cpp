@@ -109,7 +109,7 @@ constexpr double kLeastRefresh = 50.0;  // [Hz]
 FindingLine judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
-      .what = screen.name().isEmpty() ? "screen" : screen.name().toStdString(),
+      .what = screen.name().isEmpty() ? "resolution" : screen.name().toStdString(),
       .measured = said("{} × {} points", size.width(), size.height()),
       .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {

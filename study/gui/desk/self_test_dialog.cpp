@@ -18,36 +18,38 @@ SelfTestDialog::SelfTestDialog(SelfTestOptions order, QWidget* parent)
       order_(std::move(order)),
       outcome_(bodyLabel({}, this)),
       table_(new FindingsTable(this)),
-      details_(new QCheckBox(tr("Show measurements"), this)) {
+      details_(new QCheckBox(tr("Show measurements"), this)),
+      go_(new QPushButton(tr("Test"), this)) {
   setWindowTitle(tr("System check"));
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setVisible(false);
   table_->setObjectName(QStringLiteral("lines"));
   auto* heading = bodyLabel(tr("System check"), this);
   heading->setProperty("role", QStringLiteral("heading"));
-  auto* go = new QPushButton(tr("Test"), this);
-  go->setObjectName(QStringLiteral("go"));
-  go->setProperty("role", QStringLiteral("main"));
-  go->setFocus();
+  go_->setObjectName(QStringLiteral("go"));
+  go_->setProperty("role", QStringLiteral("main"));
+  go_->setFocus();
   auto* close = new QPushButton(tr("Close"), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(details_);
   buttons->addStretch(1);
   buttons->addWidget(close);
-  buttons->addWidget(go);
-  const QString where = order_.study.empty()
-                            ? tr("No study is chosen: its files are left out.")
-                            : shownPath(QString::fromStdString(order_.study.string()));
+  buttons->addWidget(go_);
+  const QString where =
+      order_.study.empty()
+          ? tr("No study is chosen: its files are left out.")
+          : tr("Study: %1").arg(shownPath(QString::fromStdString(order_.study.string())));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 20, 24, 20);
   layout->addWidget(heading);
-  layout->addWidget(quietLabel(
-      tr("Checks devices, timing, saving and screens in a few seconds. %1").arg(where), this));
+  layout->addWidget(
+      quietLabel(tr("Checks devices, timing, saving and screens in a few seconds."), this));
+  layout->addWidget(quietLabel(where, this));
   layout->addWidget(outcome_);
   layout->addWidget(table_, 1);
   layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
-  connect(go, &QPushButton::clicked, this, &SelfTestDialog::test);
+  connect(go_, &QPushButton::clicked, this, &SelfTestDialog::test);
   connect(details_, &QCheckBox::toggled, this, &SelfTestDialog::fill);
   details_->setVisible(false);
   resize(1100, 640);
@@ -73,6 +75,8 @@ void SelfTestDialog::fill() {
     worst = std::max(worst, line.found.finding);
     isComplete &= line.isTested;
   }
+  const auto ofThese = std::ranges::count_if(
+      lines_, [worst](const FindingLine& line) { return line.found.finding == worst; });
   static constexpr const char* kRoles[]{"good", "warn", "bad"};
   setRole(*outcome_, kRoles[static_cast<std::size_t>(worst)]);
   outcome_->setText(
@@ -80,8 +84,13 @@ void SelfTestDialog::fill() {
           ? (isComplete ? tr("✓  Everything is as it should be.")
                         : tr("✓  What was tested is as it should be. No device was tested."))
       : worst == Finding::Warn
-          ? tr("!  A study can be run. Look at the lines that are marked \"!\".")
-          : tr("✕  Fix the lines that are marked \"✕\" before a participant comes."));
+          ? tr("!  A study can be run. What could be better: %1 of %2.")
+          : tr("✕  Before a participant comes, what has to be mended: %1 of %2."));
+  if (worst != Finding::Pass) {
+    outcome_->setText(outcome_->text().arg(ofThese).arg(lines_.size()));
+  }
+  go_->setText(tr("Test again"));
+  setRole(*go_, "");
   outcome_->setVisible(true);
   details_->setVisible(true);
 }

@@ -29,6 +29,7 @@ class SelfTestDialog final : public QDialog {
   QLabel* outcome_;
   FindingsTable* table_;
   QCheckBox* details_;
+  QPushButton* go_;
 };
 
 }  // namespace study::gui

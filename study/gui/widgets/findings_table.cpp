@@ -22,10 +22,9 @@ QString describe(const FindingLine& line) {
 
 }  // namespace
 
-FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
+FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 4, parent) {
   setAccessibleName(tr("What was found"));
-  setHorizontalHeaderLabels(
-      {tr("Part"), tr("Result"), tr("What"), tr("Finding"), tr("What to do")});
+  setHorizontalHeaderLabels({tr("Part"), tr("Result"), tr("What"), tr("Finding, and what to do")});
   makeReadOnly(*this);
   setSelectionMode(QAbstractItemView::NoSelection);
   setWordWrap(true);
@@ -36,7 +35,6 @@ FindingsTable::FindingsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   heads->setSectionResizeMode(QHeaderView::ResizeToContents);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
-  heads->setSectionResizeMode(4, QHeaderView::Stretch);
   // A scroll bar that appears leaves the columns less room, and the rows then need more.
   connect(heads, &QHeaderView::sectionResized, this, &QTableWidget::resizeRowsToContents);
 }
@@ -52,14 +50,14 @@ void FindingsTable::show(std::vector<FindingLine> lines, bool hasDetails) {
   for (int row = 0; row < rowCount(); ++row) {
     const auto& line = lines[static_cast<std::size_t>(row)];
     const auto& found = line.found;
+    QStringList finding{capitalised(deskText(found.measured))};
+    if (hasDetails && !line.details.empty()) finding << asText(line.details);
+    if (!found.fix.empty()) finding << QStringLiteral("→ ") + deskText(found.fix);
     const QString cells[]{
         capitalised(deskText(line.part)),
         describe(line),
         capitalised(deskText(found.what)),
-        hasDetails && !line.details.empty()
-            ? deskText(found.measured) + QLatin1Char('\n') + asText(line.details)
-            : deskText(found.measured),
-        deskText(found.fix)};
+        finding.join(QLatin1Char('\n'))};
     for (int column = 0; column < columnCount(); ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -359,7 +359,7 @@ TEST(FindingsDialog, ChecksAgainOnRequest) {
   EXPECT_EQ(verdict->text(), QStringLiteral("✓  All checks passed."));
   const auto* table = dialog.findChild<QTableWidget*>();
   ASSERT_EQ(table->rowCount(), 1);
-  EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("open"));
+  EXPECT_EQ(table->item(0, 3)->text(), QStringLiteral("Open"));
 }
 
 TEST(FindingsTable, ShowsTheWorstFirstAndClaimsNoTestThatWasNotMade) {
