@@ -16,8 +16,11 @@
 #include <QTextList>
 #include <QTextTable>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
@@ -82,8 +85,8 @@ void addParagraphSpacing(const QTextBlock& block) {
   QTextCursor(block).mergeBlockFormat(format);
 }
 
-/// Single lines around cells and space in them, instead of Qt's double frames.
-void fitTables(const QTextDocument& document) {
+/// Thin lines around cells and space in them, instead of Qt's double frames.
+void fitTables(const QTextDocument& document, const QColor& ink) {
   for (auto* frame : document.rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
@@ -92,7 +95,10 @@ void fitTables(const QTextDocument& document) {
     format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     format.setBorderCollapse(true);
     format.setCellSpacing(0.0);
-    format.setCellPadding(6.0);
+    format.setCellPadding(7.0);
+    format.setTopMargin(6.0);
+    format.setBottomMargin(14.0);
+    format.setBorderBrush(ink);
     table->setFormat(format);
   }
 }
@@ -152,12 +158,22 @@ class HelpKey final : public QObject {
 
 }  // namespace
 
-/// The text has many links, so Tab leaves it; Left and Right move from link to link.
+/// The text has many links, so Tab leaves it; Left and Right move from link to link. Its lines are
+/// never too long to be read.
 class HelpWindow::Text final : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
 
  protected:
+  void resizeEvent(QResizeEvent* event) override {
+    constexpr int kWidest = 820;  // [px]
+    constexpr int kLeft = 16;
+    const int bar = verticalScrollBar()->sizeHint().width();
+    const int rest = width() - 2 * frameWidth() - bar - kWidest;
+    setViewportMargins(std::clamp(rest / 2, 0, kLeft), 0, std::max(0, rest - kLeft), 0);
+    QTextBrowser::resizeEvent(event);
+  }
+
   bool focusNextPrevChild(bool next) override { return QWidget::focusNextPrevChild(next); }
 
   void keyPressEvent(QKeyEvent* event) override {
@@ -215,8 +231,17 @@ void installHelpKey(QApplication& application) {
 }
 
 HelpWindow::HelpWindow(QWidget* parent)
-    : QMainWindow(parent), contents_(new QListWidget(this)), text_(new Text(this)) {
+    : QMainWindow(parent),
+      wanted_(new QLineEdit(this)),
+      found_(quietLabel({}, this)),
+      contents_(new QListWidget(this)),
+      text_(new Text(this)) {
   setWindowTitle(tr("Help — Palpate"));
+  wanted_->setPlaceholderText(tr("Search this page"));
+  wanted_->setAccessibleName(tr("Search this page"));
+  wanted_->setObjectName(QStringLiteral("search"));
+  wanted_->setClearButtonEnabled(true);
+  found_->setVisible(false);
   contents_->setAccessibleName(tr("Contents"));
   contents_->setWordWrap(true);
   contents_->setIconSize({14, 1});
@@ -228,11 +253,23 @@ HelpWindow::HelpWindow(QWidget* parent)
   text_->document()->setDocumentMargin(16);
   text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   auto* sides = new QSplitter(this);
-  sides->addWidget(contents_);
+  auto* left = new QWidget(this);
+  auto* lines = new QVBoxLayout(left);
+  lines->setContentsMargins(12, 12, 12, 12);
+  lines->addWidget(wanted_);
+  lines->addWidget(found_);
+  lines->addWidget(contents_, 1);
+  sides->addWidget(left);
   sides->addWidget(text_);
-  sides->setSizes({240, 720});
+  sides->setSizes({300, 800});
+  sides->setStretchFactor(1, 1);
   setCentralWidget(sides);
-  resize(980, 720);
+  resize(1100, 760);
+  connect(wanted_, &QLineEdit::returnPressed, this, &HelpWindow::search);
+  connect(wanted_, &QLineEdit::textEdited, this, [this] {
+    text_->moveCursor(QTextCursor::Start);
+    search();
+  });
   connect(text_, &QTextBrowser::sourceChanged, this, &HelpWindow::listHeadings);
   const auto open = [this](const QListWidgetItem* item) { goTo(item->data(Qt::UserRole).toInt()); };
   connect(contents_, &QListWidget::itemClicked, this, open);
@@ -250,11 +287,28 @@ void HelpWindow::listHeadings() {
     if (block.blockFormat().headingLevel() == 0) continue;
     auto* item = new QListWidgetItem(block.text(), contents_);
     item->setData(Qt::UserRole, block.blockNumber());
-    if (block.blockFormat().headingLevel() <= kMainLevel) continue;
+    if (block.blockFormat().headingLevel() <= kMainLevel) {
+      auto font = contents_->font();
+      font.setWeight(QFont::DemiBold);
+      item->setFont(font);
+      continue;
+    }
     item->setIcon(indent);  // an empty picture also indents the second line of a long heading
   }
-  fitTables(*text_->document());
+  fitTables(*text_->document(), themeOf(*this).line);
   fitToWidth();
+}
+
+/// Goes to the next place of the wanted words; after the last one, to the first.
+void HelpWindow::search() {
+  const QString words = wanted_->text().trimmed();
+  bool isFound = words.isEmpty() || text_->find(words);
+  if (!isFound) {
+    text_->moveCursor(QTextCursor::Start);
+    isFound = text_->find(words);
+  }
+  found_->setText(tr("Not on this page."));
+  found_->setVisible(!isFound);
 }
 
 bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {

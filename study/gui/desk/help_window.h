@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMainWindow>
 #include <QTextBrowser>
@@ -42,7 +44,10 @@ class HelpWindow final : public QMainWindow {
   void listHeadings();
   void fitToWidth();
   void goTo(int block);
+  void search();
 
+  QLineEdit* wanted_;  ///< words to look for in the text
+  QLabel* found_;      ///< says so if they are not there
   QListWidget* contents_;
   class Text;
   Text* text_;
