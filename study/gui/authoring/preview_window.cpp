@@ -28,22 +28,6 @@ constexpr std::uint64_t kSeed = 1;
 
 constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
 
-/// "Round 1: trial, Tissue 2", without its condition.
-QString pageTitle(const Step& step, const protocols::Labels& labels) {
-  const QString phase = phaseTitle(step.phase);
-  const QString kind = deskText(nameOf(step.kind));
-  if (step.label > 0) {
-    return PreviewWindow::tr("%1: %2, %3")
-        .arg(
-            phase,
-            kind,
-            QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage())));
-  }
-  return phase.compare(kind, Qt::CaseInsensitive) == 0
-             ? phase
-             : PreviewWindow::tr("%1: %2").arg(phase, kind);
-}
-
 /// Begins a session in the study in @p folder and lets a simulated participant go to @p step.
 SessionId sessionAt(const std::string& folder, const std::string& language, int step) {
   SimulatedClock clock;
@@ -100,7 +84,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   sides->addWidget(steps_);
   sides->addWidget(place_);
   sides->setStretchFactor(1, 1);
-  sides->setSizes({320, 1000});
+  sides->setSizes({360, 1000});
   layout->addWidget(sides, 1);
   layout->addWidget(messageLabel_);
   constexpr int kLeastWidth = 640;  // [px]: of the bar in two lines
@@ -113,6 +97,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setWordWrap(true);
   steps_->setResizeMode(QListView::Adjust);
   place_->setAlignment(Qt::AlignCenter);
+  place_->setProperty("role", QStringLiteral("screen"));
   place_->setAccessibleName(tr("Page of the participant"));
   const auto left = std::ranges::count_if(
       protocols::blanksOf(loaded_), [](const auto& blank) { return blank.text.isEmpty(); });
@@ -206,10 +191,9 @@ void PreviewWindow::fillSteps() {
   int number = 0;
   for (const auto& step : previewSession_->controller.session().plan()) {
     steps_->addItem(
-        QString::number(++number) + QStringLiteral("  ") +
-        pageTitle(step, loaded_.protocol.labels));
+        QString::number(++number) + QStringLiteral("  ") + describe(step, loaded_.protocol.labels));
   }
-  steps_->addItem(QString::number(++number) + QStringLiteral("  ") + tr("the end"));
+  steps_->addItem(tr("End"));
   steps_->setCurrentRow(0);
 }
 
