@@ -28,7 +28,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Protocol file"), tr("Protocols (*.json)"), this)),
       folder_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
-      advanced_(new QCheckBox(tr("Advanced"), this)),
+      advanced_(new QCheckBox(tr("More options"), this)),
       seed_(new QLineEdit(this)),
       checkProtocolButton_(new QPushButton(tr("Check protocol…"), this)),
       preview_(new QPushButton(tr("Preview…"), this)),
@@ -53,7 +53,9 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   copy_->setObjectName(QStringLiteral("save-as"));
   copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   preview_->setObjectName(QStringLiteral("preview"));
-  auto* looks = new QHBoxLayout;
+  auto* actions = new QWidget(this);
+  auto* looks = new QHBoxLayout(actions);
+  looks->setContentsMargins(0, 0, 0, 0);
   looks->setSpacing(8);
   for (auto* button : {checkProtocolButton_, preview_, fill_, copy_}) {
     button->setAutoDefault(false);
@@ -63,7 +65,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
   form().addRow(tr("Protocol file"), file_);
-  form().addRow(looks);
+  form().addRow(QString(), actions);
   form().addRow(tr("New folder"), folder_);
   advanced_->setObjectName(QStringLiteral("advanced"));
   form().addRow(QString(), advanced_);
