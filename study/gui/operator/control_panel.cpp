@@ -228,7 +228,7 @@ void ControlPanel::refresh() {
   const bool isOpen = controller_ != nullptr;
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
-  now_->setText(isRunning ? tr("Now: a trial is running, so press STOP first") : tr("Now"));
+  now_->setText(isRunning ? tr("Now: once the trial has ended") : tr("Now"));
   for (const auto& choice : choices_) {
     // During a trial only stopping and withdrawing are possible.
     const bool isAllowed = isOpen && controller_->session().allows(choice.event);
@@ -257,7 +257,7 @@ void ControlPanel::refresh() {
 
 /// Why @p event is not possible now.
 QString ControlPanel::whyNot(SessionEvent event, bool isRunning) {
-  if (isRunning) return tr("Not while a trial is running: press STOP first");
+  if (isRunning) return tr("Not while a trial is running");
   if (event == SessionEvent::GaveUpOnDevice) return tr("Only after a trial broke off");
   if (event == SessionEvent::SkippedStep || event == SessionEvent::RepeatedStep)
     return tr("Not possible in this step");

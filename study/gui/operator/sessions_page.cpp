@@ -40,6 +40,7 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
       cohort_(new QComboBox(this)),
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
+      actions_(new QHBoxLayout),
       enrol_(new QPushButton(tr("New participant"), this)),
       resume_(new QPushButton(tr("Continue session"), this)),
       arrived_(bodyLabel({}, this)),
@@ -47,7 +48,7 @@ SessionsPage::SessionsPage(Study& study, StationPush& push, QWidget* parent)
   columns_->setContentsMargins(0, 0, 0, 0);
   columns_->setSpacing(20);
   columns_->addWidget(makeList(), 1);
-  columns_->addWidget(makeEnrolment(), 0, Qt::AlignTop);
+  columns_->addWidget(makeEnrolment());
 
   connect(enrol_, &QPushButton::clicked, this, [this] {
     emit enrolRequested(
@@ -75,9 +76,11 @@ QWidget* SessionsPage::makeList() {
        tr("Language"),
        tr("Begun"),
        tr("Status")});
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
+  connect(table_->verticalHeader(), &QHeaderView::sectionResized, this, &SessionsPage::giveRoom);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -89,14 +92,13 @@ QWidget* SessionsPage::makeList() {
   auto* layout = new QVBoxLayout(list);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sectionHeading(tr("Sessions"), list));
-  layout->addWidget(table_, 1);
+  constexpr int kAllThereIs = 1000;  // the table takes what its rows need, and the rest is empty
+  layout->addWidget(table_, kAllThereIs);
   layout->addWidget(details_);
-  layout->addWidget(resume_, 0, Qt::AlignLeft);
-  auto* choices = new QHBoxLayout;
+  actions_->addWidget(resume_);
   const auto add = [&](const QString& words, SessionEvent event, MessageTopic question, End end) {
     auto* button = new QPushButton(words, list);
-    button->setProperty("role", QStringLiteral("tool"));
-    choices->addWidget(button);
+    actions_->addWidget(button);
     endings_.push_back({button, event});
     connect(button, &QPushButton::clicked, this, [=, this] { endSelected(question, end); });
   };
@@ -106,8 +108,8 @@ QWidget* SessionsPage::makeList() {
       SessionEvent::GaveUpOnDevice,
       MessageTopic::DeviceFailure,
       &Session::giveUpOnDevice);
-  choices->addStretch(1);
-  layout->addLayout(choices);
+  actions_->addStretch(1);
+  layout->addLayout(actions_);
   arrived_->setObjectName(QStringLiteral("arrived"));
   send_->setObjectName(QStringLiteral("send"));
   send_->setProperty("role", QStringLiteral("tool"));
@@ -115,6 +117,7 @@ QWidget* SessionsPage::makeList() {
   collecting->addWidget(arrived_, 1);
   collecting->addWidget(send_);
   layout->addLayout(collecting);
+  layout->addStretch(1);
   return list;
 }
 
@@ -137,6 +140,9 @@ QWidget* SessionsPage::makeEnrolment() {
   layout->setContentsMargins(20, 16, 20, 16);
   layout->setSpacing(12);
   layout->addWidget(sectionHeading(tr("Who is next"), card));
+  cohortProgress_->setSpacing(8);
+  layout->addLayout(cohortProgress_);
+  layout->addSpacing(4);
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // the titles of cohorts are long
@@ -149,7 +155,7 @@ QWidget* SessionsPage::makeEnrolment() {
   }
   layout->addLayout(form);
   layout->addWidget(enrol_);
-  layout->addLayout(cohortProgress_);
+  layout->addStretch(1);
   return card;
 }
 
@@ -195,12 +201,30 @@ void SessionsPage::showPush() {
 /// layout, which does not include the lines into which titles of cohorts and details of a session
 /// wrap.
 void SessionsPage::giveRoom() {
+  const int rows = table_->verticalHeader()->length() + 2 * table_->frameWidth();
+  const int heads = table_->horizontalHeader()->sizeHint().height();
+  table_->setMaximumHeight(std::max(table_->minimumHeight(), heads + rows));
   auto* card = enrol_->parentWidget();
   card->setMinimumHeight(card->layout()->totalHeightForWidth(card->maximumWidth()));
   auto* list = table_->parentWidget();
   const bool isBeside = columns_->direction() == QBoxLayout::LeftToRight;
-  const int width = this->width() - (isBeside ? card->maximumWidth() + columns_->spacing() : 0);
+  const int besides = isBeside ? card->maximumWidth() + columns_->spacing() : 0;
+  const int width = this->width() - besides;
+  // The page is as wide as its actions need, so the window says how wide it may be.
+  constexpr int kAround = 60;  // [px]: margins and scroll bar
+  fitActions(std::min(width, window()->width() - kAround - besides));
   list->setMinimumHeight(list->layout()->totalHeightForWidth(width));
+}
+
+/// Arranges the actions beside each other if @p width has room for them, else below each other.
+void SessionsPage::fitActions(int width) {
+  int needed = resume_->sizeHint().width();
+  for (const auto& ending : endings_) {
+    if (!ending.button->isHidden()) {
+      needed += actions_->spacing() + ending.button->sizeHint().width();
+    }
+  }
+  actions_->setDirection(needed <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void SessionsPage::refresh() {
@@ -307,7 +331,7 @@ void SessionsPage::showSelected() {
   const bool isTakenOver = one != nullptr && one->mayBeTakenOver();
   resume_->setEnabled(one != nullptr && (!one->isOpenElsewhere() || isTakenOver));
   resume_->setText(isTakenOver ? tr("Take over session…") : tr("Continue session"));
-  setRole(*resume_, resume_->isEnabled() ? "main" : "tool");
+  setRole(*resume_, resume_->isEnabled() ? "main" : "");
   setRole(*enrol_, unfinished_.empty() ? "main" : "");
   for (const auto& [button, event] : endings_) {
     const auto state = one == nullptr ? SessionState::Completed : one->state;
@@ -327,6 +351,7 @@ void SessionsPage::showSelected() {
     words += QStringLiteral("\n•  ") + deskText(choice);
   }
   details_->setText(words);
+  giveRoom();
 }
 
 }  // namespace study::gui

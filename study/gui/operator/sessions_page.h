@@ -50,6 +50,7 @@ class SessionsPage final : public QWidget {
   void fillTable(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void giveRoom();
+  void fitActions(int width);
   void fitColumns();
   void showPush();
   void fillCohorts(
@@ -70,6 +71,7 @@ class SessionsPage final : public QWidget {
   QComboBox* cohort_;
   QComboBox* mode_;
   QComboBox* language_;
+  QBoxLayout* actions_;  ///< on the selected session: in one row if they fit
   QPushButton* enrol_;
   QPushButton* resume_;
   struct Ending {

@@ -44,6 +44,7 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Steps of the session"));
   setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("State")});
+  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   constexpr int kWideEnough = 130;  // [px] "to be repeated"

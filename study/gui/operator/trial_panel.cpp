@@ -1,6 +1,7 @@
 #include "study/gui/operator/trial_panel.h"
 
 #include <array>
+#include <cmath>
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -22,6 +23,13 @@ namespace {
 
 constexpr double kNominalRate = 1000.0;  // [Hz]
 
+/// Two decimals, with a minus sign, and without one before zero.
+QString shownNumber(double value) {
+  constexpr double kShown = 0.005;
+  const auto digits = QString::number(std::abs(value), 'f', 2);
+  return value > -kShown ? digits : QStringLiteral("−") + digits;
+}
+
 }  // namespace
 
 TrialPanel::TrialPanel(QWidget* parent)
@@ -37,7 +45,7 @@ TrialPanel::TrialPanel(QWidget* parent)
       cuts_(new CutTable(this)) {
   cutCount_->setProperty("role", QStringLiteral("heading"));
   cutCount_->setWordWrap(false);
-  health_->setAlignment(Qt::AlignCenter);
+  health_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   health_->setMinimumHeight(36);
   constexpr int kTwoCuts = 92;  // [px]
   constexpr int kFiveCuts = 180;
@@ -165,8 +173,8 @@ void TrialPanel::updateTrial() {
                          .arg(asked));
   numbers_->setText(
       tr("%1 N at %2 %3")
-          .arg(status.force, 0, 'f', 2)
-          .arg(scale.factor * status.travel, 0, 'f', 2)
+          .arg(shownNumber(status.force))
+          .arg(shownNumber(scale.factor * status.travel))
           .arg(scale.unit) +
       viewInWords(*controller_));
   boneColours_->refresh();
