@@ -66,6 +66,12 @@ const haptics::devices::DeviceKind& SessionController::deviceKind() const {
   return *deviceFor(session_).kind;
 }
 
+bool SessionController::isDeviceVirtual() const {
+  if (deviceName().isEmpty()) return false;
+  const auto& need = deviceFor(session_);
+  return deviceSet_.isOpen(need.id) && deviceSet_.device(need).capabilities().isSimulated;
+}
+
 int SessionController::attempts(int step) const {
   return study_.sessions().attempts(session_.id(), step);
 }

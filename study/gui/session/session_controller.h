@@ -62,6 +62,8 @@ class SessionController final : public QObject {
   /// The id of the device that the current trial needs; empty in other steps.
   QString deviceName() const;
   const haptics::devices::DeviceKind& deviceKind() const;
+  /// Whether the device of the current trial is open and virtual: the page moves it.
+  bool isDeviceVirtual() const;
   double trialRate() const { return trial_ ? trial_->rate() : 0.0; }  ///< [Hz]
 
   /// The number of attempts at a step, and the status of the last one.

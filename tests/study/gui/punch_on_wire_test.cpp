@@ -101,6 +101,7 @@ TEST_F(ConnectedPunch, RecoversFromBeingUnpluggedInATrial) {
   };
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return felt([](const auto& status) { return status.force > 0.5; }); }, 20'000));
+  EXPECT_FALSE(controller.isDeviceVirtual());
   punch_.order("unplug");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.isTrialRunning(); }, 5000));
   EXPECT_EQ(controller.session().state(), SessionState::Interrupted);
