@@ -91,7 +91,7 @@ protocols::LoadedProtocol filledIn(const protocols::LoadedProtocol& protocol) {
       {"ethics", "Regional Ethics Committee, reference 2026/123"},
       {"delete_until", "31 March 2027"},
       {"names_seen_by", "the responsible researcher"},
-      {"names_destroyed", "on 31 December 2027"},
+      {"names_destroyed", "31 December 2027"},
       {"data_kept_years", "10"},
       {"data_protection_officer", "Kari Lie, privacy@example.org"},
       {"data_protection_authority", "the national data protection authority"}};

@@ -2,40 +2,38 @@
 
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/cut_counter.h"
+#include "study/gui/participant/stage.h"
 #include "study/gui/widgets/labels.h"
-#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 
-BenchmarkPage::BenchmarkPage(
-    const QString& text, int minimumCuts, QWidget* picture, QWidget* parent)
+BenchmarkPage::BenchmarkPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
-      minimumCuts_(minimumCuts),
-      count_(new CutCounter(minimumCuts, this)),
-      next_(bodyLabel({}, this)) {
-  auto* column = addColumn(*this);
-  column->setSpacing(scaled(*this, 8));
-  column->addStretch(1);
-  auto* words = textLabel(text, this);
-  words->setProperty("role", QStringLiteral("statement"));
-  next_->setProperty("role", QStringLiteral("text"));
-  for (auto* label : {words, next_}) label->setAlignment(Qt::AlignCenter);
-  column->addWidget(words);
-  column->addWidget(count_);
-  column->addWidget(next_);
-  if (picture != nullptr) column->addWidget(picture, 12);
-  column->addStretch(1);
+      minimumCuts_(content.minimumCuts),
+      stage_(new Stage(tr("The real instrument"), picture, Stage::Panel::Card, this)),
+      count_(new CutCounter(content.minimumCuts, {tr("cut"), tr("cuts")}, this)),
+      enough_(bodyLabel(tr("That is enough. Press Next, or make more cuts first."), this)),
+      next_(new QPushButton(content.next, this)) {
+  addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
+  auto* text = textLabel(content.text, this);
+  auto* key = bodyLabel(tr("You will compare with these cuts."), this);
+  text->setProperty("role", QStringLiteral("statement"));
+  key->setProperty("role", QStringLiteral("key"));
+  enough_->setProperty("role", QStringLiteral("text"));
+  for (auto* label : {text, key, enough_}) stage_->words().addWidget(label);
+  stage_->setCounter(count_);
+  stage_->addButton(next_);
+  connect(next_, &QPushButton::clicked, this, &BenchmarkPage::finishRequested);
   setCuts(0);
 }
 
 void BenchmarkPage::setCuts(int cuts) {
-  count_->setCount(
-      cuts,
-      cuts == 0 ? tr("Cuts: make %1 or more").arg(minimumCuts_)
-                : tr("Cuts: %1 (make %2 or more)").arg(cuts).arg(minimumCuts_));
-  next_->setText(
-      cuts < minimumCuts_ ? tr("The researcher counts your cuts.")
-                          : tr("That is enough. Press Next, or make more cuts first."));
+  const int left = minimumCuts_ - cuts;
+  count_->setCount(cuts);
+  enough_->setVisible(left <= 0);
+  next_->setEnabled(left <= 0);
+  stage_->setReason(
+      left > 0 ? tr("The researcher counts your cuts: %1 to go").arg(left) : QString());
 }
 
 }  // namespace study::gui

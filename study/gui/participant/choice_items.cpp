@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
+
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
@@ -28,7 +29,7 @@ constexpr int kMostInARow = 11;  // points of a scale
 }  // namespace
 
 PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
-    : ItemWidget(item, language, parent), buttons_(nullptr) {
+    : ItemWidget(item, language, parent, Statement::Beside), buttons_(nullptr) {
   const bool isBetweenWords = item.type == ItemType::SemanticDifferential;
   const QString low = text(isBetweenWords ? item.leftText : item.scale.lowLabel);
   const QString high = text(isBetweenWords ? item.rightText : item.scale.highLabel);
@@ -52,14 +53,31 @@ PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
   }
   const int columns = std::min(item.scale.points, kMostInARow);
   buttons_ = new OptionButtons(options, columns, QStringLiteral("point"), this);
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  rows->addWidget(buttons_);
-  auto* words = new QHBoxLayout;
-  words->addWidget(anchor(low, Qt::AlignLeft, this), 1);
-  words->addWidget(anchor(high, Qt::AlignRight, this), 1);
-  rows->addLayout(words);
+  rows().addWidget(buttons_);
+  addWordsBelow(columns, low, high);
   setFocusProxy(buttons_);
   connect(buttons_, &OptionButtons::chosenChanged, this, &ItemWidget::changed);
+}
+
+/// The words of each point, or else those of both ends.
+void PointItem::addWordsBelow(int columns, const QString& low, const QString& high) {
+  const auto& labels = item().scale.pointLabels;
+  auto* words = new QGridLayout;
+  words->setContentsMargins(0, 0, 0, 0);
+  words->setHorizontalSpacing(scaled(*this, 8));
+  for (int i = 0; i < columns; ++i) words->setColumnStretch(i, 1);
+  const bool isEachLabelled = labels.size() == static_cast<std::size_t>(columns);
+  for (int i = 0; isEachLabelled && i < columns; ++i) {
+    auto* word = anchor(text(labels[static_cast<std::size_t>(i)]), Qt::AlignHCenter, this);
+    word->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    words->addWidget(word, 0, i);
+  }
+  if (!isEachLabelled) {
+    const int half = std::max(1, columns / 2);
+    words->addWidget(anchor(low, Qt::AlignLeft, this), 0, 0, 1, half);
+    words->addWidget(anchor(high, Qt::AlignRight, this), 0, columns - half, 1, half);
+  }
+  rows().addLayout(words);
 }
 
 std::optional<Response> PointItem::response() const {
@@ -78,9 +96,14 @@ ChoiceItem::ChoiceItem(
     : ItemWidget(item, language, parent), buttons_(nullptr) {
   std::vector<OptionButtons::Option> options;
   if (item.optionSource == questionnaires::OptionSource::Alternatives) {
-    for (const auto& [id, name] : choices.alternatives) {
-      ids_.push_back(id);
-      options.push_back({name, name});
+    for (const auto& alternative : choices.alternatives) {
+      ids_.push_back(alternative.id);
+      const auto with = [&](const char* between) {
+        return alternative.note.isEmpty()
+                   ? alternative.name
+                   : alternative.name + QString::fromLatin1(between) + alternative.note;
+      };
+      options.push_back({with("\n"), with(", ")});
     }
   } else {
     for (const auto& option : item.options) {
@@ -88,8 +111,10 @@ ChoiceItem::ChoiceItem(
       options.push_back({text(option.text), text(option.text)});
     }
   }
-  buttons_ = new OptionButtons(options, columnsFor(options), QStringLiteral("option"), this);
-  layout()->addWidget(buttons_);
+  buttons_ =
+      new OptionButtons(options, OptionButtons::kAsManyAsFit, QStringLiteral("option"), this);
+  if (item.optionSource == questionnaires::OptionSource::Alternatives) buttons_->makeLarge();
+  rows().addWidget(buttons_);
   setFocusProxy(buttons_);
   connect(buttons_, &OptionButtons::chosenChanged, this, &ItemWidget::changed);
 }
@@ -113,7 +138,7 @@ MultipleChoiceItem::MultipleChoiceItem(const Item& item, const QString& language
     auto* box = new QCheckBox(text(option.text), this);
     box->setProperty("role", QStringLiteral("option"));
     boxes_.push_back(box);
-    layout()->addWidget(box);
+    rows().addWidget(box);
     connect(box, &QCheckBox::toggled, this, &ItemWidget::changed);
   }
   if (!boxes_.empty()) setFocusProxy(boxes_.front());

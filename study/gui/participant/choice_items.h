@@ -19,6 +19,8 @@ class PointItem final : public ItemWidget {
   void show(const questionnaires::Response& response) override;
 
  private:
+  void addWordsBelow(int columns, const QString& low, const QString& high);
+
   OptionButtons* buttons_;
 };
 

@@ -6,26 +6,37 @@
 namespace study::gui {
 
 /// Shows how many of the needed cuts were made, large enough to be read from a few metres: a dot
-/// for each cut, filled once it is made, and a text below.
+/// for each cut, filled once it is made, and "2 of 3 cuts" beside or below the dots.
 class CutCounter final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CutCounter(int needed, QWidget* parent = nullptr);
+  /// What is counted: "cut", and "cuts".
+  struct Strokes {
+    QString one;
+    QString several;
+  };
+  CutCounter(int needed, const Strokes& strokes, QWidget* parent = nullptr);
 
-  /// @param words  such as "Cuts: 1 of at least 3".
-  void setCount(int made, const QString& words);
+  void setCount(int made);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
   int radius() const noexcept;
-  void makeRoomForDots();
+  int widthOfDots() const noexcept;
+  bool isOneLine(int width) const;
+  void arrange();
 
   int cutsNeeded_;
-  int cutsMade_ = 0;
+  int cutsMade_ = -1;
+  Strokes strokes_;
   QLabel* words_;
 };
 

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "study/gui/widgets/labels.h"
 
@@ -26,7 +25,7 @@ QString number(double value) {
 }  // namespace
 
 SliderItem::SliderItem(const Item& item, const QString& language, QWidget* parent)
-    : ItemWidget(item, language, parent), slider_(new AnswerSlider(this)) {
+    : ItemWidget(item, language, parent, Statement::Beside), slider_(new AnswerSlider(this)) {
   slider_->setRange(0, static_cast<int>(std::lround((item.most - item.least) / step())));
   slider_->setAccessibleName(
       tr("%1: from %2 to %3").arg(text(item.text), text(item.leftText), text(item.rightText)));
@@ -35,9 +34,8 @@ SliderItem::SliderItem(const Item& item, const QString& language, QWidget* paren
   auto* right = quietLabel(text(item.rightText), this);
   right->setAlignment(Qt::AlignRight);
   ends->addWidget(right, 1);
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  rows->addWidget(slider_);
-  rows->addLayout(ends);
+  rows().addWidget(slider_);
+  rows().addLayout(ends);
   setFocusProxy(slider_);
   connect(slider_, &AnswerSlider::answered, this, &ItemWidget::changed);
 }
@@ -70,7 +68,7 @@ NumberItem::NumberItem(const Item& item, const QString& language, QWidget* paren
   range->setProperty("role", "quiet");
   row->addWidget(range);
   row->addStretch(1);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  rows().addLayout(row);
   setFocusProxy(line_);
   connect(line_, &QLineEdit::textChanged, this, &ItemWidget::changed);
 }
@@ -98,7 +96,7 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
     line_ = new QLineEdit(this);
     line_->setProperty("role", QStringLiteral("answer"));
     line_->setAccessibleName(text(item.text));
-    layout()->addWidget(line_);
+    rows().addWidget(line_);
     setFocusProxy(line_);
     connect(line_, &QLineEdit::textChanged, rest_, startRest);
   } else {
@@ -106,7 +104,7 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
     lines_->setTabChangesFocus(true);
     lines_->setProperty("role", QStringLiteral("answer"));
     lines_->setAccessibleName(text(item.text));
-    layout()->addWidget(lines_);
+    rows().addWidget(lines_);
     setFocusProxy(lines_);
     connect(lines_, &QPlainTextEdit::textChanged, rest_, startRest);
   }

@@ -1,5 +1,6 @@
 #include "study/gui/participant/item_widget.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QHBoxLayout>
@@ -15,11 +16,23 @@ namespace study::gui {
 
 using questionnaires::ItemType;
 
-ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language, QWidget* parent)
-    : QWidget(parent), item_(item), language_(language) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(scaled(*this, 10));
+ItemWidget::ItemWidget(
+    const questionnaires::Item& item, const QString& language, QWidget* parent, Statement place)
+    : QWidget(parent),
+      item_(item),
+      language_(language),
+      place_(place),
+      parts_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
+      field_(new QWidget(this)),
+      rows_(new QVBoxLayout(field_)) {
+  for (QWidget* each : {static_cast<QWidget*>(this), field_}) {
+    each->setProperty("role", QStringLiteral("plain"));
+  }
+  parts_->setContentsMargins(0, 0, 0, 0);
+  parts_->setSpacing(scaled(*this, 10));
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(scaled(*this, 4));
+  parts_->addWidget(field_);
   if (!item_.text.isEmpty()) showStatement(text(item_.text));
 }
 
@@ -27,7 +40,27 @@ void ItemWidget::showStatement(const QString& words) {
   delete statement_;
   statement_ = textLabel(words, this);
   statement_->setProperty("role", "statement");
-  static_cast<QVBoxLayout*>(layout())->insertWidget(0, statement_);
+  parts_->insertWidget(0, statement_);
+}
+
+/// As if the statement were above: otherwise a window could not be made narrower.
+QSize ItemWidget::minimumSizeHint() const {
+  const int statement = statement_ == nullptr ? 0 : statement_->minimumSizeHint().width();
+  return {
+      std::max(statement, field_->minimumSizeHint().width()), QWidget::minimumSizeHint().height()};
+}
+
+void ItemWidget::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (place_ == Statement::Above || statement_ == nullptr) return;
+  constexpr int kRoomForBoth = 900;  // [px] at scale 1
+  const bool isBeside = width() >= scaled(*this, kRoomForBoth);
+  parts_->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  parts_->setSpacing(scaled(*this, isBeside ? 28 : 10));
+  constexpr int kOfStatement = 9;  // shares of the width
+  constexpr int kOfField = 10;
+  parts_->setStretchFactor(statement_, isBeside ? kOfStatement : 0);
+  parts_->setStretchFactor(field_, isBeside ? kOfField : 0);
 }
 
 void ItemWidget::remarkOn(const QString& remark) {
@@ -36,12 +69,11 @@ void ItemWidget::remarkOn(const QString& remark) {
 }
 
 void ItemWidget::putBesideField(QWidget& widget) {
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  const std::unique_ptr<QLayoutItem> field(rows->takeAt(rows->count() - 1));
+  const std::unique_ptr<QLayoutItem> field(rows_->takeAt(rows_->count() - 1));
   auto* row = new QHBoxLayout;
   row->addWidget(field->widget(), 1);
   row->addWidget(&widget);
-  rows->addLayout(row);
+  rows_->addLayout(row);
 }
 
 QString ItemWidget::text(const questionnaires::LocalizedText& text) const {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <QElapsedTimer>
+#include <QBoxLayout>
 #include <QLabel>
 #include <QString>
 #include <QWidget>
@@ -21,10 +21,24 @@ class ItemWidget : public QWidget {
  public:
   /// The options, as id and text, of an item that does not list its own.
   struct Choices {
-    std::vector<std::pair<std::string, QString>> alternatives;
+    struct Alternative {
+      std::string id;
+      QString name;
+      QString note = {};  ///< below the name, such as "felt first"; may be empty
+    };
+    std::vector<Alternative> alternatives;
   };
 
-  ItemWidget(const questionnaires::Item& item, const QString& language, QWidget* parent);
+  enum class Statement {
+    Above,   ///< the field in which the answer is given
+    Beside,  ///< it, where there is room
+  };
+
+  ItemWidget(
+      const questionnaires::Item& item,
+      const QString& language,
+      QWidget* parent,
+      Statement place = Statement::Above);
 
   const questionnaires::Item& item() const noexcept { return item_; }
 
@@ -38,10 +52,15 @@ class ItemWidget : public QWidget {
   /// Shows an earlier response without emitting changed().
   virtual void show(const questionnaires::Response& response) = 0;
 
+  QSize minimumSizeHint() const override;
+
  signals:
   void changed();
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
+  /// What is below or beside the statement.
+  QVBoxLayout& rows() noexcept { return *rows_; }
   QString text(const questionnaires::LocalizedText& text) const;
 
  private:
@@ -49,6 +68,10 @@ class ItemWidget : public QWidget {
 
   questionnaires::Item item_;
   QString language_;
+  Statement place_;
+  QBoxLayout* parts_;  ///< the statement and the rows
+  QWidget* field_;
+  QVBoxLayout* rows_;
   QLabel* statement_ = nullptr;
 };
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPolygonF>
 #include <QVariant>
 
 #include "study/gui/widgets/theme.h"
@@ -24,8 +24,9 @@ QString inLines(QString text) {
   return text;
 }
 
-/// A button with a ring, so that it is seen as one of several to choose from: beside the words of
-/// an option, below the number of a point.
+/// A button that is seen as one of several to choose from: with a ring beside the words of an
+/// option, or in a point without a number. A number stands for itself, and has a check mark once it
+/// is chosen.
 class RingButton final : public QPushButton {
  public:
   using QPushButton::QPushButton;
@@ -33,16 +34,22 @@ class RingButton final : public QPushButton {
  protected:
   void paintEvent(QPaintEvent* event) override {
     QPushButton::paintEvent(event);
-    constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
-    constexpr int kAtBottom = 13;
-    constexpr int kRadius = 9;
-    constexpr int kSmallRadius = 6;
     const bool isOption = property("role").toString() == QStringLiteral("option");
-    const int r = scaled(*this, isOption ? kRadius : kSmallRadius);
+    if (isOption || text().isEmpty()) {
+      paintRing(isOption);
+    } else if (isChecked()) {
+      paintCheckMark();
+    }
+  }
+
+ private:
+  void paintRing(bool isAtSide) {
+    constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
+    constexpr int kRadius = 9;
+    const int r = scaled(*this, kRadius);
     const bool isMirrored = layoutDirection() == Qt::RightToLeft;
     const int side = isMirrored ? width() - scaled(*this, kAtSide) : scaled(*this, kAtSide);
-    const int below = text().isEmpty() ? height() / 2 : height() - scaled(*this, kAtBottom);
-    const QPointF centre = isOption ? QPointF(side, 0.5 * height()) : QPointF(0.5 * width(), below);
+    const QPointF centre(isAtSide ? side : 0.5 * width(), 0.5 * height());
     const auto& theme = themeOf(*this);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -54,17 +61,36 @@ class RingButton final : public QPushButton {
     painter.setBrush(theme.accent.text);
     painter.drawEllipse(centre, 0.55 * r, 0.55 * r);
   }
+
+  void paintCheckMark() {
+    constexpr int kSize = 11;  // [px] at scale 1
+    constexpr int kBesideNumber = 16;
+    const double size = scaled(*this, kSize);
+    const QPointF place(0.5 * width() + scaled(*this, kBesideNumber), 0.5 * (height() - size));
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPen pen(themeOf(*this).accent.text, 0.2 * size);
+    pen.setCapStyle(Qt::RoundCap);
+    pen.setJoinStyle(Qt::RoundJoin);
+    painter.setPen(pen);
+    painter.drawPolyline(QPolygonF{
+        place + QPointF(0.0, 0.55 * size),
+        place + QPointF(0.35 * size, 0.9 * size),
+        place + QPointF(size, 0.1 * size)});
+  }
 };
 
 }  // namespace
 
 OptionButtons::OptionButtons(
     const std::vector<Option>& options, int columns, const QString& role, QWidget* parent)
-    : QWidget(parent), group_(new QButtonGroup(this)), columns_(columns) {
-  auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(scaled(*this, 8));
-  for (int column = 0; column < columns_; ++column) layout->setColumnStretch(column, 1);
+    : QWidget(parent),
+      group_(new QButtonGroup(this)),
+      grid_(new QGridLayout(this)),
+      isFlexible_(columns == kAsManyAsFit) {
+  setProperty("role", QStringLiteral("plain"));
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(scaled(*this, 8));
   for (const auto& option : options) {
     auto* button = new RingButton(inLines(option.text), this);
     button->setCheckable(true);
@@ -72,15 +98,61 @@ OptionButtons::OptionButtons(
     button->setProperty("isMirrored", layoutDirection() == Qt::RightToLeft);
     button->setAccessibleName(option.accessibleName);
     button->installEventFilter(this);
-    const int place = static_cast<int>(buttons_.size());
-    group_->addButton(button, place);
+    group_->addButton(button, static_cast<int>(buttons_.size()));
     buttons_.push_back(button);
-    layout->addWidget(button, place / columns_, place % columns_);
   }
+  fill(isFlexible_ ? 1 : columns);
   if (!buttons_.empty()) setFocusProxy(buttons_.front());
   connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool isChecked) {
     if (isChecked) emit chosenChanged(id);
   });
+}
+
+void OptionButtons::makeLarge() {
+  for (auto* button : buttons_) button->setProperty("isLarge", true);
+}
+
+int OptionButtons::widest() const {
+  int width = 0;
+  for (auto* button : buttons_) {
+    button->ensurePolished();
+    width = std::max(width, button->sizeHint().width());
+  }
+  return width;
+}
+
+/// The number of columns that fit into @p width, so that the last row is about as long as the
+/// others: four options in two rows of two rather than three and one.
+int OptionButtons::columnsAt(int width) const {
+  const int count = static_cast<int>(buttons_.size());
+  const int between = grid_->spacing();
+  const int most = std::clamp((width + between) / std::max(1, widest() + between), 1, count);
+  const int rows = (count + most - 1) / most;
+  return (count + rows - 1) / rows;
+}
+
+void OptionButtons::fill(int columns) {
+  for (auto* button : buttons_) grid_->removeWidget(button);
+  for (int i = 0; i < std::max(columns, columns_); ++i) {
+    grid_->setColumnStretch(i, i < columns ? 1 : 0);
+  }
+  columns_ = columns;
+  for (int place = 0; place < static_cast<int>(buttons_.size()); ++place) {
+    grid_->addWidget(button(place), place / columns_, place % columns_);
+  }
+}
+
+/// As wide as one column, so that a window can be made narrower again.
+QSize OptionButtons::minimumSizeHint() const {
+  const QSize least = QWidget::minimumSizeHint();
+  return isFlexible_ ? QSize(std::min(widest(), least.width()), least.height()) : least;
+}
+
+void OptionButtons::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (!isFlexible_ || buttons_.empty()) return;
+  const int columns = columnsAt(width());
+  if (columns != columns_) fill(columns);
 }
 
 void OptionButtons::choose(int index) {
@@ -130,19 +202,6 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
   button(place - 1)->setFocus(Qt::TabFocusReason);
   button(place - 1)->click();
   return true;
-}
-
-int columnsFor(const std::vector<OptionButtons::Option>& options) {
-  // [characters] that fit into a button beside others of its kind, in the participant's column
-  constexpr qsizetype kInTwo = 25;
-  constexpr qsizetype kInThree = 14;
-  constexpr qsizetype kInFour = 9;
-  qsizetype longest = 0;
-  for (const auto& option : options) longest = std::max(longest, option.text.size());
-  const int count = static_cast<int>(options.size());
-  const int most = longest <= kInFour ? 4 : longest <= kInThree ? 3 : longest <= kInTwo ? 2 : 1;
-  // Four in two rows of two look better than three and one.
-  return count == 4 && most == 3 ? 2 : std::min(count, most);
 }
 
 }  // namespace study::gui

@@ -1,7 +1,10 @@
 #include "study/gui/participant/participant_window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include <QAccessible>
@@ -39,7 +42,9 @@ ParticipantWindow::ParticipantWindow(
       progress_(new QProgressBar(this)),
       step_(quietLabel({}, this)),
       languages_(new QComboBox(this)),
+      rows_(new QVBoxLayout(this)),
       place_(new QVBoxLayout),
+      fold_(new QFrame(this)),
       bottom_(new QWidget(this)),
       remark_(quietLabel({}, this)),
       back_(new QPushButton(this)),
@@ -60,12 +65,13 @@ ParticipantWindow::ParticipantWindow(
   back_->setProperty("role", QStringLiteral("back"));
   remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
+  auto* header = new QWidget(this);
   auto* top = new QHBoxLayout;
   step_->setWordWrap(false);
+  top->setSpacing(18);
   top->addWidget(progress_, 1);
-  top->addSpacing(12);
   top->addWidget(step_);
-  top->addSpacing(12);
+  languages_->setProperty("role", QStringLiteral("language"));
   languages_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the font grows with the window
   // The arrow grows as well, but Qt reserves only the width of a small one. A minimum length, in
   // letters as wide as "X", compensates for that.
@@ -81,15 +87,20 @@ ParticipantWindow::ParticipantWindow(
   buttons->addWidget(back_);
   buttons->addWidget(remark_, 1);
   buttons->addWidget(next_);
-  addColumn(*bottom_)->addLayout(buttons);
-  auto* layout = new QVBoxLayout(this);
+  addColumn(*header, ColumnWidth::Page)->addLayout(top);
+  auto* foot = addColumn(*bottom_, ColumnWidth::Page);
+  foot->setSpacing(8);
+  foot->addWidget(fold_);
+  foot->addLayout(buttons);
+  fold_->setProperty("role", QStringLiteral("fold"));
+  auto place = fold_->sizePolicy();
+  place.setRetainSizeWhenHidden(true);
+  fold_->setSizePolicy(place);
   // A window that was made smaller gets its smaller scale only after the layout.
-  layout->setSizeConstraint(QLayout::SetNoConstraint);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(18);
-  layout->addLayout(top);
-  layout->addLayout(place_, 1);
-  layout->addWidget(bottom_);
+  rows_->setSizeConstraint(QLayout::SetNoConstraint);
+  rows_->addWidget(header);
+  rows_->addLayout(place_, 1);
+  rows_->addWidget(bottom_);
   adjustScale();
 
   connect(next_, &QPushButton::clicked, this, &ParticipantWindow::goOn);
@@ -138,8 +149,13 @@ void ParticipantWindow::adjustScale() {
   for (auto* page : {page_, reading_}) {
     if (page != nullptr) spaceOut(*page, ratio);
   }
+  for (auto* frame : {rows_->itemAt(0)->widget(), bottom_}) spaceOut(*frame, ratio);
   scale_ = scale;
   setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
+  const int above = scaled(*this, 14);
+  rows_->setContentsMargins(scaled(*this, 8), above, scaled(*this, 8), above);
+  rows_->setSpacing(0);
+  place_->setContentsMargins(0, scaled(*this, 10), 0, 0);
 }
 
 void ParticipantWindow::resizeEvent(QResizeEvent* event) {
@@ -148,7 +164,8 @@ void ParticipantWindow::resizeEvent(QResizeEvent* event) {
 }
 
 QString ParticipantWindow::localized(const questionnaires::LocalizedText& text) const {
-  return withBlanksNamed(QString::fromStdString(text.in(controller_.session().language())));
+  return withBlanksNamed(
+      withoutTornNumbers(QString::fromStdString(text.in(controller_.session().language()))));
 }
 
 QString ParticipantWindow::alternativeName(const QString& label) const {
@@ -177,15 +194,15 @@ void ParticipantWindow::showStep() {
   const auto& session = controller_.session();
   // The same trial is still running: its page may be in a drag of the mouse that moves the hand.
   if (trialPage_ != nullptr && controller_.isTrialRunning()) {
-    trialPage_->setRunning(true);
+    trialPage_->setRunning(true, controller_.isDeviceVirtual());
     return;
   }
   retranslate();
-  updateProgress();
   QSignalBlocker quiet(languages_);
   languages_->setCurrentIndex(languages_->findData(QString::fromStdString(session.language())));
   languages_->setVisible(languages_->count() > 1 && session.stepIndex() == 0);
   showPage(makePage());
+  updateProgress();
 }
 
 /// Whether the page before this step is one that was only read, and may be read again.
@@ -245,29 +262,21 @@ void ParticipantWindow::goBack() {
   if (!questions_->turn(false)) readAgain();
 }
 
-/// Says how many questions are open once Next was pressed, and which sheet is shown.
+/// Says how many questions are open once Next was pressed, or that the page goes on below.
 void ParticipantWindow::showUnanswered(bool isAskedFor) {
   // Answers typed before Back are stored while the text is read again.
   if (questions_ == nullptr || reading_ != nullptr) return;
   showsUnanswered_ = showsUnanswered_ || isAskedFor;
   const bool isFirst = controller_.session().stepIndex() == 0 && questions_->sheet() == 0;
-  back_->setVisible(!isFirst);
-  back_->setEnabled(questions_->sheet() > 0 || mayReadAgain());
+  back_->setVisible(!isFirst && (questions_->sheet() > 0 || mayReadAgain()));
+  fold_->setVisible(questions_->hasMoreBelow());
+  updateProgress();
   const auto progress = questions_->progress();
   QString words;
   if (showsUnanswered_ && progress.open > 0) {
     words = tr("%1 of %2 left").arg(progress.open).arg(progress.required);
   } else {
-    QStringList parts;
-    if (questions_->sheets() > 1) {
-      parts << tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
-    }
-    if (questions_->hasMoreBelow()) parts << tr("More below ↓");
-    words = parts.join(QStringLiteral(" · "));
-    if (!isFirst && !back_->isEnabled()) {
-      const auto why = tr("Earlier pages are finished");
-      words = words.isEmpty() ? why : why + QLatin1Char('\n') + words;
-    }
+    words = questions_->hasMoreBelow() ? tr("More below ↓") : QString();
   }
   remark_->setText(words);
   if (!isAskedFor) return;
@@ -296,6 +305,7 @@ QWidget* ParticipantWindow::makePage() {
   showsUnanswered_ = false;
   remark_->clear();
   back_->hide();
+  fold_->hide();
   next_->setVisible(true);
   next_->setEnabled(true);
   const auto& session = controller_.session();
@@ -353,6 +363,34 @@ static bool isNumberedAsFelt(const Session& session) {
          session.protocol().protocol.phase(step.phase)->block == trials.back().phase;
 }
 
+/// When each alternative of the latest block was felt, from 0, by its label: for a preference whose
+/// labels do not say it, if each was felt once.
+static std::map<std::string, int> feltOrder(const Session& session) {
+  const auto& step = session.step();
+  std::map<std::string, int> order;
+  const auto trials = trialsBefore(session);
+  if (step.kind != StepKind::Preference || isLabelledByPosition(session) || trials.empty()) {
+    return order;
+  }
+  const auto& block = session.protocol().protocol.phase(step.phase)->block;
+  int place = 0;
+  for (const auto& trial : trials) {
+    if (trial.phase != block) continue;
+    if (!order.emplace(std::to_string(trial.label), place++).second) return {};
+  }
+  return order;
+}
+
+static QString whenFelt(int place) {
+  static constexpr std::array kWords{
+      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt first"),
+      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt second"),
+      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt third"),
+      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt fourth")};
+  const auto index = static_cast<std::size_t>(place);
+  return index < kWords.size() ? ParticipantWindow::tr(kWords[index]) : QString();
+}
+
 static bool hasTrialsLeft(const Session& session) {
   const auto& plan = session.plan();
   return std::any_of(plan.begin() + session.stepIndex(), plan.end(), [](const Step& step) {
@@ -377,16 +415,18 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   if (isNumberedAsFelt(session))
     hints << tr("The numbers are in the order in which you felt them.");
   if (session.step().kind == StepKind::Preference) {
-    if (hasTrialsLeft(session)) hints << tr("There is another round after this page.");
     hints << tr("If you are unsure, follow your first impression.");
+    if (hasTrialsLeft(session)) hints << tr("There is another round after this page.");
   }
-  if (!hints.isEmpty()) {
-    content.introduction += (content.introduction.isEmpty() ? QString() : QStringLiteral("\n\n")) +
-                            hints.join(QLatin1Char(' '));
-  }
+  if (!content.introduction.isEmpty()) hints.prepend(content.introduction);
+  content.introduction = hints.join(QStringLiteral("\n\n"));
+  const auto order = feltOrder(session);
   for (const auto& label : session.step().alternatives) {
-    content.choices.alternatives.emplace_back(
-        label, alternativeName(QString::fromStdString(label)));
+    const auto place = order.find(label);
+    content.choices.alternatives.push_back(
+        {.id = label,
+         .name = alternativeName(QString::fromStdString(label)),
+         .note = place == order.end() ? QString() : whenFelt(place->second)});
   }
   questions_ = new QuestionnairePage(content, this);
   connect(questions_, &QuestionnairePage::answered, &controller_, &SessionController::answer);
@@ -404,14 +444,16 @@ QWidget* ParticipantWindow::makeTrialPage() {
   const auto& step = controller_.session().step();
   const auto& protocol = controller_.session().protocol().protocol;
   const auto* need = protocol.device(protocol.condition(step.condition)->device);
+  auto* picture = viewOfTrial(controller_, this);
   trialPage_ = new TrialPage(
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOptionalTrial = step.isOptionalTrial,
        .isNumberedAnew = isNumberedAnew(controller_.session()),
        .device = need->kind,
-       .language = controller_.session().language()},
-      viewOfTrial(controller_, this),
+       .language = controller_.session().language(),
+       .isByFeelAlone = picture == nullptr && isAnyTrialVisualised(protocol)},
+      picture,
       this);
   connect(trialPage_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
   connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::skipOptionalTrial);
@@ -425,15 +467,13 @@ QWidget* ParticipantWindow::makeBenchmark() {
   const auto& step = controller_.session().step();
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
   const auto& devices = controller_.session().protocol().protocol.devices;
-  const bool isKnown = !devices.empty() && ToolPicture::isKnown(*devices.front().kind);
+  next_->setVisible(false);
   auto* page = new BenchmarkPage(
-      localized(phase->text), step.minimumCuts, isKnown ? new ToolPicture : nullptr, this);
-  const auto show = [this, page] {
-    const int cuts = controller_.session().benchmarkCuts();
-    const bool isEnough = cuts >= controller_.session().step().minimumCuts;
-    page->setCuts(cuts);
-    next_->setEnabled(isEnough);
-  };
+      {.text = localized(phase->text), .minimumCuts = step.minimumCuts, .next = next_->text()},
+      devices.empty() ? nullptr : toolCardOf(*devices.front().kind, this),
+      this);
+  const auto show = [this, page] { page->setCuts(controller_.session().benchmarkCuts()); };
+  connect(page, &BenchmarkPage::finishRequested, &controller_, &SessionController::finishStep);
   connect(&controller_, &SessionController::benchmarkCutCounted, page, show);
   show();
   return page;
@@ -492,10 +532,8 @@ QWidget* ParticipantWindow::makeThanks() {
       {.title = debrief == nullptr ? tr("Thank you") : localized(debrief->title),
        .now = words.isEmpty() ? tr("This session is over. Please tell the researcher.")
                               : tr("Please tell the researcher that you have finished."),
+       .code = QString::fromStdString(session.participant()),
        .debrief = words,
-       .saved = tr("Your answers and what was measured are saved under the code **%1**, not under "
-                   "your name. Note the code if you may want them deleted.")
-                    .arg(QString::fromStdString(session.participant())),
        .contact = isToldWhomToAsk ? QString()
                   : contact.isEmpty()
                       ? tr("Do you have a question, now or later? Please ask the researcher.")
@@ -521,7 +559,12 @@ void ParticipantWindow::updateProgress() {
   const auto& session = controller_.session();
   progress_->setRange(0, static_cast<int>(session.plan().size()));
   progress_->setValue(session.stepIndex());
-  step_->setText(tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size()));
+  auto words = tr("Step %1 of %2").arg(session.stepIndex() + 1).arg(session.plan().size());
+  if (questions_ != nullptr && questions_->sheets() > 1) {
+    words += QStringLiteral(" · ") +
+             tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
+  }
+  step_->setText(words);
   step_->setVisible(!session.isOver());
   progress_->setAccessibleName(step_->text());
 }

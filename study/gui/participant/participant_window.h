@@ -3,6 +3,7 @@
 #include <functional>
 
 #include <QComboBox>
+#include <QFrame>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -74,7 +75,9 @@ class ParticipantWindow final : public QWidget {
   QProgressBar* progress_;
   QLabel* step_;  ///< beside it: "Step 3 of 19"
   QComboBox* languages_;
+  QVBoxLayout* rows_;  ///< of the window
   QVBoxLayout* place_;
+  QFrame* fold_;     ///< a line below a page that goes on below
   QWidget* bottom_;  ///< with the buttons
   QLabel* remark_;   ///< beside Next: what is left to do on this page
   QPushButton* back_;

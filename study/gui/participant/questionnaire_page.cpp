@@ -1,14 +1,18 @@
 #include "study/gui/participant/questionnaire_page.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include <QDate>
+#include <QHBoxLayout>
 #include <QLocale>
 #include <QScrollBar>
 #include <QStyle>
-#include <QVBoxLayout>
 
 #include "study/gui/participant/column.h"
+#include "study/gui/participant/side_by_side.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
@@ -27,7 +31,6 @@ std::vector<Item> withSignatures(std::vector<Item> items) {
   return items;
 }
 
-constexpr int kAboveTitle = 6;  // [px] at scale 1
 // [ms] for a participant who has already aimed to notice that another question is there now
 constexpr int kSettling = 700;
 
@@ -46,6 +49,39 @@ QStringList clausesOf(const QString& text) {
   return clauses;
 }
 
+/// Divides a text at one of its headings, so that both parts are about equally long.
+std::pair<QString, QString> inTwoColumns(const QString& text) {
+  constexpr double kLine = 66.0;        // [characters]
+  constexpr double kOfHeading = 2.2;    // [lines], with the gaps around it
+  constexpr double kOfParagraph = 0.6;  // [lines], the gap below it
+  const auto clauses = clausesOf(text);
+  std::vector<double> lengths;
+  for (const auto& clause : clauses) {
+    double lines = clause.startsWith(u'#') ? kOfHeading : 0.0;
+    for (const auto& line : clause.split(u'\n', Qt::SkipEmptyParts)) {
+      if (!line.startsWith(u'#'))
+        lines += std::ceil(static_cast<double>(line.size()) / kLine) + kOfParagraph;
+    }
+    lengths.push_back(lines);
+  }
+  const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  qsizetype first = clauses.size();
+  double above = 0.0;
+  double least = whole;
+  for (qsizetype i = 0; i < clauses.size(); ++i) {
+    const double longer = std::max(above, whole - above);
+    if (clauses[i].startsWith(u'#') && longer < least) {
+      least = longer;
+      first = i;
+    }
+    above += lengths[static_cast<std::size_t>(i)];
+  }
+  const auto joined = [&](qsizetype from, qsizetype to) {
+    return clauses.mid(from, to - from).join(QStringLiteral("\n\n"));
+  };
+  return {joined(0, first), joined(first, clauses.size())};
+}
+
 bool isSignature(const std::vector<Item>& items, std::size_t index) {
   if (!items[index].isIdentifying || index == 0) return false;
   return !items[index - 1].consentOption.empty() || isSignature(items, index - 1);
@@ -55,7 +91,8 @@ bool isSignature(const std::vector<Item>& items, std::size_t index) {
 
 QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
     : QWidget(parent),
-      scroll_(new QScrollArea(this)),
+      scroll_(new PageScroll(this)),
+      inside_(new QWidget(scroll_)),
       items_(withSignatures(content.items)),
       language_(content.language),
       settling_(new QTimer(this)) {
@@ -67,36 +104,11 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   });
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  scroll_->setWidgetResizable(true);
-  auto* inside = new QWidget(scroll_);
-  auto* column = addColumn(*inside);
-  head_ = new QWidget(inside);
-  auto* head = new QVBoxLayout(head_);
-  head->setContentsMargins(0, scaled(*this, kAboveTitle), 0, 0);
-  const bool isConsent = std::any_of(
-      items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
-  // So that both options are in sight on a laptop.
-  constexpr int kBetweenClauses = 6;  // [px] at scale 1
-  constexpr int kBelowTitle = 10;
-  head->setSpacing(scaled(*this, isConsent ? kBetweenClauses : kBelowTitle));
-  head->addWidget(titleLabel(content.title, head_));
-  if (isConsent) {
-    for (const auto& clause : clausesOf(content.introduction)) head->addWidget(clauseOf(clause));
-  } else if (!content.introduction.isEmpty()) {
-    head->addWidget(textLabel(content.introduction, head_));
-  }
-  column->addWidget(head_);
-  addSheet(*column);
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (items_[i].startsPage && !entries_.empty()) addSheet(*column);
-    addItem(content, i);
-  }
-  column->addStretch(1);
-  scroll_->setWidget(inside);
+  addContents(content);
+  scroll_->setWidget(inside_);
   outer->addWidget(scroll_);
   // A focus frame around the first answer would look like a choice and could influence
   // participants. It appears with the first Tab.
-  scroll_->setFocusPolicy(Qt::StrongFocus);
   scroll_->setAccessibleName(content.title);
   scroll_->setAccessibleDescription(content.introduction);
   setFocusProxy(scroll_);
@@ -108,12 +120,72 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   updateAsked();
 }
 
-void QuestionnairePage::addSheet(QLayout& column) {
-  auto* sheet = new QWidget(head_->parentWidget());
+/// The title; below it the introduction and the questions, or both in two columns: a text that is
+/// only read, and the terms of a consent beside the question.
+void QuestionnairePage::addContents(const Content& content) {
+  auto* column = addColumn(*inside_, ColumnWidth::Page, ColumnIn::Scroll);
+  const bool isConsent = std::any_of(
+      items_.begin(), items_.end(), [](const Item& item) { return !item.consentOption.empty(); });
+  column->addWidget(titleLabel(content.title, inside_));
+  auto* questions = new QWidget(inside_);
+  place_ = new QVBoxLayout(questions);
+  place_->setContentsMargins(0, 0, 0, 0);
+  if (isConsent) {
+    column->addWidget(new SideBySide(makeTerms(content.introduction), questions, inside_));
+  } else {
+    const auto& text = content.introduction;
+    if (!text.isEmpty()) column->addWidget(items_.empty() ? makeText(text) : inLines(text));
+    column->addWidget(questions);
+    questions->setVisible(!items_.empty());
+  }
+  addSheet();
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].startsPage && !entries_.empty()) addSheet();
+    addItem(content, i);
+  }
+  column->addStretch(1);
+}
+
+/// The terms of a consent, one below the other.
+QWidget* QuestionnairePage::makeTerms(const QString& introduction) {
+  auto* head = new QWidget(inside_);
+  auto* clauses = new QVBoxLayout(head);
+  clauses->setContentsMargins(0, 0, 0, 0);
+  constexpr int kBetweenClauses = 14;  // [px] at scale 1
+  clauses->setSpacing(scaled(*this, kBetweenClauses));
+  for (const auto& clause : clausesOf(introduction)) clauses->addWidget(clauseOf(clause));
+  return head;
+}
+
+/// A text in lines of about 75 characters.
+QWidget* QuestionnairePage::inLines(const QString& markdown) {
+  auto* part = new QWidget(inside_);
+  auto* across = new QHBoxLayout(part);
+  across->setContentsMargins(0, 0, 0, 0);
+  auto* text = new QWidget(part);
+  text->setProperty("role", QStringLiteral("lines"));
+  auto* lines = new QVBoxLayout(text);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->addWidget(textLabel(markdown, text));
+  constexpr int kFirst = 1000;  // stretch, up to the width of the lines
+  across->addWidget(text, kFirst);
+  across->addStretch(1);
+  return part;
+}
+
+/// A text that is only read, in two columns where there is room.
+QWidget* QuestionnairePage::makeText(const QString& introduction) {
+  const auto [first, second] = inTwoColumns(introduction);
+  if (second.isEmpty()) return inLines(first);
+  return new SideBySide(inLines(first), inLines(second), inside_);
+}
+
+void QuestionnairePage::addSheet() {
+  auto* sheet = new QWidget(inside_);
   auto* layout = new QVBoxLayout(sheet);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(scaled(*this, 16));
-  column.addWidget(sheet);
+  layout->setSpacing(scaled(*this, 14));
+  place_->addWidget(sheet);
   if (!sheets_.empty()) sheet->hide();
   sheets_.push_back(sheet);
   shownAt_.push_back(-1.0);
@@ -122,7 +194,7 @@ void QuestionnairePage::addSheet(QLayout& column) {
 /// A frame with one clause of a consent text, separate from the next one so that each is read by
 /// itself.
 QFrame* QuestionnairePage::clauseOf(const QString& text) {
-  auto* clause = new QFrame(head_);
+  auto* clause = new QFrame(inside_);
   clause->setProperty("role", QStringLiteral("clause"));
   auto* layout = new QVBoxLayout(clause);
   const int above = scaled(*this, 5);
@@ -131,17 +203,12 @@ QFrame* QuestionnairePage::clauseOf(const QString& text) {
   return clause;
 }
 
-bool QuestionnairePage::hasMoreBelow() const {
-  const auto* bar = scroll_->verticalScrollBar();
-  return bar->value() < bar->maximum();
-}
-
 QFrame* QuestionnairePage::addCard() {
   auto* card = new QFrame(sheets_.back());
   card->setProperty("role", "card");
   auto* layout = new QVBoxLayout(card);
   const int side = scaled(*this, 20);
-  const int above = scaled(*this, 14);
+  const int above = scaled(*this, 16);
   layout->setContentsMargins(side, above, side, above);
   layout->setSpacing(scaled(*this, 8));
   sheets_.back()->layout()->addWidget(card);
@@ -151,6 +218,10 @@ QFrame* QuestionnairePage::addCard() {
 void QuestionnairePage::addItem(const Content& content, std::size_t index) {
   const auto& item = items_[index];
   auto* card = isSignature(items_, index) ? entries_.back().card : addCard();
+  constexpr int kAboveSignature = 10;  // [px] at scale 1, besides the usual space
+  if (isSignature(items_, index)) {
+    static_cast<QVBoxLayout*>(card->layout())->addSpacing(scaled(*this, kAboveSignature));
+  }
   auto* mark = quietLabel(tr("Please answer this one"), card);
   setRole(*mark, "warn");
   mark->hide();

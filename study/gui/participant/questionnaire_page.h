@@ -5,11 +5,12 @@
 #include <QElapsedTimer>
 #include <QFrame>
 #include <QLabel>
-#include <QScrollArea>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include "study/gui/participant/item_widget.h"
+#include "study/gui/participant/page_scroll.h"
 #include "study/model/given_answer.h"
 
 namespace study::gui {
@@ -46,7 +47,7 @@ class QuestionnairePage final : public QWidget {
   void scrollToFirstUnanswered();
 
   /// Whether a part of the sheet is below the lower edge of the page.
-  bool hasMoreBelow() const;
+  bool hasMoreBelow() const { return scroll_->hasMoreBelow(); }
 
   int sheet() const noexcept { return sheet_; }  ///< index of the sheet that is shown
   /// Number of sheets that the questionnaire is divided into.
@@ -88,7 +89,11 @@ class QuestionnairePage final : public QWidget {
     ItemState state = {};
   };
 
-  void addSheet(QLayout& column);
+  void addContents(const Content& content);
+  QWidget* makeTerms(const QString& introduction);
+  QWidget* inLines(const QString& markdown);
+  QWidget* makeText(const QString& introduction);
+  void addSheet();
   void addItem(const Content& content, std::size_t index);
   QFrame* addCard();
   QFrame* clauseOf(const QString& text);
@@ -100,8 +105,9 @@ class QuestionnairePage final : public QWidget {
   void ignorePresses();
   double now() const;
 
-  QScrollArea* scroll_;
-  QWidget* head_ = nullptr;  ///< title and introduction
+  PageScroll* scroll_;
+  QWidget* inside_;               ///< of it
+  QVBoxLayout* place_ = nullptr;  ///< of the sheets
   std::vector<QWidget*> sheets_;
   std::vector<double> shownAt_;  ///< when each sheet was first shown [s]; −1: not yet
   int sheet_ = 0;

@@ -5,7 +5,8 @@
 
 namespace study::gui {
 
-/// The last page of a completed session: thanks, the debrief, and what happens now.
+/// The last page of a completed session: thanks, the participant's code, the debrief, and what
+/// happens now.
 class ThanksPage final : public QWidget {
   Q_OBJECT
 
@@ -13,12 +14,16 @@ class ThanksPage final : public QWidget {
   struct Content {
     QString title;
     QString now;      ///< what the participant does now
+    QString code;     ///< under which the data are saved
     QString debrief;  ///< Markdown; may be empty
-    QString saved;    ///< under which code
     QString contact;  ///< for questions; may be empty
   };
 
   explicit ThanksPage(const Content& content, QWidget* parent = nullptr);
+
+ private:
+  QWidget* makeThanks(const Content& content);
+  QWidget* makeDebrief(const Content& content);
 };
 
 }  // namespace study::gui

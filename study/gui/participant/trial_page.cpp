@@ -3,75 +3,66 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
+#include "study/gui/participant/column.h"
 #include "study/gui/participant/cut_counter.h"
+#include "study/gui/participant/stage.h"
+#include "study/gui/session/tool_picture.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
+
 constexpr double kWholeStroke = 220.0;  // [px]: dragging distance that closes the handle completely
 constexpr int kClosing = 1200;          // [ms] of the space bar, from open to closed
 constexpr int kOpening = 400;
+
+/// The number of a step, before its words.
+QLabel* stepNumber(int number, QWidget* parent) {
+  auto* label = bodyLabel(QString::number(number), parent);
+  label->setProperty("role", QStringLiteral("step"));
+  label->setAlignment(Qt::AlignTop);
+  return label;
+}
+
 }  // namespace
 
 TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       content_(content),
-      count_(nullptr),
+      stage_(new Stage(
+          content.name,
+          picture != nullptr ? picture : toolCardOf(*content.device, this),
+          picture != nullptr ? Stage::Panel::Picture : Stage::Panel::Card,
+          this)),
+      count_(new CutCounter(
+          content.minimumCuts,
+          {asText(content.device->strokeName.in(content.language)),
+           asText(content.device->strokesName.in(content.language))},
+          this)),
       numbering_(bodyLabel(
           tr("The numbers start again: %1 may now stand for something else than before.")
               .arg(content.name),
           this)),
-      hint_(bodyLabel({}, this)),
-      begin_(new QPushButton(tr("Begin"), this)),
+      takeHint_(bodyLabel({}, this)),
+      strokeHint_(bodyLabel({}, this)),
+      stepNumbers_{stepNumber(1, this), stepNumber(2, this)},
+      pointerHint_(quietLabel({}, this)),
+      begin_(new QPushButton(content.isOptionalTrial ? tr("Feel it again") : tr("Begin"), this)),
       doneButton_(new QPushButton(tr("Done"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(content.name);
-  auto* layout = new QVBoxLayout(this);
-  // A picture gets the space, and text what remains.
-  layout->setSpacing(scaled(*this, picture == nullptr ? 12 : 8));
-  count_ = new CutCounter(content.minimumCuts, this);
-  if (picture == nullptr) {
-    layout->addStretch(2);
-    layout->addWidget(hugeLabel(content.name, this));
-    layout->addWidget(hint_);
-    layout->addWidget(count_);
-  } else {
-    auto* above = new QHBoxLayout;
-    above->addWidget(titleLabel(content.name, this), 1);
-    above->addWidget(count_, 1);
-    layout->addLayout(above);
-    layout->addWidget(hint_);
-    layout->addWidget(picture, 1);
-  }
-  setCuts(0);
-  if (content.isOptionalTrial) {
-    count_->setCount(0, tr("Would you like to feel it once more before you choose?"));
-    begin_->setText(tr("Feel it again"));
-  }
-  hint_->setProperty("role", QStringLiteral("statement"));
-  numbering_->setProperty("role", QStringLiteral("text"));
-  numbering_->setAlignment(Qt::AlignCenter);
-  layout->addWidget(numbering_);
-  if (picture == nullptr) hint_->setAlignment(Qt::AlignCenter);
-  if (picture == nullptr) {
-    // A spacer that disappears in a low window.
-    constexpr int kAboveButton = 30;  // [px] at scale 1
-    layout->addSpacerItem(new QSpacerItem(
-        0, scaled(*this, kAboveButton), QSizePolicy::Minimum, QSizePolicy::Maximum));
-  }
-  for (auto* button : {begin_, doneButton_, decline_}) {
-    button->setProperty("role", QStringLiteral("next"));
-    layout->addWidget(button, 0, Qt::AlignCenter);
-  }
-  if (picture == nullptr) layout->addStretch(3);
+  addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
+  stage_->title().setProperty("role", QStringLiteral("name"));
+  addWords();
+  stage_->setCounter(count_);
+  for (auto* button : {decline_, begin_, doneButton_}) stage_->addButton(button);
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(doneButton_, &QPushButton::clicked, this, &TrialPage::finishRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
@@ -97,37 +88,70 @@ void TrialPage::moveHandTo(double share, int duration) {
   hand_.start();
 }
 
-QString TrialPage::cutsInWords(int cuts) const {
-  const auto strokes = capitalised(asText(content_.device->strokesName.in(content_.language)));
-  if (cuts == 0) return tr("%1: make %2 or more").arg(strokes).arg(content_.minimumCuts);
-  return tr("%1: %2 (make %3 or more)").arg(strokes).arg(cuts).arg(content_.minimumCuts);
+void TrialPage::addWords() {
+  auto& words = stage_->words();
+  if (content_.isByFeelAlone) {
+    auto* byFeel = bodyLabel(
+        tr("By feel alone: in this round there is no picture of what you work on."), this);
+    byFeel->setProperty("role", QStringLiteral("text"));
+    words.addWidget(byFeel);
+  }
+  numbering_->setProperty("role", QStringLiteral("text"));
+  words.addWidget(numbering_);
+  auto* steps = new QGridLayout;
+  steps->setHorizontalSpacing(scaled(*this, 10));
+  steps->setVerticalSpacing(scaled(*this, 10));
+  steps->setColumnStretch(1, 1);
+  int row = 0;
+  for (auto* hint : {takeHint_, strokeHint_}) {
+    hint->setProperty("role", QStringLiteral("statement"));
+    hint->setAlignment(Qt::AlignTop);
+    steps->addWidget(stepNumbers_[static_cast<std::size_t>(row)], row, 0);
+    steps->addWidget(hint, row++, 1);
+  }
+  words.addLayout(steps);
+  pointerHint_->setObjectName(QStringLiteral("pointer-hint"));
+  words.addWidget(pointerHint_);
 }
 
-void TrialPage::setRunning(bool isRunning) {
+/// How a stroke is made, and how often.
+QString TrialPage::howTo() const {
+  const auto how = asText(content_.device->strokeHint.in(content_.language));
+  if (content_.minimumCuts < 2) return how;
+  return how + QLatin1Char(' ') + tr("Do this at least %1 times.").arg(content_.minimumCuts);
+}
+
+void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   isRunning_ = isRunning;
   begin_->setVisible(!isRunning);
   numbering_->setVisible(!isRunning && content_.isNumberedAnew);
   doneButton_->setVisible(isRunning);
   decline_->setVisible(!isRunning && content_.isOptionalTrial);
-  doneButton_->setEnabled(false);
-  const auto howTo = asText(content_.device->strokeHint.in(content_.language));
-  if (!isRunning) {
-    hint_->setText(tr("Press Begin when you hold the instrument.") + QLatin1Char(' ') + howTo);
-    begin_->setFocus();
-    return;
-  }
-  hint_->setText(
-      howTo + QLatin1Char('\n') + asText(content_.device->pointerHint.in(content_.language)));
-  setFocus();
+  const bool isOffer = !isRunning && content_.isOptionalTrial;
+  count_->setVisible(!isOffer);
+  takeHint_->setText(isRunning ? QString() : tr("Take the instrument, and press Begin."));
+  takeHint_->setVisible(!isRunning && !isOffer);
+  for (auto* number : stepNumbers_) number->setVisible(!isRunning && !isOffer);
+  strokeHint_->setText(
+      isOffer ? tr("Would you like to feel it once more before you choose?") : howTo());
+  pointerHint_->setText(asText(content_.device->pointerHint.in(content_.language)));
+  pointerHint_->setVisible(isRunning && isVirtual);
+  setCuts(0);
+  isRunning ? setFocus() : begin_->setFocus();
 }
 
 void TrialPage::setCuts(int cuts) {
-  count_->setCount(cuts, cutsInWords(cuts));
-  const bool isEnough = isRunning_ && cuts >= content_.minimumCuts;
+  count_->setCount(cuts);
+  const int left = content_.minimumCuts - cuts;
+  const bool isEnough = isRunning_ && left <= 0;
   if (isEnough && !doneButton_->isEnabled()) {
-    hint_->setText(tr("That is enough. Press Done, or feel it for longer."));
+    strokeHint_->setText(tr("That is enough. Press Done, or feel it for longer."));
   }
   doneButton_->setEnabled(isEnough);
+  const auto& strokes = left == 1 ? content_.device->strokeName : content_.device->strokesName;
+  stage_->setReason(
+      isRunning_ && left > 0 ? tr("%1 %2 left").arg(left).arg(asText(strokes.in(content_.language)))
+                             : QString());
 }
 
 void TrialPage::mousePressEvent(QMouseEvent* event) {

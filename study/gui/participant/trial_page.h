@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QVariantAnimation>
@@ -13,6 +13,7 @@
 namespace study::gui {
 
 class CutCounter;
+class Stage;
 
 /// The participant's page during a trial. It shows only the alternative's name and the number of
 /// cuts made and required.
@@ -31,13 +32,15 @@ class TrialPage final : public QWidget {
     bool isNumberedAnew = false;   ///< an earlier block had an alternative of this name
     const haptics::devices::DeviceKind* device;  ///< whose words for strokes are shown
     std::string language = "en";
+    bool isByFeelAlone = false;  ///< without a picture, which another round has
   };
 
   /// @param picture  a view of the simulation, of which the page takes ownership; nullptr: no view.
   TrialPage(const Content& content, QWidget* picture, QWidget* parent = nullptr);
 
   /// Switches between the running trial and the offer to begin it.
-  void setRunning(bool isRunning);
+  /// @param isVirtual  whether this page moves the instrument, and says how.
+  void setRunning(bool isRunning, bool isVirtual = true);
   void setCuts(int cuts);
 
  signals:
@@ -58,13 +61,18 @@ class TrialPage final : public QWidget {
   void keyReleaseEvent(QKeyEvent* event) override;
 
  private:
-  QString cutsInWords(int cuts) const;
+  void addWords();
+  QString howTo() const;
   void moveHandTo(double share, int duration);
 
   Content content_;
+  Stage* stage_;
   CutCounter* count_;
-  QLabel* numbering_;  ///< says that numbers start again, where they do
-  QLabel* hint_;
+  QLabel* numbering_;   ///< says that numbers start again, where they do
+  QLabel* takeHint_;    ///< the first step: to take the instrument
+  QLabel* strokeHint_;  ///< the second one
+  std::array<QLabel*, 2> stepNumbers_;
+  QLabel* pointerHint_;  ///< how this page moves a virtual instrument
   QPushButton* begin_;
   QPushButton* doneButton_;
   QPushButton* decline_;

@@ -1,10 +1,15 @@
 #include "study/gui/session/tool_picture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
+#include <QFrame>
 #include <QPainter>
 #include <QTimer>
+#include <QVBoxLayout>
 
+#include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/renderer.h"
 #include "study/gui/widgets/theme.h"
@@ -12,14 +17,22 @@
 namespace study::gui {
 namespace {
 
+using haptics::devices::View;
+
 constexpr QSize kUsual(560, 300);   // [px] at scale 1
 constexpr int kRendererDelay = 20;  // [ms]
 
+std::unique_ptr<scene::SimulatedScene> sceneOf(View view) {
+  if (view == View::Hip) return std::make_unique<scene::HipScene>(scene::HipScene::Options{});
+  return std::make_unique<scene::KneeScene>();
+}
+
 /// The view of a scene that shows the whole instrument, alone on @p ground.
-scene::Scene instrumentOn(const QColor& ground) {
-  scene::KneeScene knee;
-  auto alone = knee.scene();
+scene::Scene instrumentOn(const scene::Scene& whole, const QColor& ground) {
+  auto alone = whole;
   auto shot = alone.shots.back();
+  std::erase_if(shot.parts, [&](std::size_t part) { return !alone.parts[part].isTool; });
+  shot.showsSpheres = false;
   shot.place = {0.0, 0.0, 1.0, 1.0};
   shot.ground = {
       static_cast<std::uint8_t>(ground.red()),
@@ -30,15 +43,61 @@ scene::Scene instrumentOn(const QColor& ground) {
   return alone;
 }
 
-}  // namespace
-
-ToolPicture::ToolPicture(QWidget* parent) : QWidget(parent) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+/// The instrument without the ground that it was drawn on.
+QImage cutOut(const QImage& picture, const QColor& ground) {
+  QImage alone = picture.convertToFormat(QImage::Format_ARGB32);
+  const QRgb behind = ground.rgb();
+  for (int y = 0; y < alone.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(alone.scanLine(y));
+    std::replace(line, line + alone.width(), behind, qRgba(255, 255, 255, 0));
+  }
+  return alone;
 }
 
-bool ToolPicture::isKnown(const haptics::devices::DeviceKind& device) noexcept {
-  return device.view == haptics::devices::View::Knee;
+/// @p picture, a mask, with each pixel the mean of those around it.
+QImage blurred(const QImage& picture) {
+  constexpr int kReach = 2;  // [px]
+  QImage soft(picture.size(), QImage::Format_Alpha8);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      int sum = 0;
+      for (int v = y - kReach; v <= y + kReach; ++v) {
+        if (v < 0 || v >= picture.height()) continue;
+        const uchar* line = picture.constScanLine(v);
+        for (int u = std::max(0, x - kReach); u <= std::min(picture.width() - 1, x + kReach); ++u) {
+          sum += line[u];
+        }
+      }
+      constexpr int kAround = (2 * kReach + 1) * (2 * kReach + 1);
+      soft.scanLine(y)[x] = static_cast<uchar>(sum / kAround);
+    }
+  }
+  return soft;
+}
+
+/// The soft shadow of @p instrument, in a picture of the same size.
+QImage shadowOf(const QImage& instrument) {
+  constexpr int kCoarse = 6;  // [px]: a shadow needs no fine pixels
+  constexpr double kDepth = 0.3;
+  const QImage mask =
+      instrument
+          .scaled(instrument.size() / kCoarse, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+          .convertToFormat(QImage::Format_Alpha8);
+  const QImage soft = blurred(blurred(mask)).convertToFormat(QImage::Format_ARGB32);
+  QImage shadow = soft.scaled(instrument.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  QPainter painter(&shadow);
+  painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
+  painter.fillRect(shadow.rect(), QColor(0, 0, 0, static_cast<int>(255.0 * kDepth)));
+  return shadow;
+}
+
+}  // namespace
+
+ToolPicture::ToolPicture(const haptics::devices::DeviceKind& device, QWidget* parent)
+    : QWidget(parent), view_(device.view) {
+  setProperty("role", QStringLiteral("plain"));
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 QSize ToolPicture::sizeHint() const {
@@ -51,15 +110,50 @@ void ToolPicture::resizeEvent(QResizeEvent* event) {
   QTimer::singleShot(kRendererDelay, this, [this] { draw(); });
 }
 
+/// The picture that was drawn last: the pages of a session show the same one.
+struct LastDrawn {
+  View view = View::None;
+  QSize size;
+  QColor ground;
+  QImage picture;
+};
+
+static LastDrawn& lastDrawn() {
+  static LastDrawn last;
+  return last;
+}
+
 void ToolPicture::draw() {
   if (!picture_.isNull() || width() < 1 || height() < 1) return;
-  const auto graphics = scene::makeRenderer(scene::RendererChoice::Software);
-  const auto alone = instrumentOn(themeOf(*this).window.background);
-  // Drawn at twice the size at which it is shown, for smooth edges.
-  const QSize pixels = 2.0 * devicePixelRatioF() * size();
-  const auto instrument = scene::placeOf(alone.shots.front(), pixels);
-  picture_ = graphics.renderer->draw(alone, pixels).copy(instrument);
+  const auto ground = themeOf(*this).field.background;
+  auto& last = lastDrawn();
+  if (last.view != view_ || last.size != devicePixelRatioF() * size() || last.ground != ground) {
+    last = {view_, (devicePixelRatioF() * size()), ground, drawn(ground)};
+  }
+  picture_ = last.picture;
   update();
+}
+
+QImage ToolPicture::drawn(const QColor& ground) const {
+  const auto whole = sceneOf(view_);
+  const auto alone = instrumentOn(whole->scene(), ground);
+  // Drawn at twice the size at which it is shown, for smooth edges, but not at every cost.
+  constexpr double kMost = 4e6;  // pixels
+  const QSizeF shown = devicePixelRatioF() * QSizeF(size());
+  const double fine = std::min(2.0, std::sqrt(kMost / (shown.width() * shown.height())));
+  const QSize pixels = (fine * shown).toSize();
+  const auto graphics = scene::makeRenderer(scene::RendererChoice::Software);
+  const auto place = scene::placeOf(alone.shots.front(), pixels);
+  const auto instrument =
+      cutOut(graphics.renderer->draw(alone, pixels).copy(place), ground)
+          .scaled(place.size() / fine, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  QImage picture(instrument.size(), QImage::Format_ARGB32_Premultiplied);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  constexpr double kBelow = 0.02;  // of the height: how far the shadow falls
+  painter.drawImage(QPointF(0.0, kBelow * instrument.height()), shadowOf(instrument));
+  painter.drawImage(0, 0, instrument);
+  return picture;
 }
 
 void ToolPicture::paintEvent(QPaintEvent* /*event*/) {
@@ -69,6 +163,17 @@ void ToolPicture::paintEvent(QPaintEvent* /*event*/) {
   QRect place(QPoint(0, 0), picture_.size().scaled(size(), Qt::KeepAspectRatio));
   place.moveCenter(rect().center());
   painter.drawImage(place, picture_);
+}
+
+QWidget* toolCardOf(const haptics::devices::DeviceKind& device, QWidget* parent) {
+  if (device.view == View::None) return nullptr;
+  auto* card = new QFrame(parent);
+  card->setProperty("role", QStringLiteral("card"));
+  auto* inside = new QVBoxLayout(card);
+  const int side = scaled(*parent, 28);
+  inside->setContentsMargins(side, side, side, side);
+  inside->addWidget(new ToolPicture(device, card));
+  return card;
 }
 
 }  // namespace study::gui

@@ -7,14 +7,13 @@
 
 namespace study::gui {
 
-/// A still picture of the instrument that a device represents, from the side, as it is held. It
-/// shows neither tissue nor an alternative. It is drawn a moment after the page has appeared.
+/// A still picture of the instrument that a device represents, as it is held, with its shadow on a
+/// card. It shows neither tissue nor an alternative. It is drawn a moment after the page has
+/// appeared.
 class ToolPicture final : public QWidget {
  public:
-  explicit ToolPicture(QWidget* parent = nullptr);
-
-  /// Whether there is a picture of the instrument.
-  static bool isKnown(const haptics::devices::DeviceKind& device) noexcept;
+  /// @param device  must have a view.
+  explicit ToolPicture(const haptics::devices::DeviceKind& device, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
 
@@ -24,8 +23,13 @@ class ToolPicture final : public QWidget {
 
  private:
   void draw();
+  QImage drawn(const QColor& ground) const;
 
+  haptics::devices::View view_;
   QImage picture_;
 };
+
+/// A card with the picture of the instrument; nullptr if there is no picture of it.
+QWidget* toolCardOf(const haptics::devices::DeviceKind& device, QWidget* parent);
 
 }  // namespace study::gui

@@ -76,7 +76,8 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   if (!isSeen) return nullptr;
   auto* place = new QWidget(parent);
   place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
-  place->setStyleSheet(QStringLiteral("background: black;"));
+  place->setProperty("role", QStringLiteral("scene"));
+  place->setObjectName(QStringLiteral("scene"));
   place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   (new QVBoxLayout(place))->setContentsMargins(0, 0, 0, 0);
   // The page appears at once. The renderer is created while the participant reads it.

@@ -56,7 +56,7 @@ class MarkedText final : public QLabel {
 
  private:
   void spaceOut() {
-    constexpr int kGap = 10;          // [px] at scale 1, below a paragraph
+    constexpr int kGap = 8;           // [px] at scale 1, below a paragraph
     constexpr int kAboveHeading = 8;  // [px] at scale 1, in addition
     const int gap = scaled(*this, kGap);
     // A single paragraph, such as a statement, needs no gap below it.
@@ -74,13 +74,19 @@ class MarkedText final : public QLabel {
               .arg(below)
               .arg(line));
     };
-    constexpr int kOfText = 125;  // line height [%], so that the eye finds the next line
+    constexpr int kOfText = 118;  // line height [%], so that the eye finds the next line
     styled("p", 0, isRunning ? gap : 0, kOfText);
     styled("li", 0, gap / 2, kOfText);
     for (const auto* heading : {"h2", "h3"}) {
       styled(heading, scaled(*this, kAboveHeading), gap / 2, 100);
     }
-    setText(html);
+    // No gap above a heading that begins the text, nor below its last paragraph.
+    static const QRegularExpression kAboveFirst(
+        QStringLiteral("^(<h[23] style=\"margin-top:)\\d+"));
+    static const QRegularExpression kBelowLast(
+        QStringLiteral("(<p style=\"margin-top:0px; margin-bottom:)\\d+(?=[^>]*>[^<]*</p>$)"));
+    const auto none = QStringLiteral("\\1") + QLatin1Char('0');
+    setText(html.replace(kAboveFirst, none).replace(kBelowLast, none));
   }
 
   QString html_;

@@ -34,9 +34,17 @@ QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
 QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
 QLabel[role="quiet"] { color: @quiet; }
-QLabel[role="anchor"] { color: @quiet; font-size: 17px; }
+QLabel[role="anchor"] { font-size: 16px; }
+QLabel[role="name"] { font-size: 40px; font-weight: 600; }
+QLabel[role="key"] { font-size: 20px; font-weight: 600; }
+QLabel[role="code"] { font-size: 36px; font-weight: 600; }
+QLabel[role="step"] { color: @link; font-size: 20px; font-weight: 600; }
 QLabel[role="count"] { font-size: 28px; font-weight: 600; }
 QWidget[role="column"] { max-width: 640px; }
+QWidget[role="lines"] { max-width: 660px; }
+QWidget[role="page"] { max-width: 1380px; }
+QWidget[role="scene"] { background: @header; }
+QFrame[role="fold"] { background: @line; border: none; min-height: 1px; max-height: 1px; }
 QLabel[role="good"] { color: @paleGood.text; background: @paleGood; border-left: 5px solid @good; padding: 8px 12px; font-weight: 600; }
 QLabel[role="resting"] { color: @header.text; background: @header; border-left: 5px solid @border; padding: 8px 12px; font-weight: 600; }
 QLabel[role="warn"] { color: @paleWarn.text; background: @paleWarn; border-left: 5px solid @warn; padding: 8px 12px; font-weight: 600; }
@@ -57,7 +65,7 @@ QPushButton:disabled { color: @disabled.text; background: @disabled; border-colo
 QPushButton:checked { color: @accent.text; background: @accent; border-color: @accent; }
 QPushButton:checked:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="next"] { color: @accent.text; background: @accent; border-color: @accent; font-size: 20px;
-                           font-weight: 600; min-height: 48px; min-width: 180px; }
+                           font-weight: 600; min-height: 46px; min-width: 180px; }
 QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="next"]:focus { border: 6px double @accent.text; padding: 2px 12px; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
@@ -66,12 +74,17 @@ QPushButton[role="main"]:focus { border: 6px double @accent.text; padding: 2px 1
 QPushButton[role="danger"] { color: @bad.text; background: @bad; border-color: @bad; font-weight: 600; }
 QPushButton[role="danger"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="danger"]:focus { border: 6px double @bad.text; padding: 2px 12px; }
-QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
-QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 34px; padding: 4px 4px 22px 4px; }
-QPushButton[role="point"]:checked:focus { padding: 0px 0px 18px 0px; }
-QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px 6px 42px; }
-QPushButton[role="option"]:checked:focus { padding: 2px 10px 2px 38px; }
-QPushButton[role="option"][isMirrored="true"] { text-align: right; padding: 6px 42px 6px 14px; }
+QPushButton[role="back"] { font-size: 20px; min-height: 46px; }
+QPushButton[role="point"], QPushButton[role="option"] { border-width: 1px; }
+QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 46px; padding: 5px; }
+QPushButton[role="point"]:focus { border-width: 3px; padding: 3px; }
+QPushButton[role="point"]:checked:focus { border-width: 6px; padding: 0px; }
+QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 7px 15px 7px 43px; }
+QPushButton[role="option"][isLarge="true"] { min-height: 64px; font-size: 20px; }
+QPushButton[role="option"]:focus { border-width: 3px; padding: 5px 13px 5px 41px; }
+QPushButton[role="option"]:checked:focus { border-width: 6px; padding: 2px 10px 2px 38px; }
+QPushButton[role="option"][isMirrored="true"] { text-align: right; padding: 7px 43px 7px 15px; }
+QPushButton[role="option"][isMirrored="true"]:focus { padding: 5px 41px 5px 13px; }
 QPushButton[role="option"][isMirrored="true"]:checked:focus { padding: 2px 38px 2px 10px; }
 QCheckBox[role="option"] { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
                            min-height: 40px; font-size: 18px; padding: 6px 14px; spacing: 12px; }
@@ -79,6 +92,7 @@ QCheckBox[role="option"]:checked { border-color: @accent; }
 QCheckBox[role="option"]:focus { border: 3px solid @focus; border-radius: 8px; padding: 5px 13px; }
 QCheckBox[role="option"]::indicator { width: 20px; height: 20px; }
 QLineEdit[role="answer"], QPlainTextEdit[role="answer"] { font-size: 18px; }
+QLineEdit[role="answer"] { min-height: 36px; }
 QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; }
 QPlainTextEdit[role="answer"] { min-height: 110px; }
 QSlider[role="answer"] { min-height: 56px; }
@@ -105,6 +119,8 @@ QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(@arrow); width: 12
 QCheckBox::indicator { width: 18px; height: 18px; background: @field; border: 2px solid @border; border-radius: 4px; }
 QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(@check); }
 QCheckBox::indicator:disabled { background: @disabled; border-color: @line; }
+QComboBox[role="language"] { padding: 2px 6px; }
+QComboBox[role="language"]:focus { padding: 1px 5px; }
 QComboBox::drop-down { border: none; width: 28px; }
 QComboBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
 QComboBox { combobox-popup: 0; }
@@ -119,6 +135,7 @@ QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QFrame[role="card"] { color: @field.text; background: @field; border: 1px solid @line; border-radius: 10px; }
 QFrame[role="card"][isOpen="true"] { border: 2px solid @focus; }
 QFrame[role="card"] QLabel { background: transparent; }
+QWidget[role="plain"] { background: transparent; }
 QFrame[role="card"] QScrollArea, QFrame[role="card"] QWidget[role="plain"],
 QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
 QFrame[role="card"] QLabel[role="good"] { color: @paleGood.text; background: @paleGood; }
@@ -144,6 +161,7 @@ QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none;
 QScrollBar::handle:vertical { background: @border; min-height: 40px; border-radius: 7px; }
 QScrollBar:horizontal { background: @header; height: 14px; margin: 0; border: none; border-radius: 7px; }
 QScrollBar::handle:horizontal { background: @border; min-width: 40px; border-radius: 7px; }
+QScrollBar:disabled, QScrollBar::handle:disabled { background: transparent; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTableView, QTreeView, QListView, QTextBrowser {

@@ -86,7 +86,7 @@ QList<QRect> placesOfAll() {
 /// Waits until nothing moves any more: a layout that changes its direction, or a text that is
 /// wrapped, asks those around it for other sizes, round after round.
 void settle() {
-  constexpr int kLeastRounds = 3;
+  constexpr int kLeastRounds = 6;
   constexpr int kMostRounds = 50;
   auto before = placesOfAll();
   for (int round = 1; round <= kMostRounds; ++round) {

@@ -238,7 +238,7 @@ TEST_F(ParticipantPages, CountBenchmarkCutsByAKeyInEveryWindow) {
   EXPECT_EQ(session.benchmarkCuts(), 2);
   const auto words = tests::wordsIn(page());
   EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QString& text) {
-    return text.startsWith(QStringLiteral("Cuts: 2 (make"));
+    return text.startsWith(QStringLiteral("2 of 3 cuts"));
   }));
 }
 

@@ -45,6 +45,7 @@ struct Shown {
     QObject::connect(&page, &QuestionnairePage::retracted, [this](const QString& item) {
       retracted.push_back(item.toStdString());
     });
+    page.resize(1000, 760);
     page.show();
   }
 
@@ -314,6 +315,7 @@ TEST(QuestionnairePage, AsksAndRetractsWhatDependsOnAnAnswer) {
 
 TEST(QuestionnairePage, HasTheSignatureAndTheDateBelowTheConsent) {
   Shown shown(itemsOf("consent-punch"));
+  QCoreApplication::processEvents();
   auto* consent = shown.page.findChildren<OptionButtons*>().front();
   auto* signature = shown.page.findChild<QLineEdit*>();
   const auto cardOf = [](const QWidget* widget) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QTest>
 
 #include "protocols/load_protocol.h"
@@ -60,7 +61,9 @@ class VisualisedTrial : public testing::Test {
   /// s. Does nothing if no pictures are wanted.
   void photographTrial(const char* name, const std::function<bool()>& isThere) {
     if (std::getenv("PALPATE_PICTURES") == nullptr) return;
-    window_->participantWindow()->resize(1280, 800);
+    window_->participantWindow()->resize(1920, 1080);
+    // As with an instrument in the hand.
+    window_->participantWindow()->findChild<QLabel*>(QStringLiteral("pointer-hint"))->hide();
     static_cast<void>(QTest::qWaitFor(isThere, 20'000));
     QTest::qWait(200);  // the picture is drawn after the simulation
     photograph(*window_->participantWindow(), QString::fromUtf8(name));
