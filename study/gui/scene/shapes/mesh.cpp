@@ -97,21 +97,64 @@ void crease(Mesh& mesh, float angle) {
   constexpr float kDegree = 3.14159265F / 180.0F;
   const float least = std::cos(kDegree * angle);
   Mesh creased;
+  // Corners of one vertex with the same normal stay one vertex.
+  std::map<std::pair<std::uint32_t, PlaceKey>, std::uint32_t> kept;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto first = static_cast<std::uint32_t>(creased.vertices.size());
     const QVector3D own = normals[i].normalized();
     const auto& t = mesh.triangles[i];
-    for (const auto corner : {t.a, t.b, t.c}) {
+    const auto creasedCorner = [&](std::uint32_t corner) {
       QVector3D sum;
       for (const auto j : around[place[corner]]) {
         if (QVector3D::dotProduct(own, normals[j].normalized()) >= least) sum += normals[j];
       }
-      creased.vertices.push_back(mesh.vertices[corner]);
-      creased.vertices.back().normal = sum.isNull() ? own : sum.normalized();
-    }
-    creased.triangles.push_back({first, first + 1, first + 2});
+      const QVector3D normal = sum.isNull() ? own : sum.normalized();
+      const auto next = static_cast<std::uint32_t>(creased.vertices.size());
+      const auto [at, isNew] = kept.emplace(std::pair(corner, keyOf(normal)), next);
+      if (isNew)
+        creased.vertices.push_back(
+            {mesh.vertices[corner].position, normal, mesh.vertices[corner].tint});
+      return at->second;
+    };
+    const auto a = creasedCorner(t.a);
+    const auto b = creasedCorner(t.b);
+    creased.triangles.push_back({a, b, creasedCorner(t.c)});
   }
   mesh = std::move(creased);
+}
+
+Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field) {
+  // A triangle is outside if all of its corners are beyond one of the planes around the cone.
+  constexpr std::uint32_t kPlanes = 12;
+  constexpr float kTurn = 6.2831853F;
+  const float widest = std::tan(kTurn * field / 360.0F);
+  std::vector<std::uint32_t> beyond;
+  for (const auto& vertex : mesh.vertices) {
+    const QVector3D at = view.map(vertex.position);
+    beyond.push_back(0);
+    for (std::uint32_t i = 0; i < kPlanes; ++i) {
+      const float angle = kTurn * static_cast<float>(i) / kPlanes;
+      const bool isBeyond =
+          std::cos(angle) * at.x() + std::sin(angle) * at.y() + widest * at.z() > 0.0F;
+      if (isBeyond) beyond.back() |= 1U << i;
+    }
+  }
+  Mesh seen;
+  constexpr std::uint32_t kNone = ~0U;
+  std::vector<std::uint32_t> moved(mesh.vertices.size(), kNone);
+  const auto keep = [&](std::uint32_t corner) {
+    if (moved[corner] == kNone) {
+      moved[corner] = static_cast<std::uint32_t>(seen.vertices.size());
+      seen.vertices.push_back(mesh.vertices[corner]);
+    }
+    return moved[corner];
+  };
+  for (const auto& t : mesh.triangles) {
+    if ((beyond[t.a] & beyond[t.b] & beyond[t.c]) != 0) continue;
+    const auto a = keep(t.a);
+    const auto b = keep(t.b);
+    seen.triangles.push_back({a, b, keep(t.c)});
+  }
+  return seen;
 }
 
 std::size_t countOpenEdges(const Mesh& mesh) {

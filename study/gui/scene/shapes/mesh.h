@@ -54,6 +54,10 @@ void smoothen(Mesh& mesh);
 /// to its own triangle is less than @p angle [°]. Round surfaces look round and edges stay sharp.
 void crease(Mesh& mesh, float angle);
 
+/// What of @p mesh may be seen from the eye of @p view, within a cone of half @p field [°] around
+/// its axis. Triangles outside are left out, as are vertices without a triangle.
+Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field);
+
 /// The number of edges without a neighbour in the opposite direction, where positions within a
 /// micrometre count as equal. A closed surface has none.
 std::size_t countOpenEdges(const Mesh& mesh);

@@ -48,6 +48,22 @@ void cap(Mesh& mesh, std::size_t corners, std::size_t at, bool isFirst) {
   }
 }
 
+/// The place and the direction at @p at of a smooth curve through @p path, whose points lie at 0,
+/// 1, 2 … (a Catmull-Rom spline).
+std::pair<QVector3D, QVector3D> onCurve(const std::vector<QVector3D>& path, float at) {
+  const auto last = static_cast<int>(path.size()) - 1;
+  const int i = std::clamp(static_cast<int>(at), 0, last - 1);
+  const auto point = [&](int k) { return path[static_cast<std::size_t>(std::clamp(k, 0, last))]; };
+  const QVector3D from = point(i);
+  const QVector3D to = point(i + 1);
+  const QVector3D leaving = 0.5F * (to - point(i - 1));
+  const QVector3D arriving = 0.5F * (point(i + 2) - from);
+  const float t = at - static_cast<float>(i);
+  const QVector3D c = 3.0F * (to - from) - 2.0F * leaving - arriving;
+  const QVector3D d = 2.0F * (from - to) + leaving + arriving;
+  return {from + t * (leaving + t * (c + t * d)), leaving + t * (2.0F * c + 3.0F * t * d)};
+}
+
 void orientOutwards(Mesh& mesh) {
   if (volumeOf(mesh) >= 0.0) return;
   for (auto& t : mesh.triangles) std::swap(t.b, t.c);
@@ -111,12 +127,17 @@ Mesh rod(float from, float to, float radius, int corners) {
 }
 
 Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii) {
-  std::vector<Ring> rings;
+  constexpr int kPerPoint = 6;
+  const auto last = static_cast<int>(path.size()) - 1;
   const QVector3D out(0, 0, 1);
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const QVector3D along = path[std::min(i + 1, path.size() - 1)] - path[i == 0 ? 0 : i - 1];
+  std::vector<Ring> rings;
+  for (int step = 0; step <= kPerPoint * last; ++step) {
+    const float at = static_cast<float>(step) / kPerPoint;
+    const auto [middle, along] = onCurve(path, at);
+    const auto i = static_cast<std::size_t>(std::min(step / kPerPoint, last - 1));
+    const float radius = radii[i] + (at - static_cast<float>(i)) * (radii[i + 1] - radii[i]);
     rings.push_back(
-        circle(path[i], QVector3D::crossProduct(along, out).normalized(), out, radii[i], 20));
+        circle(middle, QVector3D::crossProduct(along, out).normalized(), out, radius, 20));
   }
   return loft(rings);
 }
@@ -130,6 +151,25 @@ Mesh fingerRing(QVector3D centre, float radius, float thickness) {
     rings.push_back(circle(centre + radius * out, out, {0, 0, 1}, thickness, 16));
   }
   return loop(rings);
+}
+
+Mesh plate(const std::vector<QVector2D>& outline, float from, float to, float bevel) {
+  QVector2D middle;
+  for (const auto& corner : outline) middle += corner / static_cast<float>(outline.size());
+  const auto ringAt = [&](float z, float inset) {
+    Ring ring;
+    for (const auto& corner : outline) {
+      const QVector2D away = corner - middle;
+      const QVector2D place = middle + away * (1.0F - inset / std::max(away.length(), inset));
+      ring.emplace_back(place.x(), place.y(), z);
+    }
+    return ring;
+  };
+  return loft(
+      {ringAt(from, bevel),
+       ringAt(from + bevel, 0.0F),
+       ringAt(to - bevel, 0.0F),
+       ringAt(to, bevel)});
 }
 
 Mesh turned(const std::vector<QVector2D>& profile, int corners) {

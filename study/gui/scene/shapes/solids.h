@@ -29,11 +29,15 @@ Ring slab(float x, float low, float high, float half, float rounding);
 /// A tube of @p radius along the x axis, from @p from to @p to [mm].
 Mesh rod(float from, float to, float radius, int corners = 24);
 
-/// A tube along @p path, which lies in the x-y plane [mm].
+/// A tube along a smooth curve through @p path, which lies in the x-y plane [mm].
 Mesh bent(const std::vector<QVector3D>& path, const std::vector<float>& radii);
 
 /// A finger ring in the x-y plane [mm].
 Mesh fingerRing(QVector3D centre, float radius, float thickness);
+
+/// A plate of an @p outline in the x-y plane that is seen whole from its middle, from @p from to @p
+/// to along z, with edges bevelled by @p bevel [mm].
+Mesh plate(const std::vector<QVector2D>& outline, float from, float to, float bevel);
 
 /// The solid of revolution of a profile (x: distance from the axis, y: height) around the z axis.
 /// The profile must begin and end on the axis.

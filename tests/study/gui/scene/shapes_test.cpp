@@ -36,6 +36,33 @@ TEST(Solids, KeepTheirVolumeWhenCreased) {
   for (const auto& vertex : mesh.vertices) EXPECT_NEAR(vertex.normal.length(), 1.0F, 1e-4F);
 }
 
+TEST(Solids, KeepOneVertexWhereNormalsAreTheSame) {
+  Mesh ball = turned({{0.001F, -5.0F}, {3.0F, -4.0F}, {5.0F, 0.0F}, {3.0F, 4.0F}, {0.001F, 5.0F}});
+  const std::size_t before = ball.vertices.size();
+  crease(ball, 170.0F);
+  EXPECT_EQ(ball.vertices.size(), before);
+  crease(ball, 1.0F);
+  EXPECT_GT(ball.vertices.size(), 2 * before);
+}
+
+TEST(Meshes, KeepOnlyWhatMayBeSeen) {
+  QMatrix4x4 view;  // the eye at the origin looks along −z, within 45° of it
+  Mesh mesh;
+  const auto add = [&](QVector3D a, QVector3D b, QVector3D c) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& corner : {a, b, c}) mesh.vertices.push_back({corner, {0, 0, 1}, {}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  add({1, 0, -10}, {2, 0, -10}, {1, 1, -10});          // in the middle
+  add({-50, -50, -10}, {50, -50, -10}, {0, 90, -10});  // all around it
+  add({20, 0, -10}, {21, 0, -10}, {20, 1, -10});       // beside the field
+  add({1, 0, 10}, {2, 0, 10}, {1, 1, 10});             // behind the eye
+  const Mesh seen = seenWithin(mesh, view, 45.0F);
+  ASSERT_EQ(seen.triangles.size(), 2U);
+  EXPECT_EQ(seen.vertices.size(), 6U);
+  EXPECT_EQ(seen.vertices[seen.triangles[1].c].position, QVector3D(0, 90, -10));
+}
+
 TEST(PunchShape, IsClosedAndFacesOutwards) {
   const PunchShape punch = punchShape();
   for (const Mesh* body : {&punch.body, &punch.grip, &punch.jaw, &punch.rod, &punch.lever}) {
