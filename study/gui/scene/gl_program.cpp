@@ -48,4 +48,10 @@ void GlProgram::set(const char* name, float value) {
   gl_.glUniform1f(at(name), value);
 }
 
+void GlProgram::set(const char* name, const std::array<QVector3D, 2>& values) {
+  const std::array<GLfloat, 6> all{
+      values[0].x(), values[0].y(), values[0].z(), values[1].x(), values[1].y(), values[1].z()};
+  gl_.glUniform3fv(at(name), 2, all.data());
+}
+
 }  // namespace study::gui::scene

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <QMatrix4x4>
 #include <QOpenGLExtraFunctions>
 #include <QString>
@@ -20,6 +22,8 @@ class GlProgram {
   void set(const char* name, const QMatrix4x4& value);
   void set(const char* name, QVector3D value);
   void set(const char* name, float value);
+  /// Sets both elements of an array.
+  void set(const char* name, const std::array<QVector3D, 2>& values);
 
  private:
   GLuint compile(GLenum kind, const char* code);

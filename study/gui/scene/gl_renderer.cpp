@@ -32,6 +32,11 @@ const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
+QVector3D colourOf(Tint tint) {
+  constexpr float kFull = 255.0F;
+  return QVector3D(tint.red, tint.green, tint.blue) / kFull;
+}
+
 GLsizeiptr bytesOf(std::size_t count, std::size_t size) {
   return static_cast<GLsizeiptr>(count * size);
 }
@@ -182,8 +187,10 @@ const QImage& GlRenderer::draw(const Scene& scene, QSize size) {
   if (scene.spheres != nullptr) uploadSpheres(*scene.spheres);
   gl_.glBindFramebuffer(GL_FRAMEBUFFER, drawn_.frame);
   gl_.glDisable(GL_SCISSOR_TEST);
-  gl_.glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+  const QVector3D ground = colourOf(scene.ground);
+  gl_.glClearColor(ground.x(), ground.y(), ground.z(), 1.0F);
   gl_.glClear(GL_COLOR_BUFFER_BIT);
+  gl_.glFrontFace(GL_CW);  // counterclockwise, upside down
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glEnable(GL_SCISSOR_TEST);
   for (const auto& shot : scene.shots) drawShot(scene, shot, size);
@@ -199,29 +206,28 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   const QMatrix4x4 projection = upsideDown * projectionOf(shot, place.size());
   gl_.glViewport(place.x(), place.y(), place.width(), place.height());
   gl_.glScissor(place.x(), place.y(), place.width(), place.height());
-  const auto share = [](std::uint8_t c) { return static_cast<float>(c) / 255.0F; };
-  gl_.glClearColor(share(shot.ground.red), share(shot.ground.green), share(shot.ground.blue), 1.0F);
-  const bool hasGround = shot.ground.red + shot.ground.green + shot.ground.blue > 0;
-  gl_.glClear(GL_DEPTH_BUFFER_BIT | (hasGround ? GL_COLOR_BUFFER_BIT : 0U));
+  gl_.glClear(GL_DEPTH_BUFFER_BIT);
   bodies_->use();
   setLight(*bodies_, shot, place);
-  const auto shadow = inEyeFrame(scene.shadow, shot);
-  setShadow(*bodies_, shadow);
+  const auto shadows = inEyeFrame(scene.shadows, shot);
+  setShadows(*bodies_, shadows);
+  bodies_->set("ground", colourOf(scene.ground));
   bodies_->set("projection", projection);
   for (const auto i : shot.parts) {
     if (!scene.parts[i].isShown) continue;
     bodies_->set("toEye", shot.view * scene.parts[i].pose);
-    const float depth = scene.parts[i].isTool ? 0.0F : shadow.depth;
-    bodies_->set("shadowSize", QVector3D(shadow.radius, shadow.reach, depth));
+    setDepths(*bodies_, shadows, !scene.parts[i].isTool);
+    scene.parts[i].isTool ? gl_.glEnable(GL_CULL_FACE) : gl_.glDisable(GL_CULL_FACE);
     gl_.glBindVertexArray(parts_[i].array);
     gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, parts_[i].triangles);
     gl_.glDrawElements(
         GL_TRIANGLES, static_cast<GLsizei>(3 * parts_[i].count), GL_UNSIGNED_INT, nullptr);
   }
   if (!shot.showsSpheres || scene.spheres == nullptr) return;
+  gl_.glDisable(GL_CULL_FACE);
   balls_->use();
   setLight(*balls_, shot, place);
-  setShadow(*balls_, shadow);
+  setShadows(*balls_, shadows);
   balls_->set("lampPlace", shot.light.place.normalized());
   balls_->set("projection", projection);
   balls_->set("toEye", shot.view);
@@ -239,6 +245,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
 void GlRenderer::setLight(GlProgram& program, const Shot& shot, QRect place) {
   program.set("lampPlace", shot.light.place);
   program.set("lampReach", shot.light.reach);
+  program.set("lampPower", shot.light.power);
   program.set("ambientLight", shot.light.ambient);
   const QPointF middle = QRectF(place).center();
   program.set(
@@ -249,10 +256,17 @@ void GlRenderer::setLight(GlProgram& program, const Shot& shot, QRect place) {
           shot.isRound ? 0.5F * static_cast<float>(place.width()) : 0.0F));
 }
 
-void GlRenderer::setShadow(GlProgram& program, const ContactShadow& shadow) {
-  program.set("shadowFrom", shadow.from);
-  program.set("shadowAlong", shadow.along);
-  program.set("shadowSize", QVector3D(shadow.radius, shadow.reach, shadow.depth));
+void GlRenderer::setShadows(GlProgram& program, const Shadows& shadows) {
+  program.set("shadowFrom", std::array{shadows[0].from, shadows[1].from});
+  program.set("shadowAlong", std::array{shadows[0].along, shadows[1].along});
+  setDepths(program, shadows, true);
+}
+
+void GlRenderer::setDepths(GlProgram& program, const Shadows& shadows, bool areCast) {
+  const auto sizeOf = [areCast](const ContactShadow& shadow) {
+    return QVector3D(shadow.radius, shadow.reach, areCast ? shadow.depth : 0.0F);
+  };
+  program.set("shadowSize", std::array{sizeOf(shadows[0]), sizeOf(shadows[1])});
 }
 
 void GlRenderer::readBack(QSize size) {

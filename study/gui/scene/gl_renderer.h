@@ -54,7 +54,9 @@ class GlRenderer final : public Renderer {
   void uploadSpheres(SphereCloud& spheres);
   void drawShot(const Scene& scene, const Shot& shot, QSize size);
   void setLight(GlProgram& program, const Shot& shot, QRect place);
-  static void setShadow(GlProgram& program, const ContactShadow& shadow);
+  using Shadows = std::array<ContactShadow, 2>;
+  static void setShadows(GlProgram& program, const Shadows& shadows);
+  static void setDepths(GlProgram& program, const Shadows& shadows, bool areCast);
   void readBack(QSize size);
 
   QOpenGLContext context_;

@@ -11,19 +11,27 @@ inline constexpr const char* kRoughly = "#version 330 core\n";
 inline constexpr const char* kShadingCode = R"glsl(
 uniform vec3 lampPlace;
 uniform float lampReach;
+uniform float lampPower;
 uniform float ambientLight;
-uniform vec3 shadowFrom;
-uniform vec3 shadowAlong;
-uniform vec3 shadowSize;  // radius, reach, depth
+uniform vec3 shadowFrom[2];
+uniform vec3 shadowAlong[2];
+uniform vec3 shadowSize[2];  // radius, reach, depth
 uniform vec3 disc;  // middle and radius in pixels; radius 0: none
+uniform vec3 ground;
 
 /// The share of light that is left, with the same equations as lightAfterShadow().
 float leftByTool(vec3 place) {
-  vec3 way = place - shadowFrom;
-  float at = clamp(dot(way, shadowAlong) / max(dot(shadowAlong, shadowAlong), 1e-6), 0.0, 1.0);
-  float gap = (length(way - at * shadowAlong) - shadowSize.x) / shadowSize.y;
-  float near = 1.0 - clamp(gap, 0.0, 1.0);
-  return 1.0 - shadowSize.z * near * near;
+  float left = 1.0;
+  for (int i = 0; i < 2; ++i) {
+    if (shadowSize[i].z <= 0.0) continue;
+    vec3 along = shadowAlong[i];
+    vec3 way = place - shadowFrom[i];
+    float at = clamp(dot(way, along) / max(dot(along, along), 1e-6), 0.0, 1.0);
+    float gap = (length(way - at * along) - shadowSize[i].x) / shadowSize[i].y;
+    float near = 1.0 - clamp(gap, 0.0, 1.0);
+    left *= 1.0 - shadowSize[i].z * near * near;
+  }
+  return left;
 }
 
 vec2 brightness(vec3 place, vec3 normal, float gloss) {
@@ -34,7 +42,7 @@ vec2 brightness(vec3 place, vec3 normal, float gloss) {
   float away = length(way);
   vec3 toLamp = way / away;
   float share = isNear ? away / lampReach : 0.0;
-  float power = isNear ? 2.1 / (1.0 + share * share) : 1.05;
+  float power = lampPower / (1.0 + share * share);
   float facing = max(0.0, dot(normal, toLamp));
   float mirrored = max(0.0, dot(normal, normalize(toLamp + toEye)));
   float sharp = mirrored * mirrored;  // to the 16th and 64th, dull and glossy
@@ -42,11 +50,21 @@ vec2 brightness(vec3 place, vec3 normal, float gloss) {
   sharp *= sharp;
   sharp *= sharp;
   float sharper = sharp * sharp;
-  float shine = 0.85 * gloss * gloss * mix(sharp, sharper * sharper, gloss);
-  float ambient = ambientLight * (1.0 + 0.5 * normal.y);
-  float up = 2.0 * dot(normal, toEye) * normal.y - toEye.y;
-  float mirror = (0.25 + 0.75 * up * up / (up * up + 0.12)) * (up > 0.0 ? 1.0 : 0.75);
+  sharper *= sharper;
+  float sharpest = sharper * sharper;
+  sharpest *= sharpest;
+  float facingEye = dot(normal, toEye);
   float metal = clamp(10.0 * (gloss - 0.85), 0.0, 1.0);
+  float grazing = 1.0 - max(0.0, facingEye);
+  float up = 2.0 * facingEye * normal.y - toEye.y;
+  float opposite = up * up * up * up;
+  opposite *= up * up;
+  float wet = (1.0 - metal) * (0.3 * grazing * grazing * grazing + 0.3 * opposite);
+  float square = gloss * gloss;
+  float shine =
+      square * (0.5 * mix(sharp, sharper, gloss) + 1.6 * square * sharpest + wet);
+  float ambient = ambientLight * (1.0 + 0.5 * normal.y);
+  float mirror = (0.25 + 0.75 * up * up / (up * up + 0.12)) * (up > 0.0 ? 1.0 : 0.75);
   float steel = ambient + power * (0.35 * facing + 0.6 * mirror);
   return vec2(leftByTool(place) * mix(ambient + power * facing, steel, metal), power * shine);
 }
@@ -55,12 +73,13 @@ vec3 shown(vec3 light) {
   return sqrt(min(light, vec3(1.0)));
 }
 
-/// The share of brightness that is left as a round view darkens towards its rim.
-float vignette(vec2 pixel) {
-  if (disc.z <= 0.0) return 1.0;
+/// A round view darkens towards its rim, where the background begins.
+vec3 throughTheScope(vec2 pixel, vec3 colour) {
+  if (disc.z <= 0.0) return colour;
   vec2 away = (pixel - disc.xy) / disc.z;
   float square = dot(away, away);
-  return clamp((1.0 - square) / 0.024, 0.0, 1.0) * (1.0 - 0.5 * square * square);
+  float inside = clamp((1.0 - square) / 0.016, 0.0, 1.0);
+  return mix(ground, colour * (1.0 - 0.5 * square * square), inside);
 }
 )glsl";
 
@@ -107,7 +126,7 @@ void main() {
   vec2 bright = brightness(eyePlace, normalize(eyeNormal), eyeTint.a);
   vec3 eyeColour = shown(eyeTint.rgb * bright.x + bright.y);
 #endif
-  pixel = vec4(vignette(gl_FragCoord.xy) * eyeColour, 1.0);
+  pixel = vec4(throughTheScope(gl_FragCoord.xy, eyeColour), 1.0);
 }
 )glsl";
 
@@ -155,9 +174,10 @@ void main() {
   float rest = 1.0 - dot(across, across);
   if (rest <= 0.0) discard;
   vec3 normal = vec3(across, sqrt(rest));
-  float facing = max(0.0, dot(normal, lampPlace));
+  // Softer than a ball, so that the spheres are seen as one porous body.
+  float facing = max(0.0, dot(mix(normal, vec3(0.0, 0.0, 1.0), 0.55), lampPlace));
   float bright =
-      (0.45 + 0.55 * normal.z) * (ambientLight * (1.0 + 0.5 * normal.y) + 1.05 * facing);
+      (0.7 + 0.3 * normal.z) * (ambientLight * (1.0 + 0.5 * normal.y) + lampPower * facing);
 #ifdef EXACT
   float z = eyeSphere.z + eyeSphere.w * normal.z;
   float depth = (projection[2][2] * z + projection[3][2]) / -z;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <QVector2D>
+#include <QtMath>
 
 #include "haptics/reaming/bone/sphere_field.h"
-#include "study/gui/scene/shapes/solids.h"
-#include "study/gui/scene/shapes/tool_shapes.h"
+#include "study/gui/scene/shapes/pelvis.h"
+#include "study/gui/scene/shapes/reamer_shape.h"
 
 namespace study::gui::scene {
 namespace {
@@ -16,64 +18,11 @@ constexpr float kTurnsPerSecond = 1.5F;  // slower than a real reamer, so that t
 constexpr float kPlainRadius = 26.0F;    // [mm]
 constexpr float kPlainInner = 25.5F;
 constexpr float kPlainOuter = 41.0F;
-constexpr float kHipShadow = 4.0F;  // reach [mm]
-constexpr float kHipShadowDepth = 0.55F;
-constexpr Tint kPlainBone{226, 208, 180, 50};
-constexpr float kPelvisThickness = 4.5F;  // [mm]
-constexpr Tint kPelvis{178, 166, 148, 40};
+constexpr float kOverlap = 1.2F;    // of the outermost spheres and the bone around them [mm]
+constexpr float kHipShadow = 6.0F;  // reach [mm]
+constexpr float kHipShadowDepth = 0.6F;
 const QVector3D kEye(-70.0F, -200.0F, -58.0F);  // in the bone's frame [mm]
 const QVector3D kMiddle(1.0F, 0.0F, 10.0F);
-
-/// Half of a hollow hemisphere [mm]: a section at y = 0, and its opening at z = 0. The rings go
-/// from one end of the edge between the two to the other, where they have no area: a cap of loft()
-/// that is a crescent would cover the cup.
-Mesh halfShell(float inner, float outer) {
-  std::vector<Ring> rings;
-  constexpr int kRings = 56;
-  constexpr int kSteps = 24;
-  for (int i = 0; i <= kRings; ++i) {
-    const float along = std::numbers::pi_v<float> * static_cast<float>(i) / kRings;
-    Ring ring;
-    for (const float radius : {inner, outer}) {
-      for (int k = 0; k <= kSteps; ++k) {
-        const int step = radius == inner ? k : kSteps - k;
-        const float turned = 0.5F * std::numbers::pi_v<float> * static_cast<float>(step) / kSteps;
-        const QVector3D out(0.0F, std::sin(turned), std::cos(turned));
-        ring.push_back(radius * (std::sin(along) * out + QVector3D(std::cos(along), 0.0F, 0.0F)));
-      }
-    }
-    rings.push_back(std::move(ring));
-  }
-  Mesh shell = loft(rings);
-  crease(shell, 30.0F);
-  return shell;
-}
-
-/// What is seen of the pelvis around a cup of radius @p inner [mm]: its section at y = 0, and its
-/// rim at z = 0. Its other surfaces would only cost time.
-Mesh pelvisAround(float inner) {
-  constexpr std::uint32_t kSteps = 48;
-  constexpr QVector3D kAlong(1.0F, 0.0F, 0.0F);
-  Mesh mesh;
-  for (const bool isSection : {true, false}) {
-    const QVector3D up = isSection ? QVector3D(0.0F, 0.0F, 1.0F) : QVector3D(0.0F, 1.0F, 0.0F);
-    const QVector3D normal =
-        isSection ? QVector3D(0.0F, -1.0F, 0.0F) : QVector3D(0.0F, 0.0F, -1.0F);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::uint32_t i = 0; i <= kSteps; ++i) {
-      const float angle = std::numbers::pi_v<float> * static_cast<float>(i) / kSteps;
-      const QVector3D out = std::cos(angle) * kAlong + std::sin(angle) * up;
-      for (const float radius : {inner, inner + kPelvisThickness})
-        mesh.vertices.push_back({radius * out, normal, kPelvis});
-    }
-    for (std::uint32_t a = first; a < first + 2 * kSteps; a += 2) {
-      // Facing the eye: the corners of the two planes run in opposite directions.
-      mesh.triangles.push_back(isSection ? Triangle{a, a + 1, a + 3} : Triangle{a, a + 3, a + 1});
-      mesh.triangles.push_back(isSection ? Triangle{a, a + 3, a + 2} : Triangle{a, a + 2, a + 3});
-    }
-  }
-  return mesh;
-}
 
 /// The distance of the outermost point of the spheres from the middle of the cup's opening [mm].
 float extentOf(const haptics::reaming::SphereField& field) {
@@ -95,16 +44,23 @@ HipScene::HipScene(const Options& options) {
   const float radius = options.packing == nullptr
                            ? kPlainRadius
                            : kPerMetre * static_cast<float>(options.packing->bone->reamerRadius);
-  ReamerShape reamer = reamerShape(radius);
-  scene_.parts.push_back({.mesh = std::move(reamer.cap), .isTool = true});
-  scene_.parts.push_back({.mesh = std::move(reamer.shaft), .isTool = true});
-  scene_.shadow = {.radius = radius, .reach = kHipShadow, .depth = kHipShadowDepth};
+  addReamer(radius, options.colours != SphereColours::Neutral);
   options.packing == nullptr ? addUncutBone() : addSpheres(options);
   setUpCamera();
   // Colours with a meaning need even light to be read.
   constexpr float kEven = 0.28F;
   if (options.colours != SphereColours::Neutral) scene_.shots.front().light.ambient = kEven;
   update({}, 0.0);
+}
+
+/// Adds the reamer with its shadow. As an outline it does not hide the bone in front of it.
+void HipScene::addReamer(float radius, bool isOutline) {
+  ReamerShape reamer =
+      isOutline ? ReamerShape{.cap = reamerOutline(radius), .shaft = {}} : reamerShape(radius);
+  scene_.parts.push_back({.mesh = std::move(reamer.cap), .isTool = true});
+  scene_.parts.push_back({.mesh = std::move(reamer.shaft), .isTool = true});
+  const float depth = isOutline ? 0.0F : kHipShadowDepth;
+  scene_.shadows[0] = {.radius = radius, .reach = kHipShadow, .depth = depth};
 }
 
 void HipScene::addSpheres(const Options& options) {
@@ -116,15 +72,13 @@ void HipScene::addSpheres(const Options& options) {
   spheres_ = std::make_unique<SphereCloud>(
       field, SphereCloud::Options{.eye = kEye, .isHalved = true, .colours = options.colours});
   scene_.spheres = spheres_.get();
-  addPelvis(extentOf(field));
+  addPelvis(extentOf(field) - kOverlap);
 }
 
 /// Adds half of a hollow hemisphere, with the shape of the parametric packing.
 void HipScene::addUncutBone() {
-  addPelvis(kPlainOuter);
-  Mesh bone = halfShell(kPlainInner, kPlainOuter);
-  paint(bone, kPlainBone);
-  scene_.parts.push_back({.mesh = std::move(bone)});
+  addPelvis(kPlainOuter - kOverlap);
+  scene_.parts.push_back({.mesh = halfShell(kPlainInner, kPlainOuter)});
   start_ = -std::sqrt(kPlainRadius * kPlainRadius - kPlainInner * kPlainInner);
 }
 
@@ -134,15 +88,33 @@ void HipScene::addPelvis(float radius) {
   scene_.parts.push_back({.mesh = pelvisAround(radius)});
 }
 
+/// Fits the camera to the bone.
 void HipScene::setUpCamera() {
+  constexpr float kMargin = 1.07F;          // factor of the size
+  constexpr float kWidth = 1.15F;           // of the narrowest panel, by its height
+  const QVector3D up(-0.55F, 0.0F, 0.62F);  // the opening points down and left
+  QVector3D middle = kMiddle;
+  float half = 0.0F;
+  for (int round = 0; round < 2; ++round) {
+    QMatrix4x4 view;
+    view.lookAt(kEye, middle, up);
+    QRectF box;
+    for (const auto& vertex : scene_.parts[Pelvis].mesh.vertices) {
+      const QVector3D at = view.map(vertex.position);
+      constexpr double kPoint = 1e-6;  // a box without a size is not united
+      box |= QRectF(QPointF(at.x() / -at.z(), at.y() / -at.z()), QSizeF(kPoint, kPoint));
+    }
+    half = 0.5F * static_cast<float>(std::max(box.height(), box.width() / kWidth));
+    const float distance = (middle - kEye).length();
+    const QVector3D aside(QVector2D(box.center()), 0.0F);
+    middle += distance * view.inverted().mapVector(aside);
+  }
   Shot shot;
-  // The opening of the acetabulum points up and left, as a surgeon sees it.
-  shot.view.lookAt(kEye, kMiddle, {-0.55F, 0.0F, 0.62F});
-  shot.fieldOfView = 22.0F;
+  shot.view.lookAt(kEye, middle, up);
+  shot.fieldOfView = 2.0F * qRadiansToDegrees(std::atan(kMargin * half));
   shot.nearest = 60.0F;
   shot.farthest = 420.0F;
-  shot.light = {.place = {-90.0F, 150.0F, 60.0F}, .reach = 0.0F, .ambient = 0.16F};
-  shot.ground = {22, 26, 32, 0};
+  shot.light = {.place = {-80.0F, 110.0F, 120.0F}, .reach = 0.0F, .ambient = 0.14F};
   shot.parts = {Cap, Shaft, Pelvis};
   if (spheres_ == nullptr) shot.parts.push_back(Acetabulum);
   shot.showsSpheres = spheres_ != nullptr;
@@ -169,7 +141,7 @@ void HipScene::update(const TrialSnapshot& snapshot, double seconds) {
   QMatrix4x4 pose;
   pose.translate(0.0F, 0.0F, start_ + kPerMetre * static_cast<float>(depth_));
   pose.rotate(spin_, 0.0F, 0.0F, 1.0F);
-  scene_.shadow.from = pose.column(3).toVector3D();
+  scene_.shadows[0].from = pose.column(3).toVector3D();
   scene_.parts[Cap].pose = pose;
   scene_.parts[Shaft].pose = pose;
 }

@@ -38,6 +38,7 @@ class HipScene final : public SimulatedScene {
  private:
   enum PartIndex : std::size_t { Cap, Shaft, Pelvis, Acetabulum };
 
+  void addReamer(float radius, bool isOutline);
   void addSpheres(const Options& options);
   void addUncutBone();
   void addPelvis(float radius);

@@ -1,6 +1,7 @@
 #include "study/gui/scene/knee_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -17,19 +18,75 @@ constexpr double kClosed = 10.0;       // [travel units]
 constexpr double kCertainlyCut = 9.3;  // [travel units]
 constexpr double kOpenAgain = 4.0;     // [travel units]
 constexpr double kPieceFloats = 0.7;   // [s]
+constexpr float kTipUp = 90.0F;        // the instrument's tip is up [°]
 constexpr float kShaftInView = 60.0F;  // [mm]
-constexpr float kKneeShadow = 2.5F;    // reach [mm]
-constexpr float kKneeShadowDepth = 0.5F;
-constexpr float kNextBite = 13.0F;  // [°]
-constexpr float kMovesOn = 26.0F;   // [°/s]
+constexpr float kScopeField = 62.0F;   // [°]
+constexpr float kKneeShadow = 3.2F;    // reach [mm]
+constexpr float kKneeShadowDepth = 0.6F;
+constexpr float kNextBite = 25.0F;                    // [°]: the bites do not touch
+constexpr float kMovesOn = 60.0F;                     // [°/s]
+constexpr double kRadian = 180.0 / std::numbers::pi;  // [°]
+
+/// Where the scope's view and the whole instrument lie in a picture of a given size [px]: the scope
+/// nearly as high as the picture, and the instrument, tip up, in the room beside it.
+struct KneePlaces {
+  QRectF scope;
+  QRectF instrument;
+};
+
+KneePlaces placesIn(QSizeF size) {
+  constexpr double kWidest = 1.8;     // of the group, in heights of the picture
+  constexpr double kMargin = 0.0175;  // of the same
+  const double high = std::min(size.height(), size.width() / 1.15);
+  const double wide = std::min(size.width(), kWidest * high);
+  const double margin = kMargin * high;
+  const double left = 0.5 * (size.width() - wide);
+  const double top = 0.5 * (size.height() - high);
+  const double across = high - 2.0 * margin;
+  const double tall = std::clamp(0.66 + 1.2 * (wide / high - 1.39), 0.4, 0.93) * high;
+  constexpr double kSlim = 0.56;  // width of the instrument, with its handles apart, by its height
+  return {
+      {left + margin, top + margin, across, across},
+      {left + wide - margin - kSlim * tall, top + high - margin - tall, kSlim * tall, tall}};
+}
+
+QRectF scopeIn(QSizeF size) {
+  return placesIn(size).scope;
+}
+
+QRectF instrumentIn(QSizeF size) {
+  return placesIn(size).instrument;
+}
+
+/// From the knee's frame to the arthroscope's.
+QMatrix4x4 scopeView() {
+  QMatrix4x4 view;
+  view.lookAt({-6.0F, 8.6F, 15.0F}, {0.8F, 2.6F, -16.0F}, {-0.05F, 1.0F, 0.0F});
+  return view;
+}
+
+/// The mark at the rim of a scope's view, which shows its orientation: a black triangle just before
+/// the eye.
+Mesh rimMark(float fieldOfView, float distance) {
+  const float rim = distance * std::tan(0.5F * fieldOfView / static_cast<float>(kRadian));
+  constexpr Tint kBlack{0, 0, 0, 0};
+  Mesh mark;
+  for (const QVector2D& corner : {QVector2D(-0.03F, 1.02F), {0.0F, 0.955F}, {0.03F, 1.02F}}) {
+    mark.vertices.push_back(
+        {{rim * corner.x(), rim * corner.y(), -distance}, {0.0F, 0.0F, 1.0F}, kBlack});
+  }
+  mark.triangles = {{0, 1, 2}};
+  return mark;
+}
 
 }  // namespace
 
 KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
-  KneeSurfaces around = kneeSurfaces(layout_, own);
-  add(std::move(around.tibia));
-  add(std::move(around.femur));
-  add(std::move(around.capsule));
+  const KneeSurfaces around = kneeSurfaces(layout_, own);
+  Mesh glints = glintsOn(around, scopeView(), 0.5F * kScopeField);
+  add(seenWithin(around.tibia, scopeView(), 0.5F * kScopeField));
+  add(seenWithin(around.femur, scopeView(), 0.5F * kScopeField));
+  add(seenWithin(around.capsule, scopeView(), 0.5F * kScopeField));
   add(meniscus_.body());
   add({});
   const QMatrix4x4 punch = punchPose(layout_);
@@ -39,17 +96,19 @@ KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
   add(std::move(shape.jaw));
   add(std::move(shape.rod));
   add(std::move(shape.lever));
+  add(std::move(glints));
   for (const auto part : {Body, Grip, Jaw, Rod, Lever}) scene_.parts[part].isTool = true;
   scene_.parts[Piece].isShown = false;
-  // The shadow of the jaws and the shaft.
-  scene_.shadow = {
+  // The shadow of the lower jaw and the shaft; update() adds that of the upper jaw.
+  scene_.shadows[0] = {
       .from = punch.map(QVector3D(kJawLength, 0.0F, 0.0F)),
       .along = punch.mapVector(QVector3D(-kShaftInView, 0.0F, 0.0F)),
       .radius = kJawHalfWidth,
       .reach = kKneeShadow,
       .depth = kKneeShadowDepth};
   setUpCamera();
-  setUpHandleCamera();
+  scene_.shots.push_back(wholeInstrument(kTipUp));
+  scene_.shots.back().placeIn = instrumentIn;
   update({}, 0.0);
 }
 
@@ -58,45 +117,49 @@ void KneeScene::add(Mesh mesh, const QMatrix4x4& pose) {
 }
 
 void KneeScene::setUpCamera() {
-  Shot shot{.place = {0.0, 0.0, 0.66, 1.0}, .isRound = true};
-  shot.view.lookAt({-6.0F, 10.5F, 17.0F}, {1.2F, 2.6F, -16.0F}, {-0.05F, 1.0F, 0.0F});
-  shot.fieldOfView = 62.0F;
+  Shot shot{.placeIn = scopeIn, .isRound = true};
+  shot.view = scopeView();
+  shot.fieldOfView = kScopeField;
   shot.nearest = 2.0F;
   shot.farthest = 90.0F;
-  shot.light = {.place = {2.5F, 3.5F, 0.0F}, .reach = 38.0F, .ambient = 0.09F};
-  shot.parts = {Plateau, Condyle, Capsule, Tissue, Piece, Body, Jaw, Rod};
+  shot.light = {.place = {1.5F, 2.5F, 0.0F}, .reach = 25.0F, .power = 2.2F, .ambient = 0.1F};
+  constexpr float kBeforeTheEye = 2.2F;  // [mm]
+  add(rimMark(shot.fieldOfView, kBeforeTheEye), shot.view.inverted());
+  // From front to back, so that little is drawn that is hidden later.
+  shot.parts = {RimMark, Jaw, Body, Rod, Piece, Tissue, Glints, Condyle, Plateau, Capsule};
   scene_.shots.push_back(std::move(shot));
 }
 
 /// Fits the camera to the whole instrument at its largest width, with the handles apart.
-void KneeScene::setUpHandleCamera() {
-  update({}, 0.0);
-  const QMatrix4x4 toPunch = punchPose(layout_).inverted();
+Shot KneeScene::wholeInstrument(float turned) const {
+  const QMatrix4x4 punch = punchPose(layout_);
+  const QMatrix4x4 toPunch = punch.inverted();
+  QMatrix4x4 upright;
+  upright.rotate(turned, 0.0F, 0.0F, 1.0F);
+  const std::array poses{QMatrix4x4(), QMatrix4x4(), jawPose(1.0F), rodPose(1.0F), leverPose(1.0F)};
   QRectF box;
-  for (const auto part : {Body, Grip, Jaw, Rod, Lever}) {
-    const auto pose = toPunch * scene_.parts[part].pose;
-    for (const auto& vertex : scene_.parts[part].mesh.vertices) {
-      const QPointF place = pose.map(vertex.position).toPointF();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (const auto& vertex : scene_.parts[Body + i].mesh.vertices) {
+      const QPointF place = upright.map(poses[i].map(vertex.position)).toPointF();
       box = box.united(QRectF(place - QPointF(0.1, 0.1), QSizeF(0.2, 0.2)));
     }
   }
   constexpr double kMargin = 1.1;  // factor of the size; parts nearer to the eye look larger
   constexpr double kDistance = 330.0;
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   const auto middle = QVector3D(QPointF(box.center()));
-  Shot shot{.place = {0.66, 0.05, 0.34, 0.9}, .aspect = box.width() / box.height()};
+  Shot shot{.aspect = box.width() / box.height()};
   // From the side, with the instrument's tip to the left.
   shot.view.lookAt(
       middle - QVector3D(0.0F, 0.0F, static_cast<float>(kDistance)), middle, {0.0F, 1.0F, 0.0F});
-  shot.view *= toPunch;
+  shot.view *= upright * toPunch;
   const double smaller = std::min(box.width(), box.height());
   shot.fieldOfView =
-      static_cast<float>(2.0 * kDegrees * std::atan(0.5 * kMargin * smaller / kDistance));
+      static_cast<float>(2.0 * kRadian * std::atan(0.5 * kMargin * smaller / kDistance));
   shot.nearest = 200.0F;
   shot.farthest = 500.0F;
-  shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.2F};
+  shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.28F};
   shot.parts = {Body, Grip, Jaw, Rod, Lever};
-  scene_.shots.push_back(std::move(shot));
+  return shot;
 }
 
 void KneeScene::update(const TrialSnapshot& snapshot, double seconds) {
@@ -108,6 +171,13 @@ void KneeScene::update(const TrialSnapshot& snapshot, double seconds) {
   scene_.parts[Jaw].pose = punch * jawPose(openness);
   scene_.parts[Rod].pose = punch * rodPose(openness);
   scene_.parts[Lever].pose = punch * leverPose(openness);
+  const QMatrix4x4& jaw = scene_.parts[Jaw].pose;
+  scene_.shadows[1] = {
+      .from = jaw.map(QVector3D(0.0F, 0.4F, 0.0F)),
+      .along = jaw.mapVector(QVector3D(kJawLength - 0.8F, 0.0F, 0.0F)),
+      .radius = 1.0F,
+      .reach = kKneeShadow,
+      .depth = kKneeShadowDepth};
 
   Meniscus::TissueLoad squeeze{.string = {}, .openness = openness};
   if (snapshot.mesh != nullptr) squeeze.string = snapshot.mesh->at(snapshot.travel, snapshot.force);

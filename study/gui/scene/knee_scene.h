@@ -21,6 +21,10 @@ class KneeScene final : public SimulatedScene {
   const Scene& scene() const noexcept override { return scene_; }
   const Meniscus& meniscus() const noexcept { return meniscus_; }
 
+  /// A view of the whole instrument from its side with its tip to the left, turned by @p turned
+  /// [°].
+  Shot wholeInstrument(float turned = 0.0F) const;
+
  private:
   enum PartIndex : std::size_t {
     Plateau,
@@ -32,12 +36,13 @@ class KneeScene final : public SimulatedScene {
     Grip,
     Jaw,
     Rod,
-    Lever
+    Lever,
+    Glints,
+    RimMark
   };
 
   void add(Mesh mesh, const QMatrix4x4& pose = {});
   void setUpCamera();
-  void setUpHandleCamera();
   void updateCut(const TrialSnapshot& snapshot);
   void movePiece(double seconds);
 

@@ -5,18 +5,16 @@
 
 namespace study::gui::scene {
 
-ContactShadow inEyeFrame(ContactShadow shadow, const Shot& shot) {
-  shadow.from = shot.view.map(shadow.from);
-  shadow.along = shot.view.mapVector(shadow.along);
-  return shadow;
+std::array<ContactShadow, 2> inEyeFrame(std::array<ContactShadow, 2> shadows, const Shot& shot) {
+  for (auto& shadow : shadows) {
+    shadow.from = shot.view.map(shadow.from);
+    shadow.along = shot.view.mapVector(shadow.along);
+  }
+  return shadows;
 }
 
 QRect placeOf(const Shot& shot, QSize size) {
-  const QRectF place(
-      shot.place.x() * size.width(),
-      shot.place.y() * size.height(),
-      shot.place.width() * size.width(),
-      shot.place.height() * size.height());
+  const QRectF place = shot.placeIn(size);
   const double aspect = shot.isRound ? 1.0 : shot.aspect;
   if (aspect <= 0.0) return place.toRect();
   const double height = std::min(place.height(), place.width() / aspect);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Part {
   QMatrix4x4 pose;
   std::uint64_t revision = 1;  ///< of the mesh; a renderer compares it with that of its copy
   bool isShown = true;
-  bool isTool = false;  ///< is not darkened by the tool's own shadow
+  bool isTool = false;  ///< a closed surface, not darkened by the tool's own shadow
 };
 
 /// The soft shadow of a tool on what it nearly touches: surfaces are darker the closer they are to
@@ -36,20 +37,25 @@ struct Light {
   QVector3D place{2.0F, 3.0F, 0.0F};  ///< the eye looks along −z [mm]
   float reach = 0.0F;    ///< distance at which half of the light is left [mm]; 0: a distant lamp of
                          ///< constant brightness
+  float power = 1.05F;   ///< brightness of what faces the lamp, at the lamp if it is near
   float ambient = 0.1F;  ///< light from all directions, [0, 1]
 };
 
+/// All of a picture of @p size [px].
+inline QRectF wholePicture(QSizeF size) {
+  return {QPointF(), size};
+}
+
 /// One view of a scene: its place in the picture, its camera, and what it shows.
 struct Shot {
-  QRectF place{0.0, 0.0, 1.0, 1.0};  ///< as fractions of the picture, from its upper left corner
-  double aspect = 0.0;               ///< width by height, as large as fits into place; 0: all of it
-  bool isRound = false;              ///< a disc on black, as through an arthroscope
-  QMatrix4x4 view;                   ///< from the scene's frame to the eye's
-  float fieldOfView = 40.0F;         ///< across the smaller side [°]
-  float nearest = 1.0F;              ///< [mm]
-  float farthest = 500.0F;           ///< [mm]
+  QRectF (*placeIn)(QSizeF picture) = wholePicture;  ///< where it lies in a picture of that size
+  double aspect = 0.0;        ///< width by height, as large as fits into its place; 0: all of it
+  bool isRound = false;       ///< a disc, as through an arthroscope
+  QMatrix4x4 view;            ///< from the scene's frame to the eye's
+  float fieldOfView = 40.0F;  ///< across the smaller side [°]
+  float nearest = 1.0F;       ///< [mm]
+  float farthest = 500.0F;    ///< [mm]
   Light light;
-  Tint ground{0, 0, 0, 0};  ///< the background; not used in a round view
   std::vector<std::size_t> parts;
   bool showsSpheres = false;
 };
@@ -57,13 +63,14 @@ struct Shot {
 /// What a renderer draws: bodies of triangles, spheres, and the views of them.
 struct Scene {
   std::vector<Part> parts;
-  ContactShadow shadow;
-  SphereCloud* spheres = nullptr;  ///< not owned; nullptr: no spheres
+  Tint ground{30, 33, 36, 0};            ///< the background
+  std::array<ContactShadow, 2> shadows;  ///< of two tools, or of two parts of one
+  SphereCloud* spheres = nullptr;        ///< not owned; nullptr: no spheres
   std::vector<Shot> shots;
 };
 
-/// @p shadow in the eye's frame of @p shot.
-ContactShadow inEyeFrame(ContactShadow shadow, const Shot& shot);
+/// @p shadows in the eye's frame of @p shot.
+std::array<ContactShadow, 2> inEyeFrame(std::array<ContactShadow, 2> shadows, const Shot& shot);
 
 /// The rectangle of @p shot in a picture of @p size [px], with the shot's aspect ratio; for a round
 /// view the square around the disc.

@@ -8,16 +8,12 @@ namespace study::gui::scene {
 namespace {
 
 constexpr float kBehind = -0.25F;
-constexpr float kNearLamp = 2.1F;  // brightness of a near lamp
-constexpr float kFarLamp = 1.05F;
-constexpr float kShine = 0.85F;
 constexpr float kDullest = 0.85F;  // gloss from which a surface is metal
 constexpr float kMetals = 10.0F;
 
 /// The brightness that polished steel reflects from its surroundings, [0, 1]: bright above and
-/// below, darker between.
-float around(QVector3D normal, QVector3D toEye) {
-  const float up = 2.0F * QVector3D::dotProduct(normal, toEye) * normal.y() - toEye.y();
+/// below, darker between. @param up  height of the direction that it mirrors, [−1, 1].
+float around(float up) {
   const float square = up * up;
   return (0.25F + 0.75F * square / (square + 0.12F)) * (up > 0.0F ? 1.0F : 0.75F);
 }
@@ -39,18 +35,28 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   const float distance = way.length();
   const QVector3D toLamp = way / distance;
   const float share = isNear ? distance / light.reach : 0.0F;
-  const float power = isNear ? kNearLamp / (1.0F + share * share) : kFarLamp;
+  const float power = light.power / (1.0F + share * share);
   const float facing = std::max(0.0F, QVector3D::dotProduct(normal, toLamp));
   const float mirrored =
       std::max(0.0F, QVector3D::dotProduct(normal, (toLamp + toEye).normalized()));
   const float sharp = powerOf16(mirrored);
   const float sharper = sharp * sharp * sharp * sharp;
-  const float shine = kShine * gloss * gloss * (sharp + gloss * (sharper - sharp));
+  const float sharpest = sharper * sharper * sharper * sharper;
+  const float metal = std::clamp(kMetals * (gloss - kDullest), 0.0F, 1.0F);
+  const float facingEye = QVector3D::dotProduct(normal, toEye);
+  const float up = 2.0F * facingEye * normal.y() - toEye.y();
+  // A wet surface mirrors the bright surfaces above and below, and everything where it turns away
+  // from the eye.
+  const float grazing = 1.0F - std::max(0.0F, facingEye);
+  const float wet =
+      (1.0F - metal) * 0.3F * (grazing * grazing * grazing + up * up * up * up * up * up);
+  const float square = gloss * gloss;
+  const float shine =
+      square * (0.5F * (sharp + gloss * (sharper - sharp)) + 1.6F * square * sharpest + wet);
   // Ambient light is slightly brighter from above.
   const float ambient = light.ambient * (1.0F + 0.5F * normal.y());
   const float diffuse = ambient + power * facing;
-  const float metal = std::clamp(kMetals * (gloss - kDullest), 0.0F, 1.0F);
-  const float steel = ambient + power * (0.35F * facing + 0.6F * around(normal, toEye));
+  const float steel = ambient + power * (0.35F * facing + 0.6F * around(up));
   return {diffuse + metal * (steel - diffuse), power * shine};
 }
 
@@ -63,13 +69,20 @@ float lightAfterShadow(const ContactShadow& shadow, QVector3D place) {
   return 1.0F - shadow.depth * near * near;
 }
 
-float vignette(float radius) {
+Vignette vignette(float radius) {
   const float square = radius * radius;
-  const float edge = std::clamp((1.0F - square) / 0.024F, 0.0F, 1.0F);
-  return edge * (1.0F - 0.5F * square * square);
+  return {1.0F - 0.5F * square * square, std::clamp((1.0F - square) / 0.016F, 0.0F, 1.0F)};
 }
 
 namespace {
+
+float lightAfterShadows(const std::array<ContactShadow, 2>& shadows, QVector3D place) {
+  float left = 1.0F;
+  for (const auto& shadow : shadows) {
+    if (shadow.depth > 0.0F) left *= lightAfterShadow(shadow, place);
+  }
+  return left;
+}
 
 QRgb asPixel(float red, float green, float blue) {
   const auto byte = [](float value) { return static_cast<int>(std::clamp(value, 0.0F, 255.0F)); };
@@ -98,38 +111,31 @@ float shown(float light) {
 
 const QImage& SoftwareRenderer::draw(const Scene& scene, QSize size) {
   if (picture_.size() != size) picture_ = QImage(size, QImage::Format_RGB32);
-  picture_.fill(Qt::black);
+  const QRgb ground = qRgb(scene.ground.red, scene.ground.green, scene.ground.blue);
+  picture_.fill(ground);
   nearness_.resize(static_cast<std::size_t>(size.width() * size.height()));
   for (const auto& shot : scene.shots) {
     Frame frame{
         .shot = &shot,
         .place = placeOf(shot, size),
         .projection = {},
-        .shadow = inEyeFrame(scene.shadow, shot)};
+        .shadows = inEyeFrame(scene.shadows, shot)};
     frame.projection = projectionOf(shot, frame.place.size());
     begin(frame);
     for (const auto part : shot.parts) {
       if (scene.parts[part].isShown) drawPart(frame, scene.parts[part]);
     }
     if (shot.showsSpheres && scene.spheres != nullptr) drawSpheres(frame, *scene.spheres);
-    if (shot.isRound) darkenRim(frame);
+    smoothEdges(frame.place);
+    if (shot.isRound) darkenRim(frame, ground);
   }
-  smoothEdges();
   return picture_;
 }
 
-/// Paints the shot's background and clears its part of the depth buffer, which an earlier shot may
-/// have filled.
+/// Clears the shot's part of the depth buffer, which an earlier shot may have filled.
 void SoftwareRenderer::begin(const Frame& frame) {
-  const auto& ground = frame.shot->ground;
   const QRect place = frame.place.intersected(picture_.rect());
   for (int y = place.top(); y <= place.bottom(); ++y) {
-    auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
-    const bool isEmpty = ground.red + ground.green + ground.blue == 0;
-    if (!isEmpty) {
-      std::fill(
-          row + place.left(), row + place.right() + 1, qRgb(ground.red, ground.green, ground.blue));
-    }
     auto* near = nearness_.data() + y * picture_.width();
     std::fill(near + place.left(), near + place.right() + 1, 0.0F);
   }
@@ -145,8 +151,15 @@ void SoftwareRenderer::drawPart(const Frame& frame, const Part& part) {
     light(frame, vertex, normal, part.isTool, corners_[i]);
     project(frame, corners_[i]);
   }
-  for (const auto& t : part.mesh.triangles)
-    clip(frame, corners_[t.a], corners_[t.b], corners_[t.c]);
+  for (const auto& t : part.mesh.triangles) {
+    const Corner& a = corners_[t.a];
+    const Corner& b = corners_[t.b];
+    const Corner& c = corners_[t.c];
+    // The back of a closed surface is hidden by its front.
+    const QVector3D out = QVector3D::crossProduct(b.eye - a.eye, c.eye - a.eye);
+    if (part.isTool && QVector3D::dotProduct(out, a.eye) >= 0.0F) continue;
+    clip(frame, a, b, c);
+  }
 }
 
 void SoftwareRenderer::light(
@@ -154,8 +167,7 @@ void SoftwareRenderer::light(
   const Tint tint = vertex.tint;
   auto bright =
       brightnessOf(frame.shot->light, corner.eye, normal, static_cast<float>(tint.gloss) / 255.0F);
-  if (!isTool && frame.shadow.depth > 0.0F)
-    bright.diffuse *= lightAfterShadow(frame.shadow, corner.eye);
+  if (!isTool) bright.diffuse *= lightAfterShadows(frame.shadows, corner.eye);
   corner.red = shown(linear(tint.red) * bright.diffuse + bright.shine);
   corner.green = shown(linear(tint.green) * bright.diffuse + bright.shine);
   corner.blue = shown(linear(tint.blue) * bright.diffuse + bright.shine);
@@ -277,11 +289,12 @@ void SoftwareRenderer::drawSphere(
   const int bottom = std::min(place.bottom(), static_cast<int>(middle.y + radius - 0.5F));
   const int first = std::max(place.left(), static_cast<int>(std::ceil(middle.x - radius - 0.5F)));
   const int last = std::min(place.right(), static_cast<int>(middle.x + radius - 0.5F));
-  const float left = frame.shadow.depth > 0.0F ? lightAfterShadow(frame.shadow, middle.eye) : 1.0F;
+  const float left = lightAfterShadows(frame.shadows, middle.eye);
   const float red = left * linear(sphere.tint.red);
   const float green = left * linear(sphere.tint.green);
   const float blue = left * linear(sphere.tint.blue);
   const float ambient = frame.shot->light.ambient;
+  const float power = frame.shot->light.power;
   for (int y = top; y <= bottom; ++y) {
     auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
     float* near = nearness_.data() + y * picture_.width();
@@ -294,9 +307,11 @@ void SoftwareRenderer::drawSphere(
       const float inverseDepth = 1.0F / (-middle.eye.z() - sphere.radius * nz);
       if (inverseDepth <= near[x]) continue;
       near[x] = inverseDepth;
-      const float facing = std::max(0.0F, nx * toLamp.x() + ny * toLamp.y() + nz * toLamp.z());
+      // Softer than a ball, so that the spheres are seen as one porous body.
+      const float facing = std::max(
+          0.0F, 0.45F * (nx * toLamp.x() + ny * toLamp.y()) + (0.55F + 0.45F * nz) * toLamp.z());
       // Little light reaches the gaps between spheres.
-      const float bright = (0.45F + 0.55F * nz) * (ambient * (1.0F + 0.5F * ny) + 1.05F * facing);
+      const float bright = (0.7F + 0.3F * nz) * (ambient * (1.0F + 0.5F * ny) + power * facing);
       row[x] = asPixel(shown(red * bright), shown(green * bright), shown(blue * bright));
     }
   }
@@ -356,14 +371,15 @@ QRgb alongTheEdge(const QImage& picture, int x, int y) {
 
 /// Smooths the outlines of bodies, which are found as steps in the depth buffer. Drawing everything
 /// twice as large would take four times as long; this computes only the few pixels at edges.
-void SoftwareRenderer::smoothEdges() {
+void SoftwareRenderer::smoothEdges(QRect place) {
   constexpr float kJump = 0.03F;  // relative step of the nearness at an outline; the surface of a
                                   // body has smaller steps
   const int width = picture_.width();
+  place = place.intersected(picture_.rect()).adjusted(1, 1, -1, -1);  // has neighbours all around
   smoothed_.clear();
-  for (int y = 1; y < picture_.height() - 1; ++y) {
+  for (int y = place.top(); y <= place.bottom(); ++y) {
     const float* near = nearness_.data() + y * width;
-    for (int x = 1; x < width - 1; ++x) {
+    for (int x = place.left(); x <= place.right(); ++x) {
       const float largest =
           std::max(std::max(near[x - 1], near[x + 1]), std::max(near[x - width], near[x + width]));
       const float least =
@@ -372,17 +388,24 @@ void SoftwareRenderer::smoothEdges() {
       smoothed_.push_back({y * width + x, alongTheEdge(picture_, x, y)});
     }
   }
-  for (const auto& [place, colour] : smoothed_) {
-    reinterpret_cast<QRgb*>(picture_.scanLine(place / width))[place % width] = colour;
+  for (const auto& [at, colour] : smoothed_) {
+    reinterpret_cast<QRgb*>(picture_.scanLine(at / width))[at % width] = colour;
   }
 }
 
-/// Cuts the view to a disc on black that darkens towards its rim.
-void SoftwareRenderer::darkenRim(const Frame& frame) {
-  constexpr int kSteps = 512;  // number of table entries, over the square of the radius
-  int left[kSteps + 1];        // share of the brightness, in 256ths
+/// Cuts the view to a disc on the background that darkens towards its rim.
+void SoftwareRenderer::darkenRim(const Frame& frame, QRgb ground) {
+  constexpr int kSteps = 1024;  // number of table entries, over the square of the radius
+  struct Share {
+    int left = 0;    // of the brightness, in 256ths
+    int ground = 0;  // weight of the background, in 256ths
+  };
+  std::array<Share, kSteps + 1> shares;
   for (int i = 0; i <= kSteps; ++i) {
-    left[i] = static_cast<int>(256.0F * vignette(std::sqrt(static_cast<float>(i) / kSteps)));
+    const auto at = vignette(std::sqrt(static_cast<float>(i) / kSteps));
+    shares[static_cast<std::size_t>(i)] = {
+        static_cast<int>(256.0F * at.brightness * at.inside),
+        static_cast<int>(256.0F * (1.0F - at.inside))};
   }
   const QRect place = frame.place.intersected(picture_.rect());
   const float half = 0.5F * static_cast<float>(frame.place.width());
@@ -392,10 +415,16 @@ void SoftwareRenderer::darkenRim(const Frame& frame) {
     const float dy = (static_cast<float>(y) + 0.5F - static_cast<float>(middle.y())) / half;
     for (int x = place.left(); x <= place.right(); ++x) {
       const float dx = (static_cast<float>(x) + 0.5F - static_cast<float>(middle.x())) / half;
-      const int share = left[std::min(kSteps, static_cast<int>(kSteps * (dx * dx + dy * dy)))];
+      const auto at = std::min(kSteps, static_cast<int>(kSteps * (dx * dx + dy * dy)));
+      const Share& share = shares[static_cast<std::size_t>(at)];
+      const auto mixed = [&](int channel, int behind) {
+        return (channel * share.left + behind * share.ground) >> 8;
+      };
       const QRgb pixel = row[x];
       row[x] = qRgb(
-          (qRed(pixel) * share) >> 8, (qGreen(pixel) * share) >> 8, (qBlue(pixel) * share) >> 8);
+          mixed(qRed(pixel), qRed(ground)),
+          mixed(qGreen(pixel), qGreen(ground)),
+          mixed(qBlue(pixel), qBlue(ground)));
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "study/gui/scene/renderer.h"
@@ -25,8 +26,12 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
 /// in the same frame.
 float lightAfterShadow(const ContactShadow& shadow, QVector3D place);
 
-/// The brightness at @p radius from the middle of a round view, whose rim is at 1.
-float vignette(float radius);
+/// What is left at @p radius from the middle of a round view, whose rim is at 1.
+struct Vignette {
+  float brightness = 1.0F;  ///< share of the brightness, which falls towards the rim
+  float inside = 1.0F;      ///< share of the view; the rest is background
+};
+Vignette vignette(float radius);
 
 /// Converts a colour channel from the screen's scale to linear light, 0 to 1.
 inline float linear(std::uint8_t channel) {
@@ -54,7 +59,7 @@ class SoftwareRenderer final : public Renderer {
     const Shot* shot = nullptr;
     QRect place;
     QMatrix4x4 projection;
-    ContactShadow shadow;  ///< in the eye's frame
+    std::array<ContactShadow, 2> shadows;  ///< in the eye's frame
   };
 
   void begin(const Frame& frame);
@@ -71,8 +76,8 @@ class SoftwareRenderer final : public Renderer {
   void fillRow(int y, int from, int to, const Corner& at, const Corner& perPixel);
   void drawSpheres(const Frame& frame, SphereCloud& spheres);
   void drawSphere(const Frame& frame, const SphereInstance& sphere, QVector3D toLamp);
-  void darkenRim(const Frame& frame);
-  void smoothEdges();
+  void darkenRim(const Frame& frame, QRgb ground);
+  void smoothEdges(QRect place);
 
   QImage picture_;
   std::vector<float> nearness_;  ///< 1 / distance of each pixel; 0: empty

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <cstdint>
 
 #include <QFrame>
 #include <QPainter>
@@ -22,24 +22,19 @@ using haptics::devices::View;
 constexpr QSize kUsual(560, 300);   // [px] at scale 1
 constexpr int kRendererDelay = 20;  // [ms]
 
-std::unique_ptr<scene::SimulatedScene> sceneOf(View view) {
-  if (view == View::Hip) return std::make_unique<scene::HipScene>(scene::HipScene::Options{});
-  return std::make_unique<scene::KneeScene>();
-}
-
-/// The view of a scene that shows the whole instrument, alone on @p ground.
-scene::Scene instrumentOn(const scene::Scene& whole, const QColor& ground) {
-  auto alone = whole;
-  auto shot = alone.shots.back();
+/// A view of the whole instrument without what it touches.
+scene::Scene instrumentIn(View view) {
+  if (view != View::Hip) {
+    const scene::KneeScene knee;
+    auto alone = knee.scene();
+    alone.shots = {knee.wholeInstrument()};
+    return alone;
+  }
+  const scene::HipScene hip(scene::HipScene::Options{});
+  auto alone = hip.scene();
+  auto& shot = alone.shots.front();
   std::erase_if(shot.parts, [&](std::size_t part) { return !alone.parts[part].isTool; });
   shot.showsSpheres = false;
-  shot.place = {0.0, 0.0, 1.0, 1.0};
-  shot.ground = {
-      static_cast<std::uint8_t>(ground.red()),
-      static_cast<std::uint8_t>(ground.green()),
-      static_cast<std::uint8_t>(ground.blue()),
-      0};
-  alone.shots = {shot};
   return alone;
 }
 
@@ -135,8 +130,12 @@ void ToolPicture::draw() {
 }
 
 QImage ToolPicture::drawn(const QColor& ground) const {
-  const auto whole = sceneOf(view_);
-  const auto alone = instrumentOn(whole->scene(), ground);
+  auto alone = instrumentIn(view_);
+  alone.ground = {
+      static_cast<std::uint8_t>(ground.red()),
+      static_cast<std::uint8_t>(ground.green()),
+      static_cast<std::uint8_t>(ground.blue()),
+      0};
   // Drawn at twice the size at which it is shown, for smooth edges, but not at every cost.
   constexpr double kMost = 4e6;  // pixels
   const QSizeF shown = devicePixelRatioF() * QSizeF(size());

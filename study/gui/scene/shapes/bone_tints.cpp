@@ -7,9 +7,10 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr Tint kCortical{246, 231, 209, 40};
-constexpr Tint kCancellous{226, 186, 160, 30};
-constexpr Tint kUntouched{138, 150, 164, 25};
+constexpr Tint kCortical{246, 238, 222, 40};
+constexpr Tint kCancellous{247, 224, 197, 30};
+constexpr Tint kMarrow{176, 102, 78, 30};
+constexpr Tint kUntouched{218, 210, 194, 25};
 
 /// A pseudo-random number in [0, 1] from the slot's index, which makes each sphere look slightly
 /// different.
@@ -32,6 +33,21 @@ Tint along(const std::array<Tint, N>& stops, float share) {
 
 }  // namespace
 
+DensityRange roundedRange(double softest, double hardest) {
+  constexpr double kMost = 5.0;    // steps
+  constexpr double kLeast = 0.01;  // width of the scale, by its hardest end
+  const double width = std::max({hardest - softest, kLeast * std::abs(hardest), 1e-9});
+  const double decade = std::pow(10.0, std::floor(std::log10(width / kMost)));
+  DensityRange range;
+  for (const double digit : {1.0, 2.0, 2.5, 5.0, 10.0, 20.0}) {
+    const double step = digit * decade;
+    range = {step * std::floor(softest / step), step * std::ceil(hardest / step), step};
+    if (range.hardest <= range.softest) range.hardest = range.softest + step;
+    if (std::lround((range.hardest - range.softest) / step) <= std::lround(kMost)) break;
+  }
+  return range;
+}
+
 DensityRange densityRangeOf(const haptics::reaming::SphereField& field) {
   std::vector<double> densities;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
@@ -41,7 +57,7 @@ DensityRange densityRangeOf(const haptics::reaming::SphereField& field) {
   }
   std::sort(densities.begin(), densities.end());
   const std::size_t beyond = densities.size() / 50;
-  return {densities[beyond], densities[densities.size() - 1 - beyond]};
+  return roundedRange(densities[beyond], densities[densities.size() - 1 - beyond]);
 }
 
 BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours colours)
@@ -52,7 +68,7 @@ BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours c
 Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
   switch (colours_) {
     case SphereColours::Neutral:
-      return shaded(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * variationOf(slot));
+      return shaded(isAtTheSurface ? kCortical : kCancellous, 0.94F + 0.06F * variationOf(slot));
     case SphereColours::Density: {
       const double range = range_.hardest - range_.softest;
       const double above = static_cast<double>(densityOf(field_, slot)) - range_.softest;
@@ -71,9 +87,14 @@ Tint tintAfter(SphereColours colours, Tint tint, float whole, float left) {
   return removalTint(gone);
 }
 
+Tint inTheGap(Tint tint, float openness) {
+  const float shut = 1.0F - openness;
+  return shaded(blend(tint, kMarrow, 0.35F * shut), 1.0F - 0.3F * shut);
+}
+
 Tint scaleTint(float share) {
   constexpr std::array kViridis{
-      Tint{68, 1, 84, 35},
+      Tint{72, 38, 119, 35},
       Tint{59, 82, 139, 35},
       Tint{33, 145, 140, 35},
       Tint{94, 201, 98, 35},
@@ -86,9 +107,9 @@ Tint untouchedTint() {
 }
 
 Tint removalTint(float share) {
-  constexpr std::array kInferno{
-      Tint{87, 16, 110, 35}, Tint{188, 55, 84, 35}, Tint{249, 142, 9, 35}, Tint{252, 255, 164, 35}};
-  return along(kInferno, share);
+  constexpr std::array kYellowToRed{
+      Tint{255, 226, 92, 35}, Tint{246, 150, 48, 35}, Tint{206, 66, 40, 35}, Tint{96, 8, 30, 35}};
+  return along(kYellowToRed, share);
 }
 
 }  // namespace study::gui::scene

@@ -5,13 +5,18 @@
 
 namespace study::gui::scene {
 
-/// The densities at both ends of the colour scale.
+/// The densities at both ends of the colour scale, and from mark to mark: round numbers.
 struct DensityRange {
   double softest = 0.0;  ///< this or softer [N/m²]
   double hardest = 1.0;  ///< this or harder [N/m²]
+  double step = 0.25;    ///< [N/m²]
 };
 
-/// The range that holds all but 4 % of a bone's spheres: one in fifty lies beyond each end.
+/// The smallest range with at most six round marks that contains both densities.
+DensityRange roundedRange(double softest, double hardest);
+
+/// The rounded range that holds at least 96 % of a bone's spheres: at most one in fifty lies beyond
+/// each end.
 DensityRange densityRangeOf(const haptics::reaming::SphereField& field);
 
 /// Computes the colours of a bone's spheres.
@@ -32,6 +37,10 @@ class BoneTints {
 /// has become @p left [mm].
 Tint tintAfter(SphereColours colours, Tint tint, float whole, float left);
 
+/// The colour @p tint of neutral bone where less light reaches it between neighbours, from 0 (all
+/// around) to 1 (@p openness at the surface).
+Tint inTheGap(Tint tint, float openness);
+
 /// The colour of a density from soft (0) to hard (1). The scale is viridis: its lightness rises
 /// evenly, so it can be read in grey and with colour blindness.
 Tint scaleTint(float share);
@@ -40,7 +49,7 @@ Tint scaleTint(float share);
 Tint untouchedTint();
 
 /// The colour of a sphere of which the reamer has removed a share, from 0 (just touched) to 1
-/// (almost all). It rises from dark to bright and differs from that of an untouched sphere
+/// (almost all). It falls from bright to dark and differs from that of an untouched sphere
 /// everywhere.
 Tint removalTint(float share);
 

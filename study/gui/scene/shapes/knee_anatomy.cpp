@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include <QVector2D>
+
 #include "study/gui/scene/shapes/meniscus.h"
+#include "study/gui/scene/shapes/noise.h"
 #include "study/gui/scene/shapes/solids.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
 
@@ -19,7 +23,7 @@ QVector3D onArc(const KneeLayout& layout, float angle, float radius) {
 
 float plateauHeight(float x, float z) {
   const float dz = z + 4.0F;
-  return 0.0022F * (x * x + dz * dz) - 0.4F;
+  return 0.0012F * (x * x + dz * dz) - 0.4F;
 }
 
 QVector3D punchMouth(const KneeLayout& layout) {
@@ -57,9 +61,9 @@ QMatrix4x4 punchPose(const KneeLayout& layout) {
 
 namespace {
 
-constexpr Tint kCartilageShade{229, 214, 194, 190};
-constexpr Tint kSynoviumPale{205, 128, 112, 140};
-constexpr Tint kVessel{128, 34, 36, 120};
+constexpr Tint kCartilageShade{206, 196, 180, 190};
+constexpr Tint kSynoviumPale{226, 164, 146, 165};
+constexpr Tint kVessel{150, 52, 50, 150};
 
 /// A sheet over (u, v) in [0, 1]², row by row, with a colour for each point.
 template <typename Place, typename Paint>
@@ -71,7 +75,7 @@ Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
       const float u = static_cast<float>(column) / static_cast<float>(columns - 1);
       const float v = static_cast<float>(row) / static_cast<float>(rows - 1);
       places.push_back(placeOf(u, v));
-      tints.push_back(tintOf(u, v));
+      tints.push_back(tintOf(u, v, places.back()));
     }
   }
   Mesh mesh = sheet(places, columns);
@@ -79,18 +83,48 @@ Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
   return mesh;
 }
 
+/// Makes the side of @p mesh that most of it turns to @p place its front.
+void faceTo(Mesh& mesh, QVector3D place) {
+  float facing = 0.0F;
+  for (const auto& vertex : mesh.vertices)
+    facing += QVector3D::dotProduct(vertex.normal, (place - vertex.position).normalized());
+  if (facing >= 0.0F) return;
+  for (auto& vertex : mesh.vertices) vertex.normal = -vertex.normal;
+  for (auto& t : mesh.triangles) std::swap(t.b, t.c);
+}
+
+/// Turns the normals by @p strength, as bumps of @p width [mm] would: a wet surface glints in
+/// spots.
+void roughen(Mesh& mesh, float width, float strength) {
+  for (auto& vertex : mesh.vertices) {
+    const QVector3D at = vertex.position / width;
+    const QVector3D turn(
+        roughnessAt(at, 2),
+        roughnessAt(at + QVector3D(31, 0, 0), 2),
+        roughnessAt(at + QVector3D(0, 57, 0), 2));
+    vertex.normal = (vertex.normal + 2.0F * strength * turn).normalized();
+  }
+}
+
+/// Cartilage at @p place: bluish white, with faint patches.
+Tint cartilageAt(QVector3D place) {
+  const float patch = 0.5F + roughnessAt(0.16F * place, 3);
+  return blend(kCartilage, kCartilageShade, std::clamp(patch, 0.0F, 1.0F));
+}
+
 /// The visibility of blood vessels at @p angle [°] to the side and @p height [mm] above the tissue.
-/// A few vessels climb, each with a branch.
+/// A few thin vessels wind upwards.
 float vesselAt(float angle, float height) {
+  constexpr float kApart = 23.0F;  // [°]
   float most = 0.0F;
-  for (int i = -5; i <= 5; ++i) {
+  for (int i = -3; i <= 3; ++i) {
     const auto number = static_cast<float>(i);
-    const float stem = 13.0F * number + 5.0F * std::sin(2.3F * number) +
-                       2.2F * std::sin(0.45F * height + 1.7F * number);
-    const float branch =
-        stem + 0.9F * std::max(0.0F, height - 4.0F - std::fmod(2.9F * number, 2.0F));
+    const float wind = 5.0F * noiseAt({0.35F * height, number, 0.0F}) +
+                       1.6F * noiseAt({1.1F * height, number, 9.0F});
+    const float stem = kApart * number + 7.0F * noiseAt({number, 3.0F, 0.5F}) + wind;
+    const float branch = stem + 1.4F * std::max(0.0F, height - 5.0F);
     for (const float course : {stem, branch}) {
-      const float aside = (angle - course) / 0.9F;
+      const float aside = (angle - course) / 0.8F;
       most = std::max(most, 1.0F / (1.0F + aside * aside * aside * aside));
     }
   }
@@ -107,53 +141,50 @@ Mesh plateauSurface(const KneeLayout& layout) {
     if (v >= kEdge) return edge + 27.0F * std::pow((v - kEdge) / (1.0F - kEdge), 1.4F);
     return std::max(edge * (1.0F - std::pow(1.0F - v / kEdge, 1.7F)), 0.0005F);
   };
-  return surface(
-      61,
-      22,
+  Mesh mesh = surface(
+      109,
+      40,
       [&](float u, float v) {
         QVector3D place = onArc(layout, angleAt(u), radiusAt(v));
-        const float x = place.x();
-        const float z = place.z();
-        const float ripple = 0.10F * std::sin(0.55F * x + 0.2F * z) * std::sin(0.45F * z);
-        place.setY(plateauHeight(x, z) + ripple);
+        place.setY(
+            plateauHeight(place.x(), place.z()) +
+            0.12F * noiseAt({0.2F * place.x(), 0.0F, 0.2F * place.z()}));
         return place;
       },
-      [&](float u, float v) {
-        const QVector3D place = onArc(layout, angleAt(u), radiusAt(v));
-        const float patch =
-            0.5F + 0.5F * std::sin(0.11F * place.x() + 3.0F) * std::sin(0.13F * place.z());
-        const Tint ground = blend(kCartilage, kCartilageShade, 0.6F * patch);
-        // The ground is darker under the tissue, which blocks the light.
-        const float within = std::clamp((v - 0.45F) / 0.25F, 0.0F, 1.0F);
+      [&](float u, float v, QVector3D place) {
+        // The ground is darker beside and under the tissue, which blocks the light.
+        const float within =
+            std::clamp((radiusAt(v) - layout.innerRadius + 1.6F) / 2.2F, 0.0F, 1.0F);
         const float beside = std::abs(angleAt(u));
         const float isThere = std::clamp((layout.halfAngle - beside) / 6.0F, 0.0F, 1.0F);
-        return shaded(ground, 1.0F - 0.3F * isThere * within * within);
+        return shaded(cartilageAt(place), 1.0F - 0.38F * isThere * within * within);
       });
+  faceTo(mesh, {0.0F, 40.0F, 0.0F});
+  roughen(mesh, 2.2F, 0.07F);
+  return mesh;
 }
 
 Mesh condyleSurface() {
-  const QVector3D centre(-3.0F, 33.5F, -8.0F);
+  const QVector3D centre(-3.0F, 31.0F, -8.0F);
   const QVector3D radii(25.0F, 23.5F, 23.0F);
-  return surface(
-      50,
-      26,
+  Mesh mesh = surface(
+      96,
+      44,
       [&](float u, float v) {
         constexpr float kTurn = 6.2831853F;
         const float around = kTurn * u;
         // Starts beside the lowest point, so that no triangle there is degenerate.
-        const float up = 0.30F * kTurn * std::max(v, 0.0005F);
-        const float bump = 1.0F + 0.02F * v * v * std::sin(5.0F * around) * std::sin(9.0F * up);
-        return centre + bump * radii *
-                            QVector3D(
-                                std::sin(up) * std::cos(around),
-                                -std::cos(up),
-                                -std::sin(up) * std::sin(around)) *
-                            QVector3D(-1.0F, 1.0F, 1.0F);
+        const float up = 0.26F * kTurn * std::max(v, 0.0005F);
+        const QVector3D out =
+            QVector3D(
+                std::sin(up) * std::cos(around), -std::cos(up), -std::sin(up) * std::sin(around)) *
+            QVector3D(-1.0F, 1.0F, 1.0F);
+        return centre + (1.0F + 0.006F * noiseAt(4.0F * out)) * radii * out;
       },
-      [](float u, float v) {
-        const float patch = 0.5F + 0.5F * std::sin(12.0F * u) * std::sin(9.0F * v + 1.0F);
-        return blend(kCartilage, kCartilageShade, 0.4F * patch);
-      });
+      [](float /*u*/, float /*v*/, QVector3D place) { return cartilageAt(place); });
+  faceTo(mesh, {0.0F, -40.0F, 0.0F});
+  roughen(mesh, 2.4F, 0.09F);
+  return mesh;
 }
 
 Mesh capsuleSurface(const KneeLayout& layout) {
@@ -162,27 +193,26 @@ Mesh capsuleSurface(const KneeLayout& layout) {
     return std::copysign(150.0F * std::pow(std::abs(side), 1.35F), side);
   };
   const auto riseAt = [](float v) { return std::pow(v, 1.6F); };
-  return surface(
-      97,
-      29,
+  Mesh mesh = surface(
+      129,
+      40,
       [&](float u, float v) {
         const float angle = angleAt(u);
         const float rise = riseAt(v);
-        const float fold = 0.55F * std::sin(0.21F * angle + 3.0F * rise) +
-                           0.30F * std::sin(0.53F * angle - 9.0F * rise) +
-                           0.35F * std::sin(17.0F * rise);
-        QVector3D place = onArc(layout, angle, layout.outerRadius + 1.2F + fold + 3.0F * rise);
+        const float fold = 1.5F * noiseAt({0.06F * angle, 7.0F * rise, 0.0F}) +
+                           0.5F * roughnessAt({0.16F * angle, 18.0F * rise, 5.0F}, 2);
+        QVector3D place = onArc(layout, angle, layout.outerRadius + 0.9F + fold + 3.0F * rise);
         place.setY(-3.0F + 36.0F * rise);
         return place;
       },
-      [&](float u, float v) {
-        const float angle = angleAt(u);
-        const float rise = riseAt(v);
-        const float pale = 0.5F + 0.5F * std::sin(0.16F * angle + 4.0F * rise) *
-                                      std::sin(0.07F * angle - 6.0F * rise + 1.0F);
-        const Tint ground = blend(kSynovium, kSynoviumPale, 0.75F * pale);
-        return blend(ground, kVessel, 0.6F * vesselAt(angle, 36.0F * rise));
+      [&](float u, float v, QVector3D place) {
+        const float pale = std::clamp(0.5F + roughnessAt(0.28F * place, 3), 0.0F, 1.0F);
+        const float vessel = vesselAt(angleAt(u), 36.0F * riseAt(v));
+        return blend(blend(kSynovium, kSynoviumPale, pale), kVessel, 0.5F * vessel);
       });
+  faceTo(mesh, layout.arcCentre);
+  roughen(mesh, 1.3F, 0.16F);
+  return mesh;
 }
 
 namespace {
@@ -250,6 +280,63 @@ KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* ow
       .tibia = choose(protocols::kTibia, kCartilage, [&] { return plateauSurface(layout); }),
       .femur = choose(protocols::kFemur, kCartilage, [] { return condyleSurface(); }),
       .capsule = choose(protocols::kCapsule, kSynovium, [&] { return capsuleSurface(layout); })};
+}
+
+namespace {
+
+/// A pseudo-random number in [0, 1] for each @p number.
+float drawn(std::uint32_t number) {
+  std::uint32_t mixed = (number ^ (number >> 16U)) * 0x45d9f3bU;
+  mixed = (mixed ^ (mixed >> 16U)) * 0x45d9f3bU;
+  return static_cast<float>((mixed ^ (mixed >> 16U)) & 0xffffU) / 65535.0F;
+}
+
+/// Adds an oval glint at @p at of @p length [mm], across the line of sight.
+void addGlint(Mesh& mesh, const Vertex& at, QVector3D toEye, float length, float slenderness) {
+  constexpr int kCorners = 10;
+  constexpr float kAbove = 0.03F;  // [mm]
+  const QVector3D across = QVector3D::crossProduct(toEye, at.normal).normalized();
+  const QVector3D along = QVector3D::crossProduct(at.normal, across).normalized();
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const QVector3D middle = at.position + kAbove * at.normal;
+  mesh.vertices.push_back({middle + 2.0F * kAbove * toEye, toEye, at.tint});
+  for (const QVector3D& corner :
+       circle(middle, across, slenderness * along, 0.5F * length, kCorners))
+    mesh.vertices.push_back({corner, at.normal, at.tint});
+  for (std::uint32_t i = 0; i < kCorners; ++i)
+    mesh.triangles.push_back({first, first + 1 + i, first + 1 + (i + 1) % kCorners});
+}
+
+/// Adds @p count glints, most of them where @p surface is near and faces the eye.
+void addGlints(Mesh& mesh, const Mesh& surface, const QMatrix4x4& view, float field, int count) {
+  constexpr int kTries = 6000;
+  const float widest = std::tan(3.14159265F / 180.0F * field);
+  const QVector3D eye = view.inverted().map(QVector3D());
+  for (std::uint32_t i = 0; i < kTries && count > 0; ++i) {
+    const std::uint32_t number = 4 * i;
+    const auto chosen =
+        static_cast<std::size_t>(drawn(number) * static_cast<float>(surface.vertices.size() - 1));
+    Vertex at = surface.vertices[chosen];
+    const QVector3D seen = view.map(at.position);
+    if (seen.toVector2D().length() > -widest * seen.z()) continue;
+    const QVector3D toEye = (eye - at.position).normalized();
+    const float facing = QVector3D::dotProduct(at.normal, toEye);
+    if (facing < 0.0F) at.normal = -at.normal;  // a sheet is seen from either side
+    constexpr float kGrazing = 0.2F;
+    const float chance = std::abs(facing) < kGrazing ? 0.0F : facing * facing;
+    if (chance <= drawn(number + 1)) continue;
+    addGlint(mesh, at, toEye, 0.2F + 0.7F * drawn(number + 2), 0.25F + 0.3F * drawn(number + 3));
+    --count;
+  }
+}
+
+}  // namespace
+
+Mesh glintsOn(const KneeSurfaces& surfaces, const QMatrix4x4& view, float field) {
+  Mesh mesh;
+  addGlints(mesh, surfaces.femur, view, field, 34);
+  addGlints(mesh, surfaces.tibia, view, field, 34);
+  return mesh;
 }
 
 std::string kneeAsObj(const KneeLayout& layout) {

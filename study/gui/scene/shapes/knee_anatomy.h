@@ -36,8 +36,8 @@ QVector3D punchMouth(const KneeLayout& layout);
 QMatrix4x4 punchPose(const KneeLayout& layout);
 
 /// The colours of cartilage and synovium on surfaces without their own colours.
-inline constexpr Tint kCartilage{238, 231, 216, 205};
-inline constexpr Tint kSynovium{170, 78, 70, 130};
+inline constexpr Tint kCartilage{232, 223, 207, 205};
+inline constexpr Tint kSynovium{210, 122, 108, 165};
 
 /// The built-in surfaces around the meniscus: cartilage below and above, and the joint capsule
 /// behind.
@@ -55,6 +55,11 @@ struct KneeSurfaces {
 /// The built-in surfaces, each replaced by the surface of the same name in @p own if there is one.
 /// A surface without colours gets the built-in colour.
 KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* own);
+
+/// Small glints of the arthroscope's lamp on wet cartilage within a cone of half @p field [°]
+/// around the axis of @p view: patches just above them that mirror the lamp in their middles. For
+/// an eye and a lamp that do not move.
+Mesh glintsOn(const KneeSurfaces& surfaces, const QMatrix4x4& view, float field);
 
 /// The built-in knee as an OBJ file, in the frame and unit of protocols::Anatomy. Users fit their
 /// anatomies to it. It contains meniscus and punch for orientation.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "study/gui/scene/shapes/noise.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
 
 namespace study::gui::scene {
@@ -14,16 +15,24 @@ constexpr float kMillimetresPerTravel = 0.33F;  // at the bite, from the jaw's g
 constexpr float kBiteHalf = 2.9F;               // along the edge [mm]
 constexpr float kBiteDepth = 3.6F;              // across it [mm]
 constexpr std::size_t kMostBites = 12;
-constexpr int kSections = 140;
-constexpr int kPieceSections = 24;
-constexpr int kAcross = 10;  // points across a surface
+constexpr int kSections = 120;
+constexpr int kPieceSections = 30;
+constexpr int kAcross = 12;  // points across a surface
 constexpr int kUpright = 2;  // points up a face
 constexpr float kThinnest = 0.22F;
 
-constexpr Tint kEdge{244, 236, 214, 150};
-constexpr Tint kRim{226, 178, 158, 120};
-constexpr Tint kCutFace{252, 246, 230, 90};
-constexpr Tint kCapsule{212, 144, 128, 120};  // where the tissue grows into the synovium
+constexpr Tint kEdge{250, 248, 240, 200};
+constexpr Tint kRim{238, 196, 180, 170};      // with blood vessels
+constexpr Tint kCutFace{240, 214, 178, 120};  // fibres
+constexpr Tint kCapsule{220, 150, 134, 160};  // where the tissue grows into the synovium
+
+/// The angle of section @p i of the body [°]: closest together at the tool, which @p half [°] to
+/// each side leaves room for.
+float angleOfSection(int i, float middle, float half) {
+  const float at = 2.0F * static_cast<float>(i) / kSections - 1.0F;
+  const float away = at * (0.4F + 0.6F * at * at);
+  return middle * (1.0F - std::abs(away)) + half * away;
+}
 
 /// How far @p share of the way to the rim is into the rounding of the upper edge, from 0 to 1.
 float roundingAt(float share) {
@@ -33,9 +42,9 @@ float roundingAt(float share) {
 
 /// The height of the undeformed tissue at @p share of the way to its rim [mm].
 float restHeight(float share) {
-  constexpr float kRounding = 2.6F;  // height of the rounded edge [mm]
+  constexpr float kRounding = 1.7F;  // height of the rounded edge [mm]
   const float t = roundingAt(share);
-  return 0.42F + 5.6F * std::pow(share, 1.3F) - kRounding * (1.0F - std::sqrt(1.0F - t * t));
+  return 0.34F + 5.7F * std::pow(share, 1.45F) - kRounding * (1.0F - std::sqrt(1.0F - t * t));
 }
 
 /// The place of point @p i across a surface, from 0 (edge) to 1 (rim): closer together at the rim,
@@ -80,11 +89,13 @@ void Meniscus::cut() {
 /// The radius of the free edge after the first @p bites [mm from the arc's centre].
 float Meniscus::edgeAt(float angle, std::size_t bites) const {
   const float own = angle + moved_;
-  float edge = layout_.innerRadius + 0.14F * std::sin(0.13F * own) + 0.06F * std::sin(0.41F * own);
+  const float fray = noiseAt({0.45F * own, 0.0F, 0.0F});
+  float edge = layout_.innerRadius + 0.14F * std::sin(0.13F * own) + 0.1F * fray;
   for (std::size_t i = 0; i < bites; ++i) {
     const float t = (own - bites_[i]) / kDegrees * layout_.innerRadius / kBiteHalf;
     if (std::abs(t) >= 1.0F) continue;
-    const float bite = kBiteDepth * std::pow(1.0F - t * t, 0.62F);
+    const float bite =
+        (kBiteDepth + 0.25F * noiseAt({0.8F * own, 4.0F, 0.0F})) * std::pow(1.0F - t * t, 0.45F);
     edge = std::max(edge, layout_.innerRadius + bite);
   }
   return edge;
@@ -104,15 +115,17 @@ float Meniscus::displacementAt(float angle, const TissueLoad& squeeze) const {
   return kMillimetresPerTravel * interpolate(string, place);
 }
 
-Meniscus::Column Meniscus::column(float angle, float radius, const TissueLoad& squeeze) const {
+Meniscus::Column Meniscus::column(
+    float angle, float radius, float fullness, const TissueLoad& squeeze) const {
   const float share = std::clamp(
       (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius), 0.0F, 1.0F);
   Column column{onArc(layout_, angle, radius), {}};
   column.low.setY(plateauHeight(column.low.x(), column.low.z()) + 0.02F);
   column.high = column.low;
   // The capsule holds the tissue at its rim.
-  const float dip = (1.0F - 0.8F * share) * displacementAt(angle, squeeze);
-  const float height = std::max(restHeight(share) - dip, 0.3F * restHeight(share));
+  const float dip = (1.0F - share) * displacementAt(angle, squeeze);
+  const float rest = fullness * restHeight(share);
+  const float height = std::max(rest - dip, 0.3F * rest);
   column.high.setY(column.low.y() + height);
   keepClearOfTheJaws(column, squeeze.openness);
   return column;
@@ -125,7 +138,7 @@ void Meniscus::keepClearOfTheJaws(Column& column, float openness) const {
   QVector3D high = toPunch_.map(column.high);
   const float aside = std::max(0.0F, std::abs(low.z()) - kJawHalfWidth - 0.35F);
   const float beyond = std::max(0.0F, std::max(low.x() - kJawLength, -3.0F - low.x()));
-  const float away = kEase * (aside * aside + beyond * beyond);
+  const float away = kEase * (aside * aside + 2.0F * beyond * beyond);
   const float lift = std::max(0.0F, 0.03F - away - low.y());
   low.setY(low.y() + lift);
   high.setY(high.y() + lift);
@@ -142,16 +155,22 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
   const std::size_t bites = bites_.size();
   const float inner = edgeAt(angle, isPiece ? bites - 1 : bites);
   const float outer = isPiece ? edgeAt(angle, bites) : layout_.outerRadius;
+  const float own = angle + moved_;
+  const float fullness = 1.0F + 0.07F * noiseAt({0.07F * own, 0.0F, 11.0F});
+  const float bloodless = 0.42F - 0.12F * noiseAt({0.16F * own, 0.0F, 7.0F});  // share of the way
   std::array<Column, kAcross + 1> columns;
   std::array<Tint, kAcross + 1> tints;
   for (std::size_t i = 0; i <= kAcross; ++i) {
     const float radius = inner + (outer - inner) * placeAcross(i);
-    columns[i] = column(angle, radius, squeeze);
+    columns[i] = column(angle, radius, fullness, squeeze);
     const float share =
         (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius);
-    const float fibre = 0.965F + 0.035F * std::sin(23.0F * radius + 0.11F * (angle + moved_));
-    const Tint tissue = blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F));
-    tints[i] = shaded(blend(tissue, kCapsule, roundingAt(share)), fibre);
+    const float fibre = noiseAt({0.05F * own, 2.6F * radius, 0.0F});  // along the arc
+    const float blood = std::clamp((share - bloodless) / 0.45F, 0.0F, 1.0F);
+    const Tint tissue = blend(kEdge, kRim, blood * blood);
+    tints[i] = shaded(
+        blend(tissue, kCapsule, std::clamp((share - 0.84F) / 0.16F, 0.0F, 1.0F)),
+        0.96F + 0.04F * fibre);
   }
   const auto add = [&](QVector3D place, Tint tint) { mesh.vertices.push_back({place, {}, tint}); };
   const auto upright = [&](const Column& face, int i) {
@@ -164,7 +183,7 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoa
     add(upright(columns.back(), i), isPiece ? kCutFace : kCapsule);
   for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, shaded(tints[i], 0.9F));
   for (int i = 0; i <= kUpright; ++i) {
-    add(upright(columns.front(), i), isCut ? kCutFace : shaded(kEdge, 0.94F));
+    add(upright(columns.front(), i), isCut ? kCutFace : kEdge);
   }
 }
 
@@ -173,11 +192,10 @@ void Meniscus::shape(
   const int sections = isPiece ? kPieceSections : kSections;
   mesh.vertices.clear();
   for (int i = 0; i <= sections; ++i) {
-    addSection(
-        mesh,
-        from + (to - from) * static_cast<float>(i) / static_cast<float>(sections),
-        isPiece,
-        squeeze);
+    const float share = static_cast<float>(i) / static_cast<float>(sections);
+    const float angle = isPiece ? from + (to - from) * share
+                                : angleOfSection(i, layout_.toolAngle, layout_.halfAngle);
+    addSection(mesh, angle, isPiece, squeeze);
   }
   constexpr std::uint32_t kRound = 2 * (kAcross + 1) + 2 * (kUpright + 1);
   const auto last = static_cast<std::uint32_t>(sections) * kRound;
@@ -199,6 +217,22 @@ void Meniscus::shape(
     }
   }
   smoothen(mesh);
+  glisten(mesh);
+}
+
+/// Turns the normals of the upper surface a little: the wet tissue glints in spots.
+void Meniscus::glisten(Mesh& mesh) const {
+  constexpr std::size_t kRound = 2 * (kAcross + 1) + 2 * (kUpright + 1);
+  constexpr float kStrength = 0.2F;
+  for (std::size_t first = 0; first < mesh.vertices.size(); first += kRound) {
+    for (std::size_t i = first; i <= first + kAcross; ++i) {
+      const QVector3D way = mesh.vertices[i].position - layout_.arcCentre;
+      const float own = kDegrees * std::atan2(way.x(), -way.z()) + moved_;
+      const QVector3D at(0.12F * own, 0.8F * way.length(), 0.0F);
+      const QVector3D turn(noiseAt(at), 0.0F, noiseAt(at + QVector3D(0.0F, 0.0F, 3.5F)));
+      mesh.vertices[i].normal = (mesh.vertices[i].normal + kStrength * turn).normalized();
+    }
+  }
 }
 
 void Meniscus::squeeze(const TissueLoad& squeeze) {

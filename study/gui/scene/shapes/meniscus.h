@@ -45,10 +45,12 @@ class Meniscus {
   };
 
   float edgeAt(float angle, std::size_t bites) const;
-  Column column(float angle, float radius, const TissueLoad& squeeze) const;
+  /// @param fullness  factor of the height of the undeformed tissue.
+  Column column(float angle, float radius, float fullness, const TissueLoad& squeeze) const;
   void keepClearOfTheJaws(Column& column, float openness) const;
   float displacementAt(float angle, const TissueLoad& squeeze) const;
   void shape(Mesh& mesh, float from, float to, bool isPiece, const TissueLoad& squeeze) const;
+  void glisten(Mesh& mesh) const;
   void addSection(Mesh& mesh, float angle, bool isPiece, const TissueLoad& squeeze) const;
 
   KneeLayout layout_;

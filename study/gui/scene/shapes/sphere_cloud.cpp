@@ -8,9 +8,15 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr float kPerMetre = 1000.0F;
+constexpr float kMillimetres = 1000.0F;
 constexpr float kCellsPerDiameter = 1.8F;
+constexpr float kDarkest = 40.0F;      // depth behind the section [mm]
 constexpr int kEmptyAtTheSurface = 6;  // of the 27 cells in and around a sphere's cell
+
+/// The sphere's share of its cell's volume, up to a factor [mm³].
+float cubeOf(const SphereInstance& sphere) {
+  return sphere.radius * sphere.radius * sphere.radius;
+}
 
 }  // namespace
 
@@ -50,10 +56,10 @@ void SphereCloud::readSlots(const haptics::reaming::SphereField& field) {
     const auto& group = field.group(i);
     const std::size_t lane = i % haptics::reaming::kLanes;
     auto& slot = slots_[i];
-    slot.sphere.x = kPerMetre * group.x[lane];
-    slot.sphere.y = kPerMetre * group.y[lane];
-    slot.sphere.z = kPerMetre * group.z[lane];
-    slot.sphere.radius = kPerMetre * group.radius[lane];
+    slot.sphere.x = kMillimetres * group.x[lane];
+    slot.sphere.y = kMillimetres * group.y[lane];
+    slot.sphere.z = kMillimetres * group.z[lane];
+    slot.sphere.radius = kMillimetres * group.radius[lane];
     slot.whole = slot.sphere.radius;
   }
 }
@@ -101,6 +107,7 @@ void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
 /// Resets everything to the initial state.
 void SphereCloud::begin() {
   counts_.assign(grid_.size(), 0);
+  filled_.assign(grid_.size(), 0.0F);
   cells_.assign(grid_.size(), {});
   isUncovered_.assign(grid_.size(), 0);
   instances_.clear();
@@ -114,8 +121,16 @@ void SphereCloud::begin() {
     slot.instance = -1;
     if (!isKept(slot.sphere)) continue;
     ++counts_[slot.cell];
+    filled_[slot.cell] += cubeOf(slot.sphere);
     cells_[slot.cell].push_back(i);
   }
+  float sum = 0.0F;
+  float count = 0.0F;
+  for (const float filled : filled_) {
+    sum += filled;
+    count += filled > 0.0F ? 1.0F : 0.0F;
+  }
+  fullCell_ = std::max(sum / std::max(count, 1.0F), 1e-9F);
   for (std::size_t cell = 0; cell < counts_.size(); ++cell) {
     if (counts_[cell] != 0) continue;
     bool isBeside = false;
@@ -202,7 +217,39 @@ void SphereCloud::show(std::uint32_t slot) {
   }
   const auto instance = static_cast<std::size_t>(it.instance);
   instances_[instance] = it.sphere;
+  if (options_.colours == SphereColours::Neutral) {
+    // Less light reaches the bottom of the cavity.
+    const float depth = std::clamp(it.sphere.y / kDarkest, 0.0F, 1.0F);
+    instances_[instance].tint =
+        inTheGap(it.sphere.tint, (1.0F - 0.55F * depth) * opennessOf(it.cell));
+  }
   markChanged(instance);
+}
+
+/// The share of a cell that is empty, as seen from a cell that is full.
+float SphereCloud::emptinessOf(std::size_t cell) const noexcept {
+  return std::max(0.0F, 1.0F - filled_[cell] / fullCell_);
+}
+
+/// How open a cell is to light, in [0, 1]: 1 at an even surface.
+float SphereCloud::opennessOf(std::size_t cell) const {
+  constexpr float kEvenSurface = 9.0F;  // of the 27 cells in and around it
+  float empty = 0.0F;
+  forEachNeighbour(cell, [&](std::size_t other) { empty += emptinessOf(other); });
+  return std::min(1.0F, empty / kEvenSurface);
+}
+
+/// Draws the spheres around a cell again when it has become emptier by a quarter: more light
+/// reaches them.
+void SphereCloud::lightNeighbours(std::size_t cell, float before) {
+  constexpr float kSteps = 4.0F;
+  const bool isLess = std::floor(kSteps * emptinessOf(cell)) > std::floor(kSteps * before);
+  if (!isLess || options_.colours != SphereColours::Neutral) return;
+  forEachNeighbour(cell, [this](std::size_t other) {
+    for (const auto slot : cells_[other]) {
+      if (slots_[slot].cell == other && slots_[slot].instance >= 0) show(slot);
+    }
+  });
 }
 
 void SphereCloud::hide(std::uint32_t slot) {
@@ -228,24 +275,30 @@ void SphereCloud::apply(const haptics::engine::SphereChange& change) {
   auto& slot = slots_[change.slot];
   const bool wasKept = isKept(slot.sphere);
   const std::size_t from = slot.cell;
+  const float emptiness = emptinessOf(from);
+  if (wasKept) filled_[from] -= cubeOf(slot.sphere);
   slot.sphere = {
-      .x = kPerMetre * change.sphere.x,
-      .y = kPerMetre * change.sphere.y,
-      .z = kPerMetre * change.sphere.z,
-      .radius = kPerMetre * change.sphere.radius,
-      .tint = tintAfter(options_.colours, slot.tint, slot.whole, kPerMetre * change.sphere.radius)};
+      .x = kMillimetres * change.sphere.x,
+      .y = kMillimetres * change.sphere.y,
+      .z = kMillimetres * change.sphere.z,
+      .radius = kMillimetres * change.sphere.radius,
+      .tint =
+          tintAfter(options_.colours, slot.tint, slot.whole, kMillimetres * change.sphere.radius)};
   if (wasKept) {
     --counts_[from];
     uncover(from);
   }
   if (!isKept(slot.sphere)) {
     hide(change.slot);
+    lightNeighbours(from, emptiness);
     return;
   }
   slot.cell = static_cast<std::uint32_t>(grid_.of(slot.sphere));
   ++counts_[slot.cell];
+  filled_[slot.cell] += cubeOf(slot.sphere);
   if (slot.cell != from || !wasKept) cells_[slot.cell].push_back(change.slot);
   show(change.slot);
+  lightNeighbours(from, emptiness);
 }
 
 std::vector<haptics::engine::SphereChange> SphereCloud::changesSoFar() const {
@@ -257,7 +310,11 @@ std::vector<haptics::engine::SphereChange> SphereCloud::changesSoFar() const {
         now.x == then.x && now.y == then.y && now.z == then.z && now.radius == then.radius;
     if (isAsItWas) continue;
     changes.push_back(
-        {i, {now.x / kPerMetre, now.y / kPerMetre, now.z / kPerMetre, now.radius / kPerMetre}});
+        {i,
+         {now.x / kMillimetres,
+          now.y / kMillimetres,
+          now.z / kMillimetres,
+          now.radius / kMillimetres}});
   }
   return changes;
 }

@@ -93,6 +93,9 @@ class SphereCloud {
   bool isInFrontOfSection(std::size_t cell) const noexcept;
   void uncover(std::size_t cell);
   void uncoverNeighbours(std::size_t cell);
+  float emptinessOf(std::size_t cell) const noexcept;
+  float opennessOf(std::size_t cell) const;
+  void lightNeighbours(std::size_t cell, float before);
   void show(std::uint32_t slot);
   void hide(std::uint32_t slot);
   void markChanged(std::size_t instance);
@@ -103,6 +106,8 @@ class SphereCloud {
   std::vector<SphereInstance> initial_;            ///< the initial state of all slots
   std::vector<std::vector<std::uint32_t>> cells_;  ///< slots that are or were in each cell
   std::vector<std::uint32_t> counts_;              ///< number of spheres in each cell now
+  std::vector<float> filled_;                      ///< cubed radii in each cell now [mm³]
+  float fullCell_ = 1.0F;                          ///< mean of the same at the beginning
   std::vector<char> isUncovered_;                  ///< whether a cell's spheres are drawn
   std::vector<SphereInstance> instances_;
   std::vector<std::uint32_t> free_;  ///< unused instances

@@ -28,13 +28,4 @@ inline constexpr float kJawHalfWidth = 1.45F;
 /// The height of the upper jaw's edge above the lower jaw, at @p x from the hinge [mm].
 float jawHeight(float openness, float x);
 
-/// The built-in acetabular reamer: a hemisphere of @p radius [mm] around the origin, with its teeth
-/// towards +z, on a shaft along −z.
-struct ReamerShape {
-  Mesh cap;    ///< spins; the cap and each of its teeth are closed surfaces
-  Mesh shaft;  ///< spins
-};
-
-ReamerShape reamerShape(float radius);
-
 }  // namespace study::gui::scene

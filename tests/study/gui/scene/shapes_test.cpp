@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "study/gui/scene/shapes/meniscus.h"
+#include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
 
@@ -81,18 +82,28 @@ TEST(PunchShape, ClosesItsJawWithItsHandle) {
   EXPECT_EQ(leverPose(0.0F).map(finger), finger);
 }
 
-TEST(ReamerShape, IsAClosedHemisphereWithTeeth) {
+TEST(ReamerShape, IsAHollowHemisphereWithTeeth) {
   const ReamerShape reamer = reamerShape(26.0F);
   EXPECT_EQ(countOpenEdges(reamer.cap), 0U);
   EXPECT_EQ(countOpenEdges(reamer.shaft), 0U);
   const double hemisphere = 2.0 / 3.0 * std::numbers::pi * 26.0 * 26.0 * 26.0;
-  EXPECT_NEAR(volumeOf(reamer.cap), hemisphere, 0.08 * hemisphere);
+  EXPECT_GT(volumeOf(reamer.cap), 0.15 * hemisphere);
+  EXPECT_LT(volumeOf(reamer.cap), 0.6 * hemisphere);
   float farthest = 0.0F;
   for (const auto& vertex : reamer.cap.vertices) {
     farthest = std::max(farthest, vertex.position.length());
   }
   EXPECT_GT(farthest, 26.3F);  // includes the teeth
   EXPECT_LT(farthest, 27.5F);
+}
+
+TEST(ReamerShape, HasAnOutlineOfItsSizeInThinWires) {
+  const Mesh outline = reamerOutline(26.0F);
+  EXPECT_EQ(countOpenEdges(outline), 0U);
+  EXPECT_LT(volumeOf(outline), 700.0);
+  float top = 0.0F;
+  for (const auto& vertex : outline.vertices) top = std::max(top, vertex.position.z());
+  EXPECT_NEAR(top, 26.0F, 0.6F);
 }
 
 class MeniscusTest : public testing::Test {

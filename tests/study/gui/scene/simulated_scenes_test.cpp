@@ -40,12 +40,25 @@ int countWhere(const QImage& picture, Is is) {
   return count;
 }
 
-bool isBlack(QRgb pixel) {
-  return qRed(pixel) + qGreen(pixel) + qBlue(pixel) == 0;
+bool isGround(QRgb pixel) {
+  constexpr Tint kGround = Scene{}.ground;
+  return pixel == qRgb(kGround.red, kGround.green, kGround.blue);
 }
 
-const QRect kScope(0, 0, 422, 400);
-const QRect kHandles(424, 0, 216, 400);
+bool isPainted(QRgb pixel) {
+  return !isGround(pixel);
+}
+
+QRect scopeOf(const KneeScene& knee, QSize size = kSize) {
+  return placeOf(knee.scene().shots.front(), size);
+}
+
+QRect handlesOf(const KneeScene& knee, QSize size = kSize) {
+  return placeOf(knee.scene().shots.back(), size);
+}
+
+/// From widest to narrowest, as panels of pages are.
+constexpr QSize kPanels[] = {QSize(880, 400), QSize(640, 400), QSize(556, 400), QSize(480, 400)};
 
 TEST(SoftwareRenderer, SmoothsTheEdgesOfBodies) {
   Part part;
@@ -75,15 +88,46 @@ TEST(SoftwareRenderer, SmoothsTheEdgesOfBodies) {
   EXPECT_GT(between, 300) << "its edges are longer than that [px]";
 }
 
-TEST(KneeScene, ShowsADiscOnBlackAndThePunchBesideIt) {
+TEST(SoftwareRenderer, ShowsClosedToolsWhollyByTheirFronts) {
+  Scene knee = KneeScene().scene();
+  knee.shadows = {};
+  SoftwareRenderer renderer;
+  const QImage fronts = renderer.draw(knee, kSize).copy();
+  for (auto& part : knee.parts) part.isTool = false;
+  EXPECT_LT(differences(fronts, renderer.draw(knee, kSize), fronts.rect()), 10);
+}
+
+TEST(KneeScene, ShowsADiscAndThePunchBesideIt) {
   const KneeScene knee;
   const QImage picture = pictureOf(knee);
-  EXPECT_TRUE(isBlack(picture.pixel(2, 2)));
-  EXPECT_FALSE(isBlack(picture.pixel(211, 200)));
-  const double disc = 3.14159 * 200 * 200;
-  const int bright = countWhere(picture, [](QRgb pixel) { return !isBlack(pixel); });
-  EXPECT_GT(bright, 0.9 * disc);
-  EXPECT_LT(bright, 1.15 * disc);
+  const QRect scope = scopeOf(knee);
+  EXPECT_TRUE(isGround(picture.pixel(2, 2)));
+  EXPECT_TRUE(isPainted(picture.pixel(scope.center())));
+  const double disc = 0.25 * 3.14159 * scope.width() * scope.height();
+  const int painted = countWhere(picture, isPainted);
+  EXPECT_GT(painted, 0.99 * disc);
+  EXPECT_LT(painted, 1.15 * disc);
+}
+
+TEST(KneeScene, FillsItsPanelWithTheScopeAndKeepsThePunchOutOfIt) {
+  const KneeScene knee;
+  Scene alone = knee.scene();
+  alone.shots.pop_back();
+  for (const QSize size : kPanels) {
+    EXPECT_GT(scopeOf(knee, size).height(), 0.95 * size.height());
+    SoftwareRenderer renderer;
+    const QImage scope = renderer.draw(alone, size).copy();
+    const QImage both = renderer.draw(knee.scene(), size).copy();
+    const QRect place = handlesOf(knee, size);
+    EXPECT_TRUE(both.rect().contains(place)) << size.width();
+    EXPECT_GT(place.height(), 0.4 * size.height()) << size.width();
+    int covered = 0;
+    for (int y = place.top(); y <= place.bottom(); ++y) {
+      for (int x = place.left(); x <= place.right(); ++x)
+        covered += isPainted(scope.pixel(x, y)) && both.pixel(x, y) != scope.pixel(x, y) ? 1 : 0;
+    }
+    EXPECT_EQ(covered, 0) << size.width();
+  }
 }
 
 TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
@@ -92,8 +136,8 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
   EXPECT_EQ(differences(open, pictureOf(knee), open.rect()), 0);
   knee.update({.travel = 8.0}, 0.016);
   const QImage closed = pictureOf(knee);
-  EXPECT_GT(differences(open, closed, kScope), 500);
-  EXPECT_GT(differences(open, closed, kHandles), 200);
+  EXPECT_GT(differences(open, closed, scopeOf(knee)), 500);
+  EXPECT_GT(differences(open, closed, handlesOf(knee)), 200);
 }
 
 TEST(KneeScene, ShowsTheWholeInstrumentWithItsHandlesApart) {
@@ -106,7 +150,7 @@ TEST(KneeScene, ShowsTheWholeInstrumentWithItsHandlesApart) {
     int painted = 0;
     for (int x = view.left() + 1; x < view.right(); ++x) {
       for (int y = view.top() + 1; y < view.bottom(); ++y) {
-        if (isBlack(picture.pixel(x, y))) continue;
+        if (isGround(picture.pixel(x, y))) continue;
         ++painted;
         const bool isAtTheEdge = x < view.left() + 3 || x > view.right() - 3 ||
                                  y < view.top() + 3 || y > view.bottom() - 3;
@@ -124,7 +168,7 @@ TEST(KneeScene, DeformsWithTheFiniteElements) {
   knee.update({.travel = 3.9}, 0.016);
   const QImage before = pictureOf(knee);
   knee.update({.travel = 3.9, .force = 6.0, .mesh = &mesh}, 0.016);
-  EXPECT_GT(differences(before, pictureOf(knee), kScope), 300);
+  EXPECT_GT(differences(before, pictureOf(knee), scopeOf(knee)), 300);
 }
 
 TEST(KneeScene, ShowsTissueAtTheToolAtAnyForce) {
@@ -154,16 +198,38 @@ TEST(KneeScene, CutsOncePerClosureAndMovesToTheNextBite) {
   }
   EXPECT_FALSE(knee.meniscus().hasPiece());
   EXPECT_EQ(volumeOf(knee.meniscus().body()), volumeOf(once.meniscus().body()));
-  EXPECT_GT(differences(whole, pictureOf(knee), kScope), 300);
+  EXPECT_GT(differences(whole, pictureOf(knee), scopeOf(knee)), 300);
 }
 
-TEST(KneeScene, FillsThePictureDuringABite) {
+TEST(KneeScene, FillsTheScopeDuringABite) {
   KneeScene knee;
   knee.update({.travel = 9.5}, 0.016);
   for (int i = 0; i < 3; ++i) knee.update({.travel = 5.5}, 0.016);
+  Scene bare = knee.scene();
+  bare.ground = {0, 255, 0, 0};
   SoftwareRenderer renderer;
-  const QImage picture = renderer.draw(knee.scene(), {1280, 800}).copy();
-  EXPECT_GT(countWhere(picture, [](QRgb pixel) { return !isBlack(pixel); }), 480'000);
+  const QImage picture = renderer.draw(bare, kSize).copy();
+  const QRect scope = scopeOf(knee);
+  int empty = 0;
+  for (int y = scope.top(); y <= scope.bottom(); ++y) {
+    for (int x = scope.left(); x <= scope.right(); ++x) {
+      const QPoint away = QPoint(x, y) - scope.center();
+      if (std::hypot(away.x(), away.y()) > 0.48 * scope.width()) continue;
+      empty += picture.pixel(x, y) == qRgb(0, 255, 0) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(empty, 0);
+}
+
+TEST(KneeScene, ShowsTheBiteBesideThePunchAfterACut) {
+  KneeScene knee;
+  const QImage whole = pictureOf(knee);
+  knee.update({.travel = 9.9, .isCutThrough = true}, 0.016);
+  for (int i = 0; i < 100; ++i) knee.update({.travel = 0.0}, 0.016);
+  const QRect scope = scopeOf(knee);
+  // To the left of the jaws, which look the same before and after.
+  const QRect beside(scope.left(), scope.top(), scope.width() / 2, scope.height());
+  EXPECT_GT(differences(whole, pictureOf(knee), beside), 800);
 }
 
 TEST(KneeScene, CutsWhenTheJawsMeetEvenWithoutAYield) {
@@ -210,6 +276,38 @@ TEST_F(HipSceneTest, ShowsRemovedBone) {
   EXPECT_GT(countWhere(after, isFreshBone), countWhere(before, isFreshBone) + 2000);
 }
 
+TEST_F(HipSceneTest, FillsItsPanelWithTheCup) {
+  for (const bool isPlain : {false, true}) {
+    const HipScene hip({.packing = isPlain ? nullptr : &spec_});
+    Scene cup = hip.scene();
+    for (const std::size_t reamer : {0U, 1U}) cup.parts[reamer].isShown = false;
+    for (const QSize size : kPanels) {
+      SoftwareRenderer renderer;
+      const QImage picture = renderer.draw(cup, size).copy();
+      QRect box;
+      for (int y = 0; y < size.height(); ++y) {
+        for (int x = 0; x < size.width(); ++x)
+          if (isPainted(picture.pixel(x, y))) box |= QRect(x, y, 1, 1);
+      }
+      EXPECT_GT(box.height(), 0.8 * size.height()) << size.width();
+      EXPECT_TRUE(picture.rect().adjusted(2, 2, -2, -2).contains(box)) << size.width();
+      EXPECT_NEAR(box.center().x(), size.width() / 2, 0.08 * size.height()) << size.width();
+    }
+  }
+}
+
+TEST_F(HipSceneTest, ShowsTheBoneBehindTheReamerInColours) {
+  const HipScene hip({.packing = &spec_, .colours = SphereColours::Density});
+  Scene bare = hip.scene();
+  for (const std::size_t reamer : {0U, 1U}) bare.parts[reamer].isShown = false;
+  SoftwareRenderer renderer;
+  const QImage with = renderer.draw(hip.scene(), kSize).copy();
+  const QImage without = renderer.draw(bare, kSize).copy();
+  const int hidden = differences(with, without, with.rect());
+  EXPECT_GT(hidden, 500) << "its outline is drawn";
+  EXPECT_LT(hidden, kSize.width() * kSize.height() / 30);
+}
+
 TEST_F(HipSceneTest, PlacesTheReamerWhereTheBoneStopsIt) {
   HipScene hip({.packing = &spec_});
   const auto capAt = [&] { return hip.scene().parts[0].pose.column(3).z(); };
@@ -237,7 +335,7 @@ int darkened(const Scene& scene) {
   SoftwareRenderer renderer;
   const QImage with = renderer.draw(scene, kSize).copy();
   Scene bare = scene;
-  bare.shadow = {};
+  bare.shadows = {};
   const QImage without = renderer.draw(bare, kSize).copy();
   int darker = 0;
   for (int y = 0; y < with.height(); ++y) {

@@ -1,8 +1,10 @@
 // The visible spheres of a bone, and the changes that are uploaded.
 #include "study/gui/scene/shapes/sphere_cloud.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -145,12 +147,14 @@ TEST_F(SphereCloudTest, ColoursSpheresByDensityOrRemoval) {
   const Tint before = sphere.tint;
   removal.apply(
       {slotOf(sphere), {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 1e-5F}});
-  EXPECT_GT(lightnessOf(removal.instances()[7].tint), lightnessOf(before) + 20.0);
-  EXPECT_LT(std::abs(before.red - before.blue), 40);
+  EXPECT_LT(lightnessOf(removal.instances()[7].tint), lightnessOf(before) - 20.0);
+  EXPECT_GT(lightnessOf(before), 75.0) << "untouched bone is ivory";
 }
 
-TEST(BoneTints, GrowLighterFromEndToEnd) {
-  for (const auto scale : {&scaleTint, &removalTint}) {
+TEST(BoneTints, ChangeEvenlyInLightnessFromEndToEnd) {
+  const auto removalFromTheEnd = [](float share) { return removalTint(1.0F - share); };
+  const std::function<Tint(float)> scales[] = {scaleTint, removalFromTheEnd};
+  for (const auto& scale : scales) {
     double before = lightnessOf(scale(0.0F));
     EXPECT_LT(before, 25.0);
     for (int i = 1; i <= 20; ++i) {
@@ -159,6 +163,23 @@ TEST(BoneTints, GrowLighterFromEndToEnd) {
       before = lightness;
     }
     EXPECT_GT(before, 85.0);
+  }
+}
+
+TEST(BoneTints, HaveAScaleWithRoundMarks) {
+  const auto expectRange = [](DensityRange range, double softest, double hardest, double step) {
+    EXPECT_DOUBLE_EQ(range.softest, softest);
+    EXPECT_DOUBLE_EQ(range.hardest, hardest);
+    EXPECT_DOUBLE_EQ(range.step, step);
+  };
+  expectRange(roundedRange(0.3e3, 183.2e3), 0.0, 200e3, 50e3);
+  expectRange(roundedRange(1.2e6, 4.9e6), 1e6, 5e6, 1e6);
+  expectRange(roundedRange(97.0, 103.0), 96.0, 104.0, 2.0);
+  for (const double same : {0.0, 1.0, 7.3e6}) {
+    const auto range = roundedRange(same, same);
+    EXPECT_LE(range.softest, same);
+    EXPECT_GE(range.hardest, same);
+    EXPECT_GT(range.hardest, range.softest);
   }
 }
 
@@ -172,6 +193,34 @@ TEST(BoneTints, DistinguishRemovedFromUntouchedForTheColourBlind) {
     const double hue = 100.0 * (yellow(tint) - yellow(none)) / 255.0;
     EXPECT_GT(std::hypot(light, hue), 20.0) << i;
   }
+}
+
+TEST_F(SphereCloudTest, LightsSpheresWhoseNeighboursHaveGone) {
+  SphereCloud cloud(field_, {});
+  const auto greenAt = [&](const SphereInstance& place) {
+    for (const auto& sphere : cloud.instances()) {
+      const bool isThere =
+          sphere.x == place.x && sphere.y == place.y && sphere.z == place.z && sphere.radius > 0.0F;
+      if (isThere) return static_cast<int>(sphere.tint.green);
+    }
+    return -1;
+  };
+  // A dark one lies in a gap; all spheres within 3 mm of it are taken away.
+  const auto dark = *std::min_element(
+      cloud.instances().begin(), cloud.instances().end(), [](const auto& a, const auto& b) {
+        return a.tint.green < b.tint.green;
+      });
+  const std::uint32_t kept = slotOf(dark);
+  const int before = greenAt(dark);
+  for (std::uint32_t slot = 0; slot < field_.slotCount(); ++slot) {
+    const auto centre = field_.centre(slot);
+    const double away = std::hypot(
+        1000.0 * centre.x - static_cast<double>(dark.x),
+        1000.0 * centre.y - static_cast<double>(dark.y),
+        1000.0 * centre.z - static_cast<double>(dark.z));
+    if (slot != kept && away < 6.0) cloud.apply({slot, {}});
+  }
+  EXPECT_GT(greenAt(dark), before + 20);
 }
 
 TEST_F(SphereCloudTest, ReproducesItsStateInASecondCloud) {
