@@ -27,7 +27,7 @@ BoneColoursWindow::BoneColoursWindow(
   colours_->addItem(tr("what has been removed"), static_cast<int>(SphereColours::Removal));
   colours_->addItem(
       tr("nothing, as participants see it"), static_cast<int>(SphereColours::Neutral));
-  colours_->setAccessibleName(tr("What the colours say"));
+  colours_->setAccessibleName(tr("What the colour shows"));
   picture_->setMinimumSize(320, 220);
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   picture_->setAlignment(Qt::AlignCenter);
@@ -36,7 +36,7 @@ BoneColoursWindow::BoneColoursWindow(
 
   auto* layout = new QVBoxLayout(this);
   auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Colours say"), this));
+  row->addWidget(new QLabel(tr("Colour shows"), this));
   row->addWidget(colours_);
   row->addStretch(1);
   layout->addLayout(row);

@@ -1,5 +1,6 @@
 #include "study/gui/scene/colour_legend.h"
 
+#include <cmath>
 #include <utility>
 
 #include <QLocale>
@@ -8,7 +9,6 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr int kMarks = 5;
 constexpr int kBarHeight = 16;
 
 QColor legendColour(Tint tint) {
@@ -37,21 +37,25 @@ void ColourLegend::showDensity(const DensityRange& range) {
   constexpr double kKilo = 1e3;
   const bool isLarge = range.hardest >= kMega;
   const double unit = isLarge ? kMega : kKilo;
+  const auto last = std::lround((range.hardest - range.softest) / range.step);
   std::vector<QString> marks;
-  for (int i = 0; i < kMarks; ++i) {
-    const double at = range.softest + (range.hardest - range.softest) * i / (kMarks - 1);
-    const QString number = QLocale::c().toString(at / unit, 'g', 3);
-    const bool isEnd = i == 0 || i == kMarks - 1;
+  for (long i = 0; i <= last; ++i) {
+    const double at = range.softest + range.step * static_cast<double>(i);
+    const QString number = QLocale::c().toString(at / unit, 'g', 4);
+    const bool isLowEnd = i == 0 && at > 0.0;  // nothing is softer than 0
     marks.push_back(
-        isEnd ? (i == 0 ? QStringLiteral("≤ ") : QStringLiteral("≥ ")) + number : number);
+        isLowEnd    ? QStringLiteral("≤ ") + number
+        : i == last ? QStringLiteral("≥ ") + number
+                    : number);
   }
   tint_ = scaleTint;
   hasUntouched_ = false;
   const QString name = isLarge ? tr("MPa") : tr("kPa");
   setScale(
-      tr("Pressure at which a sphere gives way, as felt [%1]").arg(name),
+      tr("Pressure at which the bone gives way, as felt [%1]").arg(name),
       marks,
-      tr("From %1 %3 (dark violet) to %2 %3 (yellow). One sphere in fifty lies beyond each end.")
+      tr("From %1 %3 (dark violet) to %2 %3 (yellow). At most one sphere in fifty lies beyond each "
+         "end.")
           .arg(marks.front(), marks.back(), name));
 }
 
@@ -65,8 +69,9 @@ void ColourLegend::showRemoval() {
        QStringLiteral("50"),
        QStringLiteral("75"),
        QStringLiteral("100")},
-      tr("Blue grey: untouched. From dark violet (just touched) to pale yellow (nearly gone). What "
-         "is gone is not drawn."));
+      tr("Ivory: untouched. From pale yellow (just touched) to dark red (nearly gone). What is "
+         "gone "
+         "is not drawn."));
 }
 
 void ColourLegend::showNothing() {

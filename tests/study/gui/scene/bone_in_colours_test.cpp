@@ -61,11 +61,13 @@ TEST_F(ColouredBone, OpensOnRequestAndClosesWithTheTrial) {
   auto* legend = colours()->findChild<scene::ColourLegend*>();
   const QSignalSpy painted(painter, &scene::BoneColoursPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 1; }, 20'000));
-  EXPECT_EQ(legend->marks().size(), 5U);
-  EXPECT_TRUE(legend->marks().front().startsWith(QStringLiteral("≤ ")));
+  EXPECT_GE(legend->marks().size(), 3U);
+  EXPECT_LE(legend->marks().size(), 6U);
+  EXPECT_TRUE(legend->marks().back().startsWith(QStringLiteral("≥ ")));
   EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
-  tests::photograph(*colours(), QStringLiteral("bone-density"));
   auto* choice = colours()->findChild<QComboBox*>();
+  choice->clearFocus();
+  tests::photograph(*colours(), QStringLiteral("bone-density"));
   choice->setCurrentIndex(1);
   EXPECT_EQ(legend->marks().back(), QStringLiteral("100"));
   const auto before = painted.count();
