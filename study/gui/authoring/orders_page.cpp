@@ -50,6 +50,7 @@ OrdersPage::OrdersPage(QWidget* parent)
   makeReadOnly(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Orders"));
   balance_->setMaximumHeight(120);
   balance_->setAccessibleName(tr("Balance"));

@@ -97,10 +97,7 @@ QString protocolSummary(const protocols::LoadedProtocol& loaded) {
           .arg(std::ceil(length.seconds / 60.0))
           .arg(std::ceil(length.secondsOnDevice / 60.0)),
       tr("Languages: %1").arg(languages.join(QStringLiteral(", ")))};
-  return QStringLiteral("# %1\n\n%2\n")
-             .arg(
-                 QString::fromStdString(protocol.study.title),
-                 QString::fromStdString(protocol.study.description)) +
+  return QString::fromStdString(protocol.study.description) + QLatin1Char('\n') +
          section(tr("Participants"), cohortsOf(protocol)) + section(tr("A session"), session) +
          section(tr("What is compared"), conditionsOf(protocol)) +
          section(tr("In which order"), partsOf(protocol)) +

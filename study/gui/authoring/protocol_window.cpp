@@ -54,7 +54,7 @@ using questionnaires::Severity;
 ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
     : QMainWindow(parent),
       source_(source),
-      name_(bodyLabel({}, this)),
+      title_(bodyLabel({}, this)),
       verdict_(bodyLabel({}, this)),
       readAt_(quietLabel({}, this)),
       preview_(new QPushButton(tr("Preview as participant…"), this)),
@@ -98,13 +98,13 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
 }
 
 QHBoxLayout* ProtocolWindow::makeHead() {
-  name_->setProperty("role", QStringLiteral("heading"));
+  title_->setProperty("role", QStringLiteral("heading"));
   verdict_->setObjectName(QStringLiteral("verdict"));
   showSource_->setObjectName(QStringLiteral("show-source"));
   showSource_->setProperty("role", QStringLiteral("tool"));
   showSource_->setCheckable(true);
   auto* titles = new QVBoxLayout;
-  titles->addWidget(name_);
+  titles->addWidget(title_);
   titles->addWidget(readAt_);
   auto* head = new QHBoxLayout;
   head->addLayout(titles, 1);
@@ -213,8 +213,11 @@ void ProtocolWindow::reload() {
   const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
   readAt_->setText(
       filesToWatch().isEmpty()
-          ? tr("Ships with the program")
+          ? tr("%1 ships with the program").arg(source_)
           : tr("%1, read at %2; read again whenever it changes").arg(shownPath(source_), now));
+  title_->setText(
+      checked_.loaded ? QString::fromStdString(checked_.loaded->protocol.study.title)
+                      : QFileInfo(source_).fileName());
   showVerdict();
   showText();
   showProblems();
@@ -237,7 +240,6 @@ void ProtocolWindow::showSource(const QString& source) {
   source_ = source;
   const auto name = QFileInfo(source_).fileName();
   setWindowTitle(tr("Protocol — %1").arg(name));
-  name_->setText(name);
   reload();
 }
 

@@ -66,7 +66,7 @@ class ProtocolWindow final : public QMainWindow {
   QString source_;
   CheckedProtocol checked_;
   FileWatch watch_;
-  QLabel* name_;
+  QLabel* title_;
   QLabel* verdict_;
   QLabel* readAt_;
   QPushButton* preview_;
