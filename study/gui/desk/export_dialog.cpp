@@ -119,8 +119,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(QString(), texts_);
   form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
-  form().addRow(tr("Earlier export (optional)"), earlier_);
-  aboutEarlier_ = addHint(tr("Conditions get the same codes as there."));
+  form().addRow(tr("Earlier export"), earlier_);
+  aboutEarlier_ = addHint(tr("Optional: conditions get the same codes as there."));
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);

@@ -271,8 +271,7 @@ void FitMaterialDialog::showResult(const FittedMaterial& fitted) {
   };
   DataTable table{
       .name = "material-errors",
-      .description = tr("Largest error of the smallest, the mean and the largest force curve [N]")
-                         .toStdString(),
+      .description = tr("Largest error of the force curves [N]").toStdString(),
       .columns =
           {words(tr("Test set")),
            number(tr("Series")),
