@@ -37,7 +37,7 @@ void NoteList::show(const std::vector<Note>& notes) {
   const auto add = [&](const QString& words, QLabel* label) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     rows->addWidget(label, row++, 1);
-    text_ += words + QLatin1Char('\n');
+    text_ += (text_.isEmpty() ? QString() : QStringLiteral("\n")) + words;
   };
   for (const auto& note : notes) {
     if (row > 0) rows->setRowMinimumHeight(row++, kBetweenNotes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QTableWidget>
@@ -23,6 +24,9 @@ class WrappingDelegate final : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index)
       const override {
+    // Below the theme's style of cells, their own background is not drawn.
+    const auto ground = index.data(Qt::BackgroundRole);
+    if (ground.isValid()) painter->fillRect(option.rect, ground.value<QBrush>());
     QStyledItemDelegate::paint(painter, option, index);
     if (option.widget == nullptr) return;
     painter->setPen(themeOf(*option.widget).line);
@@ -30,12 +34,14 @@ class WrappingDelegate final : public QStyledItemDelegate {
   }
 };
 
-/// Makes a table read-only with lines between its rows, and lets Tab move to the next control. In
-/// Qt's own tables Tab goes from cell to cell and never leaves (WCAG 2.1.2, no keyboard trap).
+/// Makes a table read-only with lines between its rows and headings at the left, and lets Tab move
+/// to the next control. In Qt's own tables Tab goes from cell to cell and never leaves (WCAG 2.1.2,
+/// no keyboard trap).
 inline void makeReadOnly(QTableWidget& table) {
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setTabKeyNavigation(false);
   table.setShowGrid(false);
+  table.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table.setItemDelegate(new WrappingDelegate(&table));
 }
 

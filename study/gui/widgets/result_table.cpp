@@ -140,9 +140,11 @@ void ResultTable::fitColumns() {
     left -= columnWidth(column);
   }
   const auto& sharing = wideColumns.empty() ? columns : wideColumns;
+  int others = static_cast<int>(sharing.size());
   for (const int column : sharing) {
-    const int more = left / static_cast<int>(sharing.size());
-    if (more > 0) setColumnWidth(column, columnWidth(column) + more);
+    const int more = std::max(0, left / others--);
+    setColumnWidth(column, columnWidth(column) + more);
+    left -= more;
   }
   resizeRowsToContents();
   emit fitted();

@@ -21,6 +21,8 @@
 namespace study::gui {
 namespace {
 
+constexpr int kSomeRows = 240;  // [px]: the least height of a table that is scrolled
+
 /// Numbers as programs read them: with a hyphen for the minus sign.
 QString forPrograms(QString text) {
   return text.replace(u'−', u'-');
@@ -74,6 +76,7 @@ ResultView::ResultView(QWidget* parent)
   layout->addWidget(caveatsHeading_);
   layout->addWidget(caveats_);
   layout->addStretch(1);
+  giveTableRoom(kSomeRows);
   connect(choice_, &QComboBox::currentIndexChanged, this, &ResultView::fill);
   connect(copy, &QPushButton::clicked, this, &ResultView::copy);
   connect(save, &QPushButton::clicked, this, &ResultView::save);
@@ -107,14 +110,13 @@ void ResultView::fill() {
   if (!tables_.empty()) cells_->show(table());
 }
 
-int ResultView::tableHeight() const {
-  return tables_.empty() ? 0 : cells_->height();
-}
-
 void ResultView::giveTableRoom(int room) {
-  constexpr int kSomeRows = 240;  // [px]
   const int whole = cells_->wholeHeight();
-  cells_->setFixedHeight(room < std::min(whole, kSomeRows) ? whole : std::min(whole, room));
+  tableHeight_ = room < std::min(whole, kSomeRows) ? whole : std::min(whole, room);
+  cells_->setFixedHeight(tableHeight_);
+  // The layouts above ask again at once, and not only in the next round of events.
+  results_->updateGeometry();
+  updateGeometry();
 }
 
 void ResultView::copy() const {

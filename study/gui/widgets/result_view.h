@@ -33,8 +33,8 @@ class ResultView final : public QWidget {
   /// Saves the table in sight as CSV. Throws if there is such a file or it cannot be written.
   void saveTo(const QString& path) const;
 
-  /// The height that the table has now [px].
-  int tableHeight() const;
+  /// The height that the table was given [px]; 0 without one.
+  int tableHeight() const { return tables_.empty() ? 0 : tableHeight_; }
   /// Gives the table @p room [px]. If that is too little for some rows, the table is as high as all
   /// of its rows, so that only the page around it is scrolled.
   void giveTableRoom(int room);
@@ -56,6 +56,7 @@ class ResultView final : public QWidget {
   QLabel* title_;      ///< of the only table
   QComboBox* choice_;  ///< of several
   ResultTable* cells_;
+  int tableHeight_ = 0;
   QLabel* caveatsHeading_;
   NoteList* caveats_;
 };

@@ -172,7 +172,7 @@ QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
 QListView::item { padding: 5px 6px; }
 QTableView::item { border: none; padding: 4px 5px; }
-QHeaderView::section { color: @header.text; background: @header; border: none; padding: 6px 8px; font-weight: 600; }
+QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }
 QTabBar::tab:selected { background: @field; border-bottom: 4px solid @accent; padding: 8px 16px 5px 16px; }
