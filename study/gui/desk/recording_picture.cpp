@@ -38,12 +38,6 @@ void tidy(QCPAxisRect& rect, int numbers) {
   for (auto* axis : rect.axes()) axis->setSubTicks(false);
 }
 
-QLabel* headingOf(const QString& words, QWidget* parent) {
-  auto* heading = bodyLabel(words, parent);
-  heading->setProperty("role", QStringLiteral("part"));
-  return heading;
-}
-
 QString sourceOfForce(const RecordingPreview& preview) {
   if (preview.recording.readingUnit == "N") return RecordingPlot::tr("force in newtons");
   return RecordingPlot::tr("force from %1 by calibration %2")
@@ -109,7 +103,7 @@ RecordingPlot::RecordingPlot(QWidget* parent)
   travel_->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(headingOf(tr("The recording"), this));
+  layout->addWidget(sectionLabel(tr("The recording"), this));
   layout->addWidget(plot_, 1);
   layout->addWidget(words_);
   show(std::nullopt);
@@ -343,7 +337,7 @@ CutPlot::CutPlot(QWidget* parent)
   add(tr("landmarks"), QCPGraph::lsNone, QCPScatterStyle(QCPScatterStyle::ssDiamond, 9));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(headingOf(tr("The cut"), this));
+  layout->addWidget(sectionLabel(tr("The cut"), this));
   layout->addWidget(plot_, 1);
   auto* words = new QVBoxLayout(summary_);
   words->setContentsMargins(0, 0, 0, 0);

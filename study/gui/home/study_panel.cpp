@@ -26,13 +26,6 @@ void clearLayout(QLayout& layout) {
   }
 }
 
-/// The heading of a part.
-QLabel* strongLabel(const QString& words, QWidget* parent) {
-  auto* label = bodyLabel(words, parent);
-  label->setProperty("role", QStringLiteral("part"));
-  return label;
-}
-
 /// What the bars of the cohorts do not say.
 QString aboutSessions(const StudySummary& summary) {
   QStringList parts;
@@ -82,7 +75,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   auto* documents = new QVBoxLayout(documents_);
   documents->setContentsMargins(0, 0, 0, 0);
   documents->addWidget(rule());
-  documents->addWidget(strongLabel(tr("Reports and exports"), documents_));
+  documents->addWidget(sectionLabel(tr("Reports and exports"), documents_));
   documents->addLayout(documentRows_);
   documentRows_->setSpacing(0);
   auto* layout = new QVBoxLayout(this);
@@ -122,7 +115,7 @@ void StudyPanel::makeActions() {
     auto* lines = new QVBoxLayout(column);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(0);
-    lines->addWidget(strongLabel(title, column));
+    lines->addWidget(sectionLabel(title, column));
     lines->addSpacing(4);
     column->setAccessibleName(title);
     groups_.push_back({column, {}});

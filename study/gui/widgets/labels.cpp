@@ -108,6 +108,9 @@ QLabel* bodyLabel(const QString& text, QWidget* parent) {
 QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
 }
+QLabel* sectionLabel(const QString& text, QWidget* parent) {
+  return label(text, "section", parent);
+}
 
 QLabel* textLabel(const QString& markdown, QWidget* parent) {
   return new MarkedText(markdown, parent);

@@ -38,6 +38,8 @@ QLabel* titleLabel(const QString& text, QWidget* parent);
 QLabel* bodyLabel(const QString& text, QWidget* parent);
 QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
+/// The heading of a part of a page.
+QLabel* sectionLabel(const QString& text, QWidget* parent);
 
 /// A text for participants in the subset of Markdown that instruments and protocols may use:
 /// headings, paragraphs, lists, bold and italics. Links become plain text, pictures are left out.

@@ -29,7 +29,7 @@ constexpr const char* kStyleSheet = R"css(
 QWidget { background: @window; font-size: 16px; }
 QLabel[role="title"] { font-size: 30px; font-weight: 600; }
 QLabel[role="heading"] { font-size: 20px; font-weight: 600; }
-QLabel[role="part"] { font-weight: 600; }
+QLabel[role="section"] { font-weight: 600; }
 QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
 QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
