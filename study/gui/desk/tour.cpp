@@ -194,9 +194,7 @@ QWidget* Tour::makeTrialDemonstration() {
   constexpr int kLeastOfPage = 520;  // [px]
   page_->setMinimumHeight(kLeastOfPage);
   auto* drawings = new QVBoxLayout;
-  auto* words = bodyLabel(tr("What your fingers would feel"), step);
-  words->setProperty("role", QStringLiteral("part"));
-  drawings->addWidget(words);
+  drawings->addWidget(sectionLabel(tr("What your fingers would feel"), step));
   drawings->addWidget(plot_, 1);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(20);
@@ -262,7 +260,7 @@ QWidget* Tour::makeRecord() {
   record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   record_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   record_->setShowGrid(false);
-  record_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  record_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
   connect(record_->horizontalHeader(), &QHeaderView::sectionResized, this, &Tour::fitRecord);
   auto* own = new QVBoxLayout;
   own->addWidget(figure_, 1);
@@ -367,6 +365,13 @@ void Tour::showRecord() {
   QStringList words{deskText(nameOf(judgement.verdict)).toUpper()};
   for (const auto& reason : judgement.reasons) words << deskText(reason);
   add(tr("Verdict"), words.join(QStringLiteral("; ")));
+  int widest = 0;
+  for (int row = 0; row < record_->rowCount(); ++row) {
+    const auto words = record_->item(row, 0)->text();
+    widest = std::max(widest, record_->fontMetrics().horizontalAdvance(words));
+  }
+  constexpr int kAround = 40;  // [px] of the words in a cell
+  record_->setColumnWidth(0, widest + kAround);
   fitRecord();
 }
 
