@@ -19,9 +19,10 @@ PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(ne
   picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   picture_->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->addWidget(picture_);
-  resize(480, 330);
+  layout->setContentsMargins(8, 6, 8, 8);
+  layout->addWidget(quietLabel(tr("What the participant sees, to look at only"), this));
+  layout->addWidget(picture_, 1);
+  resize(640, 440);
   connect(&timer_, &QTimer::timeout, this, &PageMirror::look);
 }
 
