@@ -174,7 +174,10 @@ class HelpWindow::Text final : public QTextBrowser {
     QTextBrowser::resizeEvent(event);
   }
 
-  bool focusNextPrevChild(bool next) override { return QWidget::focusNextPrevChild(next); }
+  bool focusNextPrevChild(bool next) override {
+    // NOLINTNEXTLINE(bugprone-parent-virtual-call): the text browser's own goes to a link
+    return QWidget::focusNextPrevChild(next);
+  }
 
   void keyPressEvent(QKeyEvent* event) override {
     const bool isToLink = event->key() == Qt::Key_Right || event->key() == Qt::Key_Left;
