@@ -136,20 +136,29 @@ QImage ToolPicture::drawn(const QColor& ground) const {
       static_cast<std::uint8_t>(ground.green()),
       static_cast<std::uint8_t>(ground.blue()),
       0};
+  constexpr double kOfWidget = 0.94;  // leaves room for the shadow
+  const QSizeF all = devicePixelRatioF() * QSizeF(size());
+  const QSizeF shown = kOfWidget * all;
   // Drawn at twice the size at which it is shown, for smooth edges, but not at every cost.
   constexpr double kMost = 4e6;  // pixels
-  const QSizeF shown = devicePixelRatioF() * QSizeF(size());
   const double fine = std::min(2.0, std::sqrt(kMost / (shown.width() * shown.height())));
-  const QSize pixels = (fine * shown).toSize();
+  const QSize pixels = (fine * shown).toSize().expandedTo({1, 1});
   const auto graphics = scene::makeRenderer(scene::RendererChoice::Software);
   const auto place = scene::placeOf(alone.shots.front(), pixels);
-  const auto instrument =
-      cutOut(graphics.renderer->draw(alone, pixels).copy(place), ground)
-          .scaled(place.size() / fine, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  const auto drawn = cutOut(graphics.renderer->draw(alone, pixels).copy(place), ground)
+                         .scaled(
+                             (QSizeF(place.size()) / fine).toSize(),
+                             Qt::IgnoreAspectRatio,
+                             Qt::SmoothTransformation);
+  QImage instrument(all.toSize(), QImage::Format_ARGB32_Premultiplied);
+  instrument.fill(Qt::transparent);
+  const QPoint corner(
+      (instrument.width() - drawn.width()) / 2, (instrument.height() - drawn.height()) / 2);
+  QPainter(&instrument).drawImage(corner, drawn);
   QImage picture(instrument.size(), QImage::Format_ARGB32_Premultiplied);
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
-  constexpr double kBelow = 0.02;  // of the height: how far the shadow falls
+  constexpr double kBelow = 0.015;  // of the height: how far the shadow falls
   painter.drawImage(QPointF(0.0, kBelow * instrument.height()), shadowOf(instrument));
   painter.drawImage(0, 0, instrument);
   return picture;
@@ -159,9 +168,7 @@ void ToolPicture::paintEvent(QPaintEvent* /*event*/) {
   if (picture_.isNull()) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  QRect place(QPoint(0, 0), picture_.size().scaled(size(), Qt::KeepAspectRatio));
-  place.moveCenter(rect().center());
-  painter.drawImage(place, picture_);
+  painter.drawImage(rect(), picture_);
 }
 
 QWidget* toolCardOf(const haptics::devices::DeviceKind& device, QWidget* parent) {
