@@ -152,7 +152,9 @@ void OptionButtons::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (!isFlexible_ || buttons_.empty()) return;
   const int columns = columnsAt(width());
-  if (columns != columns_) fill(columns);
+  if (columns == columns_) return;
+  fill(columns);
+  grid_->activate();  // at once, before anything is painted
 }
 
 void OptionButtons::choose(int index) {

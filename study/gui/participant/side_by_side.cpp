@@ -49,6 +49,7 @@ void SideBySide::resizeEvent(QResizeEvent* event) {
   parts_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   parts_->setSpacing(scaled(*this, isWide ? kBetweenParts : kBelowPart));
   for (int i = 0; i < parts_->count(); ++i) parts_->setStretch(i, isWide ? 1 : 0);
+  parts_->activate();  // at once, before anything is painted
 }
 
 }  // namespace study::gui
