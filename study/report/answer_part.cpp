@@ -23,12 +23,16 @@ class AnswerWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    heading("The answer");
     const auto* family = mainFamily(section_);
+    const auto see = family == nullptr || mainSvg(*family).empty()
+                         ? withReferences("The answer: {}", {"answer"})
+                         : withReferences("The answer: {} and {}", {"answer-figure", "answer"});
+    const auto nothingYet = say("The answer");
+    put("<h3>{}</h3>", family == nullptr ? nothingYet : see);
     if (family == nullptr) {
       paragraph("Nothing can be compared yet: no completed session has answers to compare.");
     } else {
-      sentences(*family);
+      sentences();
       pooledAnswers();
       html_ += caveatsOfRenderingAsHtml(section_);
     }
@@ -53,19 +57,11 @@ class AnswerWriter : HtmlWriter {
 
   // --- Sentences ---
 
-  /// @param main  the family of the figure
-  void sentences(const FamilyResult& main) {
-    std::vector<std::string> all;
+  void sentences() {
     forEachAnswered([&](const auto& family, const auto& part) {
       const auto text = sentenceOf(family, part);
-      all.push_back(cohortLabelOf(family, part) + ": " + text);
+      put("<p>{}: {}</p>", cohortLabelOf(family, part), text);
     });
-    const auto see = mainSvg(main).empty()
-                         ? withReferences("See {}.", {"answer"})
-                         : withReferences("See {} and {}.", {"answer-figure", "answer"});
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      put("<p>{}{}</p>", all[i], i + 1 == all.size() ? " " + see : std::string());
-    }
   }
 
   /// Writes the main weakness of pooled tests next to their p values.

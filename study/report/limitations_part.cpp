@@ -137,8 +137,8 @@ class LimitationsWriter : HtmlWriter {
     if (const auto unconfirmed = notConfirmed(); !unconfirmed.empty()) {
       explain(say("Significant by the declared test only"), unconfirmed + ".");
     }
-    if (!families().empty()) {
-      explain(say("Corrections within each family and cohort"), families() + ".");
+    if (const auto chance = families(false); !chance.empty()) {
+      explain(say("Corrections within each family and cohort"), chance + ".");
     }
     put("</dl>");
     notFound(found);
@@ -192,7 +192,7 @@ class LimitationsWriter : HtmlWriter {
     }
     if (!isSaid) points.push_back(apart);
     if (const auto found = notConfirmed(); !found.empty()) points.push_back(found);
-    if (const auto found = families(); !found.empty()) points.push_back(found);
+    if (const auto found = families(true); !found.empty()) points.push_back(found);
     const auto warned = warnings();
     const auto remarks =
         count(warned.size(), "{} remark on the design", "{} remarks on the design");
@@ -273,7 +273,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   /// The chance of a false finding in any cohort and family; empty if there is one of each.
-  std::string families() const {
+  std::string families(bool isBrief) const {
     std::set<std::string> cohorts;
     double alpha = 0.0;
     std::size_t tested = 0;
@@ -300,7 +300,13 @@ class LimitationsWriter : HtmlWriter {
         "such studies",
         tested * cohorts.size(),
         100.0 * chance);
-    return tested * cohorts.size() > 1 ? sentence : std::string();
+    const auto brief = say(
+        "p is corrected within each of {} analyses: by chance alone some p is significant in up to "
+        "{:.0f} % of such studies",
+        tested * cohorts.size(),
+        100.0 * chance);
+    if (tested * cohorts.size() < 2) return {};
+    return isBrief ? brief : sentence;
   }
 
   /// Whether a weakness could be found: in virtual time no loop is late, and of one participant

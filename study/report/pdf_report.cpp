@@ -144,7 +144,7 @@ TextFont textFont() {
 /// Gives headings their sizes. Qt sets them relative to the text, not as the style sheet says,
 /// and ignores a size beside that property (Qt 6.4).
 void setHeadingSizes(QTextDocument& document, double scale) {
-  constexpr std::array kSizes{15.5, 13.5, 11.5, 9.5};  // [pt]
+  constexpr std::array kSizes{14.5, 13.0, 11.5, 9.5};  // [pt]
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
     const int level = block.blockFormat().headingLevel();
     if (level < 1 || level > static_cast<int>(kSizes.size())) continue;
@@ -243,7 +243,7 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
   setHeadingSizes(document, scale);
-  constexpr double kFooter = 9.0 / 25.4;  // [in]
+  constexpr double kFooter = 6.5 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   fitColumns(document);
   numberContents(document);  // makes room for the numbers

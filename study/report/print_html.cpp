@@ -12,14 +12,14 @@ namespace {
 /// Only font sizes are in pt.
 constexpr std::string_view kStyleOnPaper = R"css(
 body { font-size: 9pt; }
-h1 { margin-top: 0px; margin-bottom: 2px; } h2 { margin-top: 16px; } h3 { margin-top: 12px; margin-bottom: 3px; } h4 { margin-top: 8px; margin-bottom: 3px; }
-p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
-p.byline { font-size: 8pt; margin-top: 0px; margin-bottom: 6px; }
+h1 { margin-top: 0px; margin-bottom: 2px; } h2 { margin-top: 16px; } h3 { margin-top: 8px; margin-bottom: 2px; } h4 { margin-top: 8px; margin-bottom: 3px; }
+p { margin-top: 3px; margin-bottom: 4px; } ul { margin-top: 1px; margin-bottom: 4px; } li { margin-bottom: 1px; }
+p.byline { font-size: 8pt; margin-top: 0px; margin-bottom: 4px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.note { margin-bottom: 10px; }
-p.figcaption { margin-bottom: 12px; }
+p.figcaption { margin-bottom: 8px; }
 p.reference { font-size: 7.5pt; margin-top: 0px; margin-bottom: 2px; }
-p.verdict { font-size: 10pt; font-weight: bold; margin-top: 12px; margin-bottom: 6px; }
+p.verdict { font-size: 10pt; font-weight: bold; margin-top: 10px; margin-bottom: 6px; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; margin-top: 10px; margin-bottom: 12px; margin-left: 8px; margin-right: 8px; }
 p.pilot { background-color: #7a5200; }
 td, th { font-size: 8pt; padding-left: 4px; padding-right: 4px; }

@@ -9,7 +9,7 @@
 namespace study::report {
 namespace {
 
-constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 17.0};
+constexpr RowMeasures kEffectRows{.names = 250.0, .texts = 180.0, .height = 16.0};
 
 /// The interval at 1 − α/m, if p is corrected in the same way: by Bonferroni's method. Beside
 /// another correction it may cover zero where p is below α.
