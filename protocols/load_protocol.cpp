@@ -109,6 +109,13 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
     return loadProtocol(
         *text, [](const std::string&) { return std::nullopt; }, problems);
   }
+  const bool isName = fs::path(path).filename() == path && !fs::path(path).has_extension();
+  if (isName && !fs::exists(path, ignored)) {
+    throw base::UserError(
+        "There is no protocol " + path +
+        " in the library, and no file of that name. 'palpate protocol list' names those of the "
+        "library.");
+  }
   const auto folder = fs::path(path).parent_path();
   const auto beside = [&](const std::string& name) -> std::optional<std::string> {
     const auto file = folder / name;

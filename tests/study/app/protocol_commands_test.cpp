@@ -8,6 +8,7 @@
 
 namespace protocol_commands_test {
 
+using tests::expectRefused;
 using tests::kTheWorldSaidNo;
 using tests::linesOf;
 using tests::palpate;
@@ -25,6 +26,11 @@ TEST_F(ProtocolCommands, ListsProtocolsThatOtherCommandsTakeByName) {
     const auto title = line.substr(line.find("conditions") + std::string("conditions  ").size());
     EXPECT_NE(checked.find(name + " is valid: \"" + title + "\""), std::string::npos) << checked;
   }
+}
+
+TEST_F(ProtocolCommands, NamesTheListWhereANameIsUnknown) {
+  expectRefused(
+      {"protocol", "check", "punch"}, kTheWorldSaidNo, {"no protocol punch", "protocol list"});
 }
 
 TEST_F(ProtocolCommands, ReportsAllProblemsOfAProtocolWithTheirPlaces) {
