@@ -76,6 +76,15 @@ void addReasonOfAmendment(CLI::App& command, std::string& reason) {
       "--reason", reason, "Reason for the change; required once a participant has begun");
 }
 
+void addReportFolder(CLI::App& command, std::string& folder, const std::string& contents) {
+  command
+      .add_option(
+          "--report",
+          folder,
+          "Folder for " + contents + " and an HTML page; no file is overwritten")
+      ->type_name("FOLDER");
+}
+
 void addWordingOption(CLI::App& command, std::string& wording) {
   command
       .add_option(

@@ -67,6 +67,9 @@ CLI::Option* addAuditedReason(CLI::App& command, std::string& reason);
 /// Adds --reason, the reason for amending the protocol.
 void addReasonOfAmendment(CLI::App& command, std::string& reason);
 
+/// Adds --report, the folder for @p contents ("tables, figures") and a page.
+void addReportFolder(CLI::App& command, std::string& folder, const std::string& contents);
+
 /// Adds --wording, the style in which sentences report numbers.
 void addWordingOption(CLI::App& command, std::string& wording);
 

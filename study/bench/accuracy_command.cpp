@@ -370,13 +370,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
       "accuracy",
       "Measure errors and run times of Palpate's models, and of the same methods in other software",
       accuracy);
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
-          "tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out);
   command
       ->add_option(
           "--processes",

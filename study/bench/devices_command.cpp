@@ -277,13 +277,7 @@ void addDevicesCommand(CLI::App& program, Action& action) {
       "Measure round trips, lost cycles and stalls of the emulated punch and arm on their "
       "interfaces",
       benchDevices);
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
-          "tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out);
   command->add_option("--seconds", options.bench.seconds, "Duration with both devices at once [s]")
       ->check(app::finiteRange(0.5, 36'000.0))
       ->capture_default_str();

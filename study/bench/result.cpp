@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/bench/measurement.h"
@@ -37,6 +38,15 @@ DataTable machineTable() {
 }
 
 }  // namespace
+
+void addOutFolder(CLI::App& command, std::string& folder, const std::string& contents) {
+  command
+      .add_option(
+          "--out",
+          folder,
+          "Folder for " + contents + " and an HTML page (default: only print the tables)")
+      ->type_name("FOLDER");
+}
 
 Cell numberCell(const std::optional<double>& value) {
   if (value && !std::isfinite(*value)) return std::string("no number");

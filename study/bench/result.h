@@ -6,7 +6,17 @@
 #include "study/model/data_table.h"
 #include "study/report/document.h"
 
+namespace CLI {
+class App;
+}
+
 namespace study::bench {
+
+/// Adds --out, the folder of printAndWrite() for @p contents and a page.
+void addOutFolder(
+    CLI::App& command,
+    std::string& folder,
+    const std::string& contents = "tables (CSV), figures (SVG)");
 
 /// Prints those tables of a result that have a description, as plain text. If @p folder is not
 /// empty, also writes all tables as CSV files, figures as SVG files, and the page NAME.html, which

@@ -200,13 +200,7 @@ void addServoCommand(CLI::App& program, Action& action) {
       "servo",
       "Measure the timing of the force loop on this computer, and the cost of recording",
       servo);
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
-          "tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out);
   command
       ->add_option(
           "--disk", options.disk, "Folder on the disk to measure, where studies are stored")

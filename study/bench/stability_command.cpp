@@ -227,13 +227,7 @@ void addStabilityCommand(CLI::App& program, Action& action) {
       "stability",
       "Check the stability of stiff and extreme cases, each against a bound",
       stability);
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
-          "tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out);
   command
       ->add_option(
           "--effort",

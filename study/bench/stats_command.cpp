@@ -139,12 +139,7 @@ void addStatsCommand(CLI::App& program, Action& action) {
       "stats",
       "Measure time and memory of computing the table of comparisons from a database of answers",
       stats);
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV) and an HTML page (default: only print the tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out, "tables (CSV)");
   command->add_option("--answers", options.answers, "Number of answers in the synthetic study")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->capture_default_str();

@@ -177,11 +177,7 @@ void addCalibrateCommand(CLI::App& noun, Action& action) {
       command.columns.forceUnit,
       "Unit of loads: N, mN, kN, g or kg (default: from the heading, 'load [N]')");
   verb->add_option("--out", command.out, "New file for the calibration")->type_name("FILE");
-  verb->add_option(
-          "--report",
-          command.report,
-          "Folder for figures (curve and residuals) and an HTML page; no file is overwritten")
-      ->type_name("FOLDER");
+  addReportFolder(*verb, command.report, "figures (curve and residuals)");
   verb->add_option("--name", command.name, "Name of the calibration")->capture_default_str();
 }
 

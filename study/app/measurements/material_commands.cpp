@@ -165,11 +165,7 @@ void addFit(CLI::App& noun, Action& action) {
       app::fit);
   command.inputs.addTo(*verb);
   verb->add_option("--out", command.out, "New file for the material")->type_name("FILE");
-  verb->add_option(
-          "--report",
-          command.report,
-          "Folder for tables, figures and an HTML page; no file is overwritten")
-      ->type_name("FOLDER");
+  addReportFolder(*verb, command.report, "tables, figures");
   verb->add_option("--name", command.name, "Name of the material")->capture_default_str();
   verb->add_option("--title", command.title, "Title shown in reports")->capture_default_str();
 }
@@ -239,11 +235,7 @@ void addCompare(CLI::App& noun, Action& action) {
   verb->remove_option(verb->get_option("--spline"));  // two kinds are compared, both fixed
   verb->add_option("--curve", command.curve, "Curve to compare: TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
-  verb->add_option(
-          "--report",
-          command.report,
-          "Folder for the figure and an HTML page; no file is overwritten")
-      ->type_name("FOLDER");
+  addReportFolder(*verb, command.report, "the figure");
 }
 
 struct SynthesiseCommand {

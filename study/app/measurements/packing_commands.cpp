@@ -323,11 +323,7 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option("--out", command.out, "New file that ends in .packing")
       ->type_name("FILE")
       ->required();
-  verb->add_option(
-          "--report",
-          command.report,
-          "Folder for tables, figures and an HTML page; no file is overwritten")
-      ->type_name("FOLDER");
+  addReportFolder(*verb, command.report, "tables, figures");
   verb->add_option(
           "--depths", command.options.depths, "Number of depths at which the curve is fitted")
       ->check(CLI::Range(20, 2000))

@@ -250,13 +250,7 @@ void addImport(CLI::App& noun, Action& action) {
           "A cut counts if the force rises by at least this until the tissue yields [N]; 0: any")
       ->check(finiteRange(0.0, 1e6))
       ->capture_default_str();
-  import
-      ->add_option(
-          "--report",
-          command.report,
-          "Folder for figures (spectrum, closures, the cut) and an HTML page; no file is "
-          "overwritten")
-      ->type_name("FOLDER");
+  addReportFolder(*import, command.report, "figures (spectrum, closures, the cut)");
   import->add_option("--name", command.options.name, "Name of the cut (default: the file's name)");
   import->add_flag("--json", command.json, "Print JSON with full precision");
 }

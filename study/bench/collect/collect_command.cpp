@@ -242,13 +242,7 @@ void addCollectCommand(CLI::App& program, Action& action) {
       "Measure how fast a PostgreSQL server takes in, counts and returns the data of many sites",
       benchCollect);
   options.size.folder = std::filesystem::temp_directory_path();
-  command
-      ->add_option(
-          "--out",
-          options.out,
-          "Folder for tables (CSV), figures (SVG) and an HTML page (default: only print the "
-          "tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, options.out);
   auto& size = options.size;
   command->add_option("--answers", size.answers, "Number of answers of all sites together")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{10'000'000}))

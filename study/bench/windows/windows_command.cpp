@@ -201,12 +201,7 @@ void addWindowsCommand(CLI::App& program, Action& action) {
           options.part,
           "Part to measure: simulations, or desk (plots, pages, list of studies) (default: both)")
       ->check(CLI::IsMember({kSimulations, kDesk}));
-  command
-      ->add_option(
-          "--out",
-          simulation.folder,
-          "Folder for pictures, tables (CSV) and an HTML page (default: only print the tables)")
-      ->type_name("FOLDER");
+  addOutFolder(*command, simulation.folder, "pictures, tables (CSV)");
   command
       ->add_option(
           "--seconds", simulation.seconds, "Duration of each simulation, and of the live plots [s]")
