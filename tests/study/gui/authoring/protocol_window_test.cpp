@@ -188,6 +188,21 @@ TEST_F(ProtocolWindowTest, NamesPartsOfAProtocolByTheirTitles) {
   EXPECT_FALSE(words.contains(QStringLiteral("'kalman'"))) << words.toStdString();
 }
 
+TEST_F(ProtocolWindowTest, ListsErrorsBeforeWarnings) {
+  using questionnaires::Severity;
+  const auto problem = [](Severity severity, const char* what) {
+    return questionnaires::Problem{
+        .severity = severity, .path = "$", .what = base::Message::verbatim(what)};
+  };
+  const auto broken = checked(
+      "mine.json",
+      "",
+      std::nullopt,
+      {problem(Severity::Warning, "weak"), problem(Severity::Error, "wrong")});
+  EXPECT_EQ(broken.problemsInWords(), QStringLiteral("✕  wrong\n!  weak"));
+  EXPECT_EQ(broken.notes().front().mark, Mark::Bad);
+}
+
 TEST_F(ProtocolWindowTest, ReloadsAChangedFile) {
   const QString file = write(replaced(sound_, "\"phases\"", "\"phasen\""));
   ProtocolWindow window(file);
