@@ -9,6 +9,7 @@
 
 #include <QAccessible>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -296,6 +297,11 @@ void ParticipantWindow::showPage(QWidget* page) {
   page_ = page;
   place_->addWidget(page);
   bottom_->setVisible(!next_->isHidden());
+  page->show();
+  // A part that is laid out may ask those around it for other sizes. Nothing of that is to be seen.
+  constexpr int kRounds = 3;
+  for (int i = 0; i < kRounds; ++i)
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   page->setFocus();
 }
 
