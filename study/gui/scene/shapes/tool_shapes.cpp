@@ -90,7 +90,7 @@ Mesh upperJaw() {
 
 /// One side of the fork that holds the hinge.
 Mesh prong(float from, float to) {
-  std::vector<QVector2D> outline{{-6.4F, 0.9F}, {-6.4F, -1.3F}, {-3.6F, -1.6F}};
+  std::vector<QVector2D> outline{{-6.4F, 0.0F}, {-6.4F, -0.9F}, {-3.6F, -1.6F}};
   constexpr int kSteps = 12;
   constexpr float kRadius = 1.6F;
   for (int i = 0; i <= kSteps; ++i) {
@@ -141,17 +141,27 @@ Mesh pushRod() {
 Mesh fixedHandle() {
   Mesh handle = finished(
       loft(
-          {slab(-128.0F, -8.0F, 4.0F, 3.4F, 2.5F),
-           slab(-124.0F, -9.0F, 5.0F, 4.2F, 3.0F),
-           slab(-108.0F, -6.5F, 3.6F, 3.6F, 2.5F),
-           slab(-102.0F, -2.8F, 2.2F, 2.4F, 1.8F)}),
-      kDarkSteel);
+          {slab(-130.0F, -5.4F, 1.8F, 1.6F, 1.5F),
+           slab(-129.4F, -7.0F, 3.2F, 2.8F, 2.4F),
+           slab(-128.0F, -8.2F, 4.2F, 3.6F, 2.9F),
+           slab(-124.0F, -9.0F, 4.9F, 4.2F, 3.3F),
+           slab(-116.0F, -8.6F, 4.6F, 4.1F, 3.2F),
+           slab(-109.0F, -6.6F, 3.7F, 3.6F, 2.8F),
+           slab(-104.5F, -4.2F, 2.7F, 2.9F, 2.4F),
+           slab(-101.0F, -2.7F, 1.9F, 2.3F, 2.2F)}),
+      kDarkSteel,
+      60.0F);
   append(
       handle,
       finished(
           bent(
-              {{-122, -4, 0}, {-127, -18, 0}, {-131, -34, 0}, {-133, -48, 0}, {-134, -58, 0}},
-              {3.4F, 3.0F, 2.7F, 2.5F, 2.4F}),
+              {{-122, -4, 0},
+               {-127, -18, 0},
+               {-131, -34, 0},
+               {-133, -48, 0},
+               {-134, -56, 0},
+               {-134.4F, -59, 0}},
+              {3.4F, 3.0F, 2.6F, 2.3F, 2.7F, 1.2F}),
           kSteel));
   append(handle, finished(fingerRing({-136, -71, 0}, 12.0F, 2.4F), kSteel));
   return handle;
@@ -164,9 +174,10 @@ Mesh movingHandle() {
            {-112, -8, 0},
            {-109, -22, 0},
            {-107, -36, 0},
-           {-107, -50, 0},
-           {-108, -58, 0}},
-          {2.4F, 3.2F, 2.9F, 2.6F, 2.5F, 2.4F}),
+           {-107, -48, 0},
+           {-107.6F, -56, 0},
+           {-107.9F, -59, 0}},
+          {2.4F, 3.2F, 2.9F, 2.6F, 2.3F, 2.7F, 1.2F}),
       kSteel);
   append(lever, finished(fingerRing({-109, -71, 0}, 12.0F, 2.4F), kSteel));
   Mesh pin = rod(-4.6F, 4.6F, 2.4F, 24);
