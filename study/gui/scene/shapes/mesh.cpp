@@ -110,9 +110,10 @@ void crease(Mesh& mesh, float angle) {
       const QVector3D normal = sum.isNull() ? own : sum.normalized();
       const auto next = static_cast<std::uint32_t>(creased.vertices.size());
       const auto [at, isNew] = kept.emplace(std::pair(corner, keyOf(normal)), next);
-      if (isNew)
-        creased.vertices.push_back(
-            {mesh.vertices[corner].position, normal, mesh.vertices[corner].tint});
+      if (isNew) {
+        creased.vertices.push_back(mesh.vertices[corner]);
+        creased.vertices.back().normal = normal;
+      }
       return at->second;
     };
     const auto a = creasedCorner(t.a);
