@@ -97,8 +97,11 @@ Mesh dome(float radius) {
   profile.emplace_back(0.945F * radius, -0.065F * radius);
   profile.emplace_back(kInside * radius, -0.05F * radius);
   for (int i = 0; i <= 6; ++i) {
-    const float height = kFloor * static_cast<float>(i) / 6.0F;
-    profile.emplace_back(radius * std::sqrt(kInside * kInside - height * height), radius * height);
+    // The wall is thicker inside: uncut bone reaches a little into it.
+    const float share = static_cast<float>(i) / 6.0F;
+    const float height = kFloor * share;
+    const float inside = kInside - 0.11F * share;
+    profile.emplace_back(radius * std::sqrt(inside * inside - height * height), radius * height);
   }
   profile.emplace_back(0.4F * radius, kFloor * radius);
   profile.emplace_back(0.0004F, kFloor * radius);
