@@ -41,8 +41,8 @@ Ring trough(float x, float low, float rim, float half) {
       {half - wall - 0.05F, floor}};
   Ring ring;
   for (const auto& corner : right) ring.emplace_back(x, corner.y(), corner.x());
-  for (auto corner = right.rbegin(); corner != right.rend(); ++corner)
-    ring.emplace_back(x, corner->y(), -corner->x());
+  const std::vector left(right.rbegin(), right.rend());
+  for (const auto& corner : left) ring.emplace_back(x, corner.y(), -corner.x());
   return ring;
 }
 
