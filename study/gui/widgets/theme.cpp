@@ -55,7 +55,6 @@ QLabel[role="mark-good"], QFrame[role="card"] QLabel[role="mark-good"] { color: 
 QLabel[role="mark-warn"], QFrame[role="card"] QLabel[role="mark-warn"] { color: @warn.text; background: @warn; }
 QLabel[role="mark-bad"], QFrame[role="card"] QLabel[role="mark-bad"] { color: @bad.text; background: @bad; }
 QLabel[role="finding"] { font-size: 18px; font-weight: 600; }
-QLabel[role="section"] { font-weight: 600; }
 QPushButton { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
               padding: 6px 16px; min-height: 24px; }
 QPushButton, QCheckBox, QRadioButton { outline: none; }
