@@ -15,6 +15,7 @@
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/gui/participant/benchmark_page.h"
 #include "study/gui/widgets/message_box.h"
 #include "study/model/study_files.h"
 #include "study/storage/records.h"
@@ -263,6 +264,7 @@ TEST_F(OperatorSession, ABreaksTimerEnablesNextOnItsOwnPageOnly) {
   window_.controller()->skipStep(QStringLiteral("nothing to say"));
   window_.controller()->skipStep(QStringLiteral("known already"));
   ASSERT_EQ(session().step().kind, StepKind::Benchmark) << "its cuts must be made";
+  next = window_.participantWindow()->findChild<BenchmarkPage*>()->findChild<QPushButton*>();
   EXPECT_FALSE(next->isEnabled());
   QTest::qSleep(1200);  // longer than the break; the page of the break is not deleted yet
   QTest::qWait(50);

@@ -52,7 +52,7 @@ TEST(PaddleSession, ShowsPressesAndDegrees) {
   window.enrol({.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
   participant.goTo(StepKind::Trial);
   participant.look();
-  EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("Presses: make 3 or more")));
+  EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("0 of 3 presses")));
   participant.cut(2);
   participant.look();
   EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("to press the paddle")));
