@@ -94,8 +94,8 @@ class TestsWriter : HtmlWriter {
     }
   }
 
-  /// The numbers that the table beside the answer lacks; that table has the differences, unless
-  /// pooled tests are declared.
+  /// The numbers that are not in the table on page 1. That table has the differences, unless pooled
+  /// tests are declared.
   void differences() {
     const bool areShown = !result_.isNamed("welch");
     const auto ci = say("{:g} % CI", 100.0 * (1.0 - result_.family.alpha));

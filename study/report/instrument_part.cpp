@@ -117,7 +117,7 @@ class InstrumentWriter : HtmlWriter {
       if (instrument != last) group(escaped(instrument->title.in(section_.words.language())));
       last = instrument;
       std::vector<std::string> cells{
-          escaped(score.title.in(section_.words.language())) + endsOf(range),
+          escaped(score.title.in(section_.words.language())) + scaleEndWords(range),
           aboutInWords(summaries)};
       for (std::size_t i = 0; i < summaries.size(); ++i) {
         const auto* one = summaries[i];
@@ -130,7 +130,7 @@ class InstrumentWriter : HtmlWriter {
   }
 
   /// " (1–5)"; empty for a score without a range.
-  static std::string endsOf(const questionnaires::Range& range) {
+  static std::string scaleEndWords(const questionnaires::Range& range) {
     return range.low < range.high ? fmt::format(
                                         " ({}–{})",
                                         withMinusSign(exactly(range.low)),

@@ -62,9 +62,9 @@ class ItemsWriter : HtmlWriter {
     const auto alike =
         say("All {} texts are “{}”.", all.size(), all.empty() ? std::string() : all.front().text);
     if (areAlike(all)) return "<p>" + alike + "</p>\n";
-    for (const auto& instrument : section_.instruments) quotesOf(instrument, false);
+    for (const auto& instrument : section_.instruments) writeQuotes(instrument, false);
     const auto own = std::exchange(html_, {});
-    for (const auto& instrument : section_.instruments) quotesOf(instrument, true);
+    for (const auto& instrument : section_.instruments) writeQuotes(instrument, true);
     const auto title = say("What the operator wrote down");
     if (html_.empty()) return own;
     return own + "<h4>" + title + "</h4>\n" + html_;
@@ -224,13 +224,13 @@ class ItemsWriter : HtmlWriter {
   bool haveSameEnds(const std::vector<const questionnaires::Item*>& items) const {
     const auto& language = section_.words.language();
     return std::ranges::all_of(items, [&](const auto* item) {
-      return endsOf(*item, language) == endsOf(*items.front(), language);
+      return scaleEndWords(*item, language) == scaleEndWords(*items.front(), language);
     });
   }
 
   /// " (Perfect – Failure)"; empty if the scale has no words, or if they are the question.
   std::string endsInBrackets(const questionnaires::Item& item) const {
-    const auto [low, high] = endsOf(item, section_.words.language());
+    const auto [low, high] = scaleEndWords(item, section_.words.language());
     const bool isQuestion = item.text.in(section_.words.language()).empty();
     return low.empty() || high.empty() || isQuestion ? std::string()
                                                      : escaped(" (" + low + " – " + high + ")");
@@ -346,7 +346,7 @@ class ItemsWriter : HtmlWriter {
 
   /// A paragraph for each question and alternative.
   /// @param areNotes  of the operator, instead of what participants wrote
-  void quotesOf(const questionnaires::Instrument& instrument, bool areNotes) {
+  void writeQuotes(const questionnaires::Instrument& instrument, bool areNotes) {
     const auto& quotes = section_.results.answers.quotes;
     for (auto at = quotes.begin(); at != quotes.end();) {
       const auto& first = *at;

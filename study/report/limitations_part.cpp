@@ -11,10 +11,10 @@
 namespace study::report {
 namespace {
 
-constexpr std::size_t kMostOnThePage = 4;
+constexpr std::size_t kMostLimitationsOnFirstPage = 4;
 
 /// In kBySeverity, the last that weighs more than conditions that can be told apart.
-constexpr std::ptrdiff_t kDisclosures = 2;
+constexpr std::ptrdiff_t kLastSeverityBeforeDisclosures = 2;
 
 /// Warnings about a study's files that say nothing about its results.
 constexpr std::array<std::string_view, 14> kFileWarnings{
@@ -64,7 +64,7 @@ bool isIn(const std::array<std::string_view, count>& ids, std::string_view id) {
 }
 
 /// A sentence that was found, and the ids of the cohorts to which it applies.
-struct Found {
+struct LimitationFinding {
   std::string sentence;
   std::vector<std::string> cohorts;
 };
@@ -72,7 +72,7 @@ struct Found {
 /// A kind of flag, with what was found in each cohort, of all families together.
 struct Limitation {
   const analysis::Flag* flag;
-  std::vector<Found> found;
+  std::vector<LimitationFinding> found;
 };
 
 /// Writes what weakens the answer. The page has a title for each, the appendix explains it.
@@ -96,8 +96,10 @@ class LimitationsWriter : HtmlWriter {
     if (section_.results.completed() == 0) return {};
     const auto points = allPoints();
     heading("What weakens the answer");
-    // one more takes no more room than to say that there is one more
-    const auto shown = points.size() <= kMostOnThePage + 1 ? points.size() : kMostOnThePage;
+    // one more weakness takes no more room than the line "and 1 more"
+    const auto shown = points.size() <= kMostLimitationsOnFirstPage + 1
+                           ? points.size()
+                           : kMostLimitationsOnFirstPage;
     std::string items;
     for (std::size_t i = 0; i < shown; ++i) items += "<li>" + points[i] + "</li>";
     const auto more = count(points.size() - shown, "and {} more", "and {} more");
@@ -184,8 +186,9 @@ class LimitationsWriter : HtmlWriter {
     bool isSaid = disclosed.empty();
     for (const auto& limitation : limitations()) {
       if (limitation.flag->concernsRendering) continue;  // the sentences of the answer have it
-      if (!isSaid && severityOf(limitation) > kDisclosures) points.push_back(apart);
-      isSaid = isSaid || severityOf(limitation) > kDisclosures;
+      if (!isSaid && severityOf(limitation) > kLastSeverityBeforeDisclosures)
+        points.push_back(apart);
+      isSaid = isSaid || severityOf(limitation) > kLastSeverityBeforeDisclosures;
       points.push_back(inWords(limitation.flag->title()));
       const bool isOfAll = cohortsIn(limitation).size() == cohorts.size();
       if (!isOfAll) points.back() += " (" + escaped(titlesOf(cohortsIn(limitation))) + ")";
@@ -353,10 +356,13 @@ class LimitationsWriter : HtmlWriter {
     return all;
   }
 
-  void add(std::vector<Found>& found, const std::string& cohort, const analysis::Flag& flag) const {
+  void add(
+      std::vector<LimitationFinding>& found,
+      const std::string& cohort,
+      const analysis::Flag& flag) const {
     std::string what;
     for (const auto& part : flag.what) what += section_.inWords(part);
-    auto same = std::ranges::find(found, what, &Found::sentence);
+    auto same = std::ranges::find(found, what, &LimitationFinding::sentence);
     if (same == found.end()) same = found.insert(found.end(), {what, {}});
     if (std::ranges::find(same->cohorts, cohort) == same->cohorts.end()) {
       same->cohorts.push_back(cohort);
@@ -389,7 +395,7 @@ class LimitationsWriter : HtmlWriter {
   }
 
   /// What was found, after the names of the cohorts to which it applies.
-  std::string sentenceOf(const Limitation& limitation, const Found& found) const {
+  std::string sentenceOf(const Limitation& limitation, const LimitationFinding& found) const {
     const auto each = say("In each cohort") + ": ";
     const auto cohorts = cohortsWithPeople().size();
     const bool isOfAll = limitation.found.size() == 1 && cohortsIn(limitation).size() == cohorts;

@@ -16,7 +16,7 @@ using protocols::PhaseType;
 /// A force model in words, with the works that it comes from.
 struct ModelText {
   std::string_view english;
-  std::string_view works;
+  std::string_view publications;
 };
 
 /// In the order of haptics::engine::ModelSpec.
@@ -154,19 +154,19 @@ class MethodsWriter : HtmlWriter {
       const auto english =
           section_.words(kModels[kind].english);  // of all: tests find missing ones
       std::string conditions;
-      auto works = std::string(kModels[kind].works);
+      auto publications = std::string(kModels[kind].publications);
       for (const auto& one : section_.protocol.conditions) {
         if (one.model->index() != kind) continue;
-        if (isAsPublished(*one.model) && !works.ends_with(kPunchCode)) {
-          works += ", " + std::string(kPunchCode);
+        if (isAsPublished(*one.model) && !publications.ends_with(kPunchCode)) {
+          publications += ", " + std::string(kPunchCode);
         }
         conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(one.id);
       }
       if (conditions.empty()) continue;
-      if (works != cited) cite();
+      if (publications != cited) cite();
       text += text.empty() ? "" : cited.empty() ? " " : "; ";
       text += conditions + ": " + english;
-      cited = works;
+      cited = publications;
     }
     cite();
     return escaped(text);
@@ -342,10 +342,10 @@ class MethodsWriter : HtmlWriter {
   }
 
   /// A list of the scenes' sources: those that are shown on the screen, or those that are felt.
-  void list(std::string_view words, bool isOfShown) {
+  void list(std::string_view words, bool isShownOnScreen) {
     std::string lines;
     for (const auto& source : section_.sources) {
-      if ((source.kind == kShownSourceKind) != isOfShown) continue;
+      if ((source.kind == kShownSourceKind) != isShownOnScreen) continue;
       std::string conditions;
       for (const auto& id : source.conditions) {
         conditions += (conditions.empty() ? "" : ", ") + section_.conditionTitle(id);
@@ -355,7 +355,7 @@ class MethodsWriter : HtmlWriter {
     const auto computed = say("parameters of the protocol; nothing was recorded or measured");
     std::vector<std::string> others;
     for (const auto& id : withoutSource(section_)) others.push_back(section_.conditionTitle(id));
-    if (!isOfShown && !others.empty()) {
+    if (!isShownOnScreen && !others.empty()) {
       lines += fmt::format("<li>{}: {}</li>", computed, escaped(listed(others, section_.words)));
     }
     if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", section_.words(words), lines);

@@ -222,7 +222,7 @@ void paintPages(QTextDocument& document, QPdfWriter& writer, QFont font, const P
 
 std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   const auto [font, scale] = textFont();
-  const auto page = forPrint(html, scale);
+  const auto page = toPrintHtml(html, scale);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);

@@ -199,7 +199,7 @@ void preventLineBreaks(std::string& html) {
 
 }  // namespace
 
-PrintHtml forPrint(std::string_view html, double scale) {
+PrintHtml toPrintHtml(std::string_view html, double scale) {
   PrintHtml page{.html = std::string(html), .figures = {}};
   auto& text = page.html;
   constexpr std::string_view kLanguage = "<html lang=\"";

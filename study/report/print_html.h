@@ -17,6 +17,6 @@ struct PrintHtml {
 /// Extracts the figures of a page (html_report.h, document.h) and replaces markup that Qt does not
 /// know: captions become rows of table heads, names are aligned left and numbers right.
 /// @param scale  of all font sizes.
-PrintHtml forPrint(std::string_view html, double scale = 1.0);
+PrintHtml toPrintHtml(std::string_view html, double scale = 1.0);
 
 }  // namespace study::report

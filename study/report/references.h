@@ -11,7 +11,7 @@
 namespace study::report {
 
 /// A published work that a report may cite.
-struct Work {
+struct Publication {
   /// Authors and year, as the registry of tests names its sources: "Mann & Whitney 1947".
   std::string_view key;
   std::string_view authors;  ///< "Mann HB; Whitney DR"; empty if they are not known
@@ -27,7 +27,7 @@ inline constexpr std::string_view kPunchPaper = "“Intraoperative Data-Based Ha
 inline constexpr std::string_view kPunchCode = "Bjelland 2022";
 inline constexpr std::string_view kReamingPaper = "Pelliccia et al. 2020";
 
-std::span<const Work> works() noexcept;
+std::span<const Publication> publications() noexcept;
 
 /// The sources, separated by "; ", works with their DOI: "Hurlbert 1984, 10.2307/1942661".
 std::string sourcesWithDois(std::span<const base::Message> sources);
@@ -51,7 +51,7 @@ class Citations {
 
  private:
   Wording wording_;
-  std::vector<const Work*> cited_;  ///< in the order of their first citation
+  std::vector<const Publication*> cited_;  ///< in the order of their first citation
 };
 
 }  // namespace study::report

@@ -37,7 +37,7 @@ class RenderingWriter : HtmlWriter {
       paragraph("There are no trials that count.");
       return std::move(html_);
     }
-    for (const auto& svg : section_.figures.felt) {
+    for (const auto& svg : section_.figures.renderedForce) {
       figure(svg, isOfBone() ? kBoneCurvesCaption : kCurvesCaption);
     }
     flatCurves();
@@ -48,7 +48,8 @@ class RenderingWriter : HtmlWriter {
     if (section_.curvesReason.empty() && isEmpty) {
       note("No tool advanced in any trial: there is no curve of force over travel.");
     } else if (section_.curvesReason.empty()) {
-      if (section_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
+      if (section_.figures.renderedForce.empty())
+        figure("", "Force over travel for every alternative.");
       manipulation();
       againstMaterial();
     } else {

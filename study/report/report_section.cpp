@@ -281,7 +281,7 @@ std::string questionOf(const questionnaires::Item& item, const std::string& lang
   return left.empty() ? item.id : left + " – " + item.rightText.in(language);
 }
 
-std::pair<std::string, std::string> endsOf(
+std::pair<std::string, std::string> scaleEndWords(
     const questionnaires::Item& item, const std::string& language) {
   const auto& scale = item.scale;
   const auto either = [&](const auto& one, const auto& other) {
@@ -298,9 +298,9 @@ std::string scaleInWords(
   const auto scale = protocols::scaleOf(*items.front());
   const auto isAlike = [&](const auto* item) { return protocols::scaleOf(*item) == scale; };
   if (!scale || !std::ranges::all_of(items, isAlike)) return {};
-  const auto ends = endsOf(*items.front(), words.language());
+  const auto ends = scaleEndWords(*items.front(), words.language());
   const bool haveSameEnds = std::ranges::all_of(
-      items, [&](const auto* item) { return endsOf(*item, words.language()) == ends; });
+      items, [&](const auto* item) { return scaleEndWords(*item, words.language()) == ends; });
   const auto low = withMinusSign(exactly(scale->lowest));
   const auto high = withMinusSign(exactly(scale->highest));
   const auto plain = words.say("scale from {} to {}", low, high);
@@ -342,8 +342,9 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   }
   add("preferences", all.votes);
   for (const auto& one : all.items) add("item-" + one.instrument + "-" + one.item, one.svg);
-  for (std::size_t i = 0; i < all.felt.size(); ++i) {
-    add("felt" + (all.felt.size() > 1 ? "-" + std::to_string(i + 1) : std::string()), all.felt[i]);
+  for (std::size_t i = 0; i < all.renderedForce.size(); ++i) {
+    add("felt" + (all.renderedForce.size() > 1 ? "-" + std::to_string(i + 1) : std::string()),
+        all.renderedForce[i]);
   }
   return named;
 }

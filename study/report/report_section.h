@@ -36,7 +36,7 @@ struct Figures {
   std::vector<FamilyFigures> families;
   std::vector<ItemFigure> items;
   std::string votes;
-  std::vector<std::string> felt;  ///< one for each device
+  std::vector<std::string> renderedForce;  ///< one for each device
 };
 
 /// The trials of a condition whose scene asked for more force than the device may give.
@@ -139,7 +139,7 @@ std::string questionOf(const questionnaires::Item& item, const std::string& lang
 
 /// The words at the ends of an item's scale; empty where it has none, or where the laboratory has
 /// still to fill them in.
-std::pair<std::string, std::string> endsOf(
+std::pair<std::string, std::string> scaleEndWords(
     const questionnaires::Item& item, const std::string& language);
 
 /// "scale from 1 (strongly disagree) to 5 (strongly agree)": the common scale of several items,

@@ -12,7 +12,7 @@ namespace study::report {
 namespace {
 
 /// The works that a correction comes from; Bonferroni's has none.
-std::string_view worksOf(protocols::CorrectionType correction) {
+std::string_view publicationsOf(protocols::CorrectionType correction) {
   using enum protocols::CorrectionType;
   switch (correction) {
     case Holm:
@@ -186,8 +186,8 @@ class StatisticsWriter : HtmlWriter {
     if (isTrue) text_ += (text_.empty() ? "" : " ") + sentence;
   }
 
-  std::string citeIf(bool isTrue, std::string_view works) {
-    return isTrue ? citations_.cite(works) : std::string();
+  std::string citeIf(bool isTrue, std::string_view publications) {
+    return isTrue ? citations_.cite(publications) : std::string();
   }
 
   /// A sentence that lists tests in the order of the registry.
@@ -212,9 +212,9 @@ class StatisticsWriter : HtmlWriter {
     for (const auto correction : all) {
       const auto name = nameOf(correction);
       if (name.empty()) continue;
-      const auto works = worksOf(correction);
+      const auto publications = publicationsOf(correction);
       list += (list.empty() ? "" : ", ") + std::string(name) +
-              (works.empty() ? std::string() : " " + citations_.cite(works));
+              (publications.empty() ? std::string() : " " + citations_.cite(publications));
     }
     const auto sentence =
         section_.words.say("p values are adjusted before they are rounded: {}.", list);

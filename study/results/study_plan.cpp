@@ -40,11 +40,13 @@ std::size_t balancedBy(const std::vector<BlockPlan>& blocks) {
 }
 
 std::vector<CohortPlan> cohortsOf(
-    const protocols::Protocol& protocol, const StudyPlanOptions& question, std::size_t multiple) {
+    const protocols::Protocol& protocol,
+    const StudyPlanOptions& planOptions,
+    std::size_t multiple) {
   std::vector<CohortPlan> cohorts;
   for (const auto& cohort : protocol.cohorts) {
     const auto planned = static_cast<std::uint64_t>(std::max(cohort.planned, 0));
-    const auto participants = question.participants.value_or(planned);
+    const auto participants = planOptions.participants.value_or(planned);
     cohorts.push_back(
         {.id = cohort.id,
          .title = cohort.title.in("en"),
@@ -92,16 +94,16 @@ int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
 
 analysis::PowerSimulation simulationOf(
     const FamilyPlan& family,
-    const StudyPlanOptions& question,
+    const StudyPlanOptions& planOptions,
     std::uint64_t participants,
     double dz) {
   analysis::PowerSimulation simulation{
-      .model = question.model,
+      .model = planOptions.model,
       .participants = participants,
       .alpha = family.alpha,
       .comparisons = family.isCorrected ? family.comparisons : 1,
-      .studies = question.studies,
-      .seed = question.seed};
+      .studies = planOptions.studies,
+      .seed = planOptions.seed};
   simulation.model.points = family.points;
   simulation.model.conditions = static_cast<int>(family.conditions);
   simulation.model.answers = static_cast<int>(family.answers);
@@ -111,23 +113,24 @@ analysis::PowerSimulation simulationOf(
 
 SiteDetectability atSites(
     const FamilyPlan& family,
-    const StudyPlanOptions& question,
+    const StudyPlanOptions& planOptions,
     const analysis::SitePlan& sites,
     std::uint64_t participants) {
   SiteDetectability detectability{
       .designEffect = sites.designEffect(participants),
-      .power = analysis::pooledSitesPower(question.dz, participants, sites, family.alphaPerTest)};
-  if (question.studies == 0 || family.answers == 0) return detectability;
+      .power =
+          analysis::pooledSitesPower(planOptions.dz, participants, sites, family.alphaPerTest)};
+  if (planOptions.studies == 0 || family.answers == 0) return detectability;
   const auto simulated = [&](double dz) {
-    return analysis::simulateSitePower(simulationOf(family, question, participants, dz), sites);
+    return analysis::simulateSitePower(simulationOf(family, planOptions, participants, dz), sites);
   };
-  detectability.found = simulated(question.dz);
+  detectability.found = simulated(planOptions.dz);
   detectability.falsePositives = simulated(0.0);
   return detectability;
 }
 
 Detectability detectabilityOf(
-    const FamilyPlan& family, const StudyPlanOptions& question, std::uint64_t participants) {
+    const FamilyPlan& family, const StudyPlanOptions& planOptions, std::uint64_t participants) {
   Detectability detectability{
       .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
   detectability.canPairsBeSignificant = detectability.pair.p <= family.alphaPerTest;
@@ -136,17 +139,17 @@ Detectability detectabilityOf(
         analysis::smallestFriedmanP(participants, static_cast<int>(family.conditions));
   }
   if (participants < 2) return detectability;
-  detectability.power = analysis::pairedTPower(question.dz, participants, family.alphaPerTest);
-  if (question.studies > 0 && family.answers > 0) {
+  detectability.power = analysis::pairedTPower(planOptions.dz, participants, family.alphaPerTest);
+  if (planOptions.studies > 0 && family.answers > 0) {
     const auto simulated = [&](double dz) {
-      return analysis::simulatePower(simulationOf(family, question, participants, dz));
+      return analysis::simulatePower(simulationOf(family, planOptions, participants, dz));
     };
-    detectability.found = simulated(question.dz);
+    detectability.found = simulated(planOptions.dz);
     detectability.falsePositives = simulated(0.0);
   }
-  const auto& sites = question.sites;
+  const auto& sites = planOptions.sites;
   if (sites && participants >= sites->fewestParticipants()) {
-    detectability.sites = atSites(family, question, *sites, participants);
+    detectability.sites = atSites(family, planOptions, *sites, participants);
   }
   return detectability;
 }
@@ -154,7 +157,7 @@ Detectability detectabilityOf(
 FamilyPlan declared(
     const protocols::Family& family,
     const LoadedProtocol& loaded,
-    const StudyPlanOptions& question) {
+    const StudyPlanOptions& planOptions) {
   const auto conditions = comparedConditions(family);
   FamilyPlan plan{
       .id = family.id,
@@ -162,7 +165,7 @@ FamilyPlan declared(
       .comparisons = family.comparisons.size(),
       .conditions = conditions.size(),
       .points = pointsOf(family, loaded),
-      .alpha = question.alpha.value_or(family.alpha),
+      .alpha = planOptions.alpha.value_or(family.alpha),
       .isCorrected = family.correction != protocols::CorrectionType::None,
       .correction = std::string(nameOf(family.correction)),
       .test = family.test};
@@ -177,13 +180,13 @@ FamilyPlan declared(
 
 FamilyPlan familyPlan(
     const protocols::Family& family, const LoadedProtocol& loaded, const StudyPlan& study) {
-  FamilyPlan plan = declared(family, loaded, study.question);
+  FamilyPlan plan = declared(family, loaded, study.planOptions);
   plan.fewestForSignificance = analysis::fewestParticipantsForSignFlip(plan.alphaPerTest, 1);
-  if (study.question.power > plan.alphaPerTest) {
-    const double dz = study.question.dz;
-    const double power = study.question.power;
+  if (study.planOptions.power > plan.alphaPerTest) {
+    const double dz = study.planOptions.dz;
+    const double power = study.planOptions.power;
     plan.forPower = analysis::participantsForPower(dz, plan.alphaPerTest, power);
-    if (const auto& sites = study.question.sites) {
+    if (const auto& sites = study.planOptions.sites) {
       plan.forPowerAtSites = analysis::participantsForPower(dz, *sites, plan.alphaPerTest, power);
     }
   }
@@ -198,7 +201,7 @@ FamilyPlan familyPlan(
     plan.detectabilities.push_back(
         same != plan.detectabilities.end()
             ? Detectability(*same)
-            : detectabilityOf(plan, study.question, cohort.participants));
+            : detectabilityOf(plan, study.planOptions, cohort.participants));
   }
   return plan;
 }
@@ -218,7 +221,7 @@ void addCohortPairs(StudyPlan& study) {
 }
 
 void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
-  const double alpha = study.question.alpha.value_or(kDefaultAlpha);
+  const double alpha = study.planOptions.alpha.value_or(kDefaultAlpha);
   for (const auto& phase : protocol.phases) {
     if (phase.type != PhaseType::Preference) continue;
     const auto& conditions = protocol.phase(phase.block)->trials.conditions;
@@ -240,18 +243,18 @@ void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
 
 }  // namespace
 
-StudyPlan planOf(const LoadedProtocol& loaded, const StudyPlanOptions& question) {
+StudyPlan planOf(const LoadedProtocol& loaded, const StudyPlanOptions& planOptions) {
   const auto& protocol = loaded.protocol;
-  StudyPlan study{.title = protocol.study.title, .question = question};
+  StudyPlan study{.title = protocol.study.title, .planOptions = planOptions};
   study.blocks = blocksOf(protocol);
   study.balancedBy = balancedBy(study.blocks);
-  study.cohorts = cohortsOf(protocol, question, study.balancedBy);
+  study.cohorts = cohortsOf(protocol, planOptions, study.balancedBy);
   for (const auto& family : protocol.analysis.families) {
     if (!family.comparisons.empty()) study.families.push_back(familyPlan(family, loaded, study));
   }
   addCohortPairs(study);
   addVotes(study, protocol);
-  study.length = lengthOf(loaded, question.pace);
+  study.length = lengthOf(loaded, planOptions.pace);
   for (const auto& device : protocol.devices) {
     study.mostForce = std::max(study.mostForce, device.maxForce);
   }

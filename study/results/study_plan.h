@@ -122,7 +122,7 @@ struct CohortPlan {
 /// What can be computed from a protocol before the study begins.
 struct StudyPlan {
   std::string title;
-  StudyPlanOptions question;
+  StudyPlanOptions planOptions;
   std::vector<BlockPlan> blocks;
   /// Every multiple of this number balances every block that can be balanced; 1: there is none.
   std::size_t balancedBy = 1;
@@ -134,7 +134,7 @@ struct StudyPlan {
   double mostForce = 0.0;  ///< largest force limit of the study's devices [N]
 };
 
-StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& question);
+StudyPlan planOf(const protocols::LoadedProtocol& loaded, const StudyPlanOptions& planOptions);
 
 /// The effects (d_z) and the numbers of participants for which a table of power is shown.
 std::vector<double> effectsToShow(const StudyPlan& plan);

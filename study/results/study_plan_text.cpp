@@ -50,7 +50,7 @@ std::string ordersText(const StudyPlan& plan) {
     }
   }
   if (plan.balancedBy < 2) return text;
-  if (plan.question.sites) {
+  if (plan.planOptions.sites) {
     text += fmt::format(
         "  Each site draws orders of its own: they are balanced where each site has a multiple of "
         "{}.\n",
@@ -117,7 +117,7 @@ std::string simulationText(const Detectability& detectability) {
 }
 
 std::string siteVerdict(const StudyPlan& plan, const Detectability& detectability) {
-  const auto& sites = *plan.question.sites;
+  const auto& sites = *plan.planOptions.sites;
   if (!detectability.sites) {
     return fmt::format(
         "    at {}: too few. A site needs two participants to be pooled, {} in all.\n",
@@ -168,20 +168,20 @@ std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
     if (detectability.power) {
       text += fmt::format(
           "    power of a paired t-test for d_z = {:g}{}: {}.\n",
-          plan.question.dz,
+          plan.planOptions.dz,
           family.isCorrected ? " at the strictest step of the correction" : "",
           share(*detectability.power));
     }
     text += simulationText(detectability);
-    if (plan.question.sites) text += siteVerdict(plan, detectability);
+    if (plan.planOptions.sites) text += siteVerdict(plan, detectability);
   }
   return text;
 }
 
 /// A sentence on the number of participants that the desired power needs at these sites.
 std::string sitesText(const StudyPlan& plan, const FamilyPlan& family) {
-  if (!plan.question.sites) return {};
-  const auto sites = counted(plan.question.sites->sites, "site");
+  if (!plan.planOptions.sites) return {};
+  const auto sites = counted(plan.planOptions.sites->sites, "site");
   if (family.forPowerAtSites) {
     return fmt::format(
         "  at {}: {} participants a cohort, over all sites.\n", sites, *family.forPowerAtSites);
@@ -202,7 +202,7 @@ std::string powerTable(const StudyPlan& plan, const FamilyPlan& family) {
       text += fmt::format("{:>8}", share(analysis::pairedTPower(dz, n, family.alphaPerTest)));
     }
   }
-  std::set<double> powers{0.8, 0.9, plan.question.power};
+  std::set<double> powers{0.8, 0.9, plan.planOptions.power};
   for (const double power : powers) {
     if (power <= family.alphaPerTest) continue;
     text += fmt::format("\n{:>14}", fmt::format("N for {:g}", power));
@@ -232,8 +232,8 @@ std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
   text += powerTable(plan, family);
   text += fmt::format(
       "  for d_z = {:g} with power {:g}: {} participants a cohort{}.\n",
-      plan.question.dz,
-      plan.question.power,
+      plan.planOptions.dz,
+      plan.planOptions.power,
       sizeText(family.forPower),
       family.recommended && plan.balancedBy > 1
           ? fmt::format("; {} balance the orders as well", *family.recommended)
@@ -285,7 +285,7 @@ std::string votesText(const StudyPlan& plan) {
 }
 
 std::string lengthText(const StudyPlan& plan) {
-  const auto& pace = plan.question.pace;
+  const auto& pace = plan.planOptions.pace;
   std::string text = fmt::format(
       "\nA session lasts about {:.0f} minutes\n", std::ceil(plan.length.seconds / 60.0));
   for (const auto& part : plan.length.parts) {
@@ -307,19 +307,19 @@ std::string lengthText(const StudyPlan& plan) {
 }
 
 std::string siteModelText(const StudyPlan& plan) {
-  if (!plan.question.sites) return {};
+  if (!plan.planOptions.sites) return {};
   return fmt::format(
       "At sites, d_z is in units of the standard deviation of one site's participants. The effect "
       "of a site is normal around it\n(standard deviation {:g}, intraclass correlation {:.3f}). "
       "Pooled: random effects by REML, Knapp and Hartung's standard\nerror, as 'stats run' pools "
       "sites.\n",
-      plan.question.sites->deviation,
-      plan.question.sites->intraclassCorrelation());
+      plan.planOptions.sites->deviation,
+      plan.planOptions.sites->intraclassCorrelation());
 }
 
 std::string modelText(const StudyPlan& plan) {
-  const auto& model = plan.question.model;
-  if (plan.question.studies == 0 || plan.families.empty()) return {};
+  const auto& model = plan.planOptions.model;
+  if (plan.planOptions.studies == 0 || plan.families.empty()) return {};
   return fmt::format(
              "\nd_z is the mean difference of two conditions divided by the standard deviation of "
              "the "
@@ -330,8 +330,8 @@ std::string modelText(const StudyPlan& plan) {
              "taste for a condition {:g}, chance {:g}; the first condition is ahead of the\nothers "
              "by d_z "
              "before it is cut into points. A plan, never a finding.\n",
-             plan.question.studies,
-             plan.question.seed,
+             plan.planOptions.studies,
+             plan.planOptions.seed,
              model.participantShare,
              model.participantByConditionShare,
              model.residualShare) +
@@ -363,8 +363,8 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
           ? fmt::format("{}, alpha = {} each", family.correction, pText(family.alphaPerTest))
           : fmt::format("alpha = {} each, not corrected", pText(family.alphaPerTest)),
       sizeText(family.forPower),
-      plan.question.dz,
-      plan.question.power);
+      plan.planOptions.dz,
+      plan.planOptions.power);
   std::set<std::uint64_t> seen;
   for (const auto& detectability : family.detectabilities) {
     if (!detectability.power || !seen.insert(detectability.participants).second) continue;
@@ -377,8 +377,8 @@ std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
       words += fmt::format(
           "; pooled over {}, between which the effect has a standard deviation of {:g} d_z, the "
           "power is {}",
-          counted(plan.question.sites->sites, "site"),
-          plan.question.sites->deviation,
+          counted(plan.planOptions.sites->sites, "site"),
+          plan.planOptions.sites->deviation,
           share(detectability.sites->power));
     }
   }
@@ -403,7 +403,7 @@ std::string conditionsInWords(const StudyPlan& plan) {
 }  // namespace
 
 std::vector<double> effectsToShow(const StudyPlan& plan) {
-  std::set<double> effects{0.5, 0.8, 1.0, 1.2, 1.5, std::abs(plan.question.dz)};
+  std::set<double> effects{0.5, 0.8, 1.0, 1.2, 1.5, std::abs(plan.planOptions.dz)};
   effects.erase(0.0);
   return {effects.begin(), effects.end()};
 }
@@ -444,8 +444,8 @@ std::string ethicsParagraph(const StudyPlan& plan) {
   const auto cohorts = cohortsInWords(plan);
   std::string words = cohorts.empty() ? "The number of participants has not been decided."
                                       : "We plan to include " + cohorts + ".";
-  if (plan.question.sites) {
-    words += fmt::format(" They come from {}.", counted(plan.question.sites->sites, "site"));
+  if (plan.planOptions.sites) {
+    words += fmt::format(" They come from {}.", counted(plan.planOptions.sites->sites, "site"));
   }
   if (const auto felt = conditionsInWords(plan); !felt.empty()) {
     words += " Every participant feels " + felt +

@@ -15,7 +15,7 @@ namespace {
 
 struct PlanOptions {
   std::string file;
-  StudyPlanOptions question;
+  StudyPlanOptions planOptions;
   std::vector<double> shares;
   std::optional<std::uint64_t> sites;
   double siteDeviation = analysis::SitePlan::kCautiousTau;
@@ -29,15 +29,15 @@ void applyShares(PlanOptions& options) {
     throw std::runtime_error(
         "The three shares of the variance must add up to 1, for instance --shares 0.3 0.2 0.5.");
   }
-  options.question.model.participantShare = options.shares[0];
-  options.question.model.participantByConditionShare = options.shares[1];
-  options.question.model.residualShare = options.shares[2];
+  options.planOptions.model.participantShare = options.shares[0];
+  options.planOptions.model.participantByConditionShare = options.shares[1];
+  options.planOptions.model.residualShare = options.shares[2];
 }
 
 int plan(PlanOptions options) {
   applyShares(options);
   if (options.sites) {
-    options.question.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
+    options.planOptions.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
   }
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
@@ -45,7 +45,7 @@ int plan(PlanOptions options) {
     std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
     return 1;
   }
-  const auto found = planOf(*loaded, options.question);
+  const auto found = planOf(*loaded, options.planOptions);
   std::fputs((options.json ? studyPlanAsJson(found) : studyPlanAsText(found)).c_str(), stdout);
   return 0;
 }
@@ -68,7 +68,7 @@ void addSites(CLI::App& command, PlanOptions& options) {
 }
 
 void addAssumptions(CLI::App& command, PlanOptions& options) {
-  auto& question = options.question;
+  auto& planOptions = options.planOptions;
   command
       .add_option(
           "--shares",
@@ -77,19 +77,21 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
           "0.2 0.5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
-  command.add_option("--studies", question.studies, "Number of studies to simulate; 0 for none")
+  command.add_option("--studies", planOptions.studies, "Number of studies to simulate; 0 for none")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
-  command.add_option("--seed", question.seed, "Seed of the simulation")->capture_default_str();
+  command.add_option("--seed", planOptions.seed, "Seed of the simulation")->capture_default_str();
   command
       .add_option(
-          "--seconds-per-item", question.pace.perItem, "Time to answer a statement or a choice [s]")
+          "--seconds-per-item",
+          planOptions.pace.perItem,
+          "Time to answer a statement or a choice [s]")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
   command
       .add_option(
           "--seconds-per-cut",
-          question.pace.perCut,
+          planOptions.pace.perCut,
           "Time for a cut on the device or with the real tool [s]")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
@@ -104,28 +106,28 @@ void addPlanCommand(CLI::App& program, Action& action) {
       "plan",
       "Plan a study: sample size, power, detectable effects, duration",
       plan);
-  auto& question = options.question;
+  auto& planOptions = options.planOptions;
   addProtocolFile(*command, options.file, "PROTOCOL");
   command
       ->add_option(
           "--participants",
-          question.participants,
+          planOptions.participants,
           "Participants of each cohort (default: as planned)")
       ->check(CLI::Range(1, 1000));
   command
       ->add_option(
           "--effect",
-          question.dz,
+          planOptions.dz,
           "Effect to detect, d_z: mean difference / its standard deviation across participants")
       ->check(finiteRange(0.01, 100.0))
       ->capture_default_str();
   command
       ->add_option(
           "--alpha",
-          question.alpha,
+          planOptions.alpha,
           "Significance level of a family of comparisons (default: as declared in the protocol)")
       ->check(finiteRange(1e-6, 0.5));
-  command->add_option("--power", question.power, "Power to reach")
+  command->add_option("--power", planOptions.power, "Power to reach")
       ->check(finiteRange(0.5, 0.9999))
       ->capture_default_str();
   addSites(*command, options);

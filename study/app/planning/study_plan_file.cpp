@@ -81,7 +81,7 @@ Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
       {"participants_for_power", orNull(family.forPower)},
       {"participants_for_power_balanced", orNull(family.recommended)}};
   json["prospects"] = Json::array();
-  const bool hasSites = plan.question.sites.has_value();
+  const bool hasSites = plan.planOptions.sites.has_value();
   if (hasSites) json["participants_for_power_at_sites"] = orNull(family.forPowerAtSites);
   for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
     auto& detectability =
@@ -110,10 +110,10 @@ Json asJson(const SessionLength& length) {
 std::string studyPlanAsJson(const StudyPlan& plan) {
   Json json{
       {"title", plan.title},
-      {"effect_dz", plan.question.dz},
-      {"power", plan.question.power},
+      {"effect_dz", plan.planOptions.dz},
+      {"power", plan.planOptions.power},
       {"balanced_by", plan.balancedBy}};
-  if (const auto& sites = plan.question.sites) {
+  if (const auto& sites = plan.planOptions.sites) {
     json["sites"] = sites->sites;
     json["site_sd_dz"] = sites->deviation;
     json["site_icc"] = sites->intraclassCorrelation();

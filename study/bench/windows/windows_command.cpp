@@ -138,7 +138,7 @@ int windows(const WindowsOptions& options) {
   simulation.colours = options.colours == "density"   ? SphereColours::Density
                        : options.colours == "removal" ? SphereColours::Removal
                                                       : SphereColours::Neutral;
-  simulation.renderer = options.renderer == "finest"     ? RendererChoice::Finest
+  simulation.renderer = options.renderer == "finest"     ? RendererChoice::FullDetail
                         : options.renderer == "software" ? RendererChoice::Software
                                                          : RendererChoice::Best;
   if (!options.anatomy.empty()) simulation.knee = anatomyIn(options.anatomy);

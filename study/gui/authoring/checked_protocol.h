@@ -21,7 +21,8 @@ struct CheckedProtocol {
 
   int errors() const noexcept;
   int warnings() const noexcept;
-  /// The protocol is valid, with so many warnings, or cannot be used yet.
+  /// One sentence: the protocol is valid, and has so many warnings, or it has errors and cannot be
+  /// used yet.
   std::string verdict() const;
   /// The verdict without what the protocol is: "Valid, 9 warnings".
   std::string shortVerdict() const;

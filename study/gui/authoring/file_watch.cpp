@@ -23,7 +23,7 @@ void FileWatch::watch(const QStringList& files) {
   const QStringList old = watcher_.files() + watcher_.directories();
   if (!old.isEmpty()) watcher_.removePaths(old);
   files_ = files;
-  lastStates_ = look();
+  lastStates_ = currentStates();
   watchAll();
 }
 
@@ -35,7 +35,7 @@ void FileWatch::watchAll() {
   }
 }
 
-std::map<QString, FileWatch::State> FileWatch::look() const {
+std::map<QString, FileWatch::State> FileWatch::currentStates() const {
   std::map<QString, State> now;
   for (const auto& file : files_) {
     const QFileInfo info(file);
@@ -46,7 +46,7 @@ std::map<QString, FileWatch::State> FileWatch::look() const {
 
 void FileWatch::checkForChanges() {
   watchAll();  // a replaced file has to be added again
-  const auto now = look();
+  const auto now = currentStates();
   if (now == lastStates_) return;
   lastStates_ = now;
   emit changed();

@@ -27,7 +27,7 @@ class FileWatch final : public QObject {
 
  private:
   using State = std::pair<qint64, QDateTime>;  ///< size [bytes], last written
-  std::map<QString, State> look() const;
+  std::map<QString, State> currentStates() const;
   void checkForChanges();
   void watchAll();
 

@@ -58,7 +58,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       verdict_(bodyLabel({}, this)),
       readAt_(quietLabel({}, this)),
       preview_(new QPushButton(tr("Preview as participant…"), this)),
-      fill_(new QPushButton(tr("Fill in the texts…"), this)),
+      fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
       copy_(new QPushButton(tr("Save as…"), this)),
       showSource_(new QPushButton(tr("Show source"), this)),
       summary_(bodyLabel({}, this)),
@@ -115,13 +115,13 @@ QHBoxLayout* ProtocolWindow::makeHead() {
 QHBoxLayout* ProtocolWindow::makeButtons() {
   preview_->setObjectName(QStringLiteral("preview"));
   preview_->setProperty("role", QStringLiteral("main"));
-  fill_->setObjectName(QStringLiteral("texts"));
+  fillButton_->setObjectName(QStringLiteral("texts"));
   copy_->setObjectName(QStringLiteral("save-as"));
   copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(copy_);
   buttons->addStretch(1);
-  buttons->addWidget(fill_);
+  buttons->addWidget(fillButton_);
   buttons->addWidget(preview_);
   return buttons;
 }
@@ -129,7 +129,7 @@ QHBoxLayout* ProtocolWindow::makeButtons() {
 void ProtocolWindow::connectAll() {
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
   connect(showSource_, &QPushButton::toggled, text_, &QWidget::setVisible);
-  connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
+  connect(fillButton_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &ProtocolWindow::saveAs);
   connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
   connect(&watch_, &FileWatch::changed, this, &ProtocolWindow::reload);
@@ -231,7 +231,7 @@ void ProtocolWindow::reload() {
     orders_->clear();
   }
   preview_->setEnabled(checked_.loaded.has_value());
-  fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
+  fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   copy_->setVisible(isShipped());
   emit reloaded();
 }

@@ -70,7 +70,7 @@ class ProtocolWindow final : public QMainWindow {
   QLabel* verdict_;
   QLabel* readAt_;
   QPushButton* preview_;
-  QPushButton* fill_;
+  QPushButton* fillButton_;
   QPushButton* copy_;  ///< of a shipped protocol
   QPushButton* showSource_;
   QLabel* summary_;

@@ -30,7 +30,7 @@ int minutesBetweenMarks(double perMinute) {
 
 double TimelineBar::Part::seconds() const noexcept {
   double sum = 0.0;
-  for (const auto& stretch : stretches) sum += stretch.seconds;
+  for (const auto& stretch : periods) sum += stretch.seconds;
   return sum;
 }
 
@@ -45,10 +45,10 @@ QSize TimelineBar::sizeHint() const {
 
 void TimelineBar::show(std::vector<Part> parts) {
   parts_ = std::move(parts);
-  whole_ = 0.0;
+  totalSeconds_ = 0.0;
   QString words;
   for (const auto& part : parts_) {
-    whole_ += part.seconds();
+    totalSeconds_ += part.seconds();
     words += tr("%1: %2 minutes. ").arg(part.name).arg(part.seconds() / 60.0, 0, 'f', 1);
   }
   setAccessibleName(tr("Timeline of a session"));
@@ -57,16 +57,16 @@ void TimelineBar::show(std::vector<Part> parts) {
 }
 
 void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
-  if (whole_ <= 0.0) return;
+  if (totalSeconds_ <= 0.0) return;
   const auto& colours = themeOf(*this);
   QPainter painter(this);
-  const double perSecond = (width() - 1.0) / whole_;
+  const double perSecond = (width() - 1.0) / totalSeconds_;
   double begin = 0.0;
   int number = 0;
   for (const auto& part : parts_) {
     const QRectF box(begin * perSecond, 0.0, part.seconds() * perSecond, kBarHeight);
     painter.fillRect(box, colours.field.background);
-    for (const auto& [seconds, isFelt] : part.stretches) {
+    for (const auto& [seconds, isFelt] : part.periods) {
       const QRectF below(begin * perSecond, kNameHeight, seconds * perSecond, kFilledHeight);
       if (isFelt) painter.fillRect(below, colours.accent.background);
       begin += seconds;
@@ -84,7 +84,7 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
   }
   painter.setPen(colours.quiet);
   const int step = minutesBetweenMarks(60.0 * perSecond);
-  for (int minute = 0; minute * 60.0 <= whole_; minute += step) {
+  for (int minute = 0; minute * 60.0 <= totalSeconds_; minute += step) {
     const double x = minute * 60.0 * perSecond;
     painter.drawLine(QPointF(x, kBarHeight), QPointF(x, kBarHeight + kTickLength));
     const QString words = minute == 0 ? tr("0 min") : QString::number(minute);

@@ -14,13 +14,13 @@ class TimelineBar final : public QWidget {
   Q_OBJECT
 
  public:
-  struct Stretch {
+  struct Period {
     double seconds = 0.0;
     bool isFelt = false;  ///< on the device
   };
   struct Part {
     QString name;
-    std::vector<Stretch> stretches;  ///< one after the other
+    std::vector<Period> periods;  ///< one after the other
 
     double seconds() const noexcept;
   };
@@ -38,7 +38,7 @@ class TimelineBar final : public QWidget {
 
  private:
   std::vector<Part> parts_;
-  double whole_ = 0.0;  ///< [s]
+  double totalSeconds_ = 0.0;  ///< [s]
 };
 
 }  // namespace study::gui

@@ -89,8 +89,8 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
       const auto words = describedStep(step, part);
       new QTreeWidgetItem(top, {QString::number(++count), words, asMinutes(part.seconds)});
       if (step.isOptionalTrial) continue;  // few participants accept the offer
-      whole.stretches.push_back({.seconds = part.seconds - part.secondsOnDevice});
-      whole.stretches.push_back({.seconds = part.secondsOnDevice, .isFelt = true});
+      whole.periods.push_back({.seconds = part.seconds - part.secondsOnDevice});
+      whole.periods.push_back({.seconds = part.secondsOnDevice, .isFelt = true});
     }
     top->setText(1, count == 1 ? top->child(0)->text(1) : tr("%1 steps").arg(count));
     top->setText(2, asMinutes(whole.seconds()));

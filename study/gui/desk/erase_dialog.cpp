@@ -139,7 +139,7 @@ void EraseDialog::fillIn() {
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
   code_->setPlaceholderText(code);
-  setObstacle(
+  setDisabledReason(
       code.isEmpty()                        ? tr("No participant can be erased.")
       : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
       : code_->text().trimmed() != code     ? tr("Type %1 to confirm.").arg(code)

@@ -163,7 +163,7 @@ void ExportDialog::updateChoices() {
 
 void ExportDialog::updateButton() {
   const bool needsReason = audienceOf(*audience_) == Audience::Unblinded;
-  setObstacle(
+  setDisabledReason(
       !hasSessions(*mode_)                                 ? noSessions()
       : !isPossible_                                       ? tr("These data cannot be exported.")
       : needsReason && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")

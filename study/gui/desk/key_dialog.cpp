@@ -84,7 +84,7 @@ void KeyDialog::updateChoices() {
   runButton().setText(saves ? tr("Save") : takes ? tr("Import") : tr("Set"));
   const bool isReasoned = !reason_->text().trimmed().isEmpty();
   const bool isTypedTwice = !passphrase_->text().isEmpty() && passphrase_->text() == again_->text();
-  setObstacle(
+  setDisabledReason(
       takes                   ? (source_->path().isEmpty() ? tr("Choose the file.") : QString())
       : !isReasoned           ? tr("Give a reason.")
       : saves || isTypedTwice ? QString()

@@ -173,7 +173,7 @@ void ImportCutDialog::preview() {
 }
 
 void ImportCutDialog::updateButton() {
-  setObstacle(
+  setDisabledReason(
       recording_->path().isEmpty() ? tr("Choose a recording.")
       : !isPossible_               ? tr("No cut can be taken from this recording.")
       : target_->path().isEmpty()  ? tr("Choose a new file.")
@@ -227,7 +227,7 @@ FitMaterialDialog::FitMaterialDialog(QWidget* parent)
   form().addRow(tr("Title"), title_);
   form().addRow(tr("To a new file"), target_);
   const auto updateButton = [this] {
-    setObstacle(
+    setDisabledReason(
         series_->path().isEmpty()            ? tr("Choose the folder of series.")
         : title_->text().trimmed().isEmpty() ? tr("Give a title.")
         : target_->path().isEmpty()          ? tr("Choose a new file.")
@@ -318,7 +318,7 @@ BuildBoneDialog::BuildBoneDialog(QWidget* parent)
   addHint(tr("The same number builds the same bone."));
   form().addRow(tr("To a new file"), target_);
   connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
-    setObstacle(path.isEmpty() ? tr("Choose a new file.") : QString());
+    setDisabledReason(path.isEmpty() ? tr("Choose a new file.") : QString());
   });
   fit();
 }

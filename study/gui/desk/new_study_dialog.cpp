@@ -32,7 +32,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
       seed_(new QLineEdit(this)),
       checkProtocolButton_(new QPushButton(tr("Check protocol…"), this)),
       preview_(new QPushButton(tr("Preview…"), this)),
-      fill_(new QPushButton(tr("Fill in the texts…"), this)),
+      fillButton_(new QPushButton(tr("Fill in the texts…"), this)),
       copy_(new QPushButton(tr("Save as…"), this)) {
   protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
@@ -49,7 +49,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   seed_->setValidator(
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
   file_->startIn(protocolFolder());
-  fill_->setObjectName(QStringLiteral("texts"));
+  fillButton_->setObjectName(QStringLiteral("texts"));
   copy_->setObjectName(QStringLiteral("save-as"));
   copy_->setToolTip(tr("Saves the protocol as one of your own, to be changed there"));
   preview_->setObjectName(QStringLiteral("preview"));
@@ -57,7 +57,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   auto* looks = new QHBoxLayout(actions);
   looks->setContentsMargins(0, 0, 0, 0);
   looks->setSpacing(8);
-  for (auto* button : {checkProtocolButton_, preview_, fill_, copy_}) {
+  for (auto* button : {checkProtocolButton_, preview_, fillButton_, copy_}) {
     button->setAutoDefault(false);
     button->setProperty("role", QStringLiteral("tool"));
     looks->addWidget(button);
@@ -86,7 +86,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
     emit protocolRequested(source());
   });
   connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
-  connect(fill_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
+  connect(fillButton_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
   connect(copy_, &QPushButton::clicked, this, &NewStudyDialog::saveAs);
   check();
 }
@@ -132,7 +132,7 @@ void NewStudyDialog::saveAs() {
 
 void NewStudyDialog::showChecked() {
   preview_->setEnabled(checked_.loaded.has_value());
-  fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
+  fillButton_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   updateButton();
   if (source().isEmpty()) return clear();
   const bool isSound = checked_.loaded.has_value();
@@ -143,7 +143,7 @@ void NewStudyDialog::showChecked() {
 }
 
 void NewStudyDialog::updateButton() {
-  setObstacle(
+  setDisabledReason(
       source().isEmpty()          ? tr("Choose a protocol file.")
       : !checked_.loaded          ? tr("The protocol has errors.")
       : folder_->path().isEmpty() ? tr("Choose a new folder.")

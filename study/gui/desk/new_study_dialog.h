@@ -50,7 +50,7 @@ class NewStudyDialog final : public WorkDialog {
   QLineEdit* seed_;
   QPushButton* checkProtocolButton_;
   QPushButton* preview_;
-  QPushButton* fill_;
+  QPushButton* fillButton_;
   QPushButton* copy_;  ///< of a shipped protocol
 };
 

@@ -91,7 +91,7 @@ BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
   target_->setPath(unusedPathBeside(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
   connect(target_, &PathField::pathChanged, this, [this](const QString& path) {
-    setObstacle(path.isEmpty() ? tr("Choose a new folder.") : QString());
+    setDisabledReason(path.isEmpty() ? tr("Choose a new folder.") : QString());
   });
 }
 
@@ -255,7 +255,7 @@ void ReportDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
   fit();
-  setObstacle(
+  setDisabledReason(
       !hasSessions(*mode_)                                ? noSessions()
       : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
       : target_->path().isEmpty()                         ? tr("Choose a new file.")

@@ -74,7 +74,7 @@ void AmendDialog::check() {
 
 void AmendDialog::updateButton() {
   const bool lacksReason = hasBegun_ && reason_->text().trimmed().isEmpty();
-  setObstacle(
+  setDisabledReason(
       file_->path().isEmpty() ? tr("Choose the changed protocol.")
       : !checked_.loaded      ? tr("The protocol has errors.")
       : lacksReason           ? tr("Give a reason.")
@@ -172,15 +172,15 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
   power_->setRange(0.5, 0.99);
   power_->setSingleStep(0.05);
   power_->setValue(StudyPlanOptions().power);
-  auto* question = new FieldRow(this);
-  question->add(tr("Participants of each cohort"), participants_);
-  question->add(tr("Effect to find (Cohen's d_z)"), effect_);
-  question->add(tr("Power to reach"), power_);
+  auto* fields = new FieldRow(this);
+  fields->add(tr("Participants of each cohort"), participants_);
+  fields->add(tr("Effect to find (Cohen's d_z)"), effect_);
+  fields->add(tr("Power to reach"), power_);
   connect(participants_, &QSpinBox::valueChanged, this, [this] { setMain(true); });
   for (auto* number : {effect_, power_}) {
     connect(number, &QDoubleSpinBox::valueChanged, this, [this] { setMain(true); });
   }
-  form().addRow(question);
+  form().addRow(fields);
   addResult(result_);
   result_->hide();
   widen(kPlanWidth);
@@ -188,16 +188,16 @@ PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
 }
 
 void PlanDialog::work() {
-  StudyPlanOptions question{.dz = effect_->value(), .power = power_->value()};
+  StudyPlanOptions planOptions{.dz = effect_->value(), .power = power_->value()};
   if (participants_->value() > 0) {
-    question.participants = static_cast<std::uint64_t>(participants_->value());
+    planOptions.participants = static_cast<std::uint64_t>(participants_->value());
   }
   StudyPlan plan;
   const bool isDone = BackgroundTask::run(
       this, tr("Computing"), MessageTopic::PlanNotComputed, [&](const Progress& progress) {
         tell(progress, kUnknownShare, "simulating studies");
         auto study = Study::open(folder_, Access::ReadOnly);
-        plan = planOf(study.protocol(), question);
+        plan = planOf(study.protocol(), planOptions);
       });
   setMain(!isDone);
   result_->setVisible(isDone);
@@ -229,10 +229,10 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   add(tr("As published: answers pooled"), Profile::AsPublished);
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
-  auto* question = new FieldRow(this);
-  question->add(tr("Sessions"), mode_);
-  question->add(tr("Tests"), profile_);
-  form().addRow(question);
+  auto* fields = new FieldRow(this);
+  fields->add(tr("Sessions"), mode_);
+  fields->add(tr("Tests"), profile_);
+  form().addRow(fields);
   form().addRow(tr("Reason for unblinding"), reason_);
   addResult(result_);
   widen(kStatisticsWidth);
@@ -249,7 +249,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
 void StatisticsDialog::updateChoices() {
   const bool isOfPeople = chosenMode(*mode_) != RunMode::Simulated;
   form().setRowVisible(reason_, isOfPeople);
-  setObstacle(
+  setDisabledReason(
       !hasSessions(*mode_)                                ? noSessions()
       : isOfPeople && reason_->text().trimmed().isEmpty() ? tr("Give a reason.")
                                                           : QString());

@@ -128,7 +128,7 @@ Tour::Tour(QWidget* parent)
   connect(next_, &QPushButton::clicked, this, [this] {
     step() + 1 < kTourSteps ? goTo(step() + 1) : accept();
   });
-  connect(&watch_, &QTimer::timeout, this, &Tour::look);
+  connect(&watch_, &QTimer::timeout, this, &Tour::showTrialState);
   resize(1180, 760);
   goTo(0);
 }
@@ -310,7 +310,7 @@ void Tour::begin() {
   watch_.start(kTourPictureEvery);
 }
 
-void Tour::look() {
+void Tour::showTrialState() {
   haptics::engine::TickSample sample;
   while (punch_.nextToPlot(sample)) {
     plot_->add(sample);

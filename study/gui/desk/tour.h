@@ -50,7 +50,7 @@ class Tour final : public QDialog {
   QWidget* makeRecord();
   void goTo(int step);
   void begin();
-  void look();
+  void showTrialState();
   void endFeeling();
   void showRecord();
   void fitRecord();

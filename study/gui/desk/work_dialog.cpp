@@ -45,7 +45,7 @@ WorkDialog::WorkDialog(
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
       details_(new NoteList(this)),
-      obstacle_(quietLabel({}, this)),
+      disabledReason_(quietLabel({}, this)),
       runButton_(new QPushButton(verb, this)) {
   setWindowTitle(title);
   auto* heading = bodyLabel(title, this);
@@ -115,10 +115,10 @@ QHBoxLayout* WorkDialog::makeButtons() {
   close->setAutoDefault(false);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(24, 0, 24, 20);
-  obstacle_->setObjectName(QStringLiteral("obstacle"));
-  obstacle_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  obstacle_->setWordWrap(false);
-  buttons->addWidget(obstacle_, 1);
+  disabledReason_->setObjectName(QStringLiteral("obstacle"));
+  disabledReason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  disabledReason_->setWordWrap(false);
+  buttons->addWidget(disabledReason_, 1);
   buttons->addWidget(close);
   buttons->addWidget(runButton_);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -126,9 +126,9 @@ QHBoxLayout* WorkDialog::makeButtons() {
   return buttons;
 }
 
-void WorkDialog::setObstacle(const QString& obstacle) {
+void WorkDialog::setDisabledReason(const QString& obstacle) {
   runButton_->setEnabled(obstacle.isEmpty());
-  obstacle_->setText(obstacle);
+  disabledReason_->setText(obstacle);
 }
 
 QLabel* WorkDialog::addHint(const QString& words) {
@@ -228,8 +228,7 @@ void WorkDialog::enlarge() {
 
 void WorkDialog::fitTo(int height) {
   fitted_ = height;
-  // Beside a scroll bar labels wrap into more lines and then need the bar, so that it would stay
-  // for good.
+  // A scroll bar narrows the labels; they then wrap into more lines and keep the bar necessary.
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   resize(width(), height);
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);

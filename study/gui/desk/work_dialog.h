@@ -34,7 +34,7 @@ class WorkDialog : public QDialog {
 
   /// Enables the button, or says beside it what has to be done before.
   /// @param obstacle  "Give a reason."; empty: none
-  void setObstacle(const QString& obstacle);
+  void setDisabledReason(const QString& obstacle);
 
   /// Adds a row with a hint on the field above it.
   QLabel* addHint(const QString& words);
@@ -90,7 +90,7 @@ class WorkDialog : public QDialog {
   class WrittenFile* written_;
   NoteList* details_;
   ResultView* result_ = nullptr;  ///< nullptr: the dialog has no tables
-  QLabel* obstacle_;
+  QLabel* disabledReason_;
   QPushButton* runButton_;
   int fitted_ = 0;  ///< the height that fit() gave the dialog [px]
 };

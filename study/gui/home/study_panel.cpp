@@ -192,13 +192,14 @@ void StudyPanel::fitInto(int width) {
 
 bool StudyPanel::event(QEvent* event) {
   const bool isDone = QFrame::event(event);
-  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) giveRoom();
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+    setMinimumHeights();
   return isDone;
 }
 
 /// A scrolled page gets the minimum height of its layout, which does not include the lines into
 /// which texts wrap.
-void StudyPanel::giveRoom() {
+void StudyPanel::setMinimumHeights() {
   setMinimumHeight(layout()->totalHeightForWidth(width()));
 }
 

@@ -48,7 +48,7 @@ class StudyPanel final : public QFrame {
   bool event(QEvent* event) override;
 
  private:
-  void giveRoom();
+  void setMinimumHeights();
   QWidget* makeRemark(QLabel& remark, const QString& words, void (StudyPanel::*wanted)());
   void makeActions();
   QFrame* rule();

@@ -12,17 +12,17 @@ namespace study::gui {
 namespace {
 
 /// The question that says what will happen in the present state and step of the session.
-MessageTopic asAsked(MessageTopic question, const Session& session) {
+MessageTopic asAsked(MessageTopic topic, const Session& session) {
   const bool isTrial = !session.isOver() && session.step().kind == StepKind::Trial;
   const bool isBroken = session.state() == SessionState::Interrupted;
-  if (question == MessageTopic::RepeatStep && isBroken) return MessageTopic::RepeatTrial;
-  if (question == MessageTopic::SkipStep && isTrial) return MessageTopic::SkipTrial;
-  return question;
+  if (topic == MessageTopic::RepeatStep && isBroken) return MessageTopic::RepeatTrial;
+  if (topic == MessageTopic::SkipStep && isTrial) return MessageTopic::SkipTrial;
+  return topic;
 }
 
 /// What a question names: the number and the name of the step to repeat.
-QStringList argumentsOf(MessageTopic question, const Session& session) {
-  if (question != MessageTopic::RepeatStep) return {};
+QStringList argumentsOf(MessageTopic topic, const Session& session) {
+  if (topic != MessageTopic::RepeatStep) return {};
   const int step = session.stepToRepeat();
   return {
       QString::number(step + 1),
@@ -165,23 +165,23 @@ void ControlPanel::connectButtons() {
 QPushButton* ControlPanel::add(
     const QString& text,
     SessionEvent event,
-    MessageTopic question,
+    MessageTopic topic,
     Perform action,
     const QString& help) {
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event, help});
-  connect(button, &QPushButton::clicked, this, [this, action, question] {
-    performWithReason(action, question);
+  connect(button, &QPushButton::clicked, this, [this, action, topic] {
+    performWithReason(action, topic);
   });
   return button;
 }
 
-void ControlPanel::performWithReason(Perform action, MessageTopic question) {
+void ControlPanel::performWithReason(Perform action, MessageTopic topic) {
   if (controller_ == nullptr) return;
   controller_->stop();  // no force while the operator types a reason
   const auto& session = controller_->session();
-  question = asAsked(question, session);
-  const auto reason = askForText(this, question, argumentsOf(question, session));
+  topic = asAsked(topic, session);
+  const auto reason = askForText(this, topic, argumentsOf(topic, session));
   if (reason && controller_ != nullptr) (controller_->*action)(*reason);
   keepFocusOffButtons();
 }

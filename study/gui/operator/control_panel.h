@@ -44,7 +44,7 @@ class ControlPanel final : public QWidget {
   QPushButton* add(
       const QString& text,
       SessionEvent event,
-      MessageTopic question,
+      MessageTopic topic,
       Perform action,
       const QString& help = {});
   static QString whyNot(SessionEvent event, bool isRunning);
@@ -56,7 +56,7 @@ class ControlPanel final : public QWidget {
   void keepFocusOffButtons();
   void connectButtons();
   void showParticipant();
-  void performWithReason(Perform action, MessageTopic question);
+  void performWithReason(Perform action, MessageTopic topic);
   void keepNote();
   void showNotes();
 

@@ -23,15 +23,15 @@ PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(ne
   layout->addWidget(quietLabel(tr("What the participant sees, to look at only"), this));
   layout->addWidget(picture_, 1);
   resize(640, 440);
-  connect(&timer_, &QTimer::timeout, this, &PageMirror::look);
+  connect(&timer_, &QTimer::timeout, this, &PageMirror::refreshPicture);
 }
 
 void PageMirror::setPage(QWidget* page) {
   page_ = page;
-  look();
+  refreshPicture();
 }
 
-void PageMirror::look() {
+void PageMirror::refreshPicture() {
   if (!isVisible()) return;
   if (page_ == nullptr) return picture_->setText(tr("No session is open."));
   picture_->setPixmap(
@@ -41,7 +41,7 @@ void PageMirror::look() {
 void PageMirror::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   timer_.start(kPictureEvery);
-  look();
+  refreshPicture();
 }
 
 void PageMirror::hideEvent(QHideEvent* event) {

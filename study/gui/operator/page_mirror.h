@@ -23,7 +23,7 @@ class PageMirror final : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void look();
+  void refreshPicture();
 
   QPointer<QWidget> page_;
   QLabel* picture_;

@@ -80,7 +80,11 @@ QWidget* SessionsPage::makeList() {
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
-  connect(table_->verticalHeader(), &QHeaderView::sectionResized, this, &SessionsPage::giveRoom);
+  connect(
+      table_->verticalHeader(),
+      &QHeaderView::sectionResized,
+      this,
+      &SessionsPage::setMinimumHeights);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -96,11 +100,11 @@ QWidget* SessionsPage::makeList() {
   layout->addWidget(table_, kAllThereIs);
   layout->addWidget(details_);
   actions_->addWidget(resume_);
-  const auto add = [&](const QString& words, SessionEvent event, MessageTopic question, End end) {
+  const auto add = [&](const QString& words, SessionEvent event, MessageTopic topic, End end) {
     auto* button = new QPushButton(words, list);
     actions_->addWidget(button);
     endings_.push_back({button, event});
-    connect(button, &QPushButton::clicked, this, [=, this] { endSelected(question, end); });
+    connect(button, &QPushButton::clicked, this, [=, this] { endSelected(topic, end); });
   };
   add(tr("Withdrawal…"), SessionEvent::Withdrew, MessageTopic::Withdrawal, &Session::withdraw);
   add(tr("Reject…"), SessionEvent::WasRejected, MessageTopic::Rejection, &Session::reject);
@@ -167,7 +171,7 @@ void SessionsPage::resizeEvent(QResizeEvent* event) {
   const bool isWide = width() >= kRoomForTwo;
   columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   table_->setMinimumHeight(isWide ? 0 : kLeastOfTable);
-  giveRoom();
+  setMinimumHeights();
   fitColumns();
 }
 
@@ -200,7 +204,7 @@ void SessionsPage::showPush() {
 /// Sets the minimum heights for wrapped text. A scrolled page gets the minimum height of its
 /// layout, which does not include the lines into which titles of cohorts and details of a session
 /// wrap.
-void SessionsPage::giveRoom() {
+void SessionsPage::setMinimumHeights() {
   const int rows = table_->verticalHeader()->length() + 2 * table_->frameWidth();
   const int heads = table_->horizontalHeader()->sizeHint().height();
   table_->setMaximumHeight(std::max(table_->minimumHeight(), heads + rows));
@@ -243,7 +247,7 @@ void SessionsPage::refresh() {
   }
   if (unfinished_.empty()) table_->clearSelection();
   showSelected();
-  giveRoom();
+  setMinimumHeights();
 }
 
 void SessionsPage::offerPilot() {
@@ -301,11 +305,11 @@ void SessionsPage::resumeSession(const UnfinishedSession& session) {
 }
 
 /// Ends the selected session without its windows.
-void SessionsPage::endSelected(MessageTopic question, End end) {
+void SessionsPage::endSelected(MessageTopic topic, End end) {
   const auto* one = selectedUnfinished();
   if (one == nullptr) return;
   const auto id = one->id;
-  const auto reason = askForText(this, question);
+  const auto reason = askForText(this, topic);
   if (!reason) return;
   attempt(this, MessageTopic::StepNotDone, [&] {
     auto session = Session::resume(study_, id);
@@ -351,7 +355,7 @@ void SessionsPage::showSelected() {
     words += QStringLiteral("\n•  ") + deskText(choice);
   }
   details_->setText(words);
-  giveRoom();
+  setMinimumHeights();
 }
 
 }  // namespace study::gui

@@ -32,7 +32,7 @@ class SessionsPage final : public QWidget {
 
   /// Reads the sessions from the database again.
   void refresh();
-  /// Offers a pilot first: with virtual devices a live session is hardly meant.
+  /// Offers a pilot first: with virtual devices a live session is probably a mistake.
   void offerPilot();
 
  signals:
@@ -49,7 +49,7 @@ class SessionsPage final : public QWidget {
   QWidget* makeEnrolment();
   void fillTable(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
-  void giveRoom();
+  void setMinimumHeights();
   void fitActions(int width);
   void fitColumns();
   void showPush();
@@ -58,7 +58,7 @@ class SessionsPage final : public QWidget {
   void showSelected();
   void resumeSession(const UnfinishedSession& session);
   using End = void (Session::*)(const std::string& reason);
-  void endSelected(MessageTopic question, End end);
+  void endSelected(MessageTopic topic, End end);
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;

@@ -359,8 +359,8 @@ static bool isNumberedAnew(const Session& session) {
          !trialsBefore(session).empty();
 }
 
-/// Whether the step is a preference whose labels say the order in which the alternatives of the
-/// latest block were felt.
+/// Whether the step is a preference whose labels number the alternatives in the order of the latest
+/// block.
 static bool isNumberedAsFelt(const Session& session) {
   const auto& step = session.step();
   if (step.kind != StepKind::Preference || !isLabelledByPosition(session)) return false;

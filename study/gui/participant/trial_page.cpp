@@ -53,19 +53,20 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       strokeHint_(bodyLabel({}, this)),
       stepNumbers_{stepNumber(1, this), stepNumber(2, this)},
       pointerHint_(quietLabel({}, this)),
-      begin_(new QPushButton(content.isOptionalTrial ? tr("Feel it again") : tr("Begin"), this)),
+      beginButton_(
+          new QPushButton(content.isOptionalTrial ? tr("Feel it again") : tr("Begin"), this)),
       doneButton_(new QPushButton(tr("Done"), this)),
-      decline_(new QPushButton(tr("No, go on"), this)) {
+      declineButton_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(content.name);
   addColumn(*this, ColumnWidth::Page)->addWidget(stage_);
   stage_->title().setProperty("role", QStringLiteral("name"));
   addWords();
   stage_->setCounter(count_);
-  for (auto* button : {decline_, begin_, doneButton_}) stage_->addButton(button);
-  connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
+  for (auto* button : {declineButton_, beginButton_, doneButton_}) stage_->addButton(button);
+  connect(beginButton_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(doneButton_, &QPushButton::clicked, this, &TrialPage::finishRequested);
-  connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
+  connect(declineButton_, &QPushButton::clicked, this, &TrialPage::declined);
   hand_.setParent(this);
   hand_.setStartValue(0.0);
   connect(&hand_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
@@ -123,10 +124,10 @@ QString TrialPage::howTo() const {
 
 void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   isRunning_ = isRunning;
-  begin_->setVisible(!isRunning);
+  beginButton_->setVisible(!isRunning);
   numbering_->setVisible(!isRunning && content_.isNumberedAnew);
   doneButton_->setVisible(isRunning);
-  decline_->setVisible(!isRunning && content_.isOptionalTrial);
+  declineButton_->setVisible(!isRunning && content_.isOptionalTrial);
   const bool isOffer = !isRunning && content_.isOptionalTrial;
   count_->setVisible(!isOffer);
   takeHint_->setText(isRunning ? QString() : tr("Take the instrument, and press Begin."));
@@ -137,7 +138,7 @@ void TrialPage::setRunning(bool isRunning, bool isVirtual) {
   pointerHint_->setText(asText(content_.device->pointerHint.in(content_.language)));
   pointerHint_->setVisible(isRunning && isVirtual);
   setCuts(0);
-  isRunning ? setFocus() : begin_->setFocus();
+  isRunning ? setFocus() : beginButton_->setFocus();
 }
 
 void TrialPage::setCuts(int cuts) {

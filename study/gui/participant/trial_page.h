@@ -73,9 +73,9 @@ class TrialPage final : public QWidget {
   QLabel* strokeHint_;  ///< the second one
   std::array<QLabel*, 2> stepNumbers_;
   QLabel* pointerHint_;  ///< how this page moves a virtual instrument
-  QPushButton* begin_;
+  QPushButton* beginButton_;
   QPushButton* doneButton_;
-  QPushButton* decline_;
+  QPushButton* declineButton_;
   bool isRunning_ = false;
   double pressedAt_ = 0.0;
   QVariantAnimation hand_;  ///< the position of the handle that the space bar moves

@@ -60,7 +60,7 @@ GlRenderer::GlRenderer(Detail detail) {
   gl_.initializeOpenGLFunctions();
   name_ = QString::fromUtf8(reinterpret_cast<const char*>(gl_.glGetString(GL_RENDERER)));
   isOnProcessor_ = isProcessors(name_);
-  isFine_ = detail == Detail::Finest || !isOnProcessor_;
+  isFine_ = detail == Detail::FullDetail || !isOnProcessor_;
   samples_ = isFine_ ? kSamples : 0;
   makePrograms();
 }
@@ -82,7 +82,8 @@ GlRenderer::~GlRenderer() {
 }
 
 void GlRenderer::makePrograms() {
-  const QByteArray shading = QByteArray(isFine_ ? kExactly : kRoughly) + kShadingCode;
+  const QByteArray shading =
+      QByteArray(isFine_ ? kPerPixelShading : kPerVertexShading) + kShadingCode;
   bodies_.emplace(gl_, shading + kBodyVertexCode, shading + kBodyFragmentCode);
   balls_.emplace(gl_, shading + kSphereVertexCode, shading + kSphereFragmentCode);
   gl_.glGenVertexArrays(1, &ballArray_);

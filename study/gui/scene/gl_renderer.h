@@ -18,12 +18,12 @@ namespace study::gui::scene {
 class GlRenderer final : public Renderer {
  public:
   enum class Detail {
-    Fitting,  ///< per-pixel lighting and anti-aliasing only on a graphics card
-    Finest,   ///< per-pixel lighting and anti-aliasing always, however slow
+    ByHardware,  ///< per-pixel lighting and anti-aliasing only on a graphics card
+    FullDetail,  ///< per-pixel lighting and anti-aliasing always, however slow
   };
 
   /// @throws std::runtime_error  with a message if OpenGL 3.3 is not available.
-  explicit GlRenderer(Detail detail = Detail::Fitting);
+  explicit GlRenderer(Detail detail = Detail::ByHardware);
   ~GlRenderer() override;
 
   const QImage& draw(const Scene& scene, QSize size) override;

@@ -4,8 +4,8 @@ namespace study::gui::scene {
 
 /// EXACT is defined on a graphics card: light and depth are computed per pixel. Otherwise light is
 /// computed per vertex, and each sphere has one depth.
-inline constexpr const char* kExactly = "#version 330 core\n#define EXACT\n";
-inline constexpr const char* kRoughly = "#version 330 core\n";
+inline constexpr const char* kPerPixelShading = "#version 330 core\n#define EXACT\n";
+inline constexpr const char* kPerVertexShading = "#version 330 core\n";
 
 /// Computes brightness with the same equations as brightnessOf() in software_renderer.cpp.
 inline constexpr const char* kShadingCode = R"glsl(

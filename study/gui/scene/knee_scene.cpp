@@ -14,17 +14,17 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr double kClosed = 10.0;       // [travel units]
-constexpr double kCertainlyCut = 9.3;  // [travel units]
-constexpr double kOpenAgain = 4.0;     // [travel units]
-constexpr double kPieceFloats = 0.7;   // [s]
-constexpr float kTipUp = 90.0F;        // the instrument's tip is up [°]
-constexpr float kShaftInView = 60.0F;  // [mm]
-constexpr float kScopeField = 62.0F;   // [°]
-constexpr float kKneeShadow = 3.2F;    // reach [mm]
+constexpr double kClosed = 10.0;          // [travel units]
+constexpr double kSurelyCutTravel = 9.3;  // [travel units]
+constexpr double kReopenedTravel = 4.0;   // [travel units]
+constexpr double kPieceFloatTime = 0.7;   // [s]
+constexpr float kTipUp = 90.0F;           // the instrument's tip is up [°]
+constexpr float kShaftInView = 60.0F;     // [mm]
+constexpr float kScopeField = 62.0F;      // [°]
+constexpr float kKneeShadow = 3.2F;       // reach [mm]
 constexpr float kKneeShadowDepth = 0.6F;
-constexpr float kNextBite = 25.0F;                    // [°]: the bites do not touch
-constexpr float kMovesOn = 60.0F;                     // [°/s]
+constexpr float kAngleBetweenBites = 25.0F;           // [°]: the bites do not touch
+constexpr float kTissueTurnSpeed = 60.0F;             // [°/s]
 constexpr double kRadian = 180.0 / std::numbers::pi;  // [°]
 
 /// Where the scope's view and the whole instrument lie in a picture of a given size [px]: the scope
@@ -193,14 +193,14 @@ void KneeScene::update(const TrialSnapshot& snapshot, double seconds) {
 
 /// Cuts the tissue once per closure, and releases the piece when the hand opens.
 void KneeScene::updateCut(const TrialSnapshot& snapshot) {
-  const bool isThrough = snapshot.isCutThrough || snapshot.travel > kCertainlyCut;
-  if (!isCut_ && snapshot.travel > kOpenAgain && isThrough) {
+  const bool isThrough = snapshot.isCutThrough || snapshot.travel > kSurelyCutTravel;
+  if (!isCut_ && snapshot.travel > kReopenedTravel && isThrough) {
     isCut_ = true;
     released_ = 0.0;
     meniscus_.cut();
-  } else if (isCut_ && snapshot.travel < kOpenAgain) {
+  } else if (isCut_ && snapshot.travel < kReopenedTravel) {
     isCut_ = false;
-    remainingShift_ += kNextBite;
+    remainingShift_ += kAngleBetweenBites;
   }
 }
 
@@ -209,14 +209,14 @@ void KneeScene::updateCut(const TrialSnapshot& snapshot) {
 void KneeScene::movePiece(double seconds) {
   if (!isCut_ && meniscus_.hasPiece()) {
     released_ += seconds;
-    if (released_ > kPieceFloats) meniscus_.removePiece();
+    if (released_ > kPieceFloatTime) meniscus_.removePiece();
   }
   if (remainingShift_ > 0.0F && !meniscus_.hasPiece()) {
-    const float step = std::min(remainingShift_, kMovesOn * static_cast<float>(seconds));
+    const float step = std::min(remainingShift_, kTissueTurnSpeed * static_cast<float>(seconds));
     meniscus_.moveOn(step);
     remainingShift_ -= step;
   }
-  const auto share = static_cast<float>(released_ / kPieceFloats);
+  const auto share = static_cast<float>(released_ / kPieceFloatTime);
   QVector3D middle = onArc(layout_, layout_.toolAngle, layout_.innerRadius + 1.6F);
   middle.setY(1.4F);
   const QVector3D inwards = (layout_.arcCentre - middle).normalized();

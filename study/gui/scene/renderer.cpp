@@ -34,10 +34,10 @@ RendererWithRemark makeRenderer(RendererChoice choice) {
     return onProcessor(deskText("this display has no OpenGL"));
   }
   try {
-    const bool isFinest = choice == RendererChoice::Finest;
+    const bool isFinest = choice == RendererChoice::FullDetail;
     RendererWithRemark graphics{
         std::make_unique<GlRenderer>(
-            isFinest ? GlRenderer::Detail::Finest : GlRenderer::Detail::Fitting),
+            isFinest ? GlRenderer::Detail::FullDetail : GlRenderer::Detail::ByHardware),
         {}};
     if (graphics.renderer->isOnProcessor()) {
       graphics.remark =

@@ -41,9 +41,9 @@ struct RendererWithRemark {
 
 /// The renderer to use.
 enum class RendererChoice {
-  Best,      ///< OpenGL if available, otherwise the software renderer
-  Software,  ///< the software renderer
-  Finest,    ///< OpenGL with all features, even without a graphics card
+  Best,        ///< OpenGL if available, otherwise the software renderer
+  Software,    ///< the software renderer
+  FullDetail,  ///< OpenGL with all features, even without a graphics card
 };
 
 /// Makes a renderer. Never fails: without OpenGL it is the software renderer.

@@ -8,12 +8,12 @@ namespace study::gui::scene {
 namespace {
 
 constexpr float kBehind = -0.25F;
-constexpr float kDullest = 0.85F;  // gloss from which a surface is metal
-constexpr float kMetals = 10.0F;
+constexpr float kLeastMetalGloss = 0.85F;  // gloss from which a surface is metal
+constexpr float kMetalSteepness = 10.0F;
 
 /// The brightness that polished steel reflects from its surroundings, [0, 1]: bright above and
 /// below, darker between. @param up  height of the direction that it mirrors, [−1, 1].
-float around(float up) {
+float reflectedBrightness(float up) {
   const float square = up * up;
   return (0.25F + 0.75F * square / (square + 0.12F)) * (up > 0.0F ? 1.0F : 0.75F);
 }
@@ -42,7 +42,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   const float sharp = powerOf16(mirrored);
   const float sharper = sharp * sharp * sharp * sharp;
   const float sharpest = sharper * sharper * sharper * sharper;
-  const float metal = std::clamp(kMetals * (gloss - kDullest), 0.0F, 1.0F);
+  const float metal = std::clamp(kMetalSteepness * (gloss - kLeastMetalGloss), 0.0F, 1.0F);
   const float facingEye = QVector3D::dotProduct(normal, toEye);
   const float up = 2.0F * facingEye * normal.y() - toEye.y();
   // A wet surface mirrors the bright surfaces above and below, and everything where it turns away
@@ -56,7 +56,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   // Ambient light is slightly brighter from above.
   const float ambient = light.ambient * (1.0F + 0.5F * normal.y());
   const float diffuse = ambient + power * facing;
-  const float steel = ambient + power * (0.35F * facing + 0.6F * around(up));
+  const float steel = ambient + power * (0.35F * facing + 0.6F * reflectedBrightness(up));
   return {diffuse + metal * (steel - diffuse), power * shine};
 }
 

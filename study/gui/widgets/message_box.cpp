@@ -43,7 +43,7 @@ class KindIcon final : public QWidget {
  protected:
   void paintEvent(QPaintEvent* /*event*/) override {
     const auto& theme = themeOf(*this);
-    const auto [letter, fill] = signIn(theme);
+    const auto [letter, fill] = symbolAndFillFor(theme);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
@@ -58,7 +58,7 @@ class KindIcon final : public QWidget {
   }
 
  private:
-  std::pair<QString, Fill> signIn(const Theme& theme) const {
+  std::pair<QString, Fill> symbolAndFillFor(const Theme& theme) const {
     switch (kind_) {
       case MessageRow::Kind::Failure:
         return {QStringLiteral("✕"), theme.stop};
@@ -134,13 +134,13 @@ void MessageBox::addField(const MessageRow& row) {
     if (row.field == MessageRow::Field::Passphrase) line_->setEchoMode(QLineEdit::Password);
     form->addRow(label, line_);
     if (row.field == MessageRow::Field::NeededText) {
-      obstacle_ = quietLabel(deskText(row.missing), this);
-      obstacle_->setObjectName(QStringLiteral("obstacle"));
-      auto size = obstacle_->sizePolicy();
+      disabledReason_ = quietLabel(deskText(row.missing), this);
+      disabledReason_->setObjectName(QStringLiteral("obstacle"));
+      auto size = disabledReason_->sizePolicy();
       size.setRetainSizeWhenHidden(
           true);  // the box does not change its height with the first letter
-      obstacle_->setSizePolicy(size);
-      form->addRow(QString(), obstacle_);
+      disabledReason_->setSizePolicy(size);
+      form->addRow(QString(), disabledReason_);
     }
     connect(line_, &QLineEdit::textChanged, this, &MessageBox::updateButtons);
   }
@@ -180,7 +180,7 @@ void MessageBox::updateButtons() {
     actionButton_->setDefault(isWritten);
   }
   safeButton_->setDefault(!isWritten);
-  if (obstacle_ != nullptr) obstacle_->setVisible(!isWritten);
+  if (disabledReason_ != nullptr) disabledReason_->setVisible(!isWritten);
 }
 
 QString MessageBox::text() const {

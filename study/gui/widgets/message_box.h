@@ -52,7 +52,7 @@ class MessageBox final : public QDialog {
   QStringList words_;
   QVBoxLayout* column_;
   QLineEdit* line_ = nullptr;
-  QLabel* obstacle_ = nullptr;  ///< why the action cannot be chosen yet
+  QLabel* disabledReason_ = nullptr;  ///< why the action cannot be chosen yet
   QComboBox* choices_ = nullptr;
   QPushButton* safeButton_ = nullptr;
   QPushButton* actionButton_ = nullptr;  ///< nullptr: nothing is asked

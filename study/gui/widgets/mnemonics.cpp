@@ -17,7 +17,7 @@
 namespace study::gui {
 namespace {
 
-constexpr const char* kPlainProperty = "plain-page";
+constexpr const char* kNoMnemonicsProperty = "plain-page";
 
 /// A text that can have a mnemonic, and how it is changed.
 struct Place {
@@ -27,7 +27,7 @@ struct Place {
 
 bool isPlain(const QWidget& widget) {
   for (const auto* up = &widget; up != nullptr; up = up->parentWidget()) {
-    if (up->property(kPlainProperty).toBool()) return true;
+    if (up->property(kNoMnemonicsProperty).toBool()) return true;
   }
   return false;
 }
@@ -180,7 +180,7 @@ void installMnemonics(QApplication& application) {
 }
 
 void disableMnemonics(QWidget& page) {
-  page.setProperty(kPlainProperty, true);
+  page.setProperty(kNoMnemonicsProperty, true);
 }
 
 }  // namespace study::gui

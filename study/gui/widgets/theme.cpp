@@ -21,8 +21,8 @@ constexpr const char* kThemeProperty = "wears";
 constexpr const char* kScaleProperty = "scale";
 constexpr int kBody = 17;  // [px] at scale 1: all running text of participants
 
-/// The button layout 3 has what is asked at the right end, and the way out beside it, as the other
-/// dialogs have.
+/// Button layout 3 puts the action at the right end and the cancel button to its left, as in the
+/// other dialogs.
 /// @name stands for a background colour and @name.text for the colour of text on it. Normal text
 /// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
 constexpr const char* kStyleSheet = R"css(

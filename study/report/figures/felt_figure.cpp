@@ -12,11 +12,11 @@
 namespace study::report {
 namespace {
 
-constexpr double kFeltHeight = 290.0;
-constexpr double kFeltAxis = 52.0;   // below the plot
-constexpr double kFeltEntry = 24.0;  // of a legend below the plot
-constexpr std::size_t kMarks = 8;    // along a line
-constexpr double kMark = 5.5;        // radius
+constexpr double kRenderedForceHeight = 290.0;
+constexpr double kRenderedForceAxis = 52.0;   // below the plot
+constexpr double kRenderedForceEntry = 24.0;  // of a legend below the plot
+constexpr std::size_t kMarks = 8;             // along a line
+constexpr double kMark = 5.5;                 // radius
 
 /// The plot; a narrow figure has its legend below, others beside.
 QRectF feltPlotOf(const FigureFormat& format) {
@@ -36,9 +36,9 @@ bool isOf(const RenderedForceCurve& curve, const std::string& device) {
 }
 
 /// Paints the curves of one device.
-class FeltPainter {
+class RenderedForcePainter {
  public:
-  FeltPainter(
+  RenderedForcePainter(
       QPainter& painter,
       const ReportSection& section,
       const std::string& device,
@@ -168,7 +168,7 @@ class FeltPainter {
   }
 
   void legendBelow() {
-    double y = plot_.bottom() + kFeltAxis;
+    double y = plot_.bottom() + kRenderedForceAxis;
     for (const auto* curve : curves_) {
       painter_.setPen(QPen(categoryColour(section_.conditionIndex(curve->condition)), 3));
       painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
@@ -181,7 +181,7 @@ class FeltPainter {
           QString::fromStdString(
               section_.conditionTitle(curve->condition) + ", " +
               section_.words.count(curve->strokes, "{} cut or stroke", "{} cuts or strokes")));
-      y += kFeltEntry;
+      y += kRenderedForceEntry;
     }
   }
 
@@ -222,21 +222,21 @@ class FeltPainter {
 
 }  // namespace
 
-QSizeF feltFigureSize(
+QSizeF renderedForceFigureSize(
     const ReportSection& section, const std::string& device, const FigureFormat& format) {
-  if (!format.isNarrow()) return {format.layoutWidth(), kFeltHeight};
+  if (!format.isNarrow()) return {format.layoutWidth(), kRenderedForceHeight};
   const auto entries = std::ranges::count_if(
       section.curves, [&](const RenderedForceCurve& curve) { return isOf(curve, device); });
-  const double legend = kFeltEntry * static_cast<double>(entries);
-  return {format.layoutWidth(), feltPlotOf(format).bottom() + kFeltAxis + legend + 6.0};
+  const double legend = kRenderedForceEntry * static_cast<double>(entries);
+  return {format.layoutWidth(), feltPlotOf(format).bottom() + kRenderedForceAxis + legend + 6.0};
 }
 
-void paintFeltFigure(
+void paintRenderedForceFigure(
     QPainter& painter,
     const ReportSection& section,
     const std::string& device,
     const FigureFormat& format) {
-  FeltPainter(painter, section, device, format).paint();
+  RenderedForcePainter(painter, section, device, format).paint();
 }
 
 }  // namespace study::report

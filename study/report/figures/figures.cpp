@@ -140,9 +140,9 @@ void paintFigures(ReportSection& section, const FigureFormat& format) {
           return curve.device == device.id && !curve.points.empty();
         });
     if (!wasFelt) continue;
-    section.figures.felt.push_back(asSvg(
-        feltFigureSize(section, device.id, format),
-        [&](QPainter& painter) { paintFeltFigure(painter, section, device.id, format); },
+    section.figures.renderedForce.push_back(asSvg(
+        renderedForceFigureSize(section, device.id, format),
+        [&](QPainter& painter) { paintRenderedForceFigure(painter, section, device.id, format); },
         format));
   }
 }

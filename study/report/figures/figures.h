@@ -23,9 +23,9 @@ void paintEffectFigure(
 
 /// Force over travel on one device: a line for each condition, with the range between its 10th and
 /// 90th percentile.
-QSizeF feltFigureSize(
+QSizeF renderedForceFigureSize(
     const ReportSection& section, const std::string& device, const FigureFormat& format);
-void paintFeltFigure(
+void paintRenderedForceFigure(
     QPainter& painter,
     const ReportSection& section,
     const std::string& device,

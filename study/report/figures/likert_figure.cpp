@@ -54,7 +54,7 @@ class LikertPainter {
         isNarrow_(format.isNarrow()),
         width_(format.layoutWidth()),
         labels_(isNarrow_ ? 0.0 : kLabels),
-        right_(isNarrow_ ? 0.0 : kRight) {
+        rightWidth_(isNarrow_ ? 0.0 : kRight) {
     for (const auto& cohort : family.cohorts) {
       for (const auto& condition : cohort.conditions) {
         const auto shares = sharesOf(*condition.answers.points());
@@ -62,7 +62,7 @@ class LikertPainter {
         mostRight_ = std::max(mostRight_, 1.0 - leftShare(shares));
       }
     }
-    unit_ = (width_ - labels_ - right_) / std::max(mostLeft_ + mostRight_, 0.5);
+    unit_ = (width_ - labels_ - rightWidth_) / std::max(mostLeft_ + mostRight_, 0.5);
   }
 
   void paint() {
@@ -179,7 +179,7 @@ class LikertPainter {
   bool isNarrow_;
   double width_;
   double labels_;
-  double right_;
+  double rightWidth_;
   double mostLeft_ = 0.0;
   double mostRight_ = 0.0;
   double unit_ = 1.0;

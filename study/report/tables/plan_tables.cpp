@@ -76,7 +76,7 @@ class PlanWriter {
                   "With {} participants in a cohort, a difference of d_z = {:g} is found with a "
                   "probability of {}.",
                   cohort.participants,
-                  plan_.question.dz,
+                  plan_.planOptions.dz,
                   percent(*cohort.power));
     }
     return text.empty() ? words_(
@@ -95,8 +95,8 @@ class PlanWriter {
     auto text = words_.say(
         "{} participants in a cohort find a difference of d_z = {:g} with a probability of {}",
         asCell(family.forPower),
-        plan_.question.dz,
-        percent(plan_.question.power));
+        plan_.planOptions.dz,
+        percent(plan_.planOptions.power));
     if (family.recommended && plan_.balancedBy > 1) {
       text += words_.say("; {} balance the orders as well", *family.recommended);
     }
@@ -143,10 +143,10 @@ class PlanWriter {
       }
       table.rows.push_back(std::move(cells));
     }
-    std::vector<Cell> needed{words_.say("needed for {}", percent(plan_.question.power))};
+    std::vector<Cell> needed{words_.say("needed for {}", percent(plan_.planOptions.power))};
     for (const double dz : effects) {
       needed.emplace_back(
-          asCell(analysis::participantsForPower(dz, family.alphaPerTest, plan_.question.power)));
+          asCell(analysis::participantsForPower(dz, family.alphaPerTest, plan_.planOptions.power)));
     }
     table.rows.push_back(std::move(needed));
   }

@@ -294,7 +294,7 @@ class TablesWriter {
     add(std::move(table));
   }
 
-  // --- What the comparisons are of ---
+  // --- What is compared ---
 
   void means() {
     auto table = tableOf(

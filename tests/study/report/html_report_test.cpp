@@ -278,7 +278,7 @@ TEST(HtmlReport, RefersToEveryTableOfTheAppendix) {
 }
 
 TEST(PrintHtml, UnfoldsTheAppendixOnAPageOfItsOwn) {
-  const auto page = forPrint(
+  const auto page = toPrintHtml(
       "<h2 class=\"appendix\">Appendix</h2><details><summary><h3>A</h3></summary>see <a "
       "href=\"#table-1\">Table 1</a></details><table id=\"table-1\"><caption><b>Table 1.</b> "
       "W</caption><thead><tr><th>A</th></tr></thead></table>");
@@ -288,7 +288,7 @@ TEST(PrintHtml, UnfoldsTheAppendixOnAPageOfItsOwn) {
 }
 
 TEST(PrintHtml, MovesCaptionsIntoTableHeadsAndExtractsFigures) {
-  const auto page = forPrint(
+  const auto page = toPrintHtml(
       "<style>x</style><table><caption>What</caption><thead><tr><th>A</th><th>B</th><th "
       "colspan=\"2\">C</th></tr></thead></table>"
       "<figure><svg a></svg><figcaption>Words</figcaption></figure>");
@@ -303,7 +303,7 @@ TEST(PrintHtml, MovesCaptionsIntoTableHeadsAndExtractsFigures) {
 }
 
 TEST(PrintHtml, BreaksNoValueAcrossLines) {
-  const auto page = forPrint(
+  const auto page = toPrintHtml(
       "<p>t(5) = 2.77, p &lt; .001 [0.07, 1.98], 95 % and 95-%-KI</p>"
       "<code>0123456789abcdef01</code>");
   EXPECT_TRUE(
@@ -413,7 +413,7 @@ TEST(HtmlReport, ExplainsInACaptionOnlyWhatTheFigureShows) {
   EXPECT_FALSE(has(std::string(differencesCaption(family)), "Shaded"));
   family.family.equivalenceBound = 0.5;
   EXPECT_TRUE(has(std::string(differencesCaption(family)), "Shaded are differences"));
-  section.figures.felt = {"<svg/>"};
+  section.figures.renderedForce = {"<svg/>"};
   EXPECT_FALSE(has(renderingAsHtml(section), "for bone"));
 }
 

@@ -41,7 +41,7 @@ TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
   const auto figures = painted().figures;
   ASSERT_EQ(figures.families.size(), 1U);
   EXPECT_FALSE(figures.families.front().participantMeans.empty());
-  EXPECT_EQ(figures.felt.size(), 1U);
+  EXPECT_EQ(figures.renderedForce.size(), 1U);
   EXPECT_FALSE(figures.votes.empty());
 }
 
@@ -73,7 +73,7 @@ TEST(Palette, IsToldApartByEveryColourVision) {
 
 TEST(Figures, TellLinesApartByMarksToo) {
   const auto section = painted();
-  const auto& felt = section.figures.felt.front();
+  const auto& felt = section.figures.renderedForce.front();
   std::size_t marks = 0;  // only they have a white edge
   const std::string edge = "stroke=\"#ffffff\"";
   for (auto at = felt.find(edge); at != std::string::npos; at = felt.find(edge, at + 1)) ++marks;
@@ -98,7 +98,7 @@ TEST(Figures, SayHowOftenEachPointWasChosen) {
 }
 
 TEST(Figures, NameTheirAxesAndUnits) {
-  const auto texts = textsIn(painted().figures.felt.front());
+  const auto texts = textsIn(painted().figures.renderedForce.front());
   EXPECT_NE(texts.find("force [N]"), std::string::npos);
   EXPECT_NE(texts.find("travel [travel units]"), std::string::npos);
   EXPECT_NE(texts.find("13 cuts or strokes"), std::string::npos) << "as the caption counts";
@@ -226,7 +226,7 @@ TEST(Figures, AreTheSameBytesEveryTime) {
     EXPECT_EQ(first.families.front().*part, second.families.front().*part);
   }
   EXPECT_EQ(first.votes, second.votes);
-  EXPECT_EQ(first.felt, second.felt);
+  EXPECT_EQ(first.renderedForce, second.renderedForce);
 }
 
 TEST(Figures, ArePaintedForAStudyWithoutAnswers) {

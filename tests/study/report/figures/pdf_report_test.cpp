@@ -91,7 +91,7 @@ TEST(PdfReport, HasTheWordsOfFiguresAsText) {
   for (const auto* drawn : {"force [N]", "Interpolation − FEM", "n = 36, M = 4.06"}) {
     EXPECT_GE(timesIn(*said, drawn), 1U) << drawn;
   }
-  const auto alone = textOf(figureAsPdf(section.figures.felt.front()));
+  const auto alone = textOf(figureAsPdf(section.figures.renderedForce.front()));
   EXPECT_NE(alone.value_or("").find("force [N]"), std::string::npos);
 }
 
@@ -343,7 +343,7 @@ TEST(PdfReport, HasThreeRulesInATable) {
   const QImage paper(1, 1, QImage::Format_RGB32);
   document.documentLayout()->setPaintDevice(const_cast<QImage*>(&paper));
   document.setHtml(QString::fromStdString(
-      forPrint("<html><head><style></style></head><body>" + table + "</body></html>").html));
+      toPrintHtml("<html><head><style></style></head><body>" + table + "</body></html>").html));
   document.setPageSize({500.0, 800.0});
   const auto* layout = document.documentLayout();
   const auto* drawn = qobject_cast<QTextTable*>(document.rootFrame()->childFrames().front());
