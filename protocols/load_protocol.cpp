@@ -117,8 +117,8 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
         "library.");
   }
   const auto folder = fs::path(path).parent_path();
-  const auto beside = [&](const std::string& name) -> std::optional<std::string> {
-    const auto file = folder / name;
+  const auto beside = [&](const std::string& other) -> std::optional<std::string> {
+    const auto file = folder / other;
     std::error_code absent;
     if (!fs::exists(file, absent)) return std::nullopt;
     // The text is stored in the study, and exported with it: a protocol from elsewhere must not
@@ -128,7 +128,7 @@ std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& pro
           "It is a link to a file outside the protocol's folder. Put a copy of that file in place "
           "of the link.");
     }
-    return questionnaires::readTextFile(file.string(), largestOf(name));
+    return questionnaires::readTextFile(file.string(), largestOf(other));
   };
   const auto text = questionnaires::readTextFile(path);
   if (fs::path(path).extension() == ".csv") {
