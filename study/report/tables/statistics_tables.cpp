@@ -184,6 +184,33 @@ class TablesWriter {
     add(std::move(table));
   }
 
+  /// What a row of comparisons() has after its numbers of answers and people.
+  struct Outcome {
+    std::string test;
+    std::string difference;
+    std::string interval;
+    std::string p;
+    std::string adjusted;
+    std::string inWords;
+    std::string statistic;
+    std::string effect;
+  };
+
+  /// Appends @p outcome in the order of headingsOf().
+  static void append(Cells& cells, const Outcome& outcome) {
+    for (const auto& cell :
+         {outcome.test,
+          outcome.difference,
+          outcome.interval,
+          outcome.p,
+          outcome.adjusted,
+          outcome.inWords,
+          outcome.statistic,
+          outcome.effect}) {
+      cells.emplace_back(cell);
+    }
+  }
+
   /// @param people  who gave the answers; std::nullopt if n is the number of people
   /// @param difference  has the estimate, its interval and the effect; often @p test itself
   Cells cellsOf(
@@ -197,25 +224,24 @@ class TablesWriter {
     const bool isOfPoints = estimate.name == "difference";
     Cells cells{who, groups, countOf(test)};
     if (people) cells.emplace_back(std::to_string(*people));
-    cells.insert(
-        cells.end(),
-        {say(shortNameOf(test.id)),
-         isOfPoints ? orNothing(estimate.value) : std::string(),
-         isOfPoints ? orNothing(difference.interval) : std::string(),
-         test.p ? formatP(test.p) : std::string(),
-         test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
-         inWords(family, test, estimate.value),
-         statisticOf(test),
-         effectOf(difference)});
+    append(
+        cells,
+        {.test = say(shortNameOf(test.id)),
+         .difference = isOfPoints ? orNothing(estimate.value) : std::string(),
+         .interval = isOfPoints ? orNothing(difference.interval) : std::string(),
+         .p = test.p ? formatP(test.p) : std::string(),
+         .adjusted = test.adjusted && isCorrected(family) ? formatP(test.adjusted) : std::string(),
+         .inWords = inWords(family, test, estimate.value),
+         .statistic = statisticOf(test),
+         .effect = effectOf(difference)});
     return cells;
   }
 
-  /// The row of a cohort without answers, in the columns of headingsOf().
+  /// The row of a cohort without answers.
   Cells cellsWithoutAnswers(const std::string& who, bool isOfAnswers) const {
     Cells cells{who, std::string(), std::string()};
     if (isOfAnswers) cells.emplace_back(std::string());
-    const std::string none;
-    cells.insert(cells.end(), {none, none, none, none, say("No answers yet."), none, none, none});
+    append(cells, {.inWords = say("No answers yet.")});
     return cells;
   }
 
