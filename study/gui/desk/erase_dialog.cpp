@@ -138,7 +138,6 @@ void EraseDialog::fillIn() {
 
 void EraseDialog::updateButton() {
   const auto code = participant_->currentData().toString();
-  code_->setPlaceholderText(code);
   setDisabledReason(
       code.isEmpty()                        ? tr("No participant can be erased.")
       : reason_->text().trimmed().isEmpty() ? tr("Give a reason.")

@@ -81,7 +81,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("Largest slope"), slope_);
   form().addRow(quietLabel(
-      tr("Steeper parts of the cut are made gentler, and a steep peak is lost. %1 is the largest "
+      tr("If parts of the cut are steeper, they are made gentler, and a steep peak is lost. %1 is "
+         "the largest "
          "stiffness in the cuts of the punch paper, for which its device can be kept stable. "
          "Choose a larger one to keep the recorded shape.")
           .arg(usualSlope),

@@ -20,8 +20,8 @@ namespace study::gui {
 NewStudyDialog::NewStudyDialog(QWidget* parent)
     : WorkDialog(
           tr("New study"),
-          tr("A study is a folder that holds its protocol, its answers and what was felt. The "
-             "protocol may be changed until the first participant begins."),
+          tr("A study is a folder that holds its protocol, its answers and what was felt. Once a "
+             "participant has begun, a change makes a new version of the protocol."),
           tr("Create study"),
           parent),
       protocol_(new QComboBox(this)),
@@ -65,7 +65,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
   form().addRow(tr("Protocol file"), file_);
-  form().addRow(QString(), actions);
+  form().addRow(actions);
   form().addRow(tr("New folder"), folder_);
   advanced_->setObjectName(QStringLiteral("advanced"));
   form().addRow(QString(), advanced_);

@@ -54,8 +54,8 @@ Welcome::Welcome(QWidget* parent)
        &Welcome::systemCheckRequested});
   addCard(
       {tr("Create a study"),
-       tr("From a protocol that ships with the program, or from your own. It may be changed until "
-          "the first participant begins."),
+       tr("From a protocol that ships with the program, or from your own. Texts and conditions can "
+          "be changed later."),
        tr("New study…"),
        "main",
        &Welcome::newStudyRequested});
