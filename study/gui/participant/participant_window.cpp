@@ -388,13 +388,13 @@ static std::map<std::string, int> feltOrder(const Session& session) {
 }
 
 static QString whenFelt(int place) {
-  static constexpr std::array kWords{
-      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt first"),
-      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt second"),
-      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt third"),
-      QT_TRANSLATE_NOOP("study::gui::ParticipantWindow", "felt fourth")};
+  const std::array words{
+      ParticipantWindow::tr("felt first"),
+      ParticipantWindow::tr("felt second"),
+      ParticipantWindow::tr("felt third"),
+      ParticipantWindow::tr("felt fourth")};
   const auto index = static_cast<std::size_t>(place);
-  return index < kWords.size() ? ParticipantWindow::tr(kWords[index]) : QString();
+  return index < words.size() ? words[index] : QString();
 }
 
 static bool hasTrialsLeft(const Session& session) {
