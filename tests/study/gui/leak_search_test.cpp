@@ -50,7 +50,7 @@ struct Sitting {
 /// Removes numbers, which differ from run to run, and texts whose presence depends on timing: those
 /// shown during a cut only, and those that appear after the first picture.
 std::set<QString> withoutNumbers(const std::set<QString>& words) {
-  static const QRegularExpression number(QStringLiteral("-?\\d+([.,]\\d+)?(e[+-]?\\d+)?|—"));
+  static const QRegularExpression number(QStringLiteral("[-−]?\\d+([.,]\\d+)?(e[+-]?\\d+)?|—"));
   static const QRegularExpression passing(
       QStringLiteral("^after # s$| · # pictures a second, # ms old$|^[●▲✖] Timing: .*$"));
   std::set<QString> bare;
