@@ -229,9 +229,9 @@ ResultJson withinAsJson(const analysis::WithinAnalysis& within) {
   json.update(overallAsJson(within));
   json["answer_probabilities"] = ResultJson::array();
   for (const auto& row : within.probabilities) {
-    auto& json_row = json["answer_probabilities"].emplace_back();
-    json_row["condition"] = row.group1;
-    addRow(json_row, row);
+    auto& entry = json["answer_probabilities"].emplace_back();
+    entry["condition"] = row.group1;
+    addRow(entry, row);
   }
   json["comparisons"] = ResultJson::array();
   for (const auto& row : within.rows) json["comparisons"].push_back(withinAsJson(row));

@@ -291,7 +291,7 @@ TEST_F(HipSceneTest, FillsItsPanelWithTheCup) {
       }
       EXPECT_GT(box.height(), 0.8 * size.height()) << size.width();
       EXPECT_TRUE(picture.rect().adjusted(2, 2, -2, -2).contains(box)) << size.width();
-      EXPECT_NEAR(box.center().x(), size.width() / 2, 0.08 * size.height()) << size.width();
+      EXPECT_NEAR(box.center().x(), size.width() / 2.0, 0.08 * size.height()) << size.width();
     }
   }
 }
