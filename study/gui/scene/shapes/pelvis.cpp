@@ -80,11 +80,11 @@ Mesh section(float inner) {
 /// The rim around the opening, rounded.
 Mesh rim(float inner) {
   constexpr int kAround = 64;
-  constexpr int kAcross = 8;
+  constexpr int kAcrossRim = 8;
   std::vector<QVector3D> places;
   std::vector<Tint> tints;
-  for (int k = 0; k <= kAcross; ++k) {
-    const float across = static_cast<float>(k) / kAcross;
+  for (int k = 0; k <= kAcrossRim; ++k) {
+    const float across = static_cast<float>(k) / kAcrossRim;
     for (int i = 0; i <= kAround; ++i) {
       const float share = static_cast<float>(i) / kAround;
       const float angle = kHalfTurn * share;
