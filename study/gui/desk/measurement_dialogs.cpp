@@ -258,8 +258,8 @@ void FitMaterialDialog::work() {
   if (fitted->isSynthetic) {
     notes.push_back({tr("Synthetic: nobody measured these series."), Mark::Warning});
   }
-  for (const auto& series : fitted->leftOut) {
-    notes.push_back({tr("Left out: %1").arg(asText(series)), Mark::Warning});
+  for (const auto& file : fitted->leftOut) {
+    notes.push_back({tr("Left out: %1").arg(asText(file)), Mark::Warning});
   }
   showWrittenFile(target_->path(), tr("Material saved: %1").arg(target_->path()), notes);
 }

@@ -367,8 +367,8 @@ void Tour::showRecord() {
   add(tr("Verdict"), words.join(QStringLiteral("; ")));
   int widest = 0;
   for (int row = 0; row < record_->rowCount(); ++row) {
-    const auto words = record_->item(row, 0)->text();
-    widest = std::max(widest, record_->fontMetrics().horizontalAdvance(words));
+    const auto name = record_->item(row, 0)->text();
+    widest = std::max(widest, record_->fontMetrics().horizontalAdvance(name));
   }
   constexpr int kAround = 40;  // [px] of the words in a cell
   record_->setColumnWidth(0, widest + kAround);

@@ -45,8 +45,8 @@ class RingButton final : public QPushButton {
  private:
   void paintRing(bool isAtSide) {
     constexpr int kAtSide = 22;  // [px] at scale 1, from the edge to the centre
-    constexpr int kRadius = 9;
-    const int r = scaled(*this, kRadius);
+    constexpr int kRingRadius = 9;
+    const int r = scaled(*this, kRingRadius);
     const bool isMirrored = layoutDirection() == Qt::RightToLeft;
     const int side = isMirrored ? width() - scaled(*this, kAtSide) : scaled(*this, kAtSide);
     const QPointF centre(isAtSide ? side : 0.5 * width(), 0.5 * height());
