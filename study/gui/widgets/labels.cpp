@@ -1,5 +1,6 @@
 #include "study/gui/widgets/labels.h"
 
+#include <map>
 #include <utility>
 
 #include <QCoreApplication>
@@ -48,9 +49,22 @@ class MarkedText final : public QLabel {
     spaceOut();
   }
 
+  /// Layouts ask for the height several times, and each time QLabel would break the lines anew.
+  int heightForWidth(int width) const override {
+    auto known = heights_.find(width);
+    if (known == heights_.end())
+      known = heights_.emplace(width, QLabel::heightForWidth(width)).first;
+    return known->second;
+  }
+
  protected:
   bool event(QEvent* event) override {
-    if (event->type() == QEvent::StyleChange) spaceOut();
+    const auto type = event->type();
+    if (type == QEvent::StyleChange) spaceOut();
+    if (type == QEvent::StyleChange || type == QEvent::FontChange || type == QEvent::Polish ||
+        type == QEvent::ContentsRectChange) {
+      heights_.clear();
+    }
     return QLabel::event(event);
   }
 
@@ -86,11 +100,13 @@ class MarkedText final : public QLabel {
     static const QRegularExpression kBelowLast(
         QStringLiteral("(<p style=\"margin-top:0px; margin-bottom:)\\d+(?=[^>]*>[^<]*</p>$)"));
     const auto none = QStringLiteral("\\1") + QLatin1Char('0');
+    heights_.clear();
     setText(html.replace(kAboveFirst, none).replace(kBelowLast, none));
   }
 
   QString html_;
   int gap_ = -1;
+  mutable std::map<int, int> heights_;  ///< by width [px]
 };
 
 }  // namespace
