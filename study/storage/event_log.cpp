@@ -54,9 +54,6 @@ struct Row : StoredEvent {
 
 constexpr std::size_t kDigitsOfHead = 32;  // 128 bits: short enough to be read aloud
 
-constexpr const char* kEventColumns =
-    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
-    "sealed";
 constexpr const char* kColumnsBeforeSealing =
     "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
     "NULL";
@@ -69,19 +66,7 @@ const char* columnsIn(const Database& database) {
 }
 
 Row rowIn(const Statement& statement) {
-  return {StoredEvent{
-      .seq = statement.number(0),
-      .session = statement.optionalNumber(1),
-      .step = statement.optionalNumber(2),
-      .attempt = statement.optionalNumber(3),
-      .utc = statement.text(4),
-      .monotonic = statement.number(5),
-      .actor = statement.text(6),
-      .kind = statement.text(7),
-      .detail = statement.text(8),
-      .content = statement.blob(10),
-      .sealed = statement.blob(11),
-      .hash = statement.blob(9)}};
+  return {storedEventIn(statement)};
 }
 
 constexpr std::string_view kLimitCycle =
@@ -232,6 +217,22 @@ Actor actorNamed(std::string_view name) {
 }
 
 }  // namespace
+
+StoredEvent storedEventIn(const Statement& row) {
+  return {
+      .seq = row.number(0),
+      .session = row.optionalNumber(1),
+      .step = row.optionalNumber(2),
+      .attempt = row.optionalNumber(3),
+      .utc = row.text(4),
+      .monotonic = row.number(5),
+      .actor = row.text(6),
+      .kind = row.text(7),
+      .detail = row.text(8),
+      .content = row.blob(10),
+      .sealed = row.blob(11),
+      .hash = row.blob(9)};
+}
 
 std::string_view nameOf(Actor actor) noexcept {
   switch (actor) {

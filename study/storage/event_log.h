@@ -60,6 +60,12 @@ struct StoredEvent {
   std::vector<std::byte> hash;     ///< of this event and the hash of the event before it
 };
 
+/// The columns of an event, in the order in which storedEventIn() reads a row.
+inline constexpr const char* kEventColumns =
+    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
+    "sealed";
+StoredEvent storedEventIn(const Statement& row);
+
 /// Detail and values of the event as English text.
 std::string describe(const Event& event);
 

@@ -47,24 +47,8 @@ void EventSpool::put(const StoredEvent& event) {
 
 void EventSpool::forEach(const std::function<void(const StoredEvent& event)>& take) const {
   Statement select(
-      database_,
-      "SELECT seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, "
-      "content_hash, sealed, hash FROM event ORDER BY place");
-  while (select.step()) {
-    take(
-        {.seq = select.number(0),
-         .session = select.optionalNumber(1),
-         .step = select.optionalNumber(2),
-         .attempt = select.optionalNumber(3),
-         .utc = select.text(4),
-         .monotonic = select.number(5),
-         .actor = select.text(6),
-         .kind = select.text(7),
-         .detail = select.text(8),
-         .content = select.blob(9),
-         .sealed = select.blob(10),
-         .hash = select.blob(11)});
-  }
+      database_, std::string("SELECT ") + kEventColumns + " FROM event ORDER BY place");
+  while (select.step()) take(storedEventIn(select));
 }
 
 }  // namespace study::storage
