@@ -24,51 +24,6 @@ inline constexpr models::CurveNode<float> kCut[kCutPoints]{
     {10.437500f, 3.307580f}, {10.718750f, 3.976676f}, {11.000000f, 5.000000f},
 };
 
-/// A full step of the punch in single precision, as in the published program: finite elements with
-/// their mesh, interpolation, and two updates of the Kalman filter.
-template <int kElements>
-class FloatPunch {
- public:
-  FloatPunch() noexcept {
-    elements_.writeMeshShape(shape_);
-    filter_.reset();
-  }
-
-  /// The fused force [N] at a travel [travel units].
-  float step(float travel) noexcept {
-    const float elastic = elements_.at(travel, state_).force;
-    for (int i = 0; i < kElements; ++i) displacements_[i] = shape_[i] * elastic;
-    const float recorded = curve_.at(travel, hint_).force;
-    const float travelled = hasTravel_ ? travel - last_ : 0.0F;
-    last_ = travel;
-    hasTravel_ = true;
-    return filter_.step(travelled, elastic, recorded);
-  }
-
-  /// Displacements of the midpoints under the last force [travel units].
-  const float* displacements() const noexcept { return displacements_; }
-
- private:
-  using Elements = models::FiniteElements<float>;
-
-  static constexpr Elements::Parameters parameters() noexcept {
-    Elements::Parameters p;
-    p.elements = kElements;
-    return p;
-  }
-
-  Elements elements_{parameters()};
-  Elements::State state_;
-  float shape_[kElements] = {};  ///< displacements for a force of 1 N [travel units]
-  float displacements_[kElements] = {};
-  models::Interpolation<float> curve_{kCut, kCutPoints, {}};
-  size_t hint_ = 0;
-  models::KalmanFilter<float> filter_{
-      models::KalmanNoise<float>().factored(), models::KalmanScheme::AuthorsFirmware};
-  float last_ = 0.0F;
-  bool hasTravel_ = false;
-};
-
 /// A step of only the finite elements with their mesh, as in the published study.
 template <int kElements>
 class ElementsPunch {
@@ -97,6 +52,36 @@ class ElementsPunch {
   Elements::State state_;
   float shape_[kElements] = {};  ///< displacements for a force of 1 N [travel units]
   float displacements_[kElements] = {};
+};
+
+/// A full step of the punch in single precision, as in the published program: finite elements with
+/// their mesh, interpolation, and two updates of the Kalman filter.
+template <int kElements>
+class FloatPunch {
+ public:
+  FloatPunch() noexcept { filter_.reset(); }
+
+  /// The fused force [N] at a travel [travel units].
+  float step(float travel) noexcept {
+    const float elastic = elements_.step(travel);
+    const float recorded = curve_.at(travel, hint_).force;
+    const float travelled = hasTravel_ ? travel - last_ : 0.0F;
+    last_ = travel;
+    hasTravel_ = true;
+    return filter_.step(travelled, elastic, recorded);
+  }
+
+  /// Displacements of the midpoints under the last force [travel units].
+  const float* displacements() const noexcept { return elements_.displacements(); }
+
+ private:
+  ElementsPunch<kElements> elements_;
+  models::Interpolation<float> curve_{kCut, kCutPoints, {}};
+  size_t hint_ = 0;
+  models::KalmanFilter<float> filter_{
+      models::KalmanNoise<float>().factored(), models::KalmanScheme::AuthorsFirmware};
+  float last_ = 0.0F;
+  bool hasTravel_ = false;
 };
 
 /// A step of the interpolation, with finite elements for the mesh only.
