@@ -65,24 +65,6 @@ constexpr Tint kCartilageShade{206, 196, 180, 190};
 constexpr Tint kSynoviumPale{226, 164, 146, 165};
 constexpr Tint kVessel{150, 52, 50, 150};
 
-/// A sheet over (u, v) in [0, 1]², row by row, with a colour for each point.
-template <typename Place, typename Paint>
-Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
-  std::vector<QVector3D> places;
-  std::vector<Tint> tints;
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const float u = static_cast<float>(column) / static_cast<float>(columns - 1);
-      const float v = static_cast<float>(row) / static_cast<float>(rows - 1);
-      places.push_back(placeOf(u, v));
-      tints.push_back(tintOf(u, v, places.back()));
-    }
-  }
-  Mesh mesh = sheet(places, columns);
-  for (std::size_t i = 0; i < tints.size(); ++i) mesh.vertices[i].tint = tints[i];
-  return mesh;
-}
-
 /// Makes the side of @p mesh that most of it turns to @p place its front.
 void faceTo(Mesh& mesh, QVector3D place) {
   float facing = 0.0F;

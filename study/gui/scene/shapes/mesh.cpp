@@ -158,22 +158,6 @@ Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field) {
   return seen;
 }
 
-std::size_t countOpenEdges(const Mesh& mesh) {
-  const auto place = welded(mesh);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
-  for (const auto& t : mesh.triangles) {
-    const std::array corners{place[t.a], place[t.b], place[t.c]};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto from = corners[i];
-      const auto to = corners[(i + 1) % 3];
-      if (from == to) continue;  // a degenerate triangle
-      from < to ? ++runs[{from, to}] : --runs[{to, from}];
-    }
-  }
-  return static_cast<std::size_t>(
-      std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.second != 0; }));
-}
-
 double volumeOf(const Mesh& mesh) {
   double sixfold = 0.0;
   for (const auto& t : mesh.triangles) {

@@ -58,10 +58,6 @@ void crease(Mesh& mesh, float angle);
 /// its axis. Triangles outside are left out, as are vertices without a triangle.
 Mesh seenWithin(const Mesh& mesh, const QMatrix4x4& view, float field);
 
-/// The number of edges without a neighbour in the opposite direction, where positions within a
-/// micrometre count as equal. A closed surface has none.
-std::size_t countOpenEdges(const Mesh& mesh);
-
 /// The volume of a closed surface [mm³]; negative if its triangles face inwards.
 double volumeOf(const Mesh& mesh);
 

@@ -53,53 +53,32 @@ float crownAt(float share) {
 
 /// The section at y = 0.
 Mesh section(float inner) {
-  constexpr int kAround = 180;
-  constexpr int kOutwards = 14;
-  std::vector<QVector3D> places;
-  std::vector<Tint> tints;
-  for (int k = 0; k <= kOutwards; ++k) {
-    for (int i = 0; i <= kAround; ++i) {
-      const float angle = kHalfTurn * static_cast<float>(i) / kAround;
-      const float thickness = thicknessAt(angle);
-      const float depth = thickness * static_cast<float>(k) / kOutwards;
-      const QVector3D out(std::cos(angle), 0.0F, std::sin(angle));
-      const float lip =
-          i == 0 || i == kAround ? rimHeight(angle / kHalfTurn) * crownAt(depth / thickness) : 0.0F;
-      places.push_back((inner + depth) * out - QVector3D(0.0F, kBeforeTheBone, lip));
-      tints.push_back(sectionTint(places.back(), std::min(depth, thickness - depth)));
-    }
-  }
-  Mesh mesh = sheet(places, kAround + 1);
-  for (std::size_t i = 0; i < tints.size(); ++i) {
-    mesh.vertices[i].tint = tints[i];
-    mesh.vertices[i].normal = {0.0F, -1.0F, 0.0F};
-  }
+  const auto place = [inner](float share, float outwards) {
+    const float angle = kHalfTurn * share;
+    const QVector3D out(std::cos(angle), 0.0F, std::sin(angle));
+    const bool isAtRim = share <= 0.0F || share >= 1.0F;
+    const float lip = isAtRim ? rimHeight(share) * crownAt(outwards) : 0.0F;
+    return (inner + outwards * thicknessAt(angle)) * out - QVector3D(0.0F, kBeforeTheBone, lip);
+  };
+  Mesh mesh = surface(181, 15, place, [](float share, float outwards, QVector3D at) {
+    return sectionTint(at, thicknessAt(kHalfTurn * share) * std::min(outwards, 1.0F - outwards));
+  });
+  for (auto& vertex : mesh.vertices) vertex.normal = {0.0F, -1.0F, 0.0F};
   return mesh;
 }
 
 /// The rim around the opening, rounded.
 Mesh rim(float inner) {
-  constexpr int kAround = 64;
-  constexpr int kAcrossRim = 8;
-  std::vector<QVector3D> places;
-  std::vector<Tint> tints;
-  for (int k = 0; k <= kAcrossRim; ++k) {
-    const float across = static_cast<float>(k) / kAcrossRim;
-    for (int i = 0; i <= kAround; ++i) {
-      const float share = static_cast<float>(i) / kAround;
-      const float angle = kHalfTurn * share;
-      const float thickness = share < 0.5F ? thicknessAt(0.0F) : thicknessAt(kHalfTurn);
-      const float radius = inner + thickness * across;
-      const QVector3D out(std::cos(angle), std::sin(angle), 0.0F);
-      places.push_back(radius * out - QVector3D(0.0F, 0.0F, rimHeight(share) * crownAt(across)));
-      const float stain =
-          std::clamp(0.3F + 0.6F * roughnessAt(0.4F * places.back(), 3), 0.0F, 1.0F);
-      tints.push_back(blend(kShell, kSponge, stain));
-    }
-  }
-  Mesh mesh = sheet(places, kAround + 1);
-  for (std::size_t i = 0; i < tints.size(); ++i) mesh.vertices[i].tint = tints[i];
-  return mesh;
+  const auto place = [inner](float share, float across) {
+    const float angle = kHalfTurn * share;
+    const float thickness = share < 0.5F ? thicknessAt(0.0F) : thicknessAt(kHalfTurn);
+    const QVector3D out(std::cos(angle), std::sin(angle), 0.0F);
+    return (inner + thickness * across) * out -
+           QVector3D(0.0F, 0.0F, rimHeight(share) * crownAt(across));
+  };
+  return surface(65, 9, place, [](float, float, QVector3D at) {
+    return blend(kShell, kSponge, std::clamp(0.3F + 0.6F * roughnessAt(0.4F * at, 3), 0.0F, 1.0F));
+  });
 }
 
 }  // namespace

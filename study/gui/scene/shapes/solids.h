@@ -47,4 +47,22 @@ Mesh turned(const std::vector<QVector2D>& profile, int corners = 64);
 /// not closed. Its front is the side from which columns run to the right and rows run up.
 Mesh sheet(const std::vector<QVector3D>& places, int columns);
 
+/// A sheet over (u, v) in [0, 1]², row by row, with a colour for each point.
+template <typename Place, typename Paint>
+Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
+  std::vector<QVector3D> places;
+  std::vector<Tint> tints;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const float u = static_cast<float>(column) / static_cast<float>(columns - 1);
+      const float v = static_cast<float>(row) / static_cast<float>(rows - 1);
+      places.push_back(placeOf(u, v));
+      tints.push_back(tintOf(u, v, places.back()));
+    }
+  }
+  Mesh mesh = sheet(places, columns);
+  for (std::size_t i = 0; i < tints.size(); ++i) mesh.vertices[i].tint = tints[i];
+  return mesh;
+}
+
 }  // namespace study::gui::scene

@@ -7,6 +7,7 @@
 #include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
+#include "tests/study/gui/scene/open_edges.h"
 
 namespace study::gui::scene {
 namespace shapes_test {
@@ -18,13 +19,13 @@ TEST(Solids, HaveTheVolumeOfTheirFormula) {
   EXPECT_NEAR(volumeOf(rod(0.0F, 10.0F, 2.0F, 96)), kPi * 4.0 * 10.0, 0.2);
   // Pappus: the volume of a torus is 2π² R r².
   EXPECT_NEAR(volumeOf(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 2.0 * kPi * kPi * 10.0 * 4.0, 25.0);
-  EXPECT_EQ(countOpenEdges(rod(0.0F, 10.0F, 2.0F)), 0U);
-  EXPECT_EQ(countOpenEdges(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 0U);
+  EXPECT_EQ(countOpenEdges(rod(0.0F, 10.0F, 2.0F)), 0);
+  EXPECT_EQ(countOpenEdges(fingerRing({5, 0, 0}, 10.0F, 2.0F)), 0);
 }
 
 TEST(Solids, HaveOpenEdgesWhereASheetEnds) {
   const Mesh mesh = sheet({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}, 3);
-  EXPECT_EQ(countOpenEdges(mesh), 6U);
+  EXPECT_EQ(countOpenEdges(mesh), 6);
   for (const auto& vertex : mesh.vertices) EXPECT_EQ(vertex.normal, QVector3D(0, 0, 1));
 }
 
@@ -33,7 +34,7 @@ TEST(Solids, KeepTheirVolumeWhenCreased) {
   const double before = volumeOf(mesh);
   crease(mesh, 35.0F);
   EXPECT_NEAR(volumeOf(mesh), before, 1e-3);
-  EXPECT_EQ(countOpenEdges(mesh), 0U);
+  EXPECT_EQ(countOpenEdges(mesh), 0);
   for (const auto& vertex : mesh.vertices) EXPECT_NEAR(vertex.normal.length(), 1.0F, 1e-4F);
 }
 
@@ -67,7 +68,7 @@ TEST(Meshes, KeepOnlyWhatMayBeSeen) {
 TEST(PunchShape, IsClosedAndFacesOutwards) {
   const PunchShape punch = punchShape();
   for (const Mesh* body : {&punch.body, &punch.grip, &punch.jaw, &punch.rod, &punch.lever}) {
-    EXPECT_EQ(countOpenEdges(*body), 0U);
+    EXPECT_EQ(countOpenEdges(*body), 0);
     EXPECT_GT(volumeOf(*body), 10.0);
   }
 }
@@ -84,8 +85,8 @@ TEST(PunchShape, ClosesItsJawWithItsHandle) {
 
 TEST(ReamerShape, IsAHollowHemisphereWithTeeth) {
   const ReamerShape reamer = reamerShape(26.0F);
-  EXPECT_EQ(countOpenEdges(reamer.cap), 0U);
-  EXPECT_EQ(countOpenEdges(reamer.shaft), 0U);
+  EXPECT_EQ(countOpenEdges(reamer.cap), 0);
+  EXPECT_EQ(countOpenEdges(reamer.shaft), 0);
   const double hemisphere = 2.0 / 3.0 * std::numbers::pi * 26.0 * 26.0 * 26.0;
   EXPECT_GT(volumeOf(reamer.cap), 0.15 * hemisphere);
   EXPECT_LT(volumeOf(reamer.cap), 0.6 * hemisphere);
@@ -99,7 +100,7 @@ TEST(ReamerShape, IsAHollowHemisphereWithTeeth) {
 
 TEST(ReamerShape, HasAnOutlineOfItsSizeInThinWires) {
   const Mesh outline = reamerOutline(26.0F);
-  EXPECT_EQ(countOpenEdges(outline), 0U);
+  EXPECT_EQ(countOpenEdges(outline), 0);
   EXPECT_LT(volumeOf(outline), 700.0);
   float top = 0.0F;
   for (const auto& vertex : outline.vertices) top = std::max(top, vertex.position.z());
@@ -122,7 +123,7 @@ class MeniscusTest : public testing::Test {
 };
 
 TEST_F(MeniscusTest, IsAClosedWedge) {
-  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0U);
+  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0);
   EXPECT_GT(volumeOf(meniscus_.body()), 500.0);
   EXPECT_FALSE(meniscus_.hasPiece());
 }
@@ -140,7 +141,7 @@ TEST_F(MeniscusTest, DeformsLikeTheFiniteElements) {
   }
   EXPECT_GT(deepest, 0.5F);
   EXPECT_LT(deepest, 4 * 0.4F);
-  EXPECT_EQ(countOpenEdges(after), 0U);
+  EXPECT_EQ(countOpenEdges(after), 0);
   meniscus_.squeeze({});
   EXPECT_EQ(meniscus_.body().vertices[500].position, before.vertices[500].position);
 }
@@ -165,8 +166,8 @@ TEST_F(MeniscusTest, BodyAndPieceHaveTheVolumeBeforeTheCut) {
   meniscus_.cut();
   meniscus_.squeeze({});
   ASSERT_TRUE(meniscus_.hasPiece());
-  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0U);
-  EXPECT_EQ(countOpenEdges(meniscus_.piece()), 0U);
+  EXPECT_EQ(countOpenEdges(meniscus_.body()), 0);
+  EXPECT_EQ(countOpenEdges(meniscus_.piece()), 0);
   const double piece = volumeOf(meniscus_.piece());
   EXPECT_GT(piece, 5.0);
   EXPECT_LT(volumeOf(meniscus_.body()), whole - 0.9 * piece);

@@ -6,6 +6,7 @@
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/software_renderer.h"
+#include "tests/study/gui/scene/open_edges.h"
 
 namespace study::gui::scene {
 namespace simulated_scenes_test {
@@ -383,7 +384,7 @@ TEST(PlainCup, IsShownWithoutABoneOfSpheres) {
   const HipScene hip({});
   EXPECT_EQ(hip.spheres(), nullptr);
   ASSERT_EQ(hip.scene().parts.size(), 4U) << "also the pelvis around it";
-  EXPECT_EQ(countOpenEdges(hip.scene().parts[3].mesh), 0U);
+  EXPECT_EQ(countOpenEdges(hip.scene().parts[3].mesh), 0);
   EXPECT_GT(countWhere(pictureOf(hip), isBone), 5000);
 }
 
