@@ -223,7 +223,6 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   const Placements places = placementsOf(groups);
   const auto pairs = static_cast<Int128>(groups.n1) * static_cast<Int128>(groups.n2);
   result.delta = exactQuotient(places.sum1 - pairs, pairs).high;
-  result.probabilityOfSuperiority = exactQuotient(places.sum1, 2 * pairs).high;
   if (groups.n1 < 2 || groups.n2 < 2) {
     result.reason = reason("two_values_needed");
     return result;

@@ -75,8 +75,7 @@ PairedEffects effectSizes(const PairedTResult& test, double level = 0.95);
 struct CliffDelta {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
-  std::optional<double> delta;                     ///< −1 … 1
-  std::optional<double> probabilityOfSuperiority;  ///< P(X > Y) + ½ P(X = Y) = (δ + 1)/2
+  std::optional<double> delta;     ///< −1 … 1
   std::optional<double> variance;  ///< Cliff's unbiased variance of δ; it can be negative
   std::optional<Interval> interval;
   Reason reason;  ///< why something above is missing; empty if nothing is

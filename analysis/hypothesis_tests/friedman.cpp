@@ -238,9 +238,6 @@ FriedmanResult friedmanTest(std::span<const std::vector<double>> blocks) {
   FriedmanResult result;
   result.blocks = blocks.size();
   result.treatments = blocks.empty() ? 0 : blocks.front().size();
-  for (const Int128 sum : ranking.doubledSums) {
-    result.rankSums.push_back(exactQuotient(sum, 2).high);
-  }
   if (blocks.empty()) {
     result.reason = reason("no_blocks");
   } else if (ranking.denominator == 0) {

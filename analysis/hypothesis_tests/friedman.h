@@ -40,7 +40,6 @@ struct RankComparison {
 struct FriedmanResult {
   std::uint64_t blocks = 0;      ///< b: participants
   std::uint64_t treatments = 0;  ///< k
-  std::vector<double> rankSums;
 
   std::optional<double> chiSquared;  ///< corrected for ties; k − 1 degrees of freedom
   std::optional<double> p;           ///< of χ²

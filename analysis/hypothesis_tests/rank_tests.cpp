@@ -84,12 +84,12 @@ RankSums::RankSums(const TiedGroups& groups) {
   const bool isFirst = groups.n1 <= groups.n2;
   const auto chosen = static_cast<std::int64_t>(std::min(groups.n1, groups.n2));
   const ReducedRanks ranks = reducedRanks(groups);
-  mean_ = static_cast<std::int64_t>(groups.n1 * groups.n2);
+  const auto mean = static_cast<std::int64_t>(groups.n1 * groups.n2);  // of 2U
 
   // 2U of the smaller group: its doubled rank sum minus the smallest possible one
   const std::int64_t first =
       chosen * static_cast<std::int64_t>(ranks.lowest) - chosen * (chosen + 1);
-  least_ = isFirst ? first : 2 * mean_ - first;
+  least_ = isFirst ? first : 2 * mean - first;
   step_ = static_cast<std::int64_t>(ranks.unit) * (isFirst ? 1 : -1);
 
   probabilities_ = waysTo(ranks, static_cast<std::size_t>(chosen));
@@ -118,15 +118,6 @@ double RankSums::atLeast(std::int64_t doubledU) const {
   return sum.high;
 }
 
-double RankSums::twoSidedByDistance(std::int64_t doubledU) const {
-  const std::int64_t distance = std::abs(doubledU - mean_);
-  DoubleDouble sum;
-  for (std::size_t i = 0; i < probabilities_.size(); ++i) {
-    if (std::abs(doubledUAt(i) - mean_) >= distance) sum = sum + probabilities_[i];
-  }
-  return sum.high;
-}
-
 namespace {
 
 Reason whyNotRanked(const TiedGroups& groups) {
@@ -146,7 +137,6 @@ void addExact(MannWhitneyResult& result, const TiedGroups& groups, Int128 double
   result.pLess = law.atMost(u);
   result.pGreater = law.atLeast(u);
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
-  result.pByDistance = law.twoSidedByDistance(u);
 }
 
 void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {

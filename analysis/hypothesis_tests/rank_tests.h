@@ -28,13 +28,10 @@ class RankSums {
   double atMost(std::int64_t doubledU) const;
   /// P(2U ≥ u)
   double atLeast(std::int64_t doubledU) const;
-  /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): at least as far from the mean as u.
-  double twoSidedByDistance(std::int64_t doubledU) const;
 
  private:
   std::int64_t doubledUAt(std::size_t index) const;
 
-  std::int64_t mean_ = 0;  // of 2U
   std::int64_t least_ = 0;
   std::int64_t step_ = 1;  // negative if group 2 is smaller, because its rank sums are then counted
   std::vector<DoubleDouble> probabilities_;
@@ -48,9 +45,7 @@ struct MannWhitneyResult {
   std::optional<double> u;
   std::optional<double> variance;  ///< of U, ties taken into account; zero if all values are equal
 
-  std::optional<double> p;  ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
-  std::optional<double>
-      pByDistance;  ///< exact, two-sided: P(U at least as far from its mean as observed)
+  std::optional<double> p;         ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
   std::optional<double> pLess;     ///< exact, one-sided: P(≤ U); alternative: group 1 < group 2
   std::optional<double> pGreater;  ///< exact, one-sided: P(≥ U); alternative: group 1 > group 2
 
@@ -68,7 +63,7 @@ struct MannWhitneyResult {
 ///     σ² = n₁ n₂ / 12 · (N + 1 − Σ (t³ − t) / (N (N − 1))),   N = n₁ + n₂
 ///
 /// The exact p values (see RankSums) exist for two groups of up to about 50 values, or if one group
-/// is very small. p and pByDistance differ if ties make the distribution skew.
+/// is very small.
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);

@@ -63,8 +63,6 @@ void addTest(WelchResult& result, const Contrast& contrast) {
   result.degreesOfFreedom = welchSatterthwaite(v1, n1, v2, n2);
   if (!std::isfinite(t)) return;
   addProbabilities(result);
-  const StudentDistribution toolpak(std::floor(*result.degreesOfFreedom + 0.5));
-  result.pToolpak = toolpak.twoSidedP(t);
 }
 
 Reason whyIncomplete(const WelchResult& result) {

@@ -29,7 +29,6 @@ struct WelchResult {
   std::optional<double> log10P;    ///< defined even if p is too small for a double
   std::optional<double> pLess;     ///< one-sided; alternative: group 1 < group 2
   std::optional<double> pGreater;  ///< one-sided; alternative: group 1 > group 2
-  std::optional<double> pToolpak;  ///< two-sided, as computed by a spreadsheet's Analysis ToolPak
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };

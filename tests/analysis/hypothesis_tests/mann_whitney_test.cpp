@@ -29,7 +29,6 @@ const Values kPain2{3, 3, 4, 3, 1, 2, 3, 1, 1, 5, 4};
 struct Slow {
   double less = 0.0;
   double greater = 0.0;
-  double abs = 0.0;
 };
 
 double slowU(const Values& x, const Values& y) {
@@ -44,7 +43,6 @@ Slow slow(const Values& x, const Values& y) {
   Values all = x;
   all.insert(all.end(), y.begin(), y.end());
   const double observed = slowU(x, y);
-  const double mean = 0.5 * static_cast<double>(x.size() * y.size());
   std::vector<int> choice(all.size(), 0);
   std::fill_n(choice.rbegin(), x.size(), 1);
   Slow counts;
@@ -58,9 +56,8 @@ Slow slow(const Values& x, const Values& y) {
     total += 1.0;
     counts.less += u <= observed ? 1.0 : 0.0;
     counts.greater += u >= observed ? 1.0 : 0.0;
-    counts.abs += std::abs(u - mean) >= std::abs(observed - mean) ? 1.0 : 0.0;
   } while (std::ranges::next_permutation(choice).found);
-  return {counts.less / total, counts.greater / total, counts.abs / total};
+  return {counts.less / total, counts.greater / total};
 }
 
 TEST(MannWhitneyTest, HasThePublishedPOfPermeability) {
@@ -81,7 +78,6 @@ TEST(MannWhitneyTest, CountsTiesAsGoingThroughAllChoices) {
     const Slow truth = slow(x, y);
     EXPECT_DOUBLE_EQ(result.pLess.value(), truth.less);
     EXPECT_DOUBLE_EQ(result.pGreater.value(), truth.greater);
-    EXPECT_DOUBLE_EQ(result.pByDistance.value(), truth.abs);
     EXPECT_DOUBLE_EQ(result.p.value(), std::min(1.0, 2.0 * std::min(truth.less, truth.greater)));
     EXPECT_EQ(result.u, slowU(x, y));
   }
@@ -91,7 +87,6 @@ TEST(MannWhitneyTest, MirrorsWithTheGroups) {
   const auto result = mannWhitneyTest(kPain1, kPain2);
   const auto mirror = mannWhitneyTest(kPain2, kPain1);
   EXPECT_DOUBLE_EQ(result.p.value(), mirror.p.value());
-  EXPECT_DOUBLE_EQ(result.pByDistance.value(), mirror.pByDistance.value());
   EXPECT_DOUBLE_EQ(result.pLess.value(), mirror.pGreater.value());
   EXPECT_EQ(result.z.value(), -mirror.z.value());
   EXPECT_EQ(result.u.value() + mirror.u.value(), 14.0 * 11.0);
@@ -165,7 +160,6 @@ TEST(BrunnerMunzelTest, IsUndefinedForEqualValuesAndForOneValue) {
 
 TEST(CliffDelta, IsTheShareOfPairsUpLessThoseDown) {
   const auto result = cliffDelta(kPain2, kPain1);
-  EXPECT_DOUBLE_EQ(result.probabilityOfSuperiority.value(), slowU(kPain2, kPain1) / 154.0);
   EXPECT_DOUBLE_EQ(result.delta.value(), 2.0 * slowU(kPain2, kPain1) / 154.0 - 1.0);
   EXPECT_LT(result.interval.value().low, result.delta.value());
   EXPECT_GT(result.interval.value().high, result.delta.value());

@@ -78,7 +78,7 @@ TEST(WithinAnalysis, HasTheProbabilityOfAnswersAboveTheMiddleOfEachMethod) {
     EXPECT_EQ(row.id, "answer_probability");
     EXPECT_EQ(row.group1, methods[i]);
     EXPECT_EQ(row.n1, 36U);
-    EXPECT_EQ(row.additional("from"), 4.0);
+    EXPECT_EQ(row.additionalNumber("from"), 4.0);
     EXPECT_DOUBLE_EQ(row.statistic.value.value(), shares[i]);
     EXPECT_NEAR(row.effect.value.value(), probabilities[i], 1e-3);
     EXPECT_LT(row.effectInterval->low, row.effect.value);
