@@ -73,7 +73,7 @@ struct Capabilities {
   const DeviceKind* kind;  ///< common to all devices of the kind; lives as long as the program
   std::string name;        ///< as shown to users: "simulated punch"
   double leastTravel = 0.0;
-  double mostTravel = 10.0;
+  double largestTravel = 10.0;
   double maxForce = 10.0;  ///< [N]
   double maxTorque = 0.0;  ///< about the tool's axis [N·m]; 0: the device renders no torque
   double damping = 0.0;    ///< of the mechanism itself [N·s / travel unit]
@@ -104,8 +104,6 @@ struct DeviceSample {
   std::uint32_t leaps = 0;    ///< LinkReport::leaps until this sample
   /// Time of measurement on the device's clock [ns]; 0: the device has no clock.
   std::int64_t deviceTime = 0;
-  /// Time of arrival on CLOCK_MONOTONIC [ns]; 0: not transmitted (simulated)
-  std::int64_t hostTime = 0;
 };
 
 /// The state of a device. A fault can follow every state; only open() and close() leave Faulted.

@@ -12,7 +12,7 @@ SimulatedDevice::SimulatedDevice(Capabilities capabilities, const Mechanism& mec
                        mechanism.stopStiffness > 0.0 && mechanism.stopDamping >= 0.0 &&
                        mechanism.resolution >= 0.0 && mechanism.inertia >= 0.0 &&
                        mechanism.rotationalStiffness >= 0.0 && mechanism.rotationalDamping >= 0.0 &&
-                       capabilities_.mostTravel > capabilities_.leastTravel;
+                       capabilities_.largestTravel > capabilities_.leastTravel;
   if (!isSound) throw std::invalid_argument("a simulated mechanism needs a mass and a range");
   travel_ = capabilities_.leastTravel;
 }
@@ -21,7 +21,8 @@ SimulatedDevice::SimulatedDevice(const DeviceKind& kind, Hand& hand)
     : SimulatedDevice(simulated(kind), kind.mechanism, hand) {}
 
 double SimulatedDevice::stopForce() const noexcept {
-  const double beyond = travel_ > capabilities_.mostTravel    ? travel_ - capabilities_.mostTravel
+  const double beyond = travel_ > capabilities_.largestTravel
+                            ? travel_ - capabilities_.largestTravel
                         : travel_ < capabilities_.leastTravel ? travel_ - capabilities_.leastTravel
                                                               : 0.0;
   if (beyond == 0.0) return 0.0;
@@ -69,7 +70,7 @@ Capabilities simulated(const DeviceKind& kind) {
       .kind = &kind,
       .name = "simulated " + std::string(kind.name),
       .leastTravel = kind.travel.least,
-      .mostTravel = kind.travel.most,
+      .largestTravel = kind.travel.most,
       .maxForce = kind.simulatedMaxForce,
       .maxTorque = kind.simulatedMaxTorque,
       .damping = kind.mechanism.damping};

@@ -37,7 +37,7 @@ Capabilities capabilitiesOf(const IiwaSettings& settings) {
       .kind = &reamerKind(),
       .name = "iiwa at " + settings.robot,
       .leastTravel = 0.0,
-      .mostTravel = settings.mostTravel,
+      .largestTravel = settings.largestTravel,
       .maxForce = settings.maxForce,
       .maxTorque = settings.maxTorque,
       .damping = settings.damping,
@@ -306,8 +306,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
       .velocity = velocity_,
       .turn = turn_,
       .isReamerOn = isReamerOn(),
-      .deviceTime = deviceTime_,
-      .hostTime = hostTime_};
+      .deviceTime = deviceTime_};
   if (!isNew_) {
     ++report_.stale;
     if (timing::now() - hostTime_ <= longestSilence()) return sample;

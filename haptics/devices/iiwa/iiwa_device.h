@@ -38,10 +38,10 @@ struct IiwaSettings {
   Eigen::Vector3d axis{0.0, 0.0, -1.0};
   /// Joint angles [rad] at which travel is 0; std::nullopt: the pose at arm()
   std::optional<wire::fri::Joints> zero;
-  double mostTravel = 0.02;  ///< [m]
-  double maxForce = 140.0;   ///< [N]
-  double maxTorque = 10.0;   ///< about the axis [N·m]; 0: no torque is rendered
-  double damping = 60.0;     ///< of the arm along the axis [N·s/m]
+  double largestTravel = 0.02;  ///< [m]
+  double maxForce = 140.0;      ///< [N]
+  double maxTorque = 10.0;      ///< about the axis [N·m]; 0: no torque is rendered
+  double damping = 60.0;        ///< of the arm along the axis [N·s/m]
   /// Name of the robot's boolean input that the reamer's pedal sets; empty: there is no pedal, and
   /// the reamer is on. The reamer is off while a message lacks that input (FRI before 1.14).
   std::string pedal;

@@ -33,7 +33,7 @@ Capabilities capabilitiesOf(const PunchSettings& settings) {
       .kind = settings.kind,
       .name = std::string(settings.kind->name) + " on " + settings.port,
       .leastTravel = settings.kind->travel.least,
-      .mostTravel = settings.kind->travel.most,
+      .largestTravel = settings.kind->travel.most,
       .maxForce = settings.newtonsPerVolt * settings.maxVoltage,
       .damping = settings.damping,
       .rate = 1000.0,
@@ -256,8 +256,7 @@ DeviceSample PunchDevice::read(double) noexcept {
       .travel = travel(),
       .velocity = settings_.travelPerCount * state_.velocity,
       .leaps = static_cast<std::uint32_t>(report_.leaps),
-      .deviceTime = 1000 * deviceTime_,
-      .hostTime = hostTime_};
+      .deviceTime = 1000 * deviceTime_};
   if (!isNew_) {
     ++report_.stale;
     if (timing::now() - hostTime_ <= kSilenceTimeout) return sample;
