@@ -131,14 +131,15 @@ void addExportCommand(CLI::App& program, Action& action) {
   auto* forPublic = command->add_flag(
       "--public",
       options.forPublic,
-      "Public release: ages and the like in bands, no free text, no times, new ids, k-anonymous "
-      "(--k)");
+      "Data to publish: ages etc. as ranges, no free text, no times, new ids, no group smaller "
+      "than --k (k-anonymous)");
   forPublic->excludes(exact)->excludes(texts)->excludes(codes)->excludes(traces);
   command
       ->add_option(
           "--k",
           options.smallestClass,
-          "Smallest allowed number of participants with equal released attributes, 5 or more")
+          "At least this many participants share each published combination of age range, sex and "
+          "the like; 5 or more")
       ->needs(forPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();

@@ -202,9 +202,8 @@ void addProtocolCommands(CLI::App& program, Action& action) {
   orders->add_option(
       "--seed",
       ordering.seed,
-      "Seed that draws the orders, as in simulated sessions of a study with this seed (default: "
-      "the protocol's seed, or 1). Live sessions have other orders, unless the protocol has a "
-      "seed");
+      "Number that fixes the random orders (default: the protocol's, or 1); live sessions differ "
+      "unless the protocol sets it");
   orders->add_flag(
       "--csv",
       ordering.csv,

@@ -171,8 +171,8 @@ void addErasureCommands(CLI::App& noun, Action& action) {
                  ->add_option(
                      "--by",
                      erasure.by,
-                     "Certificate (.txt) of an erasure, which is repeated in FOLDER, another copy "
-                     "of the study")
+                     "Repeat in FOLDER, a copy of the study, the erasure that this certificate "
+                     "(.txt) of another copy records")
                  ->type_name("FILE");
   // A certificate says what is erased, from whom and why.
   for (auto* option : {participant, level, reason, reseal, also, certificate}) by->excludes(option);

@@ -108,8 +108,8 @@ void addNewWitness(CLI::App& verb, EvidenceArguments& options) {
   verb.add_option(
           "--write-witness",
           options.newWitness,
-          "New file for signed states of the audit trail: 'study verify --witness' proves with it "
-          "that nothing was changed later. Keep it where the study's operators cannot change it")
+          "New file that later proves, with 'study verify --witness', that nothing was changed; "
+          "keep it out of operators' reach")
       ->type_name("FILE");
 }
 
@@ -118,13 +118,15 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
       noun,
       action,
       "timestamp",
-      "Have a time-stamping authority (RFC 3161) stamp the audit trail, online or by files",
+      "Have an outside authority certify when the audit trail existed (RFC 3161), online or by "
+      "files",
       timestamp);
   addStudyFolder(*verb, options.folder);
   verb->add_option(
           "--authority",
           options.authority,
-          "Online: URL of the authority, which receives only a hash")
+          "Online: web address (URL) of the authority; it receives only a fingerprint (hash), no "
+          "data")
       ->type_name("URL");
   verb->add_option(
           "--request",
@@ -139,8 +141,8 @@ void addTimeStampCommand(CLI::App& noun, Action& action) {
   verb->add_option(
           "--authority-certificate",
           options.certificate,
-          "Root certificate (PEM) of the authority, to check its time stamps; not needed with "
-          "--request")
+          "Certificate file (.pem) that the authority publishes, to check its time stamps; not "
+          "needed with --request")
       ->type_name("FILE");
 }
 
@@ -170,8 +172,8 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
   verify->add_option(
       "--expect",
       verifying.expectedHead,
-      "Head of the audit trail (hash of its last event) that an earlier 'study verify' printed: "
-      "fails if the trail lacks it");
+      "Code (head of the audit trail) that an earlier 'study verify' printed: fails if the trail "
+      "no longer contains it");
   verify
       ->add_option(
           "--witness",
@@ -183,7 +185,8 @@ void addEvidenceCommands(CLI::App& noun, Action& action) {
       ->add_option(
           "--authority-certificate",
           verifying.certificate,
-          "Root certificate (PEM) of a time-stamping authority, to check its time stamps")
+          "Certificate file (.pem) that the time-stamping authority publishes, to check its time "
+          "stamps")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   verify->add_flag(

@@ -153,13 +153,15 @@ void MaterialInputs::addTo(CLI::App& verb) {
   verb.add_option(
           "--force-floor",
           options.forceFloor,
-          "Errors of smaller forces are divided by this force to make them relative [N]")
+          "Floor of relative errors: where the force is smaller, its error is divided by this "
+          "instead [N]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_option(
           "--torque-floor",
           options.torqueFloor,
-          "Errors of smaller torques are divided by this torque to make them relative [N·m]")
+          "Floor of relative errors: where the torque is smaller, its error is divided by this "
+          "[N·m]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
   verb.add_flag(

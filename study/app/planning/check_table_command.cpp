@@ -13,7 +13,7 @@
 namespace study::app {
 namespace {
 
-struct CheckTableOptions {
+struct CheckTableArguments {
   std::string groups;
   std::string comparisons;
   std::vector<std::uint64_t> sizes;
@@ -22,7 +22,7 @@ struct CheckTableOptions {
   bool json = false;
 };
 
-PublishedTableOptions questionOf(const CheckTableOptions& options) {
+PublishedTableOptions tableOptionsOf(const CheckTableArguments& options) {
   PublishedTableOptions tableOptions;
   if (!options.sizes.empty()) {
     tableOptions.fewest = options.sizes[0];
@@ -44,12 +44,12 @@ PublishedTableOptions questionOf(const CheckTableOptions& options) {
   return tableOptions;
 }
 
-int checkTable(const CheckTableOptions& options) {
+int checkTable(const CheckTableArguments& options) {
   const auto groups = questionnaires::readTextFile(options.groups);
   const auto comparisons = questionnaires::readTextFile(options.comparisons);
   try {
     const auto table = analysis::readPublishedTable(groups, comparisons);
-    const auto report = checkPublishedTable(table, questionOf(options));
+    const auto report = checkPublishedTable(table, tableOptionsOf(options));
     std::fputs(
         (options.json ? publishedReportAsJson(report) : publishedReportAsText(report)).c_str(),
         stdout);
@@ -67,7 +67,7 @@ void addCheckTableCommand(CLI::App& stats, Action& action) {
       stats,
       action,
       "check-table",
-      "Check whether a published table follows from its own means, variances and sizes",
+      "Check whether the p values of a published table agree with its means, variances and sizes",
       checkTable);
   command
       ->add_option(

@@ -13,7 +13,7 @@
 namespace study::app {
 namespace {
 
-struct PlanOptions {
+struct PlanArguments {
   std::string file;
   StudyPlanOptions planOptions;
   std::vector<double> shares;
@@ -22,7 +22,7 @@ struct PlanOptions {
   bool json = false;
 };
 
-void applyShares(PlanOptions& options) {
+void applyShares(PlanArguments& options) {
   if (options.shares.empty()) return;
   const double sum = options.shares[0] + options.shares[1] + options.shares[2];
   if (std::abs(sum - 1.0) > 1e-9) {
@@ -34,7 +34,7 @@ void applyShares(PlanOptions& options) {
   options.planOptions.model.residualShare = options.shares[2];
 }
 
-int plan(PlanOptions options) {
+int plan(PlanArguments options) {
   applyShares(options);
   if (options.sites) {
     options.planOptions.sites = {.sites = *options.sites, .deviation = options.siteDeviation};
@@ -50,7 +50,7 @@ int plan(PlanOptions options) {
   return 0;
 }
 
-void addSites(CLI::App& command, PlanOptions& options) {
+void addSites(CLI::App& command, PlanArguments& options) {
   auto* sites = command.add_option(
       "--sites",
       options.sites,
@@ -67,17 +67,19 @@ void addSites(CLI::App& command, PlanOptions& options) {
       ->needs(sites);
 }
 
-void addAssumptions(CLI::App& command, PlanOptions& options) {
+void addAssumptions(CLI::App& command, PlanArguments& options) {
   auto& planOptions = options.planOptions;
   command
       .add_option(
           "--shares",
           options.shares,
-          "Shares of the variance: participant, participant × condition, residual (default: 0.3 "
-          "0.2 0.5)")
+          "Simulated answers: shares of variance by participant, participant × condition, chance "
+          "(default: 0.3 0.2 0.5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
-  command.add_option("--studies", planOptions.studies, "Number of studies to simulate; 0 for none")
+  command
+      .add_option(
+          "--studies", planOptions.studies, "Number of studies to simulate for the power; 0: none")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
   command.add_option("--seed", planOptions.seed, "Seed of the simulation")->capture_default_str();

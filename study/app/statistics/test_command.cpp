@@ -167,7 +167,10 @@ void addTestCommand(CLI::App& stats, Action& action) {
                           const char* role, const char* text) {
     return command.add_option(std::string("--") + role, columns[role], text);
   };
-  column("group", "Column that names the group; columns that are not named are taken in order")
+  column(
+      "group",
+      "Column that names the group (default, as of the next ones: the file's columns in their "
+      "order)")
       ->expected(1);
   column("value", "Column of the numbers (in tests of votes: of the names that were voted for)")
       ->expected(1);
@@ -186,8 +189,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
   command->add_option(
       "--from",
       options.settings.from,
-      "For the test answer_probability: an answer; the test gives the probability of it or a "
-      "higher one");
+      "For the test answer_probability: lowest answer of interest; gives the probability of this "
+      "answer or a higher one");
   command->add_option("--level", options.settings.level, "Level of the confidence interval")
       ->check(finiteRange(0.0001, 0.9999))
       ->capture_default_str();

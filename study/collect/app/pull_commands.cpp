@@ -127,7 +127,7 @@ void addReasonForReading(CLI::App& command, PullArguments& given) {
       .add_option(
           "--reason",
           given.reason,
-          "Reason for reading data that can name conditions; the server keeps it")
+          "Reason for reading data that reveal the conditions (unblinding); the server records it")
       ->required();
 }
 
@@ -147,7 +147,7 @@ void addPullCommands(CLI::App& program, Action& action) {
   out->add_option(
          "--reason",
          pulling.reason,
-         "Reason for making a copy that can name conditions; kept in the copy's audit trail and on "
+         "Reason for a copy that reveals the conditions (unblinds); kept in its audit trail and on "
          "the server")
       ->required();
 
