@@ -127,7 +127,7 @@ void timeSwarms(
 /// Fits one density per layer, by bounded least squares and by the swarm.
 void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& run) {
   const auto few =
-      reaming::layered(problem.matrix, reaming::layersOf(problem.matrix, layers), layers);
+      reaming::summedByLayer(problem.matrix, reaming::layersOf(problem.matrix, layers), layers);
   const std::vector<double> prior(layers, problem.uniform.front());
   const auto parameter = static_cast<double>(layers);
   timeFit("layers", kBounded, parameter, run, [&] {

@@ -33,7 +33,7 @@ const StabilityKernels* fusedKernels() noexcept {
 
 namespace {
 
-std::vector<const StabilityKernels*> bothWays() {
+std::vector<const StabilityKernels*> availableKernels() {
   std::vector<const StabilityKernels*> kernels{&plainKernels()};
   if (const auto* fused = fusedKernels()) kernels.push_back(fused);
   return kernels;
@@ -59,8 +59,8 @@ struct ChainErrors {
 std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
   std::mt19937_64 random(static_cast<std::uint64_t>(elements) * 101 + decades);
   std::uniform_real_distribution<double> exponent(-decades, decades);
-  const auto ways = bothWays();
-  std::vector<ChainErrors> worst(ways.size());
+  const auto kernels = availableKernels();
+  std::vector<ChainErrors> worst(kernels.size());
   for (int chain = 0; chain < chains; ++chain) {
     std::vector<float> k32(static_cast<std::size_t>(elements));
     for (auto& k : k32) k = static_cast<float>(std::pow(10.0, exponent(random)));
@@ -69,15 +69,15 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
     // Keep the tool at least half an element from the ends, as StringReference requires.
     const double tool = std::clamp(element + 0.625, 0.5, elements - 0.5);
     const StringReference reference(k, tool);
-    for (std::size_t way = 0; way < ways.size(); ++way) {
-      worst[way].inDouble = std::max(
-          worst[way].inDouble,
-          relativeError(ways[way]->chainStiffness(k.data(), elements, tool), reference.stiffness));
-      worst[way].inFloat = std::max(
-          worst[way].inFloat,
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+      worst[i].inDouble = std::max(
+          worst[i].inDouble,
+          relativeError(kernels[i]->chainStiffness(k.data(), elements, tool), reference.stiffness));
+      worst[i].inFloat = std::max(
+          worst[i].inFloat,
           relativeError(
               static_cast<double>(
-                  ways[way]->chainStiffnessFloat(k32.data(), elements, static_cast<float>(tool))),
+                  kernels[i]->chainStiffnessFloat(k32.data(), elements, static_cast<float>(tool))),
               reference.stiffness));
     }
   }
@@ -87,18 +87,22 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
 void sweepEnds(SweepChecks& checks) {
   // One element of stiffness 0 or infinity: the force must be 0, or that of the other side.
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  for (const auto* way : bothWays()) {
+  for (const auto* kernels : availableKernels()) {
     int wrong = 0;
     for (const double extreme : {0.0, 1e-308, 1e308, kInfinite}) {
       for (int where = 0; where < 5; ++where) {
         std::vector<double> k(5, 1.0);
         k[static_cast<std::size_t>(where)] = extreme;
-        const double stiffness = way->chainStiffness(k.data(), 5, 2.625);
+        const double stiffness = kernels->chainStiffness(k.data(), 5, 2.625);
         wrong += std::isnan(stiffness) || stiffness < 0.0 ? 1 : 0;
       }
     }
     checks.add(
-        "k → 0 and ∞: stiffnesses that are none", 0.0, static_cast<double>(wrong), 0.0, way->name);
+        "k → 0 and ∞: stiffnesses that are none",
+        0.0,
+        static_cast<double>(wrong),
+        0.0,
+        kernels->name);
   }
 }
 
@@ -108,27 +112,27 @@ void sweepFiniteElements(double effort, StabilityResult& result) {
   SweepChecks checks(result, "finite elements");
   constexpr double kDoubleBound = 4e-15;  // 18 units in the last place
   constexpr double kFloatBound = 1e-6;    // 8 units in the last place
-  const auto ways = bothWays();
+  const auto kernels = availableKernels();
   for (const int elements : {1, 2, 5, 15, 100, 1000, 12'445}) {
     const int chains = share(effort, elements > 1000 ? 1 : elements > 100 ? 4 : 40);
     for (const int decades : {1, 2, 3, 4, 6, 8, 10, 12}) {
       if (elements > 1000 && decades % 6 != 0) continue;
       const auto worst = worstChains(elements, decades, chains);
-      for (std::size_t way = 0; way < ways.size(); ++way) {
+      for (std::size_t i = 0; i < kernels.size(); ++i) {
         const std::string n = "N = " + std::to_string(elements);
         checks.add(
             n + ": relative error, double",
             static_cast<double>(decades),
-            worst[way].inDouble,
+            worst[i].inDouble,
             kDoubleBound,
-            ways[way]->name,
+            kernels[i]->name,
             elements);
         checks.add(
             n + ": relative error, float",
             static_cast<double>(decades),
-            worst[way].inFloat,
+            worst[i].inFloat,
             kFloatBound,
-            ways[way]->name,
+            kernels[i]->name,
             elements);
       }
     }
@@ -147,7 +151,7 @@ struct StateTally {
 /// Runs filters with random noise and steps over 10^±decades, with correlations up to 0.999, in all
 /// four schemes.
 StateTally stressTestAll(
-    const StabilityKernels& way, double decades, bool hasProcess, bool isFloat, int filters) {
+    const StabilityKernels& kernels, double decades, bool hasProcess, bool isFloat, int filters) {
   std::mt19937_64 random(20261121);
   std::uniform_real_distribution<double> exponent(-decades, decades);
   std::uniform_real_distribution<double> correlation(-0.999, 0.999);
@@ -162,7 +166,7 @@ StateTally stressTestAll(
     for (auto& d : travelled) d = magnitude() * (random() % 2 == 0 ? 1.0 : -1.0);
     a.travelled = travelled.data();
     a.steps = static_cast<long>(travelled.size());
-    const auto verdict = isFloat ? way.stressTestFloat(a) : way.stressTest(a);
+    const auto verdict = isFloat ? kernels.stressTestFloat(a) : kernels.stressTest(a);
     if (verdict.isNoiseRefused) continue;
     tally.steps += a.steps;
     tally.negative += verdict.negative;
@@ -172,7 +176,7 @@ StateTally stressTestAll(
 }
 
 /// Drift of the force with a resting hand over @p steps steps, e.g. an hour at 1 kHz [N].
-double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
+double driftAtRest(const StabilityKernels& kernels, int scheme, long steps) {
   FilterStressTest a{
       .q11 = 6.1024,
       .q12 = 0.2772,
@@ -182,9 +186,9 @@ double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
       .scheme = scheme,
       .steps = 1000,
       .isResting = true};
-  const double soon = way.stressTest(a).force;
+  const double soon = kernels.stressTest(a).force;
   a.steps = steps;
-  const double late = way.stressTest(a).force;
+  const double late = kernels.stressTest(a).force;
   return std::isfinite(late) ? std::abs(late - soon) : std::numeric_limits<double>::infinity();
 }
 
@@ -192,30 +196,31 @@ double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
 
 void sweepFilter(double effort, StabilityResult& result) {
   SweepChecks checks(result, "Kalman filter");
-  for (const auto* way : bothWays()) {
+  for (const auto* kernels : availableKernels()) {
     for (const double decades : {1.0, 3.0, 6.0, 9.0, 12.0}) {
       for (const bool hasProcess : {true, false}) {
         const std::string q = hasProcess ? "" : ", Q = 0";
-        const auto inDouble = stressTestAll(*way, decades, hasProcess, false, share(effort, 600));
-        const auto inFloat = stressTestAll(*way, decades, hasProcess, true, share(effort, 600));
+        const auto inDouble =
+            stressTestAll(*kernels, decades, hasProcess, false, share(effort, 600));
+        const auto inFloat = stressTestAll(*kernels, decades, hasProcess, true, share(effort, 600));
         checks.add(
             "negative variances, double" + q,
             decades,
             static_cast<double>(inDouble.negative),
             0.0,
-            way->name);
+            kernels->name);
         checks.add(
             "forces that are no number, double" + q,
             decades,
             static_cast<double>(inDouble.notFinite),
             0.0,
-            way->name);
+            kernels->name);
         checks.add(
             "negative variances, float" + q,
             decades,
             static_cast<double>(inFloat.negative),
             0.0,
-            way->name);
+            kernels->name);
       }
     }
     for (int scheme = 0; scheme < 4; ++scheme) {
@@ -223,9 +228,9 @@ void sweepFilter(double effort, StabilityResult& result) {
       checks.add(
           "Δθ = 0 for an hour: drift of the force [N], variant " + std::to_string(scheme + 1),
           0.0,
-          driftAtRest(*way, scheme, steps),
+          driftAtRest(*kernels, scheme, steps),
           scheme == 0 ? 1.0 : 1e-3,
-          way->name);
+          kernels->name);
     }
     // Invalid noise must be refused: an indefinite Q, R < 0, Q = R = 0, values that are not finite.
     int accepted = 0;
@@ -236,8 +241,8 @@ void sweepFilter(double effort, StabilityResult& result) {
         {.q11 = -1.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = NAN, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
         {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
-    for (const auto& test : unsound) accepted += way->stressTest(test).isNoiseRefused ? 0 : 1;
-    checks.add("noise that is none, accepted", 0.0, accepted, 0.0, way->name);
+    for (const auto& test : unsound) accepted += kernels->stressTest(test).isNoiseRefused ? 0 : 1;
+    checks.add("noise that is none, accepted", 0.0, accepted, 0.0, kernels->name);
     // 1e155 squared overflows: the filter may fail, but must not return a finite, plausible force.
     const double leap = 1e155;
     FilterStressTest far{
@@ -248,17 +253,21 @@ void sweepFilter(double effort, StabilityResult& result) {
         .scheme = 2,
         .travelled = &leap,
         .steps = 1};
-    const auto verdict = way->stressTest(far);
+    const auto verdict = kernels->stressTest(far);
     const bool isSane = verdict.notFinite > 0 || (verdict.force >= 2.0 && verdict.force <= 3.0);
     checks.add(
-        "Δθ = 1e155: a wrong force that looks right", 155.0, isSane ? 0.0 : 1.0, 0.0, way->name);
+        "Δθ = 1e155: a wrong force that looks right",
+        155.0,
+        isSane ? 0.0 : 1.0,
+        0.0,
+        kernels->name);
   }
 }
 
 void sweepSplines(double effort, StabilityResult& result) {
   SweepChecks checks(result, "splines");
   std::mt19937_64 random(5);
-  for (const auto* way : bothWays()) {
+  for (const auto* kernels : availableKernels()) {
     for (const double decades : {0.0, 3.0, 9.0, 15.0, 100.0, 300.0}) {
       std::uniform_real_distribution<double> exponent(-decades, decades);
       int wrong = 0;
@@ -269,7 +278,7 @@ void sweepSplines(double effort, StabilityResult& result) {
         const double b[3]{x, a[1] + std::pow(10.0, exponent(random)), 0.0};
         double force = 0.0;
         const double at = x * std::uniform_real_distribution<double>(0.0, 1.0)(random);
-        if (!way->cubic(a, b, at, force)) continue;  // refused
+        if (!kernels->cubic(a, b, at, force)) continue;  // refused
         const double slack = 1e-12 * std::max(std::abs(a[1]), std::abs(b[1]));
         const bool isBetween = force >= a[1] - slack && force <= b[1] + slack;
         wrong += isBetween ? 0 : 1;
@@ -279,7 +288,7 @@ void sweepSplines(double effort, StabilityResult& result) {
           decades,
           static_cast<double>(wrong),
           0.0,
-          way->name);
+          kernels->name);
     }
     // Two nodes at the same position have no slope between them.
     const double a[3]{1.0, 2.0, 0.0};
@@ -288,9 +297,9 @@ void sweepSplines(double effort, StabilityResult& result) {
     checks.add(
         "coincident nodes, accepted",
         0.0,
-        way->cubic(a, b, 1.0, force) ? 1.0 : 0.0,
+        kernels->cubic(a, b, 1.0, force) ? 1.0 : 0.0,
         0.0,
-        way->name);
+        kernels->name);
   }
   // Monotone slopes for two, three and more nodes, some very close to each other.
   double worst = 0.0;

@@ -76,7 +76,7 @@ FriVerdict FriCommandCheck::judgeWrench(const wire::fri::Vector6& wrench) const 
   return {.end = isWithin ? FriEndReason::None : FriEndReason::WrenchLimit};
 }
 
-void FriAnswerMatcher::sent(std::int64_t now, bool isAnswerable) noexcept {
+void FriAnswerMatcher::noteSent(std::int64_t now, bool isAnswerable) noexcept {
   sent_[next_ % kSentHistory] = {.at = now, .isAnswerable = isAnswerable};
   ++next_;
 }

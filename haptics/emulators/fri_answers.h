@@ -90,7 +90,7 @@ class FriAnswerMatcher {
       : multiplier_(static_cast<std::uint32_t>(receiveMultiplier)) {}
 
   /// Notes that the message with nextSequence() was sent. @p now [ns].
-  void sent(std::int64_t now, bool isAnswerable) noexcept;
+  void noteSent(std::int64_t now, bool isAnswerable) noexcept;
 
   /// Processes an answer. Returns whether it is accepted; latency() is then that of this answer.
   bool take(const wire::fri::Header& header, std::int64_t now) noexcept;

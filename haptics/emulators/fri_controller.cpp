@@ -53,7 +53,7 @@ const FriController::Options& validated(const FriController::Options& options) {
   return options;
 }
 
-FriSession::Options sessionOf(const FriController::Options& options) noexcept {
+FriSession::Options sessionOptionsOf(const FriController::Options& options) noexcept {
   return {
       .dwellTimes = options.dwellTimes,
       .period = options.sendPeriod,
@@ -83,7 +83,7 @@ FriController::FriController(const Options& options)
       faultQueue_(impairment_, options.sendPeriod),
       arm_(options.arm),
       commandCheck_(options.arm.model, options.limits, options.arm.command),
-      session_(sessionOf(options)),
+      session_(sessionOptionsOf(options)),
       answers_(options.receiveMultiplier) {
   publish();
 }
@@ -118,7 +118,7 @@ void FriController::closePeriod() noexcept {
   } else {
     ++missed_;
     answers_.miss();
-    connection_.missed();
+    connection_.noteMissed();
   }
   periodsInReceivePeriod_ = 0;
   isReceivePeriodAnswered_ = false;
@@ -200,19 +200,19 @@ void FriController::sendMessage() noexcept {
       .sendPeriod = static_cast<std::uint32_t>(options_.sendPeriod),
       .receiveMultiplier = static_cast<std::uint32_t>(options_.receiveMultiplier)};
   const auto message = monitoringMessage(standing, session_, arm_);
-  const Version framing = isWrongVersion_ ? otherThan(options_.version) : options_.version;
-  const std::size_t size = wire::fri::encode(message, framing, out_);
-  answers_.sent(options_.clock(), session_.state() != State::Idle);
+  const Version sentVersion = isWrongVersion_ ? otherThan(options_.version) : options_.version;
+  const std::size_t size = wire::fri::encode(message, sentVersion, out_);
+  answers_.noteSent(options_.clock(), session_.state() != State::Idle);
   ++report_.messages;
-  hand(std::span(out_).first(size), framing);
+  passToClient(std::span(out_).first(size), sentVersion);
   if (faultQueue_.take(FriFaultQueue::OneTimeFault::Impostor)) sendImpostor(message);
 }
 
-void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noexcept {
+void FriController::passToClient(std::span<std::uint8_t> datagram, Version sentVersion) noexcept {
   const auto send = [this](std::span<const std::uint8_t> bytes) {
     ++(socket_.send(bytes, options_.client) ? report_.datagrams : report_.unsent);
   };
-  if (corrupt(datagram, framing)) {
+  if (corrupt(datagram, sentVersion)) {
     impairment_.passWithoutFault(datagram, send);
   } else {
     impairment_.pass(datagram, send);
@@ -220,17 +220,17 @@ void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noex
 }
 
 /// Applies at most one of the faults that change the content of a message.
-bool FriController::corrupt(std::span<std::uint8_t> datagram, Version framing) noexcept {
+bool FriController::corrupt(std::span<std::uint8_t> datagram, Version sentVersion) noexcept {
   if (isWrongVersion_) {
     ++report_.wrongVersion;
     return true;
   }
   if (faultQueue_.take(FriFaultQueue::OneTimeFault::SixJoints)) {
-    report_.sixJoints += leaveOutJoint(datagram, framing) ? 1 : 0;
+    report_.sixJoints += leaveOutJoint(datagram, sentVersion) ? 1 : 0;
     return true;
   }
   if (faultQueue_.take(FriFaultQueue::OneTimeFault::NotANumber)) {
-    report_.notANumber += setFirstJointToNaN(datagram, framing) ? 1 : 0;
+    report_.notANumber += setFirstJointToNaN(datagram, sentVersion) ? 1 : 0;
     return true;
   }
   return false;
@@ -254,7 +254,7 @@ bool FriController::receive(std::int64_t deadline) noexcept {
   const auto received = socket_.receive(in_, wait);
   if (!received) return false;
   if (received->from == options_.client) {
-    take(std::span(in_).first(received->size));
+    processDatagram(std::span(in_).first(received->size));
   } else {
     answers_.countUnexpectedSender();
   }
@@ -262,7 +262,7 @@ bool FriController::receive(std::int64_t deadline) noexcept {
   return true;
 }
 
-void FriController::take(std::span<const std::uint8_t> datagram) noexcept {
+void FriController::processDatagram(std::span<const std::uint8_t> datagram) noexcept {
   const std::int64_t now = options_.clock();
   const auto refusal = wire::fri::decode(datagram, options_.version, answer_);
   if (refusal != wire::fri::Refusal::None) {
@@ -273,7 +273,7 @@ void FriController::take(std::span<const std::uint8_t> datagram) noexcept {
   const double period =
       static_cast<double>(kMillisecond * options_.sendPeriod * options_.receiveMultiplier);
   if (!isReceivePeriodAnswered_) {
-    connection_.answered(static_cast<double>(answers_.latency()) / period);
+    connection_.noteAnswered(static_cast<double>(answers_.latency()) / period);
   }
   isReceivePeriodAnswered_ = true;
   periodsSinceAnswered_ = static_cast<int>(answers_.nextSequence() - 1U - answer_.header.reflected);
@@ -284,7 +284,7 @@ void FriController::execute(const wire::fri::CommandMessage& answer) noexcept {
   if (!session_.isCommanding()) return;
   const auto command = answer.data.value_or(wire::fri::CommandData{});
   if (!session_.isActive()) {
-    session_.mirror(commandCheck_.isMirror(command, arm_.heldPosition()));
+    session_.noteAnswer(commandCheck_.isMirror(command, arm_.heldPosition()));
     return;
   }
   const double seconds = std::max(periodsSinceCommand_, 1) * options_.sendPeriod / 1000.0;
@@ -326,10 +326,10 @@ std::string FriController::status() const {
 }
 
 FriController::Reply FriController::command(std::string_view line) {
-  if (line == "status") return {.isTaken = true, .text = status()};
+  if (line == "status") return {.isAccepted = true, .text = status()};
   auto problem = faultQueue_.executeLine(line);
-  if (problem) return {.isTaken = false, .text = *std::move(problem)};
-  return {.isTaken = true};
+  if (problem) return {.isAccepted = false, .text = *std::move(problem)};
+  return {.isAccepted = true};
 }
 
 void FriController::run(const std::stop_token& stop) noexcept {

@@ -87,8 +87,8 @@ class FriController {
   /// | restart           | restarts the controller, with counters from 0                |
   /// | status            | none; the reply is status()                                  |
   struct Reply {
-    bool isTaken = false;  ///< the command was accepted
-    std::string text;      ///< the status, or the reason why the command was not accepted
+    bool isAccepted = false;  ///< the command was accepted
+    std::string text;         ///< the status, or the reason why the command was not accepted
   };
   Reply command(std::string_view line);
 
@@ -113,10 +113,10 @@ class FriController {
   void sendMessage() noexcept;
   void sendImpostor(const wire::fri::MonitoringMessage& message) noexcept;
   /// Passes a datagram to the client, with the faults that are due.
-  void hand(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
-  bool corrupt(std::span<std::uint8_t> datagram, wire::fri::Version framing) noexcept;
+  void passToClient(std::span<std::uint8_t> datagram, wire::fri::Version sentVersion) noexcept;
+  bool corrupt(std::span<std::uint8_t> datagram, wire::fri::Version sentVersion) noexcept;
   void readImpostor() noexcept;
-  void take(std::span<const std::uint8_t> datagram) noexcept;
+  void processDatagram(std::span<const std::uint8_t> datagram) noexcept;
   void execute(const wire::fri::CommandMessage& answer) noexcept;
   void stopMotion(FriEndReason end, int joint = 0) noexcept;
   void brake() noexcept;

@@ -20,11 +20,11 @@ void ConnectionQuality::add(double latency) noexcept {
   next_ = (next_ + 1) % kWindow;
 }
 
-void ConnectionQuality::answered(double latency) noexcept {
+void ConnectionQuality::noteAnswered(double latency) noexcept {
   add(std::max(latency, 0.0));
 }
 
-void ConnectionQuality::missed() noexcept {
+void ConnectionQuality::noteMissed() noexcept {
   add(kUnanswered);
 }
 

@@ -55,9 +55,9 @@ class ConnectionQuality {
   static Level levelOf(const Measures& measures) noexcept;
 
   /// Adds an answer that arrived in time, @p latency [receive periods] after its message.
-  void answered(double latency) noexcept;
+  void noteAnswered(double latency) noexcept;
   /// Adds an answer that was due, but did not arrive in time.
-  void missed() noexcept;
+  void noteMissed() noexcept;
   /// Returns to the initial state.
   void forget() noexcept { *this = ConnectionQuality(); }
 
@@ -150,13 +150,13 @@ class FriSession {
 
   /// Counts consecutive answers in CommandingWait that command the measured joint positions; any
   /// other answer resets the count.
-  void mirror(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
+  void noteAnswer(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
 
   /// Ends the motion with reason @p end if the state is a commanding one; otherwise returns false.
   bool end(FriEndReason end) noexcept;
   void toIdle() noexcept;   ///< ends the session; the state stays Idle
   void restart() noexcept;  ///< begins a new session from Idle
-  /// The program queues its motion (again), also after toIdle().
+  /// The robot's program queues its motion (again), also after toIdle().
   void queue() noexcept {
     isQueued_ = true;
     isClosed_ = false;

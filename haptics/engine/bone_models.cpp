@@ -162,7 +162,7 @@ models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
   return {forceOf(contact), 0.0, true};
 }
 
-RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& reamer)
+RemovalModel::RemovalModel(const PackingSpec& spec, bool isVisualised, const Reamer& reamer)
     : bone_(
           spec.bone->packing,
           spec.bone->densities(spec.hardness, spec.forceScale),
@@ -171,7 +171,7 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& r
       stiffness_(spec.options.coupling),
       isForwards_(reamer.speed > 0.0),
       torqueSign_(spec.options.friction > 0.0 ? reamer.torqueSign() : 0),
-      view_(isSeen ? std::make_unique<BoneView>() : nullptr) {}
+      view_(isVisualised ? std::make_unique<BoneView>() : nullptr) {}
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   bone_.setSpinning(isForwards_ && tool.isReamerOn);

@@ -209,9 +209,10 @@ class PackingModel final : public ForceModel {
 class RemovalModel final : public ForceModel {
  public:
   /// @param spec  valid, see problemsOf().
-  /// @param isSeen  whether the bone is drawn; otherwise view() is nullptr.
+  /// @param isVisualised  whether the bone is drawn; otherwise view() is nullptr.
   /// @param reamer  valid, see problemsOf().
-  explicit RemovalModel(const PackingSpec& spec, bool isSeen = false, const Reamer& reamer = {});
+  explicit RemovalModel(
+      const PackingSpec& spec, bool isVisualised = false, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override {

@@ -68,7 +68,7 @@ std::string describeFeed(const Reamer& reamer) {
 
 /// Visitor of ModelSpec: builds the force model and lists its passes.
 struct Builder {
-  bool isSeen = false;
+  bool isVisualised = false;
   Reamer reamer;
   std::unique_ptr<ForceModel> model;
   BoneView* bone = nullptr;
@@ -181,7 +181,7 @@ struct Builder {
     const std::string spheres =
         "this is the force: " + std::to_string(spec.bone->packing.spheres.size()) + " spheres";
     if (spec.isRemoved) {
-      auto removal = std::make_unique<RemovalModel>(spec, isSeen, reamer);
+      auto removal = std::make_unique<RemovalModel>(spec, isVisualised, reamer);
       bone = removal->view();
       use(kPacking, spheres, removal->bytes());
       use(kRemoval,
@@ -237,7 +237,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   for (const auto& problem : problemsOf(spec)) wrong += (wrong.empty() ? "" : "; ") + problem;
   if (!wrong.empty()) throw std::invalid_argument(wrong);
 
-  Builder builder{.isSeen = spec.isVisualised, .reamer = spec.reamer};
+  Builder builder{.isVisualised = spec.isVisualised, .reamer = spec.reamer};
   std::visit(builder, spec.model);
   const bool isMeniscus = infoOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {

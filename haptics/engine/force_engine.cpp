@@ -18,7 +18,7 @@ const SafetyLimits& checked(const SafetyLimits& limits) {
 /// The controller adds at most four times the mechanism's damping.
 EnergyObserver::Settings energySettings(
     const devices::Capabilities& device, const SafetyLimits& limits) {
-  const double range = device.mostTravel - device.leastTravel;
+  const double range = device.largestTravel - device.leastTravel;
   return {
       .deviceDamping = device.damping,
       .tolerance = 1e-4 * limits.maxForce * range,

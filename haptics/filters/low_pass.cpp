@@ -10,7 +10,7 @@
 namespace haptics::filters {
 namespace {
 
-void requireSound(const KaiserLowPass::Design& design) {
+void requireValid(const KaiserLowPass::Design& design) {
   if (design.taps % 2 == 0 || design.taps < 3 || design.taps > 9999) {
     throw std::invalid_argument("a zero-phase filter has an odd number of taps, 3 to 9999");
   }
@@ -35,7 +35,7 @@ double tap(const KaiserLowPass::Design& design, int j) {
 }  // namespace
 
 KaiserLowPass::KaiserLowPass(const Design& design) {
-  requireSound(design);
+  requireValid(design);
   const int reach = design.taps / 2;
   for (int j = -reach; j <= reach; ++j) taps_.push_back(tap(design, j));
   const double gain = std::accumulate(taps_.begin(), taps_.end(), 0.0);

@@ -2,8 +2,9 @@
 
 namespace haptics::firmware {
 
-/// A simulated handle and hand, for a board without hardware: a mass between a hand that repeatedly
-/// closes and opens (a spring to a point on a minimum-jerk path) and the force of the motor.
+/// A simulated handle and hand, for a board without hardware: a mass between the force of the motor
+/// and a hand that repeatedly closes and opens. The hand is a spring to a point on a minimum-jerk
+/// path.
 /// Parameters are those of the simulated punch (devices::punchKind()); single precision, no
 /// library.
 class BenchHandle {

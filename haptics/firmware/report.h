@@ -34,7 +34,7 @@ class Report {
   void run() {
     floats<5>("float-5", "instructions-float-5");
     floats<15>("float-15", "instructions-float-15");
-    fixed();
+    fixedPoint();
     cost<InterpolationPunch<5>>("instructions-interpolation-5");
     cost<InterpolationPunch<10>>("instructions-interpolation-10");
     cost<InterpolationPunch<15>>("instructions-interpolation-15");
@@ -76,7 +76,7 @@ class Report {
     say_(name, 0, most);
   }
 
-  void fixed() {
+  void fixedPoint() {
     FixedPunch punch;
     uint32_t most = 0;
     for (int i = 0; i < kSteps; ++i) {

@@ -37,12 +37,12 @@ struct FactoredVariances {
 template <typename Scalar>
 class FactoredCovariance {
  public:
-  using Noise = FactoredVariances<Scalar>;
+  using Variances = FactoredVariances<Scalar>;
 
-  constexpr void set(const Noise& p) noexcept { p_ = p; }
+  constexpr void set(const Variances& p) noexcept { p_ = p; }
 
   /// P ← A P Aᵀ + Q with A = [1 Δθ; 0 1]: eq. (15).
-  constexpr void predict(Scalar travelled, const Noise& q) noexcept {
+  constexpr void predict(Scalar travelled, const Variances& q) noexcept {
     // Columns (uᵢ, vᵢ): (1 + Δ slope, slope), (Δ, 1), (1, slope of Q), (0, 1). In the sum over
     // pairs those with the last column add up to q.rest · P'₁₁.
     const Scalar u = Scalar{1} + travelled * p_.slope;
@@ -80,10 +80,10 @@ class FactoredCovariance {
     return gain;
   }
 
-  constexpr const Noise& variances() const noexcept { return p_; }
+  constexpr const Variances& variances() const noexcept { return p_; }
 
  private:
-  Noise p_;
+  Variances p_;
 };
 
 /// The textbook form with all four entries, for Q as printed in eq. (22), which is not symmetric.
@@ -91,7 +91,7 @@ class FactoredCovariance {
 template <typename Scalar>
 class TextbookCovariance {
  public:
-  struct Noise {
+  struct Variances {
     Scalar force{};
     Scalar upper{};  ///< right of the diagonal
     Scalar lower{};
@@ -99,9 +99,9 @@ class TextbookCovariance {
   };
   using Gain = typename FactoredCovariance<Scalar>::Gain;
 
-  constexpr void set(const Noise& p) noexcept { p_ = p; }
+  constexpr void set(const Variances& p) noexcept { p_ = p; }
 
-  constexpr void predict(Scalar travelled, const Noise& q) noexcept {
+  constexpr void predict(Scalar travelled, const Variances& q) noexcept {
     p_.force += travelled * (p_.upper + p_.lower + travelled * p_.stiffness) + q.force;
     p_.upper += travelled * p_.stiffness + q.upper;
     p_.lower += travelled * p_.stiffness + q.lower;
@@ -119,10 +119,10 @@ class TextbookCovariance {
     return gain;
   }
 
-  constexpr const Noise& variances() const noexcept { return p_; }
+  constexpr const Variances& variances() const noexcept { return p_; }
 
  private:
-  Noise p_;
+  Variances p_;
 };
 
 }  // namespace haptics::models

@@ -103,9 +103,11 @@ class CutDetector {
            p.leastLoadAfterYield < Scalar(1) && !isNegativeOrNotFinite(p.advance);
   }
 
-  /// Processes one tick's travel [travel units] and force [N], and returns what it confirmed.
-  /// @param isSettling  the force is in a soft start or fades: before a contact its rise is not a
-  ///                    load, and the search for a contact restarts with the next tick.
+  /// Processes one tick's travel [travel units] and force [N], and returns the event that this tick
+  /// confirms.
+  /// @param isSettling  whether the force is being faded in or out. Until a contact is found, a
+  /// rise
+  ///                    of such a force is ignored, and the search begins anew at the next tick.
   Event feed(Scalar travel, Scalar force, bool isSettling = false) noexcept {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
     const Landmark sample{travel, force, true};

@@ -138,7 +138,7 @@ class FiniteElements {
     if (p_.weights == ToolInterpolation::ExactKink) {
       const int before = nodesBefore(p_.toolPosition);
       const auto beside = flexibilitiesOnBothSides(p_.toolPosition);
-      writeLeft(shape, before, shareOf(beside.right, beside.left));
+      writeShapeLeftOf(shape, before, shareOf(beside.right, beside.left));
       writeRight(shape, before + 1, shareOf(beside.left, beside.right));
       return;
     }
@@ -147,7 +147,8 @@ class FiniteElements {
     const Scalar between = springFlexibilityAfter(tool_.left);
     const Scalar wl = tool_.weightLeft;
     const Scalar wr = tool_.weightRight;
-    writeLeft(shape, tool_.left, wl * shareOf(between + r, s) + wr * shareOf(r, s + between));
+    writeShapeLeftOf(
+        shape, tool_.left, wl * shareOf(between + r, s) + wr * shareOf(r, s + between));
     writeRight(shape, tool_.left + 1, wl * shareOf(s, between + r) + wr * shareOf(s + between, r));
   }
 
@@ -275,7 +276,7 @@ class FiniteElements {
   }
 
   /// Writes midpoints 1 … last: the flexibility from the left end to each, times @p slope.
-  constexpr void writeLeft(Scalar* shape, int last, Scalar slope) const noexcept {
+  constexpr void writeShapeLeftOf(Scalar* shape, int last, Scalar slope) const noexcept {
     CompensatedSum<Scalar> sum;
     for (int node = 1; node <= last; ++node) {
       sum.add(springFlexibilityAfter(node - 1));

@@ -46,7 +46,7 @@ enum class KalmanScheme {
 template <typename Scalar, template <typename> typename Covariance = FactoredCovariance>
 class KalmanFilter {
  public:
-  using Variances = typename Covariance<Scalar>::Noise;
+  using Variances = typename Covariance<Scalar>::Variances;
 
   struct Noise {
     Variances process;        ///< Q of eq. (22)

@@ -76,7 +76,7 @@ std::array<Piece, 5> piecesOf(const CutShape& shape) {
   return pieces;
 }
 
-void requireSound(const CutShape& shape) {
+void requireValid(const CutShape& shape) {
   const auto points = landmarksOf(shape);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool isNumber = std::isfinite(points[i].travel) && std::isfinite(points[i].force);
@@ -120,7 +120,7 @@ ForceCurve drawn(const CutShape& shape) {
 }  // namespace
 
 Cut parametricCut(const CutShape& shape) {
-  requireSound(shape);
+  requireValid(shape);
   SlopeLimited gentle = limitSlope(drawn(shape), shape.maxSlope);
   Provenance provenance{.statement = "parametric; not a recording", .slopeLimit = shape.maxSlope};
   if (gentle.largestChange > 0.0) {

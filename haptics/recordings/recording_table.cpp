@@ -45,7 +45,7 @@ class TableReader {
     recording_.readingUnit = columns.readingUnit;
     recording_.calibration = columns.readingUnit == "N" ? newtons() : columns.calibration;
     if (columns.saturatesAt) recording_.saturation = readingOf(*columns.saturatesAt);
-    requireSound();
+    requireValid();
     findColumns(lines);
   }
 
@@ -56,7 +56,7 @@ class TableReader {
   }
 
  private:
-  void requireSound() const {
+  void requireValid() const {
     if (columns_.open == columns_.closed) {
       throw base::UserError(
           "The travel is the same where the tool is open and where it is closed.");

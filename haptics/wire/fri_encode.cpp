@@ -39,7 +39,7 @@ class Writer {
 
   void put(std::uint32_t number, double value) noexcept {
     tag(number, Fixed64);
-    fixed(value);
+    putFixed(value);
   }
 
   void put(std::uint32_t number, Choice auto value) noexcept {
@@ -64,12 +64,12 @@ class Writer {
   }
 
   void put(std::uint32_t number, const Vector6& vector) noexcept {
-    nest(number, [&] { packed(1, vector); });
+    nest(number, [&] { putPacked(1, vector); });
   }
 
   void put(std::uint32_t number, const BoundedArray<double, 12>& elements) noexcept {
     if (elements.count > mostElements(version_)) return fail();
-    if (elements.count > 0) packed(number, {elements.begin(), elements.count});
+    if (elements.count > 0) putPacked(number, {elements.begin(), elements.count});
   }
 
   template <typename T, std::size_t N>
@@ -83,10 +83,10 @@ class Writer {
     nest(number, [&] { visit(message, *this); });
   }
 
-  void packed(std::uint32_t number, std::span<const double> values) noexcept {
+  void putPacked(std::uint32_t number, std::span<const double> values) noexcept {
     tag(number, Delimited);
     varint(8 * values.size());
-    for (const double value : values) fixed(value);
+    for (const double value : values) putFixed(value);
   }
 
   /// Writes the content of a nested message after one byte for its length, and moves it if the
@@ -116,7 +116,7 @@ class Writer {
     byte(static_cast<std::uint8_t>(value));
   }
 
-  void fixed(double value) noexcept {
+  void putFixed(double value) noexcept {
     if (!std::isfinite(value)) return fail();
     const auto bits = std::bit_cast<std::uint64_t>(value);
     for (unsigned shift = 0; shift < 64; shift += 8) byte(static_cast<std::uint8_t>(bits >> shift));

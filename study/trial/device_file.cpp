@@ -164,7 +164,7 @@ IiwaSettings readIiwa(const Node& node) {
     settings.zero.emplace();
     for (std::size_t i = 0; i < 7; ++i) (*settings.zero)[i] = kDegree * (*zero)[i];
   }
-  settings.mostTravel = node.number("most_travel_m", 0.001, 1.0, settings.mostTravel);
+  settings.largestTravel = node.number("most_travel_m", 0.001, 1.0, settings.largestTravel);
   settings.maxForce = node.number("max_force_n", 0.1, 1000.0, settings.maxForce);
   settings.maxTorque = node.number("max_torque_nm", 0.0, 100.0, settings.maxTorque);
   settings.damping = node.number("damping_n_s_per_m", 0.0, 10'000.0, settings.damping);
@@ -310,7 +310,7 @@ struct AsJson {
     if (s.zero) {
       for (const double joint : *s.zero) json["zero_joints_deg"].push_back(inDegrees(joint));
     }
-    json["most_travel_m"] = s.mostTravel;
+    json["most_travel_m"] = s.largestTravel;
     json["max_force_n"] = s.maxForce;
     json["max_torque_nm"] = s.maxTorque;
     json["damping_n_s_per_m"] = s.damping;

@@ -122,8 +122,9 @@ using StandardFilter = TextbookFilter<Scalar, Correction::Standard>;
 template <typename Scalar>
 using JosephFilter = TextbookFilter<Scalar, Correction::Joseph>;
 
-/// The filter with Eigen's matrices, of fixed and of dynamic size: @p steps steps of @p travelled
-/// that fuse 3 N and 2 N. Returns the last force [N].
+/// Runs a Kalman filter with Eigen's matrices, of fixed or of dynamic size, for @p steps steps of
+/// length @p travelled [travel units], each with the measured forces 3 N and 2 N. Returns the last
+/// force [N].
 double eigenFixed(const KalmanNoiseValues& numbers, int steps, double travelled);
 double eigenDynamic(const KalmanNoiseValues& numbers, int steps, double travelled);
 

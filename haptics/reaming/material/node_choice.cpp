@@ -264,8 +264,9 @@ SplineComparison compareSplines(
     const auto published = sampleAt(curve, first.error.publishedAt);
     const auto floored = sampleAt(curve, first.error.flooredAt);
     const double v = std::abs(curve.y[published]);
-    if (v > 0.0) compared.publishedAtWorst = deviationAt(curve, compared.spline, published) / v;
-    compared.flooredAtWorst =
+    if (v > 0.0)
+      compared.publishedErrorAtWorst = deviationAt(curve, compared.spline, published) / v;
+    compared.flooredErrorAtWorst =
         deviationAt(curve, compared.spline, floored) / std::max(std::abs(curve.y[floored]), floor);
     comparison.splines.push_back(std::move(compared));
   }

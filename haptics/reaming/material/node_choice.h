@@ -119,8 +119,8 @@ struct ComparedSpline {
   ApproximationError error;
   /// Relative errors where the first spline of the comparison is worst (the paper's "at the same
   /// reamer displacement"): as published, and with the floor.
-  double publishedAtWorst = 0.0;
-  double flooredAtWorst = 0.0;
+  double publishedErrorAtWorst = 0.0;
+  double flooredErrorAtWorst = 0.0;
 };
 
 /// Splines through the same nodes of a curve.

@@ -118,7 +118,7 @@ std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t lay
   return layerOf;
 }
 
-ContactMatrix layered(
+ContactMatrix summedByLayer(
     const ContactMatrix& matrix, std::span<const std::uint32_t> layerOf, std::size_t layers) {
   std::vector<std::vector<double>> sums(layers, std::vector<double>(matrix.rows, 0.0));
   for (std::size_t column = 0; column < matrix.columns(); ++column) {

@@ -246,7 +246,7 @@ BoneFit fitInLayers(
   BoneFit fit;
   // The curve determines a dozen unknowns well. They are the prior of the spheres, of which there
   // are far more than depths.
-  const auto few = layered(matrix, layerOf, layers);
+  const auto few = summedByLayer(matrix, layerOf, layers);
   fit.layers = fitNonNegative(few, wanted, std::vector<double>(layers, uniform), 1e-9);
   fit.spheres = fitNonNegative(matrix, wanted, spread(few, layerOf, fit.layers.densities));
   fit.densities = fit.spheres.densities;
@@ -284,7 +284,7 @@ BoneFit fitBone(
   const auto layerOf = layersOf(matrix, layers);
   auto fit =
       fitInLayers(joint.matrix, joint.wanted, uniformDensity(matrix, forces), layerOf, layers);
-  const auto few = layered(matrix, layerOf, layers);
+  const auto few = summedByLayer(matrix, layerOf, layers);
   fit.layers.error = errorOf(few, fit.layers.densities, forces);
   fit.spheres.error = errorOf(matrix, fit.densities, forces);
   return fit;
@@ -320,7 +320,7 @@ BoneFit fitBoneBySwarm(
   fit.touchedShare = touchedShare(matrix);
   if (layers > 0) {
     const auto layerOf = layersOf(matrix, layers);
-    const auto few = layered(matrix, layerOf, layers);
+    const auto few = summedByLayer(matrix, layerOf, layers);
     fit.layers = fitSwarm(few, forces, options);
     fit.spheres = fit.layers;
     fit.spheres.densities = spread(few, layerOf, fit.layers.densities);

@@ -52,7 +52,7 @@ ContactMatrix stacked(const ContactMatrix& upper, const ContactMatrix& lower, do
 std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t layers);
 
 /// The matrix with one column per layer: the sum of the layer's columns.
-ContactMatrix layered(
+ContactMatrix summedByLayer(
     const ContactMatrix& matrix, std::span<const std::uint32_t> layerOf, std::size_t layers);
 
 /// Densities with which a bone has the wanted forces, and the quality of the fit.

@@ -223,7 +223,7 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
     if (depth <= 0.0 || (!result.depth.empty() && depth <= result.depth.back())) continue;
     result.depth.push_back(depth);
     result.force.push_back(-fittedForce.force.z);
-    if (-fittedForce.force.z < options.mostForce) continue;
+    if (-fittedForce.force.z < options.largestForce) continue;
     result.stop = "the largest force";
     break;
   }

@@ -101,10 +101,10 @@ FrictionFit fitFriction(
 /// Parameters of a simulated testing machine, which advances the reamer at a constant feed and
 /// stops at a force or a depth (reaming paper, "Experimental setup").
 struct ExperimentOptions {
-  double feed = 0.03e-3;    ///< [m/s]
-  double step = 4e-6;       ///< advance between two samples [m]
-  double mostDepth = 0.02;  ///< [m]
-  double mostForce = 800;   ///< [N]; dynamic tests have no such limit
+  double feed = 0.03e-3;      ///< [m/s]
+  double step = 4e-6;         ///< advance between two samples [m]
+  double mostDepth = 0.02;    ///< [m]
+  double largestForce = 800;  ///< [N]; dynamic tests have no such limit
   double mostFeed = std::numeric_limits<double>::infinity();  ///< largest feed that the reamer's
                                                               ///< teeth allow [m/s]
   double cuttingDamping = BoneOptions().cuttingDamping;       ///< [N·s/m]

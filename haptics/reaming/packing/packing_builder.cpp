@@ -62,7 +62,7 @@ class NearestFour {
     all_[at] = obstacle;
   }
   double clearance() const noexcept { return count_ > 0 ? all_[0].distance : kFar; }
-  double farthest() const noexcept { return count_ == 4 ? all_[3].distance : kFar; }
+  double farthestDistance() const noexcept { return count_ == 4 ? all_[3].distance : kFar; }
   bool hasFour() const noexcept { return count_ == 4; }
   const std::array<Obstacle, 4>& all() const noexcept { return all_; }
 
@@ -227,7 +227,7 @@ class Builder {
       const Vec3 away = sphere.centre() - place;
       const double square = dot(away, away);
       // Compare with the fourth nearest by squared distances, before taking the root.
-      const double limit = nearest.farthest() + sphere.radius;
+      const double limit = nearest.farthestDistance() + sphere.radius;
       if (limit <= 0.0 || square >= limit * limit) continue;
       nearest.add({std::sqrt(square) - sphere.radius, sphere.centre(), sphere.radius, false});
     }

@@ -55,7 +55,7 @@ int list(const DeviceArguments& arguments) {
         can.name,
         can.maxForce,
         can.leastTravel,
-        can.mostTravel,
+        can.largestTravel,
         can.kind->travel.unit,
         can.isSimulated ? ", simulated" : "");
   }

@@ -145,7 +145,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   printLine("ready client=" + arguments.client + " local=" + controller.local().text());
   executeInput(arguments, emulators::FriFaultQueue::help(), [&](const std::string& line) {
     const auto reply = controller.command(line);
-    if (!reply.isTaken) return "error " + reply.text;
+    if (!reply.isAccepted) return "error " + reply.text;
     return reply.text.empty() ? "ok " + line : reply.text;
   });
   return 0;

@@ -147,7 +147,7 @@ DataTable feedTable(
           h,
           {.feed = feed,
            .mostDepth = kMostDepth,
-           .mostForce = 1e6,
+           .largestForce = 1e6,
            .mostFeed = reamer.mostFeed(),
            .cuttingDamping = reamer.cuttingDampingOf(reaming::BoneOptions().cuttingDamping)});
       table.rows.push_back(

@@ -347,10 +347,10 @@ report::DocumentPart splineComparisonPart(
         isForce ? "N" : "N·m",
         percent(spline.error.floored),
         kMillimetres * spline.error.flooredAt,
-        there(spline.flooredAtWorst, first.error.flooredAt),
+        there(spline.flooredErrorAtWorst, first.error.flooredAt),
         percent(spline.error.published),
         kMillimetres * spline.error.publishedAt,
-        there(spline.publishedAtWorst, first.error.publishedAt),
+        there(spline.publishedErrorAtWorst, first.error.publishedAt),
         spline.error.largest,
         isForce ? "N" : "N·m"));
   }

@@ -121,7 +121,7 @@ std::optional<recordings::ImportedCut> cutFrom(
   }
 }
 
-void printChoice(const ImportCommand& command, const recordings::ImportReport& report) {
+void printChosenCut(const ImportCommand& command, const recordings::ImportReport& report) {
   fmt::print("\n  {}\n", describe(report.reason));
   for (const auto& change : report.changes) fmt::print("  {}\n", describe(change));
   if (report.isAltered()) {
@@ -169,7 +169,7 @@ int import(ImportCommand& command) {
   }
   printSurvey(recording, survey, calibration.name, filter);
   if (imported) {
-    printChoice(command, imported->report);
+    printChosenCut(command, imported->report);
   } else {
     fmt::print("\n  {}\n", whyNot);
   }

@@ -34,7 +34,7 @@ DeviceSample after(SimulatedDevice& device, int ticks) {
 
 TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
   auto capabilities = simulated(punchKind());
-  capabilities.mostTravel = 1e6;
+  capabilities.largestTravel = 1e6;
   SteadyHand hand(2.0);
   SimulatedDevice device(capabilities, {.damping = 0.1}, hand);
   EXPECT_NEAR(after(device, 2000).velocity, 2.0 / 0.1, 1e-6);

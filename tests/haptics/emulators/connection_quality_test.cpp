@@ -45,11 +45,11 @@ INSTANTIATE_TEST_SUITE_P(
         Row{{1.00, 0.0, kNan}, Level::Poor}));
 
 void answer(ConnectionQuality& quality, int times, double latency = 0.1) {
-  for (int i = 0; i < times; ++i) quality.answered(latency);
+  for (int i = 0; i < times; ++i) quality.noteAnswered(latency);
 }
 
 void miss(ConnectionQuality& quality, int times) {
-  for (int i = 0; i < times; ++i) quality.missed();
+  for (int i = 0; i < times; ++i) quality.noteMissed();
 }
 
 TEST(ConnectionQuality, StartsPoorUntilAnswersArrive) {
@@ -91,8 +91,8 @@ TEST(ConnectionQuality, RecoversLongAfterMissedAnswers) {
 TEST(ConnectionQuality, MeasuresLatencyAndJitter) {
   ConnectionQuality quality;
   for (int i = 0; i < 50; ++i) {
-    quality.answered(0.2);
-    quality.answered(0.4);
+    quality.noteAnswered(0.2);
+    quality.noteAnswered(0.4);
   }
   EXPECT_NEAR(quality.measures().share, 1.0, 1e-12);
   EXPECT_NEAR(quality.measures().latency, 0.3, 1e-12);

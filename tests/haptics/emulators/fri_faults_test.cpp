@@ -277,15 +277,15 @@ TEST_F(FriFaults, InvalidCommandsAreExplained) {
         "drop 99999999999999999999",
         "DROP 1"}) {
     const auto reply = session_.controller->command(line);
-    EXPECT_FALSE(reply.isTaken) << line;
+    EXPECT_FALSE(reply.isAccepted) << line;
     EXPECT_FALSE(reply.text.empty()) << line;
   }
-  EXPECT_TRUE(session_.controller->command("  drop\t1 ").isTaken);
+  EXPECT_TRUE(session_.controller->command("  drop\t1 ").isAccepted);
 }
 
 TEST_F(FriFaults, StatusReportsEverythingInOneLine) {
   const auto reply = session_.controller->command("status");
-  EXPECT_TRUE(reply.isTaken);
+  EXPECT_TRUE(reply.isAccepted);
   for (const std::string_view part :
        {"state=commanding-active ",
         "quality=excellent ",

@@ -87,7 +87,7 @@ class SteppedSession {
   FriReport report() const { return controller->report(); }
   void order(std::string_view line) {
     const auto reply = controller->command(line);
-    EXPECT_TRUE(reply.isTaken) << reply.text;
+    EXPECT_TRUE(reply.isAccepted) << reply.text;
   }
 
   AnsweringClient client;

@@ -137,7 +137,7 @@ class HostileDevice final : public devices::Device {
 
   const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }
   DeviceSample read(double dt) noexcept override {
-    const double most = capabilities_.mostTravel;
+    const double most = capabilities_.largestTravel;
     // Slowly in and out, in two seconds.
     const double phase = std::fmod(tick_ * dt, 2.0);
     const double travel = most * (phase < 1.0 ? phase : 2.0 - phase);

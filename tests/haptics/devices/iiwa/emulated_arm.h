@@ -78,7 +78,7 @@ class EmulatedArm : public testing::Test {
   FriReport report() const { return controller_->report(); }
   void order(const std::string& line) {
     const auto reply = controller_->command(line);
-    EXPECT_TRUE(reply.isTaken) << reply.text;
+    EXPECT_TRUE(reply.isAccepted) << reply.text;
   }
 
   void period() {

@@ -187,17 +187,17 @@ TEST(SplineComparison, HasBothErrorsAndThoseAtTheSamePlace) {
   const auto& hermite = comparison.splines[1];
   EXPECT_EQ(cubic.kind, SplineKind::NaturalCubic);
   EXPECT_EQ(hermite.kind, SplineKind::HermiteDataSlope);
-  EXPECT_EQ(cubic.flooredAtWorst, cubic.error.floored);
-  EXPECT_EQ(cubic.publishedAtWorst, cubic.error.published);
+  EXPECT_EQ(cubic.flooredErrorAtWorst, cubic.error.floored);
+  EXPECT_EQ(cubic.publishedErrorAtWorst, cubic.error.published);
   EXPECT_NEAR(cubic.error.floored, nodes.error, 1e-9);
   const double there = cubic.error.flooredAt;
   const auto at = std::lower_bound(curve.x.begin(), curve.x.end(), there) - curve.x.begin();
   const double v = curve.y[static_cast<std::size_t>(at)];
   EXPECT_NEAR(
-      hermite.flooredAtWorst,
+      hermite.flooredErrorAtWorst,
       std::abs(hermite.spline.at(there) - v) / std::max(std::abs(v), kFloor),
       1e-12);
-  EXPECT_LE(hermite.flooredAtWorst, hermite.error.floored);
+  EXPECT_LE(hermite.flooredErrorAtWorst, hermite.error.floored);
 }
 
 TEST(NodeChoice, ThinsRunsToOneNodeEach) {

@@ -176,7 +176,7 @@ TEST(DensityFit, MultiplicativeComesCloseAndNeverGoesBelowZero) {
 TEST(DensityFit, TheSwarmReachesTheOptimumOfAFewLayersAndNotOfAllSpheres) {
   const auto& p = problem();
   constexpr std::size_t kLayers = 8;
-  const auto few = layered(p.matrix, layersOf(p.matrix, kLayers), kLayers);
+  const auto few = summedByLayer(p.matrix, layersOf(p.matrix, kLayers), kLayers);
   const std::vector<double> prior(kLayers, uniformDensity(p.matrix, p.forces));
   const double best = fitNonNegative(few, p.forces, prior, 1e-9).error;
   const auto swarm = fitSwarm(few, p.forces, {.iterations = 400, .seed = 3});
