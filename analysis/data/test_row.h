@@ -64,7 +64,7 @@ struct TestRow {
 
   /// The number @p name of `more`; std::nullopt if the test has no such number, or it is not
   /// defined.
-  std::optional<double> additional(std::string_view name) const {
+  std::optional<double> additionalNumber(std::string_view name) const {
     for (const auto& number : more) {
       if (number.name == name) return number.value;
     }

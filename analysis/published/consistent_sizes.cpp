@@ -89,9 +89,9 @@ class SizeSearch {
       const PublishedConvention& convention)
       : table_(table), sizes_(sizes), lattice_(lattice), convention_(convention) {
     for (std::size_t g = 0; g < sizes.size(); ++g) {
-      auto& ofGroup = points_.emplace_back();
+      auto& groupPoints = points_.emplace_back();
       for (const auto n : sizes[g]) {
-        ofGroup.push_back(
+        groupPoints.push_back(
             lattice.pointsOf(table.groups[g], n, convention.divisor, convention.rounding));
       }
     }
@@ -268,7 +268,7 @@ ConsistentSizes consistentSizes(
     const PublishedConvention& convention) {
   if (sizes.size() != table.groups.size()) throw std::invalid_argument("every group has its sizes");
   double combinations = 1.0;
-  for (const auto& ofGroup : sizes) combinations *= static_cast<double>(ofGroup.size());
+  for (const auto& groupPoints : sizes) combinations *= static_cast<double>(groupPoints.size());
   if (combinations < 1.0 || combinations > kMostSizeCombinations) {
     throw std::invalid_argument("no sizes to try, or more than two million combinations of them");
   }

@@ -32,20 +32,20 @@ class FlagFinder {
   FlagFinder(const AnswerTable& table, const StudyFacts& facts) : table_(table), facts_(facts) {}
 
   std::vector<Flag> all() {
-    if (!facts_.isDeclared) undeclared();
+    if (!facts_.isDeclared) flagUndeclaredFamily();
     if (table_.answers.empty()) return std::move(flags_);
-    if (facts_.isPooled) pooled();
-    statements();
-    order();
-    scatter();
-    sizes();
-    missing();
-    trials();
+    if (facts_.isPooled) flagPooling();
+    flagStatements();
+    flagOrder();
+    flagScatter();
+    flagSizes();
+    flagMissingAnswers();
+    flagTrials();
     return std::move(flags_);
   }
 
  private:
-  void undeclared() {
+  void flagUndeclaredFamily() {
     flags_.push_back(
         {"family_not_declared",
          {text("family_not_declared")},
@@ -54,7 +54,7 @@ class FlagFinder {
          {Message::verbatim("Wagenmakers et al. 2012")}});
   }
 
-  void pooled() {
+  void flagPooling() {
     const auto dependence = dependenceOf(table_);
     if (hasRepeatedAnswers()) {
       std::vector<Message> what{
@@ -105,7 +105,7 @@ class FlagFinder {
     });
   }
 
-  void statements() {
+  void flagStatements() {
     std::map<std::size_t, std::set<std::size_t>> asked;
     for (const auto& answer : table_.answers) asked[answer.method].insert(answer.statement);
     const auto& first = asked.begin()->second;
@@ -133,7 +133,7 @@ class FlagFinder {
     }
   }
 
-  void order() {
+  void flagOrder() {
     std::map<std::size_t, std::map<std::pair<std::size_t, int>, std::set<std::size_t>>> seen;
     for (const auto& answer : table_.answers) {
       seen[answer.round][{answer.method, answer.position}].insert(answer.participant);
@@ -167,7 +167,7 @@ class FlagFinder {
          {Message::verbatim("Williams 1949")}});
   }
 
-  void scatter() {
+  void flagScatter() {
     std::vector<Message> camps{text("bimodal")};
     std::vector<std::string> constant;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
@@ -214,7 +214,7 @@ class FlagFinder {
     return most;
   }
 
-  void sizes() {
+  void flagSizes() {
     const std::size_t pairs = mostCompletePairs();
     const double attainable = smallestSignFlipP(pairs).p;
     const double perTest = facts_.threshold.value_or(
@@ -244,7 +244,7 @@ class FlagFinder {
     }
   }
 
-  void missing() {
+  void flagMissingAnswers() {
     if (facts_.expected.empty()) return;
     const auto methods = table_.methods.size();
     std::vector<std::size_t> given(table_.participants.size() * methods);
@@ -269,7 +269,7 @@ class FlagFinder {
          {text("source.not_defined")}});
   }
 
-  void trials() {
+  void flagTrials() {
     if (facts_.lateTrials > 0) {
       flags_.push_back(
           {"late_ticks",

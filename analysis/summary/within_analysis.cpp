@@ -50,7 +50,7 @@ class WithinComparer {
           options_.adjustment ? alphaPerTest(options_.alpha, pairs_.size()) : options_.alpha;
     }
     overall();
-    mixed();
+    fitMixedModels();
     for (const auto& pair : pairs_) row(pair);
     const auto places = result_.rows.empty() ? 0 : result_.rows.front().tests.size();
     for (std::size_t place = 0; place < places; ++place) {
@@ -78,7 +78,7 @@ class WithinComparer {
     }
   }
 
-  void mixed() {
+  void fitMixedModels() {
     if (table_.answers.empty()) {
       result_.mixed.reason = result_.ordinal.reason = reason("no_answers");
       return;
