@@ -335,7 +335,8 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
   return knee;
 }
 
-/// Adds a source to the list, unless a condition added it already; adds the condition to it.
+/// Adds a source to the list, unless a condition added it already; adds the condition to the
+/// source's conditions.
 void SceneSources::add(SceneDataSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;

@@ -54,10 +54,10 @@ class BlockCheck {
           "all orders of " + std::to_string(block_.conditions.size()) + " conditions are too many",
           "use balancedLatinSquare");
     }
-    if (type == OrderType::Reversed && isValidId(block_.order.of)) reversed();
+    if (type == OrderType::Reversed && isValidId(block_.order.of)) checkReversed();
   }
 
-  void reversed() {
+  void checkReversed() {
     const auto* other = protocol_.phase(block_.order.of);
     if (other == nullptr && !draft_.hasAllPhases()) return;
     if (other == nullptr || other->type != PhaseType::Block) {

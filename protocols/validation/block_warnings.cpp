@@ -38,7 +38,7 @@ class BlockWarningCheck {
       if (!mayBeFirst(condition)) continue;
       const auto items = loaded_.instrument(asked.instrument)->itemsOf(asked.setFor(condition));
       for (const auto& item : items) {
-        if (item.reference != questionnaires::Reference::Previous) continue;
+        if (item.comparedWith != questionnaires::Reference::Previous) continue;
         problems_.warn(
             path_ + ".questionnaires[" + std::to_string(index) + "]",
             message("no_previous", item.id, condition),

@@ -77,7 +77,7 @@ void adviseOnLimit(
 }
 
 /// Whether a block shows the tissue of @p condition.
-bool isSeen(const Protocol& protocol, const Condition& condition) {
+bool isVisualised(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
     const auto& felt = phase.trials.conditions;
     const bool isFelt = std::find(felt.begin(), felt.end(), condition.id) != felt.end();
@@ -107,7 +107,7 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
   for (std::size_t i = 0; i < protocol.conditions.size(); ++i) {
     const std::string path = "$.conditions[" + std::to_string(i) + "].scene";
     const auto& condition = protocol.conditions[i];
-    if (condition.anatomy && !isSeen(protocol, condition)) {
+    if (condition.anatomy && !isVisualised(protocol, condition)) {
       problems.warn(path + ".anatomy", message("knee_never_seen"), message("knee_never_seen.fix"));
     }
     const auto parts = engine::partsOf(*condition.model);
@@ -125,8 +125,8 @@ void addSceneWarnings(const Protocol& protocol, Problems& problems) {
 namespace {
 
 using questionnaires::Item;
-using questionnaires::Referent;
 using questionnaires::shown;
+using questionnaires::StudyFeature;
 
 /// The items that one phase asks, and the place of the phase in the protocol.
 struct AskedItems {
@@ -182,7 +182,7 @@ std::vector<AskedItems> askedIn(const LoadedProtocol& loaded, std::size_t index)
 std::string aboutBenchmark(const std::vector<Item>& items) {
   std::string names;
   for (const auto& item : items) {
-    if (item.refersTo != Referent::Benchmark) continue;
+    if (item.neededFeature != StudyFeature::Benchmark) continue;
     names += (names.empty() ? "'" : ", '") + shown(item.id) + "'";
   }
   return names;
@@ -198,13 +198,13 @@ std::optional<base::Message> messageIfNotRendered(const Condition& condition, co
   const bool hasJitter = parts.material != nullptr && parts.material->jitter.rms > 0.0;
   const bool isRemoved = (parts.packing != nullptr && parts.packing->isRemoved) ||
                          (parts.material != nullptr && parts.material->isRemoved);
-  if (item.refersTo == Referent::Vibration && !hasJitter) {
+  if (item.neededFeature == StudyFeature::Vibration && !hasJitter) {
     return message("no_vibration", item.id, condition.id);
   }
-  if (item.refersTo == Referent::Pace && !isRemoved) {
+  if (item.neededFeature == StudyFeature::Pace && !isRemoved) {
     return message("no_removal", item.id, condition.id);
   }
-  if (item.refersTo == Referent::ForceSize && scale < 1.0) {
+  if (item.neededFeature == StudyFeature::ForceSize && scale < 1.0) {
     return message("scaled_force", item.id, condition.id, std::lround(100.0 * scale));
   }
   return std::nullopt;

@@ -65,7 +65,7 @@ void checkScene(
 }
 
 /// Whether the tissue of @p condition is shown, because of its scene or of a block.
-bool isSeen(const UnvalidatedProtocol& draft, const Condition& condition) {
+bool isVisualised(const UnvalidatedProtocol& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
   return condition.isVisualised ||
          std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
@@ -92,7 +92,7 @@ void checkCondition(const UnvalidatedProtocol& draft, std::size_t index, Problem
         device->kind->view == View::Hip ? "remove it; the bone that a reamer shows is its packing"
                                         : "remove it");
   }
-  if (device != nullptr && device->kind->view == View::None && isSeen(draft, condition)) {
+  if (device != nullptr && device->kind->view == View::None && isVisualised(draft, condition)) {
     problems.add(
         path + ".visualisation",
         "nothing can be seen with a " + std::string(device->kind->name),

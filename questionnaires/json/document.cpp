@@ -180,7 +180,8 @@ bool Node::flag(std::string_view key, bool fallback) const {
   return fallback;
 }
 
-std::size_t Node::chosenAt(std::string_view key, const std::vector<std::string_view>& names) const {
+std::size_t Node::choiceIndexAt(
+    std::string_view key, const std::vector<std::string_view>& names) const {
   const Value* value = required(key);
   return value == nullptr ? 0 : at(key, *value).indexIn(names).value_or(0);
 }

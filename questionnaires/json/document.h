@@ -152,7 +152,7 @@ class Node {
     std::vector<std::string_view> names;
     names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.name);
-    return choices[chosenAt(key, names)].value;
+    return choices[choiceIndexAt(key, names)].value;
   }
 
   /// Like choice(), for this value itself; std::nullopt, with a problem, if it is not in
@@ -185,7 +185,7 @@ class Node {
   std::optional<std::int64_t> wholeNumberIn(
       std::string_view key, const Value& value, std::int64_t least, std::int64_t most) const;
   /// The index of the word at @p key in @p names; 0, with a problem, if it is not in @p names.
-  std::size_t chosenAt(std::string_view key, const std::vector<std::string_view>& names) const;
+  std::size_t choiceIndexAt(std::string_view key, const std::vector<std::string_view>& names) const;
   /// The index of this value in @p names; std::nullopt, with a problem, if it is not in @p names.
   std::optional<std::size_t> indexIn(const std::vector<std::string_view>& names) const;
 

@@ -131,9 +131,9 @@ enum class Reference {
   Previous,  ///< with the alternative felt before ("than the previous cut")
 };
 
-/// What a question refers to besides an alternative, so that a study must have it. If the study
-/// lacks it, the question cannot be answered, and the check of the protocol reports this.
-enum class Referent {
+/// What a study must have so that a question about it can be answered. If the study lacks it, the
+/// check of the protocol reports this.
+enum class StudyFeature {
   None,
   Benchmark,  ///< cuts with the physical tool in an earlier phase
   Vibration,  ///< vibration and chatter of the tool
@@ -141,12 +141,12 @@ enum class Referent {
   ForceSize,  ///< how large the forces are, compared with those of an operation
 };
 
-/// The names of Referent in files and messages.
-inline constexpr std::array kReferents{
-    Choice<Referent>{"benchmark", Referent::Benchmark},
-    Choice<Referent>{"vibration", Referent::Vibration},
-    Choice<Referent>{"pace", Referent::Pace},
-    Choice<Referent>{"force_size", Referent::ForceSize},
+/// The names of StudyFeature in files and messages.
+inline constexpr std::array kStudyFeatures{
+    Choice<StudyFeature>{"benchmark", StudyFeature::Benchmark},
+    Choice<StudyFeature>{"vibration", StudyFeature::Vibration},
+    Choice<StudyFeature>{"pace", StudyFeature::Pace},
+    Choice<StudyFeature>{"force_size", StudyFeature::ForceSize},
 };
 
 /// The texts of an item that an instrument may withhold, so that a wording file must supply them.
@@ -175,8 +175,8 @@ struct Item {
   bool isIdentifying = false;
   bool startsPage = false;  ///< whether the item begins a new page
   ShowIf showIf;
-  Reference reference = Reference::None;
-  Referent refersTo = Referent::None;
+  Reference comparedWith = Reference::None;
+  StudyFeature neededFeature = StudyFeature::None;
 
   Scale scale;              ///< Likert, SemanticDifferential
   LocalizedText leftText;   ///< SemanticDifferential, Slider: label of the low end

@@ -55,7 +55,7 @@ void ItemInspection::inspectHead() const {
         "the key is " + std::to_string(item_.key),
         "write 1 where a high answer is good, -1 where a low one is");
   }
-  if (item_.reference == Reference::Previous) {
+  if (item_.comparedWith == Reference::Previous) {
     problems_.warn(
         path_ + ".relative_to",
         warning("compares_with_previous"),

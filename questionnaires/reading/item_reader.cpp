@@ -248,8 +248,8 @@ void ItemReader::readCommonKeys(const Node& node, Item& item) const {
   item.isIdentifying = node.flag("identifying", false);
   item.startsPage = node.flag("page", false);
   if (const auto showIf = node.member("show_if")) item.showIf = readShowIf(*showIf);
-  item.reference = node.choice("relative_to", kReferences, Reference::None);
-  item.refersTo = node.choice("refers_to", kReferents, Referent::None);
+  item.comparedWith = node.choice("relative_to", kReferences, Reference::None);
+  item.neededFeature = node.choice("refers_to", kStudyFeatures, StudyFeature::None);
   if (node.has("acceptable_from")) {
     const double from =
         node.number("acceptable_from", -kLargestBound, kLargestBound, kUnreadNumber);

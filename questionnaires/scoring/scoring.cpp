@@ -8,7 +8,7 @@
 namespace questionnaires {
 namespace {
 
-/// The keyed answer to an item, and its weight.
+/// The answer to an item, reversed if the item is reverse-keyed, and its weight.
 struct WeightedAnswer {
   double x = 0.0;
   double weight = 1.0;

@@ -89,7 +89,7 @@ TEST(ProblemsOf, AnInstrumentNameAnswersThatAreTooLong) {
 
 TEST(ProblemsOf, AnInstrumentWarnOfStatementsThatCompare) {
   auto instrument = sound();
-  instrument.items[0].reference = Reference::Previous;
+  instrument.items[0].comparedWith = Reference::Previous;
   EXPECT_EQ(
       said(instrument),
       "warning $.items[0].relative_to: this compares with what was felt just before; an order must "

@@ -171,7 +171,7 @@ TEST(PunchFaceValidity, AsksTheStatementsOfTable1) {
     EXPECT_EQ(item.scale.lowest, 1);
     EXPECT_EQ(item.scale.highest(), 5);
     const bool isRelative = id == "2.3" || id == "3.1";
-    EXPECT_EQ(item.reference, isRelative ? Reference::Previous : Reference::None) << id;
+    EXPECT_EQ(item.comparedWith, isRelative ? Reference::Previous : Reference::None) << id;
   }
 }
 
@@ -204,7 +204,7 @@ TEST(Library, BalancesStatementsForAndAgainst) {
         std::count_if(items.begin(), items.end(), [](const Item& item) { return item.key == -1; });
     EXPECT_EQ(2 * static_cast<std::size_t>(against), items.size()) << id;
     EXPECT_TRUE(std::all_of(items.begin(), items.end(), [](const Item& item) {
-      return item.reference == Reference::None;
+      return item.comparedWith == Reference::None;
     })) << id;
   }
 }
@@ -213,19 +213,19 @@ TEST(Library, MarksEveryQuestionAboutABenchmark) {
   for (const auto& [id, instrument] : shipped()) {
     for (const auto& item : instrument.items) {
       const bool isAboutOne = item.text.in("en").find("benchmark") != std::string::npos;
-      EXPECT_EQ(item.refersTo == Referent::Benchmark, isAboutOne) << id << " " << item.id;
+      EXPECT_EQ(item.neededFeature == StudyFeature::Benchmark, isAboutOne) << id << " " << item.id;
     }
   }
 }
 
 TEST(Library, MarksWhatFewScenesOfReamingRender) {
   const auto& realism = shipped().at("reaming-realism");
-  EXPECT_EQ(realism.item("vibration")->refersTo, Referent::Vibration);
-  EXPECT_EQ(realism.item("progress")->refersTo, Referent::Pace);
-  EXPECT_EQ(realism.item("force-level")->refersTo, Referent::ForceSize);
+  EXPECT_EQ(realism.item("vibration")->neededFeature, StudyFeature::Vibration);
+  EXPECT_EQ(realism.item("progress")->neededFeature, StudyFeature::Pace);
+  EXPECT_EQ(realism.item("force-level")->neededFeature, StudyFeature::ForceSize);
   for (const auto* id : {"reaming-quality", "training-capacity", "usability-short"}) {
     for (const auto& item : shipped().at(id).items) {
-      EXPECT_EQ(item.refersTo, Referent::None) << id << " " << item.id;
+      EXPECT_EQ(item.neededFeature, StudyFeature::None) << id << " " << item.id;
     }
   }
 }

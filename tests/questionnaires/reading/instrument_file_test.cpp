@@ -138,7 +138,7 @@ TEST(InstrumentFile, ReadsEveryKeyOfAnItem) {
   const auto against = good("statement-against-realism").items.at(0);
   EXPECT_EQ(against.key, -1);
   EXPECT_EQ(against.set, "1");
-  EXPECT_EQ(against.reference, Reference::Previous);
+  EXPECT_EQ(against.comparedWith, Reference::Previous);
   EXPECT_FALSE(against.isRequired);
   EXPECT_EQ(against.scale.highLabel.in("en"), "high");
 
